@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pages of `smurfs-flatten --format html` in Chromium, which draws them without a graphics card.
 
-pages.py SMURFS-FLATTEN   Size, time from opening to the first picture, and pictures a second while all joints
-                          move, of an arm, a model of 4,200 links and a scene of 100 robots of 40 links. Ends with
+pages.py SMURFS-FLATTEN   Size, time from opening to the first picture, and pictures a second while the camera turns
+                          and while all joints move, of an arm, a model of 4,200 links and a scene of 100 robots of 40 links. Ends with
                           77 when Chromium, node or puppeteer-core is absent.
 """
 import json
@@ -25,21 +25,30 @@ DRAW = """const { stage, motion } = smurfViewer;
   };"""
 # Milliseconds since the page was asked for.
 FIRST = f"(() => {{ {DRAW} draw(); return performance.now(); }})()"
+# Calls `step` and draws a picture, again and again for three seconds. Returns the pictures per second.
+RATE = DRAW + """
+  const rate = (step) => {
+    const start = performance.now();
+    let pictures = 0;
+    for (; performance.now() - start < 3000; pictures++) {
+      step(pictures);
+      draw();
+    }
+    return (1000 * pictures) / (performance.now() - start);
+  };"""
+# The camera turns before every picture.
+TURNING = f"(() => {{ {RATE} return rate(() => stage.turn(0.02, 0)); }})()"
 # Every joint moves before every picture.
-MOVING = f"(() => {{ {DRAW}" + """
+MOVING = f"(() => {{ {RATE}" + """
   const joints = motion.scene.entities.map(({ model }) =>
     (model?.joints ?? []).filter(({ axis, leader }) => axis && leader === undefined).map(({ name }) => name));
-  const start = performance.now();
-  let pictures = 0;
-  while (performance.now() - start < 3000) {
-    const position = 0.3 * Math.sin(pictures / 10);
+  const pictures = rate((count) => {
+    const position = 0.3 * Math.sin(count / 10);
     motion.positions = joints.map((names) => new Map(names.map((name) => [name, position])));
     motion.update();
     smurfViewer.move();
-    draw();
-    pictures += 1;
-  }
-  return [(1000 * pictures) / (performance.now() - start), joints.flat().length];
+  });
+  return [pictures, joints.flat().length];
 })()"""
 # title, input, goals: seconds to the first picture, pictures a second
 INPUTS = [("arm", ROOT / "fixtures/models/arm/smurf/arm.smurf", None, None),
@@ -60,13 +69,13 @@ def main():
                 source = folder / kind / file
             page = folder / f"{number}.html"
             subprocess.run([sys.argv[1], source, "--format", "html", "--quiet", "-o", page], check=True)
-            job = {"page": str(page), "steps": [FIRST, MOVING]}
+            job = {"page": str(page), "steps": [FIRST, TURNING, MOVING]}
             done = subprocess.run(["node", ROOT / "tests/web/pages.mjs", MODULES, shutil.which("chromium")], check=True,
                                   input=json.dumps([job]), stdout=subprocess.PIPE, encoding="utf-8")
-            first, (pictures, joints) = json.loads(done.stdout)[0]["results"]
+            first, turning, (moving, joints) = json.loads(done.stdout)[0]["results"]
             goals = [f"below {seconds} s"] * (seconds is not None) + [f"{rate} pictures/s"] * (rate is not None)
             print(f"{title:12} {page.stat().st_size / 1e6:5.2f} MB, first picture after {first / 1000:.2f} s, "
-                  f"{pictures:6.1f} pictures/s while {joints} joints move{' (goal: ' if goals else ''}"
+                  f"{turning:6.1f} pictures/s while the camera turns, {moving:6.1f} while {joints} joints move{' (goal: ' if goals else ''}"
                   f"{', '.join(goals)}{')' if goals else ''}", flush=True)
     return 0
 

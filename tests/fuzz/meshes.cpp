@@ -23,6 +23,12 @@ std::vector<std::string> broken_promises(const MeshTriangles& mesh) {
       if (!std::isfinite(c)) broken.emplace_back("a point that is no point");
     }
   }
+  if (!mesh.texture_points.empty() && mesh.texture_points.size() != mesh.points.size()) {
+    broken.emplace_back("points without texture coordinates");
+  }
+  for (const TexturePoint& point : mesh.texture_points) {
+    if (!std::isfinite(point[0] + point[1])) broken.emplace_back("no texture coordinates");
+  }
   for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
     const bool is_last = i + 1 == mesh.parts.size();
     const std::size_t points = is_last ? mesh.points.size() : mesh.parts[i + 1].first_point;
@@ -47,8 +53,10 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   };
   Exercise result;
   for (const char* extension : {".stl", ".obj", ".dae", ".gltf"}) {
-    result.broken = broken_promises(read_triangles(bytes, extension, neighbours));
-    require_kept(result);
+    for (const TexturePoints wanted : {TexturePoints::ignored, TexturePoints::read}) {
+      result.broken = broken_promises(read_triangles(bytes, extension, neighbours, wanted));
+      require_kept(result);
+    }
     read_mesh(bytes, extension, {}, neighbours);
     FileNames names;
     for (const MeshDependency& named : files_named_in(bytes, extension)) {

@@ -16,6 +16,7 @@ import tempfile
 import zlib
 
 from hostile_cli_test import MEGABYTES, SECONDS, Run
+from inputs import repeat
 
 MEGABYTE = 1_000_000
 MODEL = "modelname: r\nfiles: [r.urdf]\n"
@@ -34,15 +35,6 @@ def folder(*commands):
         return make
 
     return add
-
-
-def repeat(text, size):
-    """`{}` is the number."""
-    parts = []
-    while size > 0:
-        parts.append(text.replace("{}", str(len(parts))))
-        size -= len(parts[-1])
-    return "".join(parts)
 
 
 LINT = ("smurf-lint", "-q", ".")

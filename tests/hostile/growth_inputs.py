@@ -388,6 +388,19 @@ def nodes_and_accessors_of_gltf(n, write):
     write("r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.gltf"/></geometry></visual></link></robot>')
 
 
+@grows(300, "smurf-lint", "-q", "r.urdf")
+def buffers_of_one_file(n, write):
+    buffers = ", ".join([f'{{"byteLength": {96 * n}, "uri": "m.bin"}}'] * n)
+    views = ", ".join(f'{{"buffer": {i}, "byteLength": {96 * n}}}' for i in range(n))
+    accessors = ", ".join(f'{{"bufferView": {i}, "componentType": 5126, "count": {8 * n}, "type": "VEC3"}}' for i in range(n))
+    primitives = ", ".join(f'{{"attributes": {{"POSITION": {i}}}}}' for i in range(n))
+    write("m.gltf", '{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], '
+          f'"meshes": [{{"primitives": [{primitives}]}}], "accessors": [{accessors}], '
+          f'"bufferViews": [{views}], "buffers": [{buffers}]}}')
+    write("m.bin", "\0" * 96 * n)
+    write("r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.gltf"/></geometry></visual></link></robot>')
+
+
 @grows(50, "smurf-lint", "-q", "a.smurf")
 def keys_beside_a_missing_one(n, write):
     keys = "".join(f", k{i}: 1" for i in range(n * 8))
@@ -631,6 +644,14 @@ def sensors_of_a_robot_to_mjcf(n, write):
     write_scene(write, [ENTITY % (0, "")], star(n).replace("</robot>", "".join(
         f'<gazebo reference="l{i}"><sensor name="s" type="imu"><always_on>1</always_on></sensor></gazebo>'
         for i in range(n)) + "</robot>"))
+
+
+@grows(1500, "smurfs-flatten", "-q", "--force", "--format", "mjcf", "-o", "out", "a.smurf")
+def shapes_of_one_name_that_a_sensor_names_again_and_again(n, write):
+    write("a.urdf", '<robot name="r"><link name="b">' + '<collision name="x"><geometry><box size="1 1 1"/></geometry></collision>' * n
+          + "</link></robot>")
+    write("s.yml", "sensors:\n- {name: s, type: NodeContact, collisions: [" + "x, " * n + "x]}\n")
+    write("a.smurf", "modelname: a\nfiles: [a.urdf, s.yml]\n")
 
 
 # Scenes whose entities name parts of one model

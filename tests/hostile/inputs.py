@@ -17,6 +17,15 @@ URDF = b'<robot name="r"><link name="a"/></robot>'
 MODEL = b"files: [r.urdf]\n"
 
 
+def repeat(text, size, number="{}"):
+    """`text` again and again, until there are `size` bytes. `number` stands for the number of the repetition."""
+    parts = []
+    while size > 0:
+        parts.append(text.replace(number, str(len(parts))))
+        size -= len(parts[-1])
+    return "".join(parts)
+
+
 class Special:
     """What is no file with bytes: makes itself at a path."""
 

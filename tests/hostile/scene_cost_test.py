@@ -9,6 +9,7 @@ import sys
 import tempfile
 
 from hostile_cli_test import MEGABYTES, SECONDS, Run
+from inputs import repeat
 
 FORMATS = ("json", "tsv", "svg", "dot", "smurfs", "sdf", "sdf1.6", "mjcf", "urdf", "dmd", "gltf", "usda")
 MEGABYTE = 1_000_000
@@ -21,15 +22,6 @@ def construct(make):
     """A function that gives the files; the first is the scene."""
     CONSTRUCTS.append(make)
     return make
-
-
-def repeat(text, size=MEGABYTE):
-    """`{}` is the number."""
-    parts = []
-    while size > 0:
-        parts.append(text.replace("{}", str(len(parts))))
-        size -= len(parts[-1])
-    return "".join(parts)
 
 
 def robot(part, size=MEGABYTE // 2):
@@ -83,7 +75,7 @@ def capsules_of_a_link():
     capsule = '<visual><geometry><capsule radius="1" length="1"/></geometry></visual>'
     entity = "- {name: e{}, type: urdf, file: r.urdf, position: [{}, 0, 0], rotation: [1, 0, 0, 0]}\n"
     return {"s.smurfs": entities(entity, 18 * len(entity)),
-            "r.urdf": '<robot name="r"><link name="b">' + repeat(capsule) + "</link></robot>"}
+            "r.urdf": '<robot name="r"><link name="b">' + repeat(capsule, MEGABYTE) + "</link></robot>"}
 
 
 @construct

@@ -21,7 +21,8 @@ TOOL = None
 FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
 ALL = {
     "general": {"positionEncodings": ["utf-16"]},
-    "workspace": {"workspaceEdit": {"documentChanges": True}, "didChangeWatchedFiles": {"dynamicRegistration": True}},
+    "workspace": {"workspaceEdit": {"documentChanges": True, "resourceOperations": ["rename"]},
+                  "didChangeWatchedFiles": {"dynamicRegistration": True}},
     "window": {"workDoneProgress": True},
     "textDocument": {
         "completion": {"completionItem": {"snippetSupport": True}},
@@ -219,6 +220,21 @@ class Pulled(LspTest):
         again = self.client.request("workspace/diagnostic", {"previousResultIds": known})
         self.assertEqual({one["kind"] for one in again["items"]}, {"unchanged"})
 
+    def test_closed_without_saving(self):
+        """The folder has the text of the disk again: in the findings and in the names."""
+        self.client.open(self.motors, self.motors.read_text().replace("joint1_waist", "no_joint"))
+        self.assertEqual(self.found_in_folder(), {"SML3101"})
+        self.assertEqual(len(self.client.request("workspace/symbol", {"query": "no_joint"})), 1)
+        self.client.close(self.motors)
+        self.assertEqual(self.found_in_folder(), set())
+        self.assertEqual(self.client.request("workspace/symbol", {"query": "no_joint"}), [])
+
+    def found_in_folder(self):
+        """The rules of the findings in the list of motors."""
+        report = self.client.request("workspace/diagnostic", {"previousResultIds": []})
+        return {one["code"] for file in report["items"] if path_of(file["uri"]) == str(self.motors)
+                for one in file["items"]}
+
     def test_memory_of_many_findings(self):
         """A megabyte of 25,000 findings: they are printed one by one, as a tree of all takes 70 MB."""
         entry = f"- {{name: {'n' * 40}, joint: {'n' * 40}q, mimic_motor: {'n' * 40}r, joitn: j}}\n"
@@ -226,6 +242,31 @@ class Pulled(LspTest):
         self.client.of("textDocument/diagnostic", self.motors)
         if not cli.is_sanitized(TOOL):
             self.assertLess(self.peak(), 150)
+
+
+class Refreshed(LspTest):
+    """A client that asks is told when to ask again."""
+    capabilities = {**ALL, "workspace": {name: {"refreshSupport": True}
+                                         for name in ("diagnostics", "inlayHint", "semanticTokens")},
+                    "textDocument": {"diagnostic": {}}}
+
+    def asked(self):
+        self.client.request("workspace/symbol", {"query": "no such name"})
+        methods = {one["method"] for one in self.client.requests}
+        self.client.requests.clear()
+        return methods
+
+    def test_files(self):
+        self.client.open(self.motors)
+        self.assertEqual(self.asked(), set())
+        self.client.notify("workspace/didChangeWatchedFiles", {"changes": [{"uri": uri(self.urdf), "type": 2}]})
+        self.assertEqual(self.asked(), {f"workspace/{name}/refresh" for name in
+                                        ("diagnostic", "inlayHint", "semanticTokens")})
+
+    def test_settings(self):
+        self.asked()
+        self.client.notify("workspace/didChangeConfiguration", {"settings": {"smurf": {}}})
+        self.assertEqual(self.asked(), {"workspace/inlayHint/refresh"})
 
 
 class Actions(LspTest):
@@ -501,6 +542,51 @@ class Names(LspTest):
             "oldUri": uri(self.folder / "nothing"), "newUri": uri(self.folder / "new")}]}))
 
     @staticmethod
+    def lines_of(found):
+        return sorted((pathlib.Path(path_of(one["uri"])).name, one["range"]["start"]["line"]) for one in found)
+
+    def test_names_of_files(self):
+        """All places that name a mesh."""
+        self.open(self.urdf)
+        text = self.urdf.read_text()
+        at = self.find(self.urdf, "forearm.obj")
+        lines = [i for i, line in enumerate(text.split("\n")) if "forearm.obj" in line]
+        found = self.client.at("textDocument/references", self.urdf, at, context={"includeDeclaration": True})
+        self.assertEqual(self.lines_of(found), [("arm.urdf", line) for line in lines])
+        self.assertEqual(len(self.client.at("textDocument/documentHighlight", self.urdf, at)), len(lines))
+        self.open(self.main)
+        at = self.find(self.main, "arm_motors.yml") + 2
+        found = self.client.at("textDocument/references", self.main, at, context={"includeDeclaration": True})
+        self.assertEqual([name for name, _ in self.lines_of(found)], ["arm.smurf"])
+
+    def test_rename_a_file_by_its_name(self):
+        self.open(self.main)
+        at = self.find(self.main, "arm_motors.yml") + 2
+        prepared = self.client.at("textDocument/prepareRename", self.main, at)
+        self.assertEqual(prepared["placeholder"], "arm_motors.yml")
+        self.assertEqual(text_in(self.client.texts[str(self.main)], prepared["range"]), "arm_motors.yml")
+        edit = self.client.at("textDocument/rename", self.main, at, newName="drives.yml")
+        self.assertEqual(edit["documentChanges"].pop(), {
+            "kind": "rename", "oldUri": uri(self.motors), "newUri": uri(self.motors.with_name("drives.yml"))})
+        self.assertEqual(self.applied(self.main, edit), self.main.read_text().replace("arm_motors", "drives"))
+        for name in ("arm_sensors.yml", "../x.yml", "", ".."):
+            with self.assertRaises(client.RequestError):
+                self.client.at("textDocument/rename", self.main, at, newName=name)
+
+    def test_rename_a_folder(self):
+        self.open(self.urdf)
+        edit = self.client.request("workspace/willRenameFiles", {"files": [{
+            "oldUri": uri(self.folder / "arm/meshes"), "newUri": uri(self.folder / "arm/shapes")}]})
+        self.assertEqual(self.applied(self.urdf, edit), self.urdf.read_text().replace("../meshes/", "../shapes/"))
+        # A file that moves finds its meshes again.
+        edit = self.client.request("workspace/willRenameFiles", {"files": [{
+            "oldUri": uri(self.urdf), "newUri": uri(self.folder / "arm/a/b/arm.urdf")}]})
+        self.assertEqual(self.applied(self.urdf, edit), self.urdf.read_text().replace("../meshes/", "../../meshes/"))
+        # The whole folder of a model moves, so no path in it changes.
+        self.assertIsNone(self.client.request("workspace/willRenameFiles", {"files": [{
+            "oldUri": uri(self.folder / "arm"), "newUri": uri(self.folder / "robot")}]}))
+
+    @staticmethod
     def said(scalar):
         """By a scalar of YAML in a list with brackets."""
         if scalar.startswith('"'):
@@ -536,6 +622,27 @@ class Names(LspTest):
                 self.assertEqual(mesh.get("filename"), f"{folder}{new}.stl")
         self.assertIsNone(self.client.request("workspace/willRenameFiles", {"files": [{
             "oldUri": uri(self.folder / "a.yml"), "newUri": uri(self.folder / "x\nmotors: []\n/a.yml")}]}))
+
+    def test_a_new_folder_is_in_the_project_around_it(self):
+        """The folder of a new file does not exist yet. What lies beside the repository stays unread."""
+        self.write("v/secret.yml", "motors:\n- {name: TOPSECRET, joint: j}\n")
+        (self.folder / "p/.git").mkdir(parents=True)
+        self.write("p/r.smurf", "modelname: r\nfiles: [r.urdf, ../v/secret.yml]\n")
+        self.write("p/r.urdf", '<robot name="r"><link name="b"/></robot>')
+        other = self.another([self.folder / "p"], capabilities=self.capabilities)
+        other.open(self.folder / "p/q/r.urdf", '<robot name="r"><link name="visible"/></robot>')
+        found = other.request("workspace/symbol", {"query": ""})
+        self.assertEqual({one["name"] for one in found} & {"visible", "TOPSECRET"}, {"visible"})
+        self.assertEqual(other.stop(), 0)
+
+    def test_no_name_becomes_markup(self):
+        self.write("m.smurf", "modelname: m\nfiles: [m.urdf, m.yml]\n")
+        self.write("m.urdf", '<robot name="m"><link name="a"/></robot>')
+        text = "motors:\n- {name: \"a`` ``` b\", joint: j, type: \"![i](https://example.org/x.png)\"}\n"
+        motors = self.write("m.yml", text)
+        self.open(motors)
+        said = self.client.at("textDocument/hover", motors, text.index("a``"))["contents"]["value"]
+        self.assertIn("\\!\\[i", said)
 
     def test_rename_to_a_name_that_is_taken(self):
         with self.assertRaisesRegex(client.RequestError, "there is a joint `joint2_shoulder` already"):
@@ -590,11 +697,41 @@ class Hover(LspTest):
         self.open(scene)
         self.assertIn("in the world: xyz", self.hover(scene, self.find(scene, "position:") + 2))
 
+    def test_pose_of_a_shape(self):
+        """The origin of a visual is in the frame of its link."""
+        robot = self.write("r.urdf", """<robot name="r"><link name="a"/>
+            <joint name="j" type="fixed"><origin xyz="1 0 0"/><parent link="a"/><child link="b"/></joint>
+            <link name="b"><visual><origin xyz="0 2 0"/><geometry><box size="1 1 1"/></geometry></visual></link></robot>""")
+        self.open(robot)
+        self.assertIn("seen from `a`, all joints at 0: xyz 1 2 0 ", self.hover(robot, self.find(robot, '"0 2 0"') + 1))
+        self.assertIn("seen from `a`, all joints at 0: xyz 1 0 0 ", self.hover(robot, self.find(robot, '"1 0 0"') + 1))
+
+    def test_file(self):
+        self.open(self.main)
+        self.assertIn(str(self.motors), self.hover(self.main, self.find(self.main, "arm_motors.yml") + 1))
+
     def test_mesh(self):
         self.open(self.urdf)
         text = self.hover(self.urdf, self.find(self.urdf, "upper_arm.obj"))
         self.assertIn("triangles", text)
         self.assertIn(" m\n", text + "\n")
+        self.assertIn("no unit", text)
+
+    def test_unit_of_a_mesh(self):
+        """The size is in metres, whatever the unit of the file."""
+        self.write("m.dae", """<COLLADA version="1.4.1"><asset><unit meter="0.001"/><up_axis>Z_UP</up_axis></asset>
+            <library_geometries><geometry id="g"><mesh><source id="p"><float_array id="f" count="9">0 0 0 500 0 0 0 250 0</float_array>
+            <technique_common><accessor source="#f" count="3" stride="3"/></technique_common></source>
+            <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+            <triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>
+            <library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+            <scene><instance_visual_scene url="#s"/></scene></COLLADA>""")
+        robot = self.write("r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.dae"/></geometry></visual>'
+                           "</link></robot>")
+        self.open(robot)
+        text = self.hover(robot, self.find(robot, "m.dae"))
+        self.assertIn("0.5 x 0.25 x 0 m", text)
+        self.assertIn("unit 0.001 m", text)
 
     def test_gltf(self):
         """The mesh is turned to z and is 1 m wide; its points are in a file beside it, which then is gone."""
@@ -656,6 +793,56 @@ class Completion(LspTest):
         self.open(self.motors, "motors:\n- {name: a, joint: ")
         self.assertIn("joint3_elbow", self.labels(self.motors, len("motors:\n- {name: a, joint: ")))
 
+    def completed(self, path, before, label, after=""):
+        """The text of a document after a choice of the menu at the end of `before`."""
+        if str(path) in self.client.texts:
+            self.client.replace(path, before + after)
+        else:
+            self.open(path, before + after)
+        items = self.client.at("textDocument/completion", path, len(before))["items"]
+        item = next((one for one in items if one["label"] == label), None)
+        self.assertIsNotNone(item, [one["label"] for one in items])
+        return apply(before + after, [item["textEdit"]])
+
+    def test_items_of_lists_in_brackets(self):
+        """Only the item is replaced, and lists may span lines."""
+        sensors = self.folder / "arm/smurf/arm_sensors.yml"
+        start = "sensors:\n- name: a\n  type: JointPosition\n"
+        for before, after in (("  id: [joint1_waist, ", "]\n"), ("  id: [joint1_waist,\n    joint2", "\n  ]\n"),
+                              ("  id:\n  - ", "\n")):
+            self.assertEqual(self.completed(sensors, start + before, "joint3_elbow", after),
+                             start + before.removesuffix("joint2") + "joint3_elbow" + after)
+        # A bracket that is not closed yet ends with its entry.
+        self.assertEqual(self.completed(sensors, start + "  id: [a, b\n  link: ", "turret"),
+                         start + "  id: [a, b\n  link: turret")
+
+    def test_json(self):
+        """Phobos writes models as JSON."""
+        before = '{\n "modelname": "arm",\n "files": ["../urdf/arm.urdf",\n  "arm_m'
+        self.assertEqual(self.completed(self.main, before, "arm_motors.yml", '"]}'),
+                         '{\n "modelname": "arm",\n "files": ["../urdf/arm.urdf",\n  "arm_motors.yml"]}')
+        self.assertEqual(self.completed(self.main, '{"modelname": "arm", "', "files", '"}'), '{"modelname": "arm", "files": }')
+        labels = self.labels(self.main, len('{"modelname": "arm", "'))
+        self.assertNotIn("modelname", labels)
+        self.client.replace(self.main, self.main.read_text())
+        self.assertEqual(self.completed(self.motors, '{"motors": [{"name": "a", "joint":"', "joint3_elbow", '"}]}'),
+                         '{"motors": [{"name": "a", "joint":"joint3_elbow"}]}')
+
+    def test_quotes(self):
+        for before, after in (('"', '"'), ("'", "'"), ('"joi', '"'), ("'", "")):
+            start = f"motors:\n- name: a\n  joint: {before[0]}"
+            self.assertEqual(self.completed(self.motors, start + before[1:], "joint3_elbow", after),
+                             f"{start}joint3_elbow{before[0]}")
+
+    def test_types(self):
+        """The types that readers know."""
+        self.assertIn("PID", self.completed(self.motors, "motors:\n- name: a\n  type: ", "PID"))
+        sensors = self.folder / "arm/smurf/arm_sensors.yml"
+        self.assertIn("NodeIMU", self.completed(sensors, "sensors:\n- name: a\n  type: Node", "NodeIMU"))
+        scene = self.folder / "nested/outer.smurfs"
+        self.assertIn("smurfs", self.completed(scene, "entities:\n- name: a\n  type: ", "smurfs"))
+        self.assertIn("world", self.completed(scene, "entities:\n- name: a\n  anchor: ", "world"))
+
     def test_not_in_comments(self):
         self.open(self.motors)
         self.assertEqual(self.labels(self.motors, self.find(self.motors, "every motor")), [])
@@ -672,6 +859,7 @@ class Completion(LspTest):
         self.assertIn("arm_motors.yml", labels)
         self.client.edit(self.main, at, at, "../urdf/")
         self.assertIn("../urdf/arm.urdf", self.labels(self.main, at + len("../urdf/")))
+        self.assertEqual(self.completed(self.main, "files:\n- ../", "../urdf/"), "files:\n- ../urdf/")
 
     def test_configuration(self):
         config = self.write("arm/.smurf-lint.yaml", "")
@@ -687,6 +875,21 @@ class Completion(LspTest):
         labels = self.labels(self.urdf, at + 1)
         self.assertIn("dynamics", labels)
         self.assertNotIn("inertial", labels)
+
+    def test_what_an_element_needs(self):
+        self.open(self.urdf)
+        at = self.find(self.urdf, "  <joint")
+        self.client.edit(self.urdf, at, at, "<")
+        items = self.client.at("textDocument/completion", self.urdf, at + 1)["items"]
+        joint = next(one for one in items if one["label"] == "joint")
+        self.assertEqual(joint["textEdit"]["newText"],
+                         'joint name="$1" type="$2">\n\t<parent link="$3"/>\n\t<child link="$4"/>\n</joint>')
+        at = self.find(self.urdf, "<visual")
+        self.client.edit(self.urdf, at, at, "<")
+        items = self.client.at("textDocument/completion", self.urdf, at + 1)["items"]
+        collision = next(one for one in items if one["label"] == "collision")
+        self.assertEqual(collision["textEdit"]["newText"],
+                         "collision>\n\t<geometry>\n\t\t$1\n\t</geometry>\n</collision>")
 
     def test_attributes(self):
         self.open(self.urdf)
@@ -707,6 +910,23 @@ class Completion(LspTest):
         self.client.edit(self.urdf, at, self.find(self.urdf, "\n", after=at), "")
         self.assertIn("turret", self.labels(self.urdf, at))
         self.assertGreater(len(self.client.published(self.urdf)), 0)
+
+    def test_names_in_unclosed_elements(self):
+        """The elements around the cursor are not closed yet."""
+        whole = self.urdf.read_text().removesuffix("</robot>\n")
+        self.open(self.urdf)
+        for added in ('<joint name="new" type="fixed">\n<parent link="', '<joint name="new">\n<parent link="turret"/><child link="tu'):
+            self.assertIn("turret", self.completed(self.urdf, whole + added, "turret", '"\n</robot>\n'))
+
+    def test_names_in_extensions(self):
+        whole = self.urdf.read_text().removesuffix("</robot>\n")
+        self.open(self.urdf)
+        self.assertIn("turret", self.completed(self.urdf, whole + '<gazebo reference="', "turret", '"/></robot>\n'))
+        text = whole + '<transmission name="t"><joint name="'
+        self.client.replace(self.urdf, text + '"/></transmission></robot>\n')
+        labels = self.labels(self.urdf, len(text))
+        self.assertIn("joint3_elbow", labels)
+        self.assertNotIn("turret", labels)
 
 
 class Structure(LspTest):

@@ -270,3 +270,58 @@ TEST_CASE("Drake reads nothing in what it is told to ignore") {
   robot.replace(robot.find("true"), 4, "no");
   CHECK(answer_for("drake", "<joint name", robot) == Answer::refuses);
 }
+
+TEST_CASE("what has a prefix is missing, and no slip in what it resembles") {
+  using enum Answer;
+  for (const std::string_view target : {"ros", "gazebo", "dart", "mujoco"}) {
+    CAPTURE(target);
+    CHECK(answer_for(target, "<parent link=\"base\"/>", "<u:parent link=\"base\"/>") == refuses);
+  }
+  CHECK(answer_for("ros", "effort=", "ns:effort=") == refuses);
+  CHECK(answer_for("mujoco", "<sphere", "<u:sphere") == refuses);
+}
+
+TEST_CASE("readers differ in the numbers at the edge of what a double holds") {
+  using enum Answer;
+  CHECK(answer_for("ros", "effort=\"1\"", "effort=\"5e-324\"") == loses);
+  CHECK(answer_for("gazebo", "effort=\"1\"", "effort=\"5e-324\"") == refuses);
+  CHECK(answer_for("mujoco", "effort=\"1\"", "effort=\"5e-324\"") == refuses);
+  CHECK(answer_for("ros", "xyz=\"0 0 1\"", "xyz=\"0 0 1e308\"") == loses);
+  CHECK(answer_for("mujoco", "xyz=\"0 0 1\"", "xyz=\"0 0 1e308\"") == loses);
+}
+
+TEST_CASE("an expression of xacro in a number of mimic is refused") {
+  using enum Answer;
+  constexpr std::string_view kEnd = "</joint>";
+  constexpr std::string_view kMimic = "<mimic joint=\"a\" offset=\"$(arg m)\"/></joint>";
+  CHECK(answer_for("ros", kEnd, kMimic) == refuses);
+  CHECK(answer_for("mujoco", kEnd, kMimic) == refuses);
+}
+
+TEST_CASE("a number that is followed by a unit is no mass of a root") {
+  CHECK(answer_for("gazebo", "<mass value=\"1\"/>", "<mass value=\"42 kg\"/>") == Answer::refuses);
+}
+
+TEST_CASE("a joint from a link to itself harms who meets that link only") {
+  using enum Answer;
+  constexpr std::string_view kApart =
+      "<link name=\"z\"/><joint name=\"zz\" type=\"continuous\"><parent link=\"z\"/>"
+      "<child link=\"z\"/></joint></robot>";
+  CHECK(answer_for("gazebo", "</robot>", kApart) == loses);
+  CHECK(answer_for("dart", "</robot>", kApart) == loses);
+}
+
+TEST_CASE("sdformat reads numbers of sensors, and poses of models") {
+  using enum Answer;
+  const auto add = [](std::string_view gazebo) {
+    return answer_for("gazebo", "</robot>", std::string(gazebo) + "</robot>");
+  };
+  constexpr std::string_view kBegin =
+      "<gazebo reference=\"arm\"><sensor name=\"s\" type=\"camera\"><camera><clip><near>";
+  constexpr std::string_view kEnd = "</near></clip></camera></sensor></gazebo>";
+  CHECK(add(std::string(kBegin) + "0.1m" + std::string(kEnd)) == takes);
+  CHECK(add(std::string(kBegin) + "word" + std::string(kEnd)) == refuses);
+  CHECK(add("<gazebo reference=\"arm\"><laserRetro>x</laserRetro></gazebo>") == refuses);
+  CHECK(add("<gazebo><pose>1 2 3</pose></gazebo>") == refuses);
+  CHECK(add("<gazebo><pose>1 2 3 0 0 0</pose></gazebo>") == takes);
+}

@@ -253,6 +253,9 @@ TEST_CASE("sensors become those of Gazebo, once") {
       "   position_offset: {x: 1, y: 2, z: 3}, orientation_offset: {roll: 0, pitch: 0, yaw: 90}}\n"
       "- {name: r, type: NodeRotation, link: eye, id: [eye]}\n"
       "- {name: d, type: RaySensor, link: eye, width: 9, opening_width: 2, max_distance: 5}\n"
+      "- {name: e, type: RaySensor, link: eye, width: 3}\n"
+      "- {name: f, type: MultiLevelLaserRangeFinder, link: eye, numRaysHorizontal: 4,\n"
+      "   numRaysVertical: 2, horizontalOpeningAngle: 3, verticalOpeningAngle: 0.5}\n"
       "- {name: p, type: JointPosition, id: [hinge]}\n";
   const Exported exported(Read(plain, sensors), options);
   CHECK(exported.has("  <gazebo reference=\"eye\">\n    <sensor name=\"s\" type=\"imu\">\n"
@@ -262,8 +265,14 @@ TEST_CASE("sensors become those of Gazebo, once") {
   CHECK(exported.has("<sensor name=\"r\" type=\"imu\">"));
   CHECK(exported.has("<sensor name=\"d\" type=\"gpu_lidar\">"));
   CHECK(exported.has("<samples>9</samples>"));
-  CHECK(exported.has("<min_angle>-1</min_angle>"));
+  // The rays of MARS are 2/9 rad apart.
+  CHECK(exported.has("<min_angle>-0.8888888888888888</min_angle>"));
   CHECK(exported.has("<max>5</max>"));
+  // Without opening_width it is pi/2, a third of it between two rays.
+  CHECK(exported.has("<min_angle>-0.5235987755982988</min_angle>"));
+  CHECK(exported.has("<samples>2</samples>"));
+  CHECK(exported.has("<min_angle>-3</min_angle>"));
+  CHECK(exported.has("<max_angle>0.25</max_angle>"));
   CHECK(exported.losses == "SML8001 sensor `p` has no place in a URDF\n");
 }
 

@@ -66,6 +66,23 @@ TEST_CASE("files do not share their bytes") {
   CHECK(read_zip(twice, at_most(100'000)).reason == "contains files that share their bytes");
 }
 
+TEST_CASE("sizes may be behind a file") {
+  std::string bytes = zip({{"a.txt", "some text"}});
+  const std::size_t directory = bytes.find("PK\x01\x02");
+  for (const std::size_t header : {std::size_t{0}, directory + 2}) bytes[header + 6] = 8;  // a flag
+  const auto with = [&](std::size_t behind) {
+    std::string changed = bytes;
+    changed.insert(directory, bytes.substr(14, 12) + std::string(behind - 12, 'x'));
+    const std::size_t trailer = changed.find("PK\x05\x06");
+    changed[trailer + 16] = static_cast<char>(directory + behind);
+    return changed;
+  };
+  CHECK(read_zip(with(12), at_most(100)).reason == "");
+  CHECK(read_zip(with(16), at_most(100)).reason == "");
+  CHECK(read_zip(with(13), at_most(100)).reason == "is a broken zip archive");
+  CHECK(read_zip(with(40), at_most(100)).reason == "is a broken zip archive");
+}
+
 TEST_CASE("names stay inside") {
   for (const char* name : {"../a", "a/../../b", "/a", "a\\b"}) {
     CAPTURE(name);
@@ -85,6 +102,23 @@ TEST_CASE("no archive means one thing to one program and another to the next") {
   CHECK(read_zip(uncounted, at_most(100)).reason == "is a broken zip archive");
   CHECK(read_zip(sound + "PK\x05\x06", at_most(100)).reason == "is a broken zip archive");
   CHECK(read_zip("another archive" + sound, at_most(100)).reason == "is a broken zip archive");
+
+  // The directory of the second is the last; the files from the front are those of the first.
+  const std::string other = zip({{"b.txt", "other text"}});
+  std::string commented = sound.substr(0, sound.size() - 2);
+  test::append(commented, static_cast<std::uint32_t>(other.size()), 2);
+  CHECK(read_zip(commented + other, at_most(100)).reason == "is a broken zip archive");
+  // A file in front of the directory that no entry of it names.
+  const std::size_t directory = sound.find("PK\x01\x02");
+  const std::string packed = other.substr(0, other.find("PK\x01\x02"));
+  std::string unnamed = sound.substr(0, directory) + packed + sound.substr(directory);
+  REQUIRE(packed.size() < 100);
+  unnamed[trailer + packed.size() + 16] = static_cast<char>(directory + packed.size());
+  CHECK(read_zip(unnamed, at_most(100)).reason == "is a broken zip archive");
+  // Newer programs read the directory that this record names.
+  std::string large = sound.substr(0, trailer) + "PK\x06\x06";
+  test::append_zeros(large, 52);
+  CHECK(read_zip(large + sound.substr(trailer), at_most(100)).reason == "is a broken zip archive");
 
   // minizip does not compare the checksum of an entry that claims to be larger.
   std::string shorter = sound;

@@ -4,6 +4,7 @@
 Usage: textures_test.py TOOL BUILD
 """
 import base64
+import json
 import re
 import struct
 import zlib
@@ -64,6 +65,66 @@ def texture(name, more=""):
     return f'<material name="m_{abs(hash(name)) % 9999}">{more}<texture filename="{escaped(name)}"/></material>'
 
 
+def jpeg_of_two_frames():
+    """One of 16,000 x 16,000 pixels behind a marker without length, and a small one where the marker's length would lead."""
+    frame = b"\xff\xc0\0\x11\x08%s%s"
+    start = b"\xff\xd8\xff\xd0" + frame % (b"\x3e\x80", b"\x3e\x80")
+    return start.ljust(4 + 0xffc0, b"\0") + frame % (b"\0\4", b"\0\4") + bytes(20)
+
+
+# A square of 1 m that looks along -x, with the texture coordinates of that side of a box.
+CORNERS = [(-0.5, 0.5, -0.5), (-0.5, -0.5, -0.5), (-0.5, -0.5, 0.5), (-0.5, 0.5, 0.5)]
+PLACES = [(0, 0), (1, 0), (1, 1), (0, 1)]
+
+
+def obj(places=PLACES, head=""):
+    lines = [f"v {x} {y} {z}\n" for x, y, z in CORNERS] + [f"vt {u} {v}\n" for u, v in places]
+    corners = (f"{i + 1}/{i + 1}" if places else f"{i + 1}" for i in range(4))
+    return head + "".join(lines) + f"f {' '.join(corners)}\n"
+
+
+def collada(diffuse="<color>1 1 1 1</color>"):
+    def numbers(rows):
+        return " ".join(str(number) for row in rows for number in row)
+
+    return f'''<COLLADA version="1.4.1"><library_effects><effect id="e"><profile_COMMON><technique sid="t"><lambert>
+<diffuse>{diffuse}</diffuse></lambert></technique></profile_COMMON></effect></library_effects>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="a" count="12">{numbers(CORNERS)}</float_array></source>
+<source id="t"><float_array id="b" count="8">{numbers(reversed(PLACES))}</float_array><technique_common>
+<accessor source="#b" count="4" stride="2"><param name="S"/><param name="T"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<polylist count="1"><input semantic="VERTEX" source="#v" offset="0"/><input semantic="TEXCOORD" source="#t" offset="1"/>
+<vcount>4</vcount><p>0 3 1 2 2 1 3 0</p></polylist></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes></COLLADA>'''
+
+
+def gltf(**look):
+    """Its y axis is up, and rows of its images count from above."""
+    points = b"".join(struct.pack("<3f", x, z, -y) for x, y, z in CORNERS)
+    places = b"".join(struct.pack("<2f", u, 1 - v) for u, v in PLACES)
+    data = points + places + bytes([0, 1, 2, 0, 2, 3])
+    views, start = [], 0
+    for size in (len(points), len(places), 6):
+        views.append({"buffer": 0, "byteOffset": start, "byteLength": size})
+        start += size
+    kinds = ((5126, 4, "VEC3"), (5126, 4, "VEC2"), (5121, 6, "SCALAR"))
+    return json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
+        "materials": [{"pbrMetallicRoughness": look}], "bufferViews": views,
+        "accessors": [{"bufferView": i, "componentType": kind, "count": count, "type": name}
+                      for i, (kind, count, name) in enumerate(kinds)],
+        "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}]})
+
+
+def meshes(files):
+    """A robot with a mesh for each (file, material)."""
+    links = "".join(f'<visual name="v{i}"><origin xyz="0 {2 * i} 0"/><geometry><mesh filename="{file}"/></geometry>{material}</visual>'
+                    for i, (file, material) in enumerate(files))
+    return f'<robot name="r"><link name="l">{links}</link></robot>'
+
+
 def main_color(pixel):
     """The colour without what the light makes of it."""
     return "".join(name for name, part in zip("rgb", pixel) if part > 0.6 * max(pixel))
@@ -88,10 +149,44 @@ class TexturesTest(viewer.ViewerTest):
         # The colour of a material is under a picture and multiplies it.
         self.assertLess(max(results[1][6]), 0.6 * max(results[1][2]))
 
+    def test_pictures_are_on_meshes_with_texture_coordinates(self):
+        (self.folder / "four.png").write_bytes(png([[RED, GREEN], [YELLOW, CLEAR]]))
+        files = {"four.obj": obj(), "four.dae": collada(), "four.gltf": gltf(), "bare.obj": obj([])}
+        for name, text in files.items():
+            self.write(name, text)
+        material = texture("four.png")
+        self.write("robot.urdf", meshes([*((name, material) for name in files), ("four.obj", "")]))
+        done = self.run_tool("robot.urdf", "--format", "html", "-o", "page.html", "--force")
+        self.assertIn("`four.png`", done.stderr)
+        page = self.folder / "page.html"
+        data, _ = self.data(page)
+        self.assertEqual([("texturePoints" in mesh, mesh["file"]) for mesh in data["meshes"]],
+                         [(True, "four.obj"), (True, "four.dae"), (True, "four.gltf"), (False, "bare.obj"), (False, "four.obj")])
+        self.assertEqual(data["unseen"], [{"file": "four.png", "why": "is on a mesh that has no texture coordinates", "shapes": 1}])
+        points = [[-0.5, 2 * i + y, z] for i in range(5) for z in (0.25, -0.25) for y in (0.25, -0.25)]
+        results = self.browse({"page": page, "steps": [LOOK, PIXELS % points]})[0]["results"]
+        seen = [main_color(pixel) for pixel in results[1]]
+        self.assertEqual(seen, 3 * ["r", "g", "rg", "rgb"] + 8 * ["rgb"], results[1])
+
+    def test_textures_that_a_mesh_names_are_listed(self):
+        image = "<texture texture='s' texcoord='c'/>"
+        files = {"own.obj": obj(head="mtllib own.mtl\n"), "own.dae": collada(image), "own.gltf": gltf(baseColorTexture={"index": 0}),
+                 "plain.dae": collada()}
+        for name, text in files.items():
+            self.write(name, text)
+        self.write("own.mtl", "newmtl m\nmap_Kd wood.png\n")
+        red = '<material name="red"><color rgba="1 0 0 1"/></material>'
+        self.write("robot.urdf", meshes([*((name, "") for name in files), ("own.dae", red)]))
+        done = self.run_tool("robot.urdf", "--format", "html", "-o", "page.html", "--force")
+        unseen = self.data(self.folder / "page.html")[0]["unseen"]
+        why = "has textures of its own, which are not shown"
+        self.assertEqual(unseen, [{"file": name, "why": why, "shapes": 1} for name in ("own.dae", "own.gltf", "own.obj")])
+        self.assertRegex(done.stderr, "3 textures|textures \\(")
+
     def test_what_is_no_picture_is_named(self):
         files = {"evil.png": SVG, "page.png": b"<script>window.hacked=4</script>", "huge.png": png([[RED]], 5000, 5000),
                  "damaged.png": png([[RED]], 4, 4), HOSTILE: png([[GREEN]]), "cut.jpg": JPEG[:100],
-                 "empty.png": png([[RED]])[:20]}
+                 "empty.png": png([[RED]])[:20], "wide.jpg": jpeg_of_two_frames()}
         for name, content in files.items():
             (self.folder / name).write_bytes(content)
         self.write("flat.stl", "solid s\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\nendsolid s\n")
@@ -101,7 +196,7 @@ class TexturesTest(viewer.ViewerTest):
         self.write("robot.urdf", urdf)
         done = self.run_tool("robot.urdf", "--format", "html", "-o", "page.html", "--force")
         page = self.folder / "page.html"
-        names = ["evil.png", "page.png", "huge.png", "cut.jpg", "empty.png", "absent.png"]
+        names = ["evil.png", "page.png", "huge.png", "cut.jpg", "empty.png", "wide.jpg", "absent.png"]
         for name in names:
             self.assertRegex(done.stderr, rf"textures \(.*`{re.escape(name)}`.*\) are not in the HTML")
         policy = re.search('http-equiv="Content-Security-Policy"\\s*content="([^"]*)"', page.read_text())[1]
@@ -114,9 +209,10 @@ class TexturesTest(viewer.ViewerTest):
         self.assertEqual(set(unseen), {*names, "damaged.png", HOSTILE})
         for name in ("evil.png", "page.png", "cut.jpg", "empty.png"):
             self.assertEqual(unseen[name], "is neither PNG nor JPEG")
-        self.assertEqual(unseen["huge.png"], "would make more than 16000000 pixels of textures")
+        for name in ("huge.png", "wide.jpg"):
+            self.assertEqual(unseen[name], "would make more than 16000000 pixels of textures")
         self.assertEqual(unseen["damaged.png"], "is damaged")
-        self.assertEqual(unseen[HOSTILE], "is on a mesh, whose texture coordinates are not read")
+        self.assertEqual(unseen[HOSTILE], "is on a mesh that has no texture coordinates")
         self.assertEqual(results[2], [None, 0, 2])
         self.assertEqual([main_color(pixel) for pixel in results[3]], ["g", "rgb"])
         limited = self.run_tool("robot.urdf", "--format", "html", "-o", "limited.html", "--force", "--limit", "image-pixels=1")

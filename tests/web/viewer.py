@@ -12,8 +12,8 @@ TOLERANCE = 1e-6
 READ = """({
   entities: smurfViewer.motion.entities.map((matrix) => matrix?.elements),
   links: smurfViewer.motion.links.map((links) => links.map((matrix) => matrix?.elements)),
-  drawn: smurfViewer.shapes.solids.filter(({ shape }) => !shape.around).map(({ entity, link, shape, batch, index }) => ({
-    entity, link, pose: shape.pose, at: [...batch.mesh.instanceMatrix.array.slice(16 * index + 12, 16 * index + 15)] })),
+  drawn: smurfViewer.shapes.solids.filter(({ shape }) => !shape.around).map(({ entity, link, shape, local, batch, index }) => ({
+    entity, link, pose: shape.pose, at: batch.mesh.getMatrixAt(index, local.clone()).elements.slice(12, 15) })),
 })"""
 
 

@@ -236,7 +236,7 @@ class PageTest(viewer.ViewerTest):
         self.write("robot.urdf", f'<robot name="r">{links}{joints}</robot>')
         steps = ["""smurfViewer.overlays.inertias.map(({ link, local }) => [link, [...local.elements]])""",
                  "smurfViewer.select(0, 3); document.getElementById('facts').textContent", {"key": "i"},
-                 "smurfViewer.overlays.ellipsoids.visible"]
+                 "smurfViewer.overlays.parts.inertias.drawn.visible"]
         page = self.page("robot.urdf")
         results = self.browse({"page": page, "steps": steps})[0]["results"]
         self.assertEqual([names[link] for link, _ in results[0]], ["plain", "turned", "plate"])
@@ -255,6 +255,40 @@ class PageTest(viewer.ViewerTest):
             for i in range(3):
                 for j in range(3):  # a body of uniform density: I = m / 5 (trace(S) 1 - S)
                     self.assertAlmostEqual(mass / 5 * (trace * (i == j) - spread[i][j]), wanted[i][j], delta=1e-6)
+
+    def test_copies_are_drawn_and_clicked_where_their_links_are(self):
+        """Boxes are merged into one geometry. Spheres with many sides are instances."""
+        colors = ("1 0 0", "0 1 0", "0 0 1")
+        shapes = ['<box size="1 1 1"/>'] * 3 + ['<sphere radius="0.5"/>'] * 3
+        links = "".join(f'<link name="l{i}"><visual><geometry>{shape}</geometry><material name="m{i}"><color rgba="{colors[i % 3]} 1"/>'
+                        "</material></visual></link>" for i, shape in enumerate(shapes))
+        joints = "".join(f'<joint name="j{i}" type="prismatic"><parent link="base"/><child link="l{i}"/><origin xyz="0 {2 * i} 0"/>'
+                         '<axis xyz="0 0 1"/><limit lower="-3" upper="3" effort="1" velocity="1"/></joint>' for i in range(len(shapes)))
+        self.write("robot.urdf", f'<robot name="r"><link name="base"/>{links}{joints}</robot>')
+        self.write("two.smurfs", "entities:\n- {name: A, type: urdf, file: robot.urdf}\n"
+                                 "- {name: B, type: urdf, file: robot.urdf, position: [0, 0, 6]}\n")
+        page = self.page("two.smurfs")
+        moved = {f"j{i}": 2 - i % 3 for i in range(len(shapes))}
+        seen = """(({ stage, shapes }) => {
+          stage.look([-60, 5, 3, 0, 5, 3]);
+          stage.grid.visible = false;
+          stage.renderer.render(stage.scene, stage.camera);
+          const gl = stage.renderer.getContext();
+          const { left, top, height } = stage.canvas.getBoundingClientRect();
+          return shapes.solids.map((solid) => {
+            const [x, y] = stage.toPage(shapes.boxAround([solid]).getCenter(stage.camera.position.clone()));
+            const pixel = new Uint8Array(4);
+            gl.readPixels(x, height - y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+            const [hit] = stage.hitAt({ clientX: left + x, clientY: top + y });
+            return [solid.batch.mesh.isInstancedMesh === true, hit === solid, pixel.indexOf(Math.max(...pixel.slice(0, 3)))];
+          });
+        })(smurfViewer)"""
+        count = "(smurfViewer.motion.takeMoved(), smurfViewer.motion.set(1, new Map()), [...smurfViewer.motion.moved])"
+        results = self.browse({"page": page, "steps": [seen, viewer.set_positions(1, moved), seen, count]})[0]["results"]
+        expected = [[i % 6 > 2, True, i % 3] for i in range(12)]
+        self.assertEqual(results[0], expected)
+        self.assertEqual(results[2], expected)
+        self.assertEqual(results[3], [1], "only what has moved is put into the picture again")
 
     def test_two_clicks_measure_a_distance(self):
         self.write("robot.urdf", '<robot name="r"><link name="a"><visual><geometry><box size="1 1 1"/></geometry>'

@@ -43,36 +43,8 @@ std::string with_extension(const std::string& file, std::string_view extension) 
   return file.substr(0, file.size() - path::extension(file).size()) + std::string(extension);
 }
 
-/// Reads files to copy. A model may name a file any number of times, so repeated reads have a
-/// limit.
-class RepeatedBytes {
- public:
-  RepeatedBytes(const FileReader& files, const Limits& limits) : files_(files), limits_(limits) {}
-
-  FileContent read(const std::string& file) {
-    FileContent content = files_.read(file, limits_.mesh_bytes);
-    if (content.status != ReadStatus::ok) {
-      content.reason = "cannot read '" + file + "': " + content.reason;
-    } else if (!seen_.insert(files_.identity(file)).second) {
-      bytes_ += content.text.size();
-      if (bytes_ > limits_.scene_bytes) {
-        return {ReadStatus::too_large,
-                {},
-                "copies of files that are copied already have more than " +
-                    std::to_string(limits_.scene_bytes) + " bytes; " + raise_limit("scene-bytes")};
-      }
-    }
-    return content;
-  }
-
- private:
-  const FileReader& files_;
-  const Limits& limits_;
-  std::set<std::string> seen_;  ///< by identity
-  std::uint64_t bytes_ = 0;
-};
-
-/// A link below the folder would have another file compared, and could lead anywhere.
+/// Whether a symbolic link is on the way from the folder to the place. The file may then be
+/// anywhere, so it is not compared.
 bool is_behind_link(const AssetCopy& copy) {
   const std::string whole = copy.to();
   for (std::size_t end = copy.folder.size(); end != std::string::npos && end < whole.size();) {
@@ -88,6 +60,22 @@ bool is_in_place(const AssetCopy& copy) {
 
 }  // namespace
 
+FileContent RepeatedReads::read(const std::string& file) {
+  FileContent content = files_.read(file, limits_.mesh_bytes);
+  if (content.status != ReadStatus::ok) {
+    content.reason = "cannot read '" + file + "': " + content.reason;
+  } else if (!seen_.insert(files_.identity(file)).second) {
+    bytes_ += content.text.size();
+    if (bytes_ > limits_.scene_bytes) {
+      return {ReadStatus::too_large,
+              {},
+              "copies of files that are copied already have more than " +
+                  std::to_string(limits_.scene_bytes) + " bytes; " + raise_limit("scene-bytes")};
+    }
+  }
+  return content;
+}
+
 CopyPlan::Kind CopyPlan::kind_of(const MeshDependency& named) {
   switch (named.kind) {
   case MeshDependency::Kind::material_library: return Kind::material_library;
@@ -100,7 +88,7 @@ CopyPlan::Kind CopyPlan::kind_of(const MeshDependency& named) {
 CopyPlan::CopyPlan(const FileReader& files, const Limits& limits, std::string current_folder,
                    std::string folder, std::set<std::string> sources)
     : files_(files),
-      limits_(limits),
+      reads_(files, limits),
       current_(std::move(current_folder)),
       folder_(std::move(folder)),
       sources_(std::move(sources)) {}
@@ -138,22 +126,15 @@ std::string CopyPlan::add(const std::string& from, const std::string& group) {
   return path::join(current_, path::join(folder_, inside));
 }
 
-/// The content of a file whose names are followed. Links can give one file thousands of names; the
-/// copying refuses that many bytes.
-std::string CopyPlan::read(const std::string& from) {
-  std::string text = files_.read(from, limits_.mesh_bytes).text;
-  if (!read_.insert(files_.identity(from)).second) read_again_ += text.size();
-  return read_again_ > limits_.scene_bytes ? std::string() : text;
-}
-
 void CopyPlan::add_copy(const std::string& from, const std::string& inside,
                         const std::string& group, Kind kind) {
   AssetCopy copy{
       from, folder_, inside, {}, kind == Kind::buffer, std::string(path::extension(from))};
-  // It names textures only, whatever it is called: a chain of libraries would have no end.
+  // Whatever its extension, it is read as a library of materials, which names only textures. A
+  // library that named libraries could go on without end.
   if (kind == Kind::material_library) copy.format = ".mtl";
   const bool names_files = kind == Kind::mesh || kind == Kind::material_library;
-  const std::string text = names_files ? read(from) : std::string();
+  const std::string text = names_files ? reads_.read(from).text : std::string();
   for (const MeshDependency& named : files_named_in(text, copy.format)) {
     if (named.length == 0 || copy.names.contains(named.filename)) continue;
     const auto place = copy_neighbour(named, from, inside, group);
@@ -189,7 +170,7 @@ std::string CopyPlan::unique(const std::string& first, const std::string& from,
     return is_source(place, from) || taken_.contains(place) || is_taken_as_other(place);
   };
   int& number = numbers_.try_emplace(first, 1).first->second;
-  // Below a file there is no place, whatever the number.
+  // A number in the name does not help a path that leads through a file: its first folder changes.
   const bool is_below_file = is_taken_as_other(first);
   const std::string_view front = is_below_file ? std::string_view() : path::parent(first);
   const std::string_view rest = is_below_file ? std::string_view(first) : path::file_name(first);
@@ -205,7 +186,7 @@ std::string CopyPlan::unique(const std::string& first, const std::string& from,
   return inside;
 }
 
-/// A file has the name of a folder, or a folder that of a file.
+/// Whether the file would have the path of a folder of another copy, or lie below another file.
 bool CopyPlan::is_taken_as_other(const std::string& place) const {
   if (taken_folders_.contains(place)) return true;
   for (std::string above(path::parent(place)); !above.empty();
@@ -243,7 +224,7 @@ bool copy_files(std::string_view tool, const AssetCopies& copies, const FileRead
                          "': its name is not that of a mesh or image; nothing was written");
       return false;
     }
-    // Writing says why it refuses links and what cannot be read.
+    // The writer reports links and files that cannot be read.
     if (overwrite || is_behind_link(copy)) {
       missing.push_back(copy);
       continue;
@@ -258,7 +239,7 @@ bool copy_files(std::string_view tool, const AssetCopies& copies, const FileRead
       return false;
     }
   }
-  RepeatedBytes repeated(files, limits);
+  RepeatedReads repeated(files, limits);
   std::vector<OutputFile> outputs;
   for (const AssetCopy& copy : missing) {
     outputs.push_back({.folder = copy.folder, .path = copy.inside, .read = [&repeated, &copy] {

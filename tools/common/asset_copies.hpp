@@ -32,6 +32,21 @@ struct AssetCopy {
 };
 using AssetCopies = std::vector<AssetCopy>;
 
+/// Reads files to copy. Links can give one file thousands of names, so all that is read more than
+/// once may have no more bytes than a scene.
+class RepeatedReads {
+ public:
+  RepeatedReads(const FileReader& files, const Limits& limits) : files_(files), limits_(limits) {}
+
+  FileContent read(const std::string& file);
+
+ private:
+  const FileReader& files_;
+  const Limits& limits_;
+  std::set<std::string> seen_;  ///< by identity
+  std::uint64_t bytes_ = 0;     ///< of files that were read before
+};
+
 /// Finds a place for every copy.
 class CopyPlan {
  public:
@@ -52,7 +67,6 @@ class CopyPlan {
   static Kind kind_of(const MeshDependency& named);
   std::string in_first_folder(const std::string& file);
   std::string add(const std::string& from, const std::string& group);
-  std::string read(const std::string& from);
   void add_copy(const std::string& from, const std::string& inside, const std::string& group,
                 Kind kind);
   std::optional<std::string> copy_neighbour(const MeshDependency& named, const std::string& from,
@@ -62,14 +76,12 @@ class CopyPlan {
   bool is_source(const std::string& inside, const std::string& from) const;
 
   const FileReader& files_;
-  const Limits& limits_;
+  RepeatedReads reads_;  ///< of the files whose names are followed
   std::string current_, folder_;
   std::set<std::string> sources_;
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> copies_;
   std::map<std::pair<std::string, std::string>, std::string> neighbours_;  ///< in the folder
   std::set<std::string> taken_, taken_folders_;
-  std::set<std::string> read_;    ///< by identity
-  std::uint64_t read_again_ = 0;  ///< bytes
   std::map<std::string, int> numbers_;
   std::map<std::string, std::string> folders_;        ///< the first name, by any
   std::map<std::string, std::string> first_folders_;  ///< by identity

@@ -26,8 +26,8 @@ MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
     return copy != origins.end() ? copy->second : known_name(absolute, current, files);
   };
   return {.triangles =
-              [=, &files, &limits](const std::string& file) {
-                return read_triangles_of(origin(file), files, limits);
+              [=, &files, &limits](const std::string& file, TexturePoints texture_points) {
+                return read_triangles_of(origin(file), files, limits, texture_points);
               },
           .identity =
               [=, &files](const std::string& file) {  // the name tells how it is read

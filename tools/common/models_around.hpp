@@ -5,7 +5,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "smurf/file_reader.hpp"
@@ -38,7 +37,7 @@ class ModelsAround {
     bool is_model = false;
   };
   /// The users of each file, by its identity.
-  using Users = std::unordered_map<std::string, std::vector<User>>;
+  using Users = std::map<std::string, std::vector<User>>;
 
   const Users& listing_in(const std::string& folder);
   const Users& using_in(const std::string& folder);

@@ -86,7 +86,7 @@ class ShapeBuilder {
 
   /// What a collision needs of its model.
   struct Lookup {
-    std::unordered_map<std::string_view, std::int64_t> bitmasks;     ///< by collision
+    std::map<std::string_view, std::int64_t> bitmasks;               ///< by collision
     std::unordered_map<std::uint32_t, const MeshReference*> meshes;  ///< by place
   };
 

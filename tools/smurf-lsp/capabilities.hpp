@@ -2,6 +2,8 @@
 // The functions that answer requests, one for each, grouped by file.
 #pragma once
 
+#include <functional>
+
 #include "smurf-lsp/context.hpp"
 
 namespace smurf::lsp {
@@ -42,6 +44,10 @@ struct FileLink {
 std::vector<FileLink> links_in(const Context& context, const FileView& view);
 /// The file names at the place of a request.
 std::vector<FileLink> links_at(Context& context, const Json& params);
+/// Calls `visit` with each file name in the models and scenes of the open documents, and its view.
+/// A file that several models read is visited with each.
+void for_each_link(Context& context,
+                   const std::function<void(const FileView&, const FileLink&)>& visit);
 
 // navigation.cpp
 Json definition(Context& context, const Json& params);
@@ -50,6 +56,9 @@ Json highlights(Context& context, const Json& params);
 
 // file_renaming.cpp
 Json rename_files(Context& context, const Json& params);
+/// Another name for the file that is named at a place, if there is one.
+Json prepare_file_rename(Context& context, const Json& params);
+Json rename_file_at(Context& context, const Json& params);
 Json file_filters();
 
 // renaming.cpp

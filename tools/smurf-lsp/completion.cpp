@@ -10,6 +10,7 @@
 #include "smurf-lsp/xml_context.hpp"
 #include "smurf-lsp/yaml_context.hpp"
 #include "smurf/check.hpp"
+#include "smurf/extension_names.hpp"
 #include "smurf/key_help.hpp"
 
 namespace smurf::lsp {
@@ -48,9 +49,12 @@ class Completer {
     return {{"line", line}, {"character", units_in(rest, context_.client.encoding)}};
   }
 
-  void set_place(std::size_t begin, std::size_t end) {
-    range_ = {{"start", position(begin)}, {"end", position(end)}};
+  void set_place(std::size_t begin, std::size_t end, char quote = '\0') {
     written_ = text_.substr(begin, end - begin);
+    quote_ = quote;
+    // Editors close a quote as soon as it is opened; the text brings its own.
+    if (quote != '\0' && end < text_.size() && text_[end] == quote) ++end;
+    range_ = {{"start", position(begin)}, {"end", position(end)}};
   }
 
   Json& add(const std::string& label, int kind, const std::string& text,
@@ -82,7 +86,7 @@ class Completer {
   void complete_yaml(KeyLanguage language) {
     const YamlContext context = yaml_context(text_, offset_);
     if (context.is_comment) return;
-    set_place(context.begin, context.end);
+    set_place(context.begin, context.end, context.quote);
     if (!context.key.empty()) {
       KeyPath path = context.path;
       path.push_back(context.key);
@@ -107,12 +111,13 @@ class Completer {
       if (has(key.name)) continue;
       const bool is_block =
           !context.is_flow && (key.form == ValueForm::list || key.form == ValueForm::mapping);
-      Json& item = add(key.name, kProperty, key.name + (is_block ? ":" : ": "), detail_of(key));
+      Json& item =
+          add(key.name, kProperty, end_quote(key.name) + (is_block ? ":" : ": "), detail_of(key));
       if (!key.doc.empty()) item["documentation"] = markdown(key.doc);
       item["sortText"] = (key.required ? "0" : "1") + key.name;
       if (key.required) required.push_back(&key);
     }
-    if (required.empty() || !context.siblings.empty() || context.is_flow) return;
+    if (required.empty() || !context.siblings.empty() || context.is_flow || quote_ != '\0') return;
     std::string text;
     std::string snippet;
     for (std::size_t i = 0; i < required.size(); ++i) {
@@ -138,17 +143,25 @@ class Completer {
       }
       return;
     case XmlContext::Kind::attribute: add_attributes(context); return;
-    case XmlContext::Kind::value: {
-      const auto help = element_help(context.element);
-      if (!help) return;
-      for (const KeyHelp& key : help->attributes) {
-        if (key.name != context.attribute) continue;
-        unfinished_tag_ = context.tag;
-        add_values(key, false);
-      }
+    case XmlContext::Kind::value: add_attribute_values(context); return;
+    default: return;
+    }
+  }
+
+  void add_attribute_values(const XmlContext& context) {
+    unfinished_tag_ = context.tag;
+    open_ = context.open;
+    const std::string_view parent = open_.empty() ? std::string_view() : open_.back();
+    const auto around = element_help(parent);
+    const bool is_urdf = around && std::find(around->children.begin(), around->children.end(),
+                                             context.element) != around->children.end();
+    const auto help = is_urdf || open_.empty() ? element_help(context.element) : std::nullopt;
+    if (!help) {
+      add_names(names_in_extension(parent, context.element, context.attribute), false);
       return;
     }
-    default: return;
+    for (const KeyHelp& key : help->attributes) {
+      if (key.name == context.attribute) add_values(key, false);
     }
   }
 
@@ -162,17 +175,26 @@ class Completer {
   void add_element(std::string_view name) {
     const auto help = element_help(name);
     if (!help) return;
-    std::string snippet(name);
-    int stop = 0;
-    for (const KeyHelp& key : help->attributes) {
-      const bool is_name_of_child = key.name == "link" || key.name == "size" || key.name == "xyz";
-      if (!key.required && !is_name_of_child) continue;
-      snippet += " " + key.name + "=\"$" + std::to_string(++stop) + "\"";
-    }
-    snippet += help->children.empty() ? "/>" : ">\n\t$0\n</" + std::string(name) + ">";
     Json& item = add(std::string(name), kClass, std::string(name));
     item["documentation"] = markdown(help->doc);
-    add_snippet(item, snippet);
+    int stop = 0;
+    add_snippet(item, element_text(*help, stop, "\n"));
+  }
+
+  /// The element, behind its "<", with all that it needs. `line` begins a line of its own.
+  static std::string element_text(const ElementHelp& help, int& stop, const std::string& line) {
+    std::string text(help.name);
+    for (const KeyHelp& key : help.attributes) {
+      if (key.is_usual) text += " " + key.name + "=\"$" + std::to_string(++stop) + "\"";
+    }
+    if (help.children.empty()) return text + "/>";
+    text += ">";
+    for (const std::string_view name : help.usual_children) {
+      const auto child = element_help(name);
+      if (child) text += line + "\t<" + element_text(*child, stop, line + "\t");
+    }
+    if (help.usual_children.empty()) text += line + "\t$" + std::to_string(++stop);
+    return text + line + "</" + std::string(help.name) + ">";
   }
 
   void add_attributes(const XmlContext& context) {
@@ -191,25 +213,38 @@ class Completer {
   // --- values of both
 
   void add_values(const KeyHelp& help, bool is_yaml) {
-    for (const std::string_view choice : help.choices) {
-      add(std::string(choice), kValue, std::string(choice), detail_of(help));
+    for (const auto& words : {help.choices, help.known}) {
+      for (const std::string_view word : words) {
+        add(std::string(word), kValue, end_quote(std::string(word)), detail_of(help));
+      }
     }
-    if (!help.names.empty() && !help.defines) add_names(help.names, is_yaml);
+    if (!help.defines) add_names(help.names, is_yaml);
     if (help.is_path) add_files(is_yaml);
   }
 
-  static std::string as_yaml(const std::string& name) {
+  /// Adds the closing quote to the text of an item. A folder gets none, because the name of a file
+  /// follows.
+  std::string end_quote(std::string text) const {
+    return quote_ == '\0' || text.ends_with('/') ? text : text + quote_;
+  }
+
+  std::string as_yaml(const std::string& name) const {
+    if (quote_ == '\'') {
+      std::string text;
+      for (const char c : name) text += c == '\'' ? "''" : std::string(1, c);
+      return end_quote(text);
+    }
+    constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
     const bool is_plain =
         !name.empty() &&
-        name.find_first_not_of("abcdefghijklmnopqrstuvwxyz"
-                               "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./") == std::string::npos &&
-        name.find_first_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") == 0;
-    if (is_plain || name == "../") return name;
-    std::string text = "\"";
+        name.find_first_not_of(std::string(kLetters) + "0123456789_-./") == std::string::npos &&
+        (kLetters.find(name[0]) != kLetters.npos || name.starts_with("../"));
+    if (quote_ == '\0' && is_plain) return name;
+    std::string text;
     for (const char c : name) {
       text += c == '"' || c == '\\' ? "\\" + std::string(1, c) : std::string(1, c);
     }
-    return text + "\"";
+    return quote_ == '\0' ? '"' + text + '"' : end_quote(text);
   }
 
   /// Names in the checked files: quoted where needed, and left out if a menu could not show them.
@@ -218,25 +253,36 @@ class Completer {
     add(name, kind, is_yaml ? as_yaml(name) : escape_xml(name), detail);
   }
 
-  /// The views of the file. If it cannot be read, the word at the cursor is left out of the text.
+  static bool is_readable(const std::vector<FileView>& views) {
+    return !views.empty() && std::none_of(views.begin(), views.end(), [](const FileView& one) {
+      return one.yaml == nullptr && one.xml == nullptr;
+    });
+  }
+
+  /// The views of the file. If it cannot be read, the word at the cursor is left out of the text,
+  /// and the elements around it end, which somebody who writes from top to bottom has not closed.
   std::vector<FileView> readable_views() {
     std::vector<FileView> views = context_.workspace.views(path_);
-    const bool is_broken = views.empty() || std::any_of(views.begin(), views.end(), [](auto& one) {
-                             return one.yaml == nullptr && one.xml == nullptr;
-                           });
-    if (!is_broken) return views;
-    std::string mended = text_;
-    if (unfinished_tag_ != text_.npos) {
-      mended = without_tag(text_, unfinished_tag_, offset_);
-    } else {
+    if (is_readable(views)) return views;
+    if (unfinished_tag_ == text_.npos) {
+      std::string rest = text_;
       const std::size_t before = offset_ == 0 ? text_.npos : text_.rfind('\n', offset_ - 1);
       const std::size_t begin = before == text_.npos ? 0 : before + 1;
-      mended.erase(begin, std::min(text_.find('\n', offset_), text_.size()) - begin);
+      rest.erase(begin, std::min(text_.find('\n', offset_), text_.size()) - begin);
+      return context_.workspace.views_with(path_, std::move(rest));
     }
-    return context_.workspace.views_with(path_, std::move(mended));
+    constexpr std::size_t kMostUnclosed = 3;  // each try reads the model
+    for (std::size_t count = 0; count <= std::min(open_.size(), kMostUnclosed); ++count) {
+      const auto unclosed = std::span(open_).last(count);
+      views = context_.workspace.views_with(path_,
+                                            without_tag(text_, unfinished_tag_, offset_, unclosed));
+      if (is_readable(views)) break;
+    }
+    return views;
   }
 
   void add_names(NameKinds kinds, bool is_yaml) {
+    if (kinds.empty()) return;
     std::map<std::string, NameKind> names;
     for (const FileView& view : readable_views()) {
       for (const Reference& one : context_.workspace.names().names()[view.part]) {
@@ -263,7 +309,7 @@ class Completer {
       if (inner == path_) continue;
       add_name(before + name + (is_file ? "" : "/"), is_file ? kFile : kFolder, {}, is_yaml);
     }
-    if (before.empty()) add("../", kFolder, "../");
+    if (before.empty() || before.ends_with("../")) add(before + "../", kFolder, before + "../");
   }
 
   Context& context_;
@@ -271,6 +317,8 @@ class Completer {
   const std::string text_;
   std::size_t offset_ = 0;
   std::size_t unfinished_tag_ = std::string::npos;
+  std::vector<std::string_view> open_;  ///< the elements around that tag
+  char quote_ = '\0';                   ///< of YAML, open before the word
   Json range_;
   std::string written_;
   Json items_ = Json::array();

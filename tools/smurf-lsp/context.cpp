@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-lsp/context.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -16,6 +17,13 @@ void Context::send(const Json& message) {
   const std::string text = dump(message);
   write(lists.insert_into(text));
   if (!lists.empty()) lists.clear();  // other threads tell how far they are, without lists
+}
+
+void Context::ask(const char* method, Json params) {
+  send({{"jsonrpc", "2.0"},
+        {"id", "server-" + std::to_string(++last_id)},
+        {"method", method},
+        {"params", std::move(params)}});
 }
 
 std::string path_in(const Json& params) {
@@ -112,21 +120,29 @@ std::string unmarked(std::string_view text) {
   return result;
 }
 
-/// Leaves text in backquotes unchanged.
+/// Finds the next backquote with no other backquote beside it, from `at` on. npos: there is none.
+std::size_t find_mark(std::string_view line, std::size_t at) {
+  while ((at = line.find('`', at)) != std::string_view::npos) {
+    const std::size_t end = std::min(line.find_first_not_of('`', at), line.size());
+    if (end - at == 1) break;
+    at = end;
+  }
+  return at;
+}
+
+/// Escapes Markdown except between backquotes. Several backquotes in a row come from a name in a
+/// model: Markdown does not end our text, which began with one, at several.
 std::string marked_line(std::string_view line) {
   std::string result;
-  bool is_code = false;
   while (!line.empty()) {
-    const std::size_t end = line.find('`');
-    const std::string_view part = line.substr(0, end);
-    result += is_code ? std::string(part) : unmarked(part);
+    const std::size_t begin = find_mark(line, 0);
+    const std::size_t end = begin == std::string_view::npos ? begin : find_mark(line, begin + 1);
     if (end == std::string_view::npos) break;
+    result += unmarked(line.substr(0, begin));
+    result += line.substr(begin, end + 1 - begin);
     line.remove_prefix(end + 1);
-    const bool is_closed = is_code || line.find('`') != std::string_view::npos;
-    result += is_closed ? "`" : "\\`";
-    is_code = is_closed && !is_code;
   }
-  return result;
+  return result + unmarked(line);
 }
 
 }  // namespace

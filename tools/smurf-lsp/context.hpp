@@ -27,6 +27,10 @@ struct Client {
   bool takes_progress = false;
   bool takes_watchers = false;
   bool takes_deep_symbols = false;
+  bool renames_files = false;          ///< as a part of an edit
+  bool refreshes_diagnostics = false;  ///< asks for them again when told so
+  bool refreshes_hints = false;
+  bool refreshes_tokens = false;
   bool shows_degrees = true;    ///< inlay hints
   bool shows_defaults = false;  ///< inlay hints
 };
@@ -52,6 +56,8 @@ struct Context {
   bool has_checked_folders = false;
 
   void send(const Json& message);
+  /// Sends a request, whose answer nobody needs.
+  void ask(const char* method, Json params);
 };
 
 /// The path of the document of a request.

@@ -107,10 +107,7 @@ Json token_of(Context& context, const Json& params) {
   if (given.is_string() || given.is_number()) return given;
   if (!context.client.takes_progress || context.has_checked_folders) return nullptr;
   Json token = "smurf-lint-folders";
-  context.send({{"jsonrpc", "2.0"},
-                {"id", "server-" + std::to_string(++context.last_id)},
-                {"method", "window/workDoneProgress/create"},
-                {"params", {{"token", token}}}});
+  context.ask("window/workDoneProgress/create", {{"token", token}});
   return token;
 }
 

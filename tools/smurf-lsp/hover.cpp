@@ -101,6 +101,19 @@ std::optional<LinkIndex> link_around(const LinkedModel& model, xml::View element
   return std::nullopt;
 }
 
+/// The pose that an <origin> of a shape or an inertia gives in the frame of its link. None when the
+/// element is the <origin> of a joint.
+std::optional<Pose> pose_in(const urdf::Link& link, xml::View element) {
+  std::optional<Pose> pose;
+  const auto look_at = [&](const urdf::Origin& origin) {
+    if (origin.element == element.id()) pose = urdf::to_pose(origin);
+  };
+  if (link.inertial) look_at(link.inertial->origin);
+  for (const urdf::Visual& one : link.visuals) look_at(one.origin);
+  for (const urdf::Collision& one : link.collisions) look_at(one.origin);
+  return pose;
+}
+
 std::optional<Said> xml_key_at(const Context&, const PlaceView& place) {
   const xml::View element(*place.view.xml, xml::element_at(*place.view.xml, place.offset));
   const auto help = element ? element_help(element.name()) : std::nullopt;
@@ -108,7 +121,9 @@ std::optional<Said> xml_key_at(const Context&, const PlaceView& place) {
   Lines pose;
   const LinkedModel* model = place.view.model;
   if (element.name() == "origin" && model != nullptr && model->robot) {
-    if (const auto link = link_around(*model, element)) pose = describe_place(*model, *link);
+    if (const auto link = link_around(*model, element)) {
+      pose = describe_place(*model, *link, pose_in(model->link(*link), element));
+    }
   }
   if (holds(element.name_span(), place.offset)) {
     Lines lines{"`" + std::string(help->name) + "`", std::string(help->doc)};
@@ -147,13 +162,25 @@ Lines entity_pose(const PlaceView& place) {
   return {};
 }
 
+/// A file name: its file, and the key that expects it.
+std::optional<Said> file_at(const Context& context, const PlaceView& place) {
+  for (const FileLink& link : links_in(context, place.view)) {
+    if (!holds(link.span, place.offset)) continue;
+    const bool exists = context.workspace.files().is_file(link.path);
+    return Said{link.span, {exists ? link.path : "there is no file " + link.path}};
+  }
+  return std::nullopt;
+}
+
 std::optional<Said> said_at(Context& context, const PlaceView& place) {
   if (auto name = name_at(context, place)) return name;
   if (auto mesh = mesh_at(context, place)) return mesh;
-  if (place.view.xml != nullptr) return xml_key_at(context, place);
+  auto file = file_at(context, place);
+  if (place.view.xml != nullptr) return file ? file : xml_key_at(context, place);
   if (place.view.yaml == nullptr) return std::nullopt;
   auto key = yaml_key_at(context, place);
-  if (!key) return std::nullopt;
+  if (!key) return file;
+  if (file) key->lines.insert(key->lines.end(), file->lines.begin(), file->lines.end());
   const bool is_pose =
       key->lines[0].starts_with("`position`") || key->lines[0].starts_with("`rotation`");
   if (is_pose) {

@@ -32,6 +32,22 @@ void add_keys(yaml::View value, KeyLanguage language, const std::string& folder,
   }
 }
 
+/// All files of the models and scenes of the open documents.
+std::set<std::string> files_of(Context& context) {
+  std::set<std::string> files;
+  const SourceMap& sources = context.workspace.loaded_sources();
+  const auto add = [&](const LinkedModel& model) {
+    for (const ModelFile& file : model.files) files.insert(sources.path(file.source));
+  };
+  for (const tools::LoadedNames::Part& part : context.workspace.names().parts()) {
+    if (part.model != nullptr) add(part.model->model);
+    if (part.scene == nullptr) continue;
+    for (const SceneFile& file : part.scene->scene.scenes) files.insert(sources.path(file.source));
+    for (const LinkedModel& model : part.scene->scene.models) add(model);
+  }
+  return files;
+}
+
 bool is_of_model(KeyLanguage language) { return language == KeyLanguage::annotation; }
 
 }  // namespace
@@ -65,6 +81,15 @@ std::vector<FileLink> links_at(Context& context, const Json& params) {
     }
   }
   return found;
+}
+
+void for_each_link(Context& context,
+                   const std::function<void(const FileView&, const FileLink&)>& visit) {
+  for (const std::string& file : files_of(context)) {
+    for (const FileView& view : context.workspace.views(file)) {
+      for (const FileLink& link : links_in(context, view)) visit(view, link);
+    }
+  }
 }
 
 Json document_links(Context& context, const Json& params) {

@@ -32,10 +32,10 @@ class Places {
     const bool is_new = seen_.emplace(path, span.begin, span.end).second;
     if (is_new) text_ += (empty() ? "" : ",") + dump(place);
   }
-  void add(const Reference& one) {
-    add(context_.workspace.loaded_sources().path(one.span.source), one.span,
-        location(context_, one.span));
+  void add(Span span) {
+    add(context_.workspace.loaded_sources().path(span.source), span, location(context_, span));
   }
+  void add(const Reference& one) { add(one.span); }
   bool empty() const { return text_ == "["; }
   Json take() { return context_.lists.add(std::move(text_) + "]"); }
 
@@ -63,12 +63,29 @@ Json definition(Context& context, const Json& params) {
   return places.take();
 }
 
+namespace {
+
+/// The places that name the same file as the place of the request.
+template <class Visit>
+void for_each_file_name(Context& context, const Json& params, const Visit& visit) {
+  const std::vector<FileLink> wanted = links_at(context, params);
+  if (wanted.empty()) return;
+  for_each_link(context, [&](const FileView&, const FileLink& link) {
+    if (link.path == wanted.front().path) visit(link.span);
+  });
+}
+
+}  // namespace
+
 Json references(Context& context, const Json& params) {
   const bool with_definition = flag_at(params, {"context", "includeDeclaration"}, true);
   Places places(context);
   for_each_place(context, params, [&](const Reference& one) {
     if (with_definition || !one.is_definition) places.add(one);
   });
+  if (places.empty()) {
+    for_each_file_name(context, params, [&](Span span) { places.add(span); });
+  }
   return places.take();
 }
 
@@ -77,12 +94,15 @@ Json highlights(Context& context, const Json& params) {
   constexpr int kWrite = 3;
   const std::string path = path_in(params);
   Places places(context);
-  for_each_place(context, params, [&](const Reference& one) {
-    if (context.workspace.loaded_sources().path(one.span.source) != path) return;
-    places.add(path, one.span,
-               {{"range", loaded_positions(context).range(one.span)},
-                {"kind", one.is_definition ? kWrite : kRead}});
-  });
+  const auto add = [&](Span span, int kind) {
+    if (context.workspace.loaded_sources().path(span.source) != path) return;
+    places.add(path, span, {{"range", loaded_positions(context).range(span)}, {"kind", kind}});
+  };
+  for_each_place(context, params,
+                 [&](const Reference& one) { add(one.span, one.is_definition ? kWrite : kRead); });
+  if (places.empty()) {
+    for_each_file_name(context, params, [&](Span span) { add(span, kRead); });
+  }
   return places.take();
 }
 

@@ -46,7 +46,7 @@ Json prepare_rename(Context& context, const Json& params) {
     return {{"range", loaded_positions(context).range(named->span)},
             {"placeholder", std::string(named->name)}};
   }
-  return nullptr;
+  return prepare_file_rename(context, params);
 }
 
 Json rename(Context& context, const Json& params) {
@@ -63,6 +63,8 @@ Json rename(Context& context, const Json& params) {
     check_lines(context, renamed.edits);
     return workspace_edit(context, renamed.edits, context.workspace.loaded_sources());
   }
+  Json file = rename_file_at(context, params);
+  if (!file.is_null()) return file;
   throw RequestError(kRequestFailed, "there is no name here");
 }
 

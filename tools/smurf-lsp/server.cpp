@@ -107,6 +107,13 @@ void read_client(const Json& params, Client& client) {
       flag_at(can, {"workspace", "didChangeWatchedFiles", "dynamicRegistration"});
   client.takes_deep_symbols =
       flag_at(can, {"textDocument", "documentSymbol", "hierarchicalDocumentSymbolSupport"});
+  client.refreshes_diagnostics = flag_at(can, {"workspace", "diagnostics", "refreshSupport"});
+  client.refreshes_hints = flag_at(can, {"workspace", "inlayHint", "refreshSupport"});
+  client.refreshes_tokens = flag_at(can, {"workspace", "semanticTokens", "refreshSupport"});
+  const Json& operations = at(can, {"workspace", "workspaceEdit", "resourceOperations"});
+  client.renames_files =
+      client.takes_document_changes && operations.is_array() &&
+      std::find(operations.begin(), operations.end(), "rename") != operations.end();
   read_settings(at(params, {"initializationOptions"}), client);
 }
 
@@ -152,18 +159,33 @@ void change(Context& context, const Json& params) {
 void watch_files(Context& context) {
   if (!context.client.takes_watchers) return;
   Json watchers = Json::array();
-  for (const char* pattern :
-       {"**/*.{smurf,smurfs,smurfa,urdf,srdf,yml,yaml,svg}", "**/*.{stl,obj,dae,bobj,STL,OBJ,DAE}",
-        "**/{.gitignore,.smurf-lintignore,package.xml}"}) {
+  // Models, scenes and schemas; meshes and what they name; textures; lists of files.
+  for (const char* pattern : {"**/*.{smurf,smurfs,smurfa,urdf,srdf,yml,yaml,svg,scn,scene,json}",
+                              "**/*.{stl,obj,dae,bobj,gltf,glb,bin,mtl,STL,OBJ,DAE,GLTF,GLB}",
+                              "**/*.{png,jpg,jpeg,bmp,tga,tif,tiff,dds,PNG,JPG,JPEG}",
+                              "**/{.gitignore,.smurf-lintignore,package.xml}"}) {
     watchers.push_back({{"globPattern", pattern}});
   }
   const Json registration = {{"id", "files"},
                              {"method", "workspace/didChangeWatchedFiles"},
                              {"registerOptions", {{"watchers", std::move(watchers)}}}};
-  context.send({{"jsonrpc", "2.0"},
-                {"id", "server-" + std::to_string(++context.last_id)},
-                {"method", "client/registerCapability"},
-                {"params", {{"registrations", {registration}}}}});
+  context.ask("client/registerCapability", {{"registrations", {registration}}});
+}
+
+/// A client that asks for findings does not know that files on the disk have changed.
+void files_changed(Context& context) {
+  context.workspace.forget_files();
+  const Client& client = context.client;
+  if (client.pulls_diagnostics && client.refreshes_diagnostics) {
+    context.ask("workspace/diagnostic/refresh", nullptr);
+  }
+  if (client.refreshes_tokens) context.ask("workspace/semanticTokens/refresh", nullptr);
+  if (client.refreshes_hints) context.ask("workspace/inlayHint/refresh", nullptr);
+}
+
+void settings_changed(Context& context, const Json& settings) {
+  read_settings(settings, context.client);
+  if (context.client.refreshes_hints) context.ask("workspace/inlayHint/refresh", nullptr);
 }
 
 }  // namespace
@@ -204,12 +226,11 @@ void Server::notify(const std::string& method, const Json& params) {
   if (method == "textDocument/didOpen") return open(context_, params);
   if (method == "textDocument/didChange") return change(context_, params);
   if (method == "textDocument/didClose") return context_.workspace.close(path_in(params));
-  if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles") {
-    return context_.workspace.forget_files();
-  }
+  if (method == "textDocument/didSave") return context_.workspace.forget_files();
+  if (method == "workspace/didChangeWatchedFiles") return files_changed(context_);
   if (method == "workspace/didChangeWorkspaceFolders") return change_folders(context_, params);
   if (method == "workspace/didChangeConfiguration") {
-    return read_settings(at(params, {"settings"}), context_.client);
+    return settings_changed(context_, at(params, {"settings"}));
   }
 }
 

@@ -45,12 +45,6 @@ tools::LintOptions options_for(std::vector<std::string> paths) {
   return options;
 }
 
-CheckSettings settings_of_check() {
-  CheckSettings settings = tools::check_settings({});
-  settings.remembers = true;
-  return settings;
-}
-
 /// Adds the views of a model that was loaded alone or with a scene.
 void add_views(const LinkedModel& model, const std::string& path, const SourceMap& sources,
                FileView view, std::vector<FileView>& views) {
@@ -128,6 +122,12 @@ Plan readers_of(const Files& files, const Plan& all, const tools::LoadedNames& l
 
 }  // namespace
 
+CheckSettings settings_of_check() {
+  CheckSettings settings = tools::check_settings({});
+  settings.remembers = true;
+  return settings;
+}
+
 bool is_same_thing(const Reference& a, const Reference& b) {
   return a.kind == b.kind && a.name == b.name && a.item == b.item && a.model == b.model;
 }
@@ -136,6 +136,7 @@ void Workspace::set_folders(std::vector<std::string> folders) {
   folders_ = std::move(folders);
   folder_names_.reset();
   folder_session_.reset();
+  folder_texts_.clear();
 }
 
 void Workspace::touch(const std::string& path) {
@@ -235,40 +236,6 @@ const Report& Workspace::report() {
   report_ = session_.check(plan(), settings_of_check());
   is_checked_ = true;
   return report_;
-}
-
-Workspace::FolderReport
-Workspace::check_folders(std::function<void(std::size_t, std::size_t)> on_progress) {
-  if (!folder_session_) folder_session_.emplace();
-  for (const auto& [path, document] : documents_) folder_session_->set_text(path, document.text);
-  CheckSettings settings = settings_of_check();
-  settings.on_progress = std::move(on_progress);
-  Report report = folder_session_->check(make_plan(folders_), settings);
-  return {std::move(report), &folder_session_->sources()};
-}
-
-Workspace::Definitions Workspace::definitions() {
-  if (!folder_session_) folder_session_.emplace();
-  if (!folder_names_) {
-    std::vector<std::string> paths = folders_;
-    for (const auto& [path, document] : documents_) {
-      folder_session_->set_text(path, document.text);
-      if (is_checkable(path)) paths.push_back(path);
-    }
-    folder_session_->forget_loaded();
-    CheckSettings settings = settings_of_check();
-    settings.opens_meshes = false;
-    folder_names_.emplace(make_plan(paths), settings, *folder_session_);
-  }
-  Definitions found{{}, &folder_session_->loaded_sources()};
-  for (const std::vector<Reference>& part : folder_names_->names()) {
-    for (const Reference& one : part) {
-      if (!one.is_definition) continue;
-      const std::string& path = found.sources->path(one.span.source);
-      found.list.push_back({std::string(one.name), one.kind, path, one.span});
-    }
-  }
-  return found;
 }
 
 /// The folders in which LoadedNames looks for SRDF files.
@@ -374,13 +341,23 @@ Plan Workspace::plan_of_rename(const std::string& defined_in, const Rename& rena
   }
 }
 
+void Workspace::confine_changes(ConfinedFiles& changeable) const {
+  std::vector<std::string> named = folders_;
+  for (const auto& [path, document] : documents_) named.push_back(path);
+  confine_to_projects(changeable, named);
+}
+
+bool Workspace::is_changeable(const std::string& path) const {
+  ConfinedFiles changeable;
+  confine_changes(changeable);
+  return changeable.is_file(path);
+}
+
 Renamed Workspace::rename(std::size_t part, const Reference& reference, const std::string& to) {
   const Rename rename{reference.kind, std::string(reference.name), to};
   const Plan plan = plan_of_rename(place_of_definition(part, reference), rename);
-  std::vector<std::string> named = folders_;
-  for (const auto& [path, document] : documents_) named.push_back(path);
   ConfinedFiles changeable;
-  confine_to_projects(changeable, named);
+  confine_changes(changeable);
   Renamed renamed =
       tools::rename_planned(plan, settings_of_check(), std::span(&rename, 1), session_, changeable);
   for (const FixedText& file : renamed.texts) changed_.push_back(file.path);

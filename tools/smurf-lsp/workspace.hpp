@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,8 @@ struct FileView {
 
 /// A part of one model or scene.
 bool is_same_thing(const Reference& a, const Reference& b);
+
+CheckSettings settings_of_check();
 
 class Workspace {
  public:
@@ -86,6 +89,8 @@ class Workspace {
   std::vector<FileView> views(const std::string& path);
   /// The same for another text of an open document.
   std::vector<FileView> views_with(const std::string& path, std::string text);
+  /// Whether the file exists in the projects of the editor: those of its folders and documents.
+  bool is_changeable(const std::string& path) const;
   const FileReader& files() const { return session_.files(); }
   const Limits& limits() const { return session_.limits(); }
 
@@ -99,9 +104,12 @@ class Workspace {
   std::vector<std::string> robots_of_srdfs() const;
   const Plan& plan();
   void put_texts();
+  /// Gives the session of the folders the texts of the open documents, and no others.
+  Session& folder_session();
   void load();
   void touch(const std::string& path);
   std::string place_of_definition(std::size_t part, const Reference& reference);
+  void confine_changes(ConfinedFiles& changeable) const;
   /// The models and scenes that a rename changes.
   Plan plan_of_rename(const std::string& defined_in, const Rename& rename);
 
@@ -109,8 +117,9 @@ class Workspace {
   std::map<std::string, OpenDocument> documents_;  ///< by path
   Session session_;
   std::optional<Session>
-      folder_session_;                ///< separate, so that typing does not wait for the folders
-  std::vector<std::string> changed_;  ///< documents whose new text the session does not have yet
+      folder_session_;                  ///< separate, so that typing does not wait for the folders
+  std::set<std::string> folder_texts_;  ///< documents whose texts that session has
+  std::vector<std::string> changed_;    ///< documents whose new text the session does not have yet
   std::optional<Plan> plan_;
   Report report_;
   bool is_checked_ = false;

@@ -124,10 +124,15 @@ XmlContext xml_context(std::string_view text, std::size_t offset) {
   return Scanner(text, std::min(offset, text.size())).run();
 }
 
-std::string without_tag(std::string_view text, std::size_t tag, std::size_t offset) {
+std::string without_tag(std::string_view text, std::size_t tag, std::size_t offset,
+                        std::span<const std::string_view> unclosed) {
   const std::size_t stop = std::min(text.find_first_of("<>\n", offset), text.size());
   const std::size_t end = stop < text.size() && text[stop] == '>' ? stop + 1 : stop;
-  return std::string(text.substr(0, tag)) + std::string(text.substr(end));
+  std::string result(text.substr(0, tag));
+  for (auto name = unclosed.rbegin(); name != unclosed.rend(); ++name) {
+    result.append("</").append(*name).append(">");
+  }
+  return result.append(text.substr(end));
 }
 
 }  // namespace smurf::lsp

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,7 +23,9 @@ struct XmlContext {
 
 XmlContext xml_context(std::string_view text, std::size_t offset);
 
-/// The text without the tag that is being written at the cursor.
-std::string without_tag(std::string_view text, std::size_t tag, std::size_t offset);
+/// The text without the tag that is being written at the cursor. In its place, the elements in
+/// `unclosed` end, the innermost last in the list.
+std::string without_tag(std::string_view text, std::size_t tag, std::size_t offset,
+                        std::span<const std::string_view> unclosed = {});
 
 }  // namespace smurf::lsp

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
+
+#include "smurf-lsp/flow_context.hpp"
 
 namespace smurf::lsp {
 namespace {
@@ -163,30 +166,80 @@ bool is_in_comment(std::string_view before) {
   return false;
 }
 
-/// Keys and the value within "{name: a, joint: ".
-void read_flow(std::string_view inside, std::size_t offset, YamlContext& context) {
-  context.is_flow = true;
-  std::size_t begin = 0;
-  while (true) {
-    const std::size_t comma = inside.find(',', begin);
-    const std::string_view part = inside.substr(begin, comma - begin);
-    const std::size_t first = skip_blanks(part, 0);
-    const auto colon = colon_of(part, first);
-    const bool is_last = comma == inside.npos;
-    if (colon && !is_last)
-      context.siblings.emplace_back(unquoted(part.substr(first, *colon - first)));
-    if (is_last) {
-      if (colon) context.key = unquoted(part.substr(first, *colon - first));
-      context.begin = offset + begin + (colon ? skip_blanks(part, *colon + 1) : first);
-      return;
+/// Whether a block of text (`|` or `>`) begins here. Its lines are neither keys nor items.
+bool begins_block(std::string_view value) {
+  return value.starts_with('|') || value.starts_with('>');
+}
+
+/// The brackets that are open at the cursor, and the line in which the first of them stands.
+struct OpenFlow {
+  Line line;
+  std::size_t line_begin = 0;
+  FlowContext context;
+};
+
+std::optional<OpenFlow> open_flow(std::string_view before) {
+  const Lines lines(before);
+  std::optional<std::size_t> text_column;  // of the key of a block of text
+  for (std::optional<std::size_t> at = 0; at; at = lines.next(*at)) {
+    const std::string_view text = lines.line(*at);
+    if (!says_something(text) || text.starts_with('%')) continue;
+    if (text_column && skip_blanks(text, 0) > *text_column) continue;
+    Line line = read(text);
+    text_column.reset();
+    const std::string_view value = text.substr(line.value);
+    if (begins_block(value)) {
+      text_column = line.levels.empty() ? 0 : line.levels.back().column;
+    } else if (value.starts_with('[') || value.starts_with('{')) {
+      const auto column =
+          line.levels.empty() ? std::nullopt : std::optional(line.levels.back().column);
+      FlowRead flow = read_flow(before, *at + line.value, column);
+      if (flow.context) return OpenFlow{std::move(line), *at, *std::move(flow.context)};
+      if (flow.end > *at + text.size()) at = lines.begin_of(flow.end - 1);
     }
-    begin = comma + 1;
   }
+  return std::nullopt;
+}
+
+YamlContext within(const OpenFlow& flow, std::string_view text, std::size_t offset) {
+  YamlContext context;
+  context.is_flow = true;
+  context.is_comment = flow.context.is_comment;
+  context.begin = flow.context.begin;
+  context.end = offset;
+  context.quote = flow.context.quote;
+  std::vector<Level> levels = flow.line.levels;
+  levels.push_back({flow.line.value, false, {}});
+  context.path = path_above(Lines(text), flow.line_begin, std::move(levels));
+  for (const FlowLevel& level : flow.context.levels) {
+    const bool is_last = &level == &flow.context.levels.back();
+    if (!level.is_mapping) {
+      context.path.emplace_back(kItem);
+    } else if (is_last) {
+      context.key = level.key;
+      context.siblings = level.siblings;
+    } else {
+      context.path.push_back(level.key);
+    }
+  }
+  return context;
+}
+
+/// The word of a block begins behind a quote that is still open.
+void skip_quote(std::string_view text, YamlContext& context) {
+  if (context.begin >= context.end) return;
+  const char first = text[context.begin];
+  if (first != '"' && first != '\'') return;
+  const std::size_t close = text.find(first, context.begin + 1);
+  if (close < context.end) return;
+  context.quote = first;
+  ++context.begin;
 }
 
 }  // namespace
 
 YamlContext yaml_context(std::string_view text, std::size_t offset) {
+  if (const auto flow = open_flow(text.substr(0, offset))) return within(*flow, text, offset);
   const Lines lines(text);
   const std::size_t begin = lines.begin_of(offset);
   const std::string_view before = text.substr(begin, offset - begin);
@@ -196,18 +249,6 @@ YamlContext yaml_context(std::string_view text, std::size_t offset) {
   context.is_comment = is_in_comment(before);
   if (context.is_comment) return context;
   context.begin = begin + own.value;
-  const std::size_t brace = before.find('{', own.value);
-  const bool is_flow = brace != before.npos && before.find('}', brace) == before.npos;
-  if (is_flow) {
-    const KeyPath path = path_above(lines, begin, [&] {
-      std::vector<Level> levels = own.levels;
-      levels.push_back({own.value, false, {}});
-      return levels;
-    }());
-    context.path = path;
-    read_flow(before.substr(brace + 1), begin + brace + 1, context);
-    return context;
-  }
   const bool has_key = !own.levels.empty() && !own.levels.back().is_item;
   context.column = has_key ? own.levels.back().column : own.value;
   if (has_key) context.key = own.levels.back().key;
@@ -215,6 +256,7 @@ YamlContext yaml_context(std::string_view text, std::size_t offset) {
   if (!has_key) levels.push_back({own.value, false, {}});
   context.path = path_above(lines, begin, std::move(levels));
   if (!has_key) context.siblings = siblings_at(lines, begin, context.column);
+  skip_quote(text, context);
   return context;
 }
 

@@ -260,6 +260,7 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
   FlattenOptions flattening = flatten_options(options, current);
   flattening.old_scenes = &loaded.old_scenes;
   flattening.repeats_models = format.repeats_models;
+  if (form == SceneForm::expand) flattening.repeated_parts = format.repeated_parts;
   if (!check_scene_size(scene, *loaded.sources, flattening, options.common.limits, loaded.found)) {
     return {};
   }

@@ -128,10 +128,10 @@ class Viewer {
         (on) => [Layer.visuals, Layer.unseen].forEach((layer) => this.shapes.show(layer, on)),
       ],
       ["collisions", "Collisions", "c", (on) => this.shapes.show(Layer.collisions, on)],
-      ["frames", "Frames", "a", (on) => (this.overlays.lines.visible = on)],
-      ["axes", "Joint axes", "j", (on) => (this.overlays.axisLines.visible = on)],
-      ["masses", "Centres of mass", "m", (on) => (this.overlays.balls.visible = on)],
-      ["inertias", "Inertias", "i", (on) => (this.overlays.ellipsoids.visible = on)],
+      ["frames", "Frames", "a", (on) => this.overlays.show("frames", on)],
+      ["axes", "Joint axes", "j", (on) => this.overlays.show("axes", on)],
+      ["masses", "Centres of mass", "m", (on) => this.overlays.show("masses", on)],
+      ["inertias", "Inertias", "i", (on) => this.overlays.show("inertias", on)],
       ["sensors", "Sensors", "r", (on) => this.showSensors(on)],
       ["names", "Names", "n", (on) => this.showNames(on)],
       ["ground", "Grid", "g", (on) => (this.stage.grid.visible = on)],
@@ -151,16 +151,9 @@ class Viewer {
   /** The diagonal of each entity's bounding box. */
   sizes() {
     const whole = this.stage ? this.shapes.boxAround() : null;
-    const byEntity = new Map();
-    for (const solid of this.shapes.solids) {
-      if (!byEntity.has(solid.entity)) byEntity.set(solid.entity, new Set());
-      byEntity.get(solid.entity).add(solid);
-    }
     const length = (box) => (box.isEmpty() ? 0 : box.min.distanceTo(box.max));
-    return this.scene.entities.map((_, index) => {
-      const own = byEntity.has(index) ? length(this.shapes.boxAround(byEntity.get(index))) : 0;
-      return own || length(whole) / 10 || 1;
-    });
+    const sizeOf = (solids) => length(this.shapes.boxAround(solids)) || length(whole) / 10 || 1;
+    return this.shapes.solidsOf.map(sizeOf);
   }
 
   setUpTools() {
@@ -281,7 +274,7 @@ class Viewer {
   }
 
   move() {
-    this.shapes?.move();
+    this.shapes?.move(this.motion.takeMoved());
     this.overlays?.move();
     this.stage?.draw();
     this.showFacts();

@@ -27,12 +27,21 @@ export function positionOf(model, joint, positions) {
   return sum;
 }
 
-function motionOf(joint, position) {
-  const axis = new Vector3(...joint.axis);
-  if (position === 0 || axis.length() === 0) return new Matrix4();
-  axis.normalize();
-  if (joint.type !== "prismatic") return new Matrix4().makeRotationAxis(axis, position);
-  return new Matrix4().makeTranslation(axis.multiplyScalar(position));
+/** What moves a link below its parent: X_PJ, and the axis of unit length unless it does not move. */
+function toMover({ pose, axis, type }) {
+  const along = new Vector3(...(axis ?? []));
+  const length = along.length();
+  return {
+    pose: toMatrix(pose),
+    axis: length > 0 ? along.divideScalar(length) : null,
+    slides: type === "prismatic",
+  };
+}
+
+/** Sets a matrix to the motion of a joint. */
+function setMotion(matrix, { axis, slides }, position) {
+  if (!slides) return matrix.makeRotationAxis(axis, position);
+  return matrix.makeTranslation(axis.x * position, axis.y * position, axis.z * position);
 }
 
 export class Motion {
@@ -40,14 +49,14 @@ export class Motion {
     this.scene = scene;
     this.positions = scene.entities.map((entity) => new Map(entity.start));
     this.entities = scene.entities.map((entity) => (entity.pose ? toMatrix(entity.pose) : null));
-    this.links = scene.entities.map((entity) => entity.model?.links.map(() => null) ?? []);
-    this.joints = new Map(); // X_PJ of every joint, by model
-    for (const model of scene.models) {
-      this.joints.set(
-        model,
-        model.joints.map((joint) => toMatrix(joint.pose)),
-      );
-    }
+    this.links = scene.entities.map(({ model, pose }) => {
+      const links = model?.links.map(() => null) ?? [];
+      for (const link of pose ? (model?.order ?? []) : []) links[link] = new Matrix4();
+      return links;
+    });
+    this.joints = new Map(scene.models.map((model) => [model, model.joints.map(toMover)]));
+    this.step = new Matrix4(); // of a joint; only moveLinks() uses it
+    this.moved = new Set(); // entities since the last takeMoved()
     this.twins = new Map(); // of an entity, in the other version: {entity, joints}
     this.supports = scene.entities.map((entity) => toMatrix(entity.support?.pose));
     this.update();
@@ -67,7 +76,7 @@ export class Motion {
   set(entity, positions) {
     this.positions[entity] = new Map(positions);
     this.moveTwin(entity);
-    this.update();
+    this.update(this.together(entity));
   }
 
   /** Joints that only the twin has stay where they are. */
@@ -84,8 +93,9 @@ export class Motion {
   }
 
   reset(entity) {
-    for (const each of this.together(entity)) this.positions[each] = new Map(this.scene.entities[each].start);
-    this.update();
+    const together = this.together(entity);
+    for (const each of together) this.positions[each] = new Map(this.scene.entities[each].start);
+    this.update(together);
   }
 
   /** The position of a joint; both arguments are indices. */
@@ -94,30 +104,46 @@ export class Motion {
     return positionOf(model, model.joints[joint], this.positions[entity]);
   }
 
-  /** Moves all entities, because one may be fixed to a link of another. */
-  update() {
+  /** Moves the links of some entities, or of all, and of those that are fixed to a link of them. */
+  update(changed = this.scene.order) {
+    const all = new Set(changed);
     for (const index of this.scene.order) {
-      const entity = this.scene.entities[index];
-      if (!entity.pose) continue;
-      const below = entity.support && this.links[entity.support.entity][entity.support.link];
-      if (below) this.entities[index] = below.clone().multiply(this.supports[index]);
-      if (entity.model) this.moveLinks(index, entity.model);
+      const { pose, support, model } = this.scene.entities[index];
+      if (support && all.has(support.entity)) all.add(index);
+      if (!pose || !all.has(index)) continue;
+      this.moved.add(index);
+      const below = support && this.links[support.entity][support.link];
+      if (below) this.entities[index].multiplyMatrices(below, this.supports[index]);
+      if (model) this.moveLinks(index, model);
     }
+  }
+
+  /** The entities that have moved since the last call. */
+  takeMoved() {
+    const { moved } = this;
+    this.moved = new Set();
+    return moved;
   }
 
   moveLinks(index, model) {
     const links = this.links[index];
+    const movers = this.joints.get(model);
     for (const at of model.order) {
-      const joint = model.joints[model.links[at].joint];
-      links[at] = joint ? this.frameOf(index, model.links[at].joint) : this.entities[index].clone();
-      if (joint && isMovable(joint))
-        links[at].multiply(motionOf(joint, this.position(index, model.links[at].joint)));
+      const { joint } = model.links[at];
+      if (joint === undefined) {
+        links[at].copy(this.entities[index]);
+        continue;
+      }
+      this.frameOf(index, joint, links[at]);
+      const position = movers[joint].axis ? this.position(index, joint) : 0;
+      if (position !== 0) links[at].multiply(setMotion(this.step, movers[joint], position));
     }
   }
 
-  /** X_WJ of a joint at position zero; both arguments are indices. */
-  frameOf(entity, joint) {
+  /** X_WJ of a joint at position zero, in `frame`; the other arguments are indices. */
+  frameOf(entity, joint, frame = new Matrix4()) {
     const { model } = this.scene.entities[entity];
-    return this.links[entity][model.joints[joint].parent].clone().multiply(this.joints.get(model)[joint]);
+    const above = this.links[entity][model.joints[joint].parent];
+    return frame.multiplyMatrices(above, this.joints.get(model)[joint].pose);
   }
 }

@@ -4,7 +4,6 @@ import {
   BufferAttribute,
   BufferGeometry,
   DynamicDrawUsage,
-  InstancedMesh,
   LineBasicMaterial,
   LineSegments,
   Matrix4,
@@ -14,10 +13,11 @@ import {
 } from "three";
 
 import { element } from "../common/dom.js";
+import { copiesOf } from "./copies.js";
 import { ellipsoidOf } from "./inertia.js";
 import { isMovable, toMatrix } from "./motion.js";
 import { Sensors } from "./sensors.js";
-import { paint } from "./shading.js";
+import { kOrder, paint } from "./shading.js";
 
 const kAxisColors = [
   [0.9, 0.2, 0.2],
@@ -29,9 +29,10 @@ const kMassColor = new Color(0.94, 0.63, 0);
 const kInertiaColor = new Color(0.45, 0.3, 0.85);
 const kRulerColor = [0.95, 0.1, 0.45];
 const kMostNames = 150;
+const kMostRound = 500; // spheres: more of them have fewer sides
 
 /** `count` groups of lines in the same colours; their ends can be moved. */
-function linesOf(count, colors) {
+function linesOf(count, colors, order) {
   const geometry = new BufferGeometry();
   const points = new BufferAttribute(new Float32Array(count * colors.length * 3), 3).setUsage(
     DynamicDrawUsage,
@@ -45,18 +46,19 @@ function linesOf(count, colors) {
     new LineBasicMaterial({ vertexColors: true, depthTest: false, transparent: true }),
   );
   lines.frustumCulled = false;
-  lines.renderOrder = 2;
+  lines.renderOrder = order;
   lines.visible = false;
   return lines;
 }
 
-function instancesOf(places, color, look) {
-  const instances = new InstancedMesh(new SphereGeometry(1, 16, 12), paint("UNLIT", look), places.length);
-  places.forEach((_, index) => instances.setColorAt(index, color));
-  instances.frustumCulled = false;
-  instances.visible = false;
-  instances.renderOrder = 1;
-  return instances;
+/** Unit spheres in one colour. */
+function spheresOf(count, color, opacity, order) {
+  const around = count <= kMostRound ? 16 : 8;
+  const geometry = new SphereGeometry(1, around, (3 * around) / 4);
+  const spheres = copiesOf(geometry, paint("UNLIT", { opacity, depthTest: false }), count);
+  for (let index = 0; index < count; index++) spheres.setColorAt(index, color);
+  spheres.renderOrder = order;
+  return spheres;
 }
 
 export class Overlays {
@@ -71,21 +73,46 @@ export class Overlays {
     this.masses = []; // {entity, link, local}
     this.inertias = []; // {entity, link, local}: what makes the ellipsoid of a unit sphere
     scene.entities.forEach((entity, index) => this.add(entity, index));
-    this.lines = linesOf(
-      this.frames.length,
-      kAxisColors.flatMap((color) => [color, color]),
-    );
-    this.axisLines = linesOf(this.axes.length, [kJointColor, kJointColor]);
-    this.balls = instancesOf(this.masses, kMassColor, { opacity: 0.85, depthTest: false });
-    this.ellipsoids = instancesOf(this.inertias, kInertiaColor, { opacity: 0.35, depthTest: false });
+    this.parts = this.makeParts();
     this.sensors = new Sensors(scene, motion, sizes, (entity) => this.isShown(entity));
-    this.ruler = linesOf(1, [kRulerColor, kRulerColor]);
-    stage.scene.add(this.lines, this.axisLines, this.balls, this.ellipsoids, this.sensors.group, this.ruler);
+    this.ruler = linesOf(1, [kRulerColor, kRulerColor], kOrder.ruler);
+    stage.scene.add(this.sensors.group, this.ruler);
     this.labels = element("div", { class: "labels", "aria-hidden": "true" });
     stage.host.append(this.labels);
     this.named = []; // [name, X_W]
     stage.afterDraw.push(() => this.placeNames());
-    this.move();
+  }
+
+  /** {make, move, drawn: what make() has made} by name. They are made and moved only while they are shown. */
+  makeParts() {
+    const axisColors = kAxisColors.flatMap((color) => [color, color]);
+    return {
+      frames: {
+        make: () => linesOf(this.frames.length, axisColors, kOrder.frames),
+        move: (lines) => this.moveFrames(lines),
+      },
+      axes: {
+        make: () => linesOf(this.axes.length, [kJointColor, kJointColor], kOrder.axes),
+        move: (lines) => this.moveAxes(lines),
+      },
+      masses: {
+        make: () => spheresOf(this.masses.length, kMassColor, 0.85, kOrder.masses),
+        move: (balls) => this.moveMasses(balls),
+      },
+      inertias: {
+        make: () => spheresOf(this.inertias.length, kInertiaColor, 0.35, kOrder.inertias),
+        move: (ellipsoids) => this.moveInertias(ellipsoids),
+      },
+    };
+  }
+
+  /** Shows "frames", "axes", "masses" or "inertias", or hides them. */
+  show(name, on) {
+    const part = this.parts[name];
+    if (!on && !part.drawn) return;
+    if (!part.drawn) this.stage.scene.add((part.drawn = part.make()));
+    part.drawn.visible = on;
+    if (on) part.move(part.drawn);
   }
 
   add(entity, index) {
@@ -119,22 +146,28 @@ export class Overlays {
   }
 
   move() {
-    this.moveFrames();
-    this.moveAxes();
+    for (const { drawn, move } of Object.values(this.parts)) if (drawn?.visible) move(drawn);
     this.sensors.move();
-    const ball = new Matrix4();
+  }
+
+  moveMasses(balls) {
+    const [ball, size] = [new Matrix4(), new Vector3()];
     this.masses.forEach((mass, index) => {
-      const radius = 0.012 * this.sizeOf(mass.entity);
-      ball.multiplyMatrices(this.worldOf(mass), mass.local).scale(new Vector3(radius, radius, radius));
-      this.balls.setMatrixAt(index, ball);
+      size.setScalar(0.012 * this.sizeOf(mass.entity));
+      ball.multiplyMatrices(this.worldOf(mass), mass.local).scale(size);
+      balls.setMatrixAt(index, ball);
     });
-    this.balls.instanceMatrix.needsUpdate = true;
+    balls.showPlaces();
+  }
+
+  moveInertias(ellipsoids) {
+    const [ellipsoid, none] = [new Matrix4(), new Vector3()];
     this.inertias.forEach((inertia, index) => {
-      ball.multiplyMatrices(this.worldOf(inertia), inertia.local);
-      if (!this.isShown(inertia.entity)) ball.scale(new Vector3(0, 0, 0));
-      this.ellipsoids.setMatrixAt(index, ball);
+      ellipsoid.multiplyMatrices(this.worldOf(inertia), inertia.local);
+      if (!this.isShown(inertia.entity)) ellipsoid.scale(none);
+      ellipsoids.setMatrixAt(index, ellipsoid);
     });
-    this.ellipsoids.instanceMatrix.needsUpdate = true;
+    ellipsoids.showPlaces();
   }
 
   /** Shows a line between two points of the world; without them, none. */
@@ -147,8 +180,8 @@ export class Overlays {
     points.needsUpdate = true;
   }
 
-  moveFrames() {
-    const points = this.lines.geometry.getAttribute("position");
+  moveFrames(lines) {
+    const points = lines.geometry.getAttribute("position");
     const [origin, end] = [new Vector3(), new Vector3()];
     this.frames.forEach((frame, index) => {
       const world = this.worldOf(frame);
@@ -156,15 +189,15 @@ export class Overlays {
       for (let axis = 0; axis < 3; axis++) {
         origin.setFromMatrixPosition(world);
         end.setFromMatrixColumn(world, axis).multiplyScalar(length).add(origin);
-        points.setXYZ(6 * index + 2 * axis, ...origin);
-        points.setXYZ(6 * index + 2 * axis + 1, ...end);
+        origin.toArray(points.array, 3 * (6 * index + 2 * axis));
+        end.toArray(points.array, 3 * (6 * index + 2 * axis + 1));
       }
     });
     points.needsUpdate = true;
   }
 
-  moveAxes() {
-    const points = this.axisLines.geometry.getAttribute("position");
+  moveAxes(lines) {
+    const points = lines.geometry.getAttribute("position");
     this.axes.forEach(({ entity, joint }, index) => {
       const { axis } = this.motion.scene.entities[entity].model.joints[joint];
       const world = this.motion.frameOf(entity, joint);

@@ -13,7 +13,7 @@
 // entities: [{path, type, old, model, pose: in the world, anchored: to the world, anchor or parent: {entity, link, pose},
 //   positions, shapes}]
 // meshes: [{file, points: float32, indices: uint16, or uint32 when wide, parts: [{first: index, color}] when the file has
-//   colours}], points and indices in base64
+//   colours, texturePoints: two float32 for each point, where shapes with a texture use it}], numbers in base64
 // textures: [{file, type: image/png or image/jpeg, bytes}], bytes in base64
 // unseen: [{file, why, shapes: how many}]
 //
@@ -96,6 +96,7 @@ export function readScene(text) {
     mesh.indices = mesh.wide
       ? new Uint32Array(bytesOf(mesh.indices))
       : new Uint16Array(bytesOf(mesh.indices));
+    if (mesh.texturePoints) mesh.texturePoints = new Float32Array(bytesOf(mesh.texturePoints));
     mesh.parts?.forEach((part, i) => (part.end = mesh.parts[i + 1]?.first ?? mesh.indices.length));
   }
   return scene;

@@ -14,6 +14,7 @@ import {
 } from "three";
 
 import { toMatrix } from "./motion.js";
+import { kOrder } from "./shading.js";
 
 const kColor = [0.05, 0.6, 0.5];
 const kSelected = [0.95, 0.35, 0.05];
@@ -174,8 +175,8 @@ export class Sensors {
         side: DoubleSide,
       }),
     );
-    this.lines.renderOrder = 2;
-    this.faces.renderOrder = 1;
+    this.lines.renderOrder = kOrder.rays;
+    this.faces.renderOrder = kOrder.views;
     for (const part of [this.lines, this.faces]) {
       part.frustumCulled = false;
       this.group.add(part);

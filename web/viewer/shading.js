@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A small shader for instances. Without a graphics card, the materials of three.js take seconds to compile and several
+// A small shader for copies. Without a graphics card, the materials of three.js take seconds to compile and several
 // times as long to draw.
 import { DoubleSide, FrontSide, ShaderMaterial } from "three";
+
+/** Texels of a row of the texture with the matrices of merged copies. */
+export const kPlaceRow = 1024;
+/** What is drawn over what, of the things that are drawn over the shapes. */
+export const kOrder = { inertias: 1, masses: 2, views: 3, axes: 4, frames: 5, ruler: 6, rays: 7 };
 
 const kVertex = `
 varying vec3 color;
@@ -10,18 +15,37 @@ varying vec3 seen; // in the frame of the camera
 varying vec3 direction;
 #endif
 #ifdef TEXTURED
-varying vec2 place; // in the image
+varying vec2 inImage;
+#endif
+#ifdef MERGED
+attribute float copy;
+uniform highp sampler2D places; // the columns of the matrices; where these have zeros, it has the colours
 #endif
 
 void main() {
 #ifdef TEXTURED
-  place = uv;
+  inImage = uv;
 #endif
+#ifdef MERGED
+  int first = 4 * int(copy);
+  ivec2 at = ivec2(first % ${kPlaceRow}, first / ${kPlaceRow});
+  mat4 place = mat4(
+    texelFetch(places, at, 0),
+    texelFetch(places, at + ivec2(1, 0), 0),
+    texelFetch(places, at + ivec2(2, 0), 0),
+    texelFetch(places, at + ivec2(3, 0), 0)
+  );
+  color = vec3(place[0].w, place[1].w, place[2].w);
+  place[0].w = place[1].w = place[2].w = 0.0;
+  place[3].w = 1.0;
+#else
+  mat4 place = instanceMatrix;
   color = instanceColor;
-  vec4 point = viewMatrix * (instanceMatrix * vec4(position, 1.0));
+#endif
+  vec4 point = viewMatrix * (place * vec4(position, 1.0));
   seen = point.xyz;
 #ifdef SMOOTH
-  mat3 scaled = mat3(instanceMatrix); // normals are scaled the other way around
+  mat3 scaled = mat3(place); // normals are scaled the other way around
   vec3 squares = vec3(dot(scaled[0], scaled[0]), dot(scaled[1], scaled[1]), dot(scaled[2], scaled[2]));
   direction = mat3(viewMatrix) * (scaled * (normal / squares));
 #endif
@@ -40,13 +64,13 @@ varying vec3 direction;
 #ifdef TEXTURED
 uniform sampler2D image;
 uniform float imageOpacity;
-varying vec2 place;
+varying vec2 inImage;
 #endif
 
 void main() {
   vec3 surface = color;
 #ifdef TEXTURED
-  vec4 texel = texture2D(image, place);
+  vec4 texel = texture2D(image, inImage);
   surface = mix(color, color * texel.rgb, texel.a * imageOpacity);
 #endif
 #ifdef UNLIT

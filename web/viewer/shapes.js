@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws all shapes of a scene in few draw calls: shapes with the same triangles are instances of one mesh.
+// Draws all shapes of a scene in few draw calls: shapes with the same triangles are copies of one mesh.
 import {
   Box3,
   BoxGeometry,
@@ -8,7 +8,6 @@ import {
   CapsuleGeometry,
   Color,
   CylinderGeometry,
-  InstancedMesh,
   LessDepth,
   LessEqualDepth,
   Matrix4,
@@ -17,6 +16,7 @@ import {
   Vector3,
 } from "three";
 
+import { copiesOf } from "./copies.js";
 import { toMatrix } from "./motion.js";
 import { paint } from "./shading.js";
 
@@ -45,7 +45,7 @@ function aroundOf(scene) {
 /** Triangles of a mesh that have one colour, if the file gives colours; else the whole mesh. */
 function partsOf(shape, meshes, layer) {
   const parts = meshes[shape.mesh]?.parts;
-  if (!parts || shape.color || layer !== Layer.visuals) return [shape];
+  if (!parts || shape.color || shape.texture !== undefined || layer !== Layer.visuals) return [shape];
   return parts.map((part) => ({ ...shape, part, color: part.color }));
 }
 
@@ -83,9 +83,10 @@ function solidOf(shape, meshes, around) {
   return { key: "box", make: makeBox, scale: high.sub(low).toArray(), center };
 }
 
-function toGeometry({ points, indices }, part) {
+function toGeometry({ points, indices, texturePoints }, part) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(points, 3));
+  if (texturePoints) geometry.setAttribute("uv", new BufferAttribute(texturePoints, 2));
   geometry.setIndex(new BufferAttribute(part ? indices.subarray(part.first, part.end) : indices, 1));
   return geometry;
 }
@@ -122,6 +123,7 @@ export class Shapes {
     this.batches = new Map();
     this.around = aroundOf(scene);
     this.solids = []; // {entity, link, layer, shape, local, color, batch, index}
+    this.solidsOf = scene.entities.map(() => []);
     this.hidden = new Set(); // layers
     this.versions = "both";
     scene.entities.forEach((entity, index) => {
@@ -137,7 +139,7 @@ export class Shapes {
     this.isCompared = scene.entities.some(({ old }) => old);
     if (this.isCompared) this.paint(() => false);
     this.update();
-    this.move();
+    this.move(scene.entities.keys());
   }
 
   add(shape, wanted, entity, link) {
@@ -161,18 +163,15 @@ export class Shapes {
     const made = { entity, link, layer, shape, local, color, batch, index: batch.solids.length };
     batch.solids.push(made);
     this.solids.push(made);
+    this.solidsOf[entity].push(made);
   }
 
   build(batch, root) {
     const { layer, solid, texture } = batch;
     if (!this.geometries.has(solid.key)) this.geometries.set(solid.key, solid.make());
     const geometry = this.geometries.get(solid.key);
-    batch.mesh = new InstancedMesh(
-      geometry,
-      materialOf(batch, texture === undefined ? undefined : this.textures.empty),
-      batch.solids.length,
-    );
-    batch.mesh.frustumCulled = false;
+    const material = materialOf(batch, texture === undefined ? undefined : this.textures.empty);
+    batch.mesh = copiesOf(geometry, material, batch.solids.length);
     batch.mesh.userData = { layer, solids: batch.solids };
     batch.solids.forEach(({ color }, index) => batch.mesh.setColorAt(index, color));
     root.add(batch.mesh);
@@ -182,16 +181,18 @@ export class Shapes {
     return link === undefined ? this.motion.entities[entity] : this.motion.links[entity][link];
   }
 
-  /** Moves all shapes to where their links are now. */
-  move() {
+  /** Moves the shapes of these entities to where their links are now. */
+  move(entities) {
     const matrix = new Matrix4();
-    for (const solid of this.solids) {
-      solid.batch.mesh.setMatrixAt(solid.index, matrix.multiplyMatrices(this.worldOf(solid), solid.local));
+    const moved = new Set();
+    for (const entity of entities) {
+      for (const solid of this.solidsOf[entity]) {
+        const { mesh } = solid.batch;
+        mesh.setMatrixAt(solid.index, matrix.multiplyMatrices(this.worldOf(solid), solid.local));
+        moved.add(mesh);
+      }
     }
-    for (const { mesh } of this.batches.values()) {
-      mesh.instanceMatrix.needsUpdate = true;
-      mesh.boundingSphere = mesh.boundingBox = null; // picking asks for it
-    }
+    for (const mesh of moved) mesh.showPlaces();
   }
 
   show(layer, isShown) {
@@ -243,7 +244,7 @@ export class Shapes {
       }
       solid.batch.mesh.setColorAt(solid.index, mixed);
     }
-    for (const { mesh } of this.batches.values()) mesh.instanceColor.needsUpdate = true;
+    for (const { mesh } of this.batches.values()) mesh.showColors();
   }
 
   /** Encloses these shapes. The ground is left out unless there is nothing else. */

@@ -26,11 +26,14 @@ function roundStep(length) {
   return [5, 2, 1].map((factor) => factor * power).find((step) => step <= length) ?? power;
 }
 
-/** With smooth edges where there is a graphics card; without one, they double the time to draw. */
+/**
+ * With smooth edges where there is a graphics card; without one, they double the time to draw. `isSoft`: there is none.
+ */
 function makeCanvas() {
   const make = (antialias) => {
     const canvas = element("canvas");
-    return { canvas, context: canvas.getContext("webgl2", { alpha: true, antialias }) };
+    const context = canvas.getContext("webgl2", { alpha: true, antialias });
+    return { canvas, context, isSoft: !antialias };
   };
   const plain = make(false);
   if (!plain.context) throw new Error("no WebGL");
@@ -44,7 +47,10 @@ function makeCanvas() {
 export class Stage {
   constructor(host) {
     this.host = host;
-    this.renderer = new WebGLRenderer(makeCanvas());
+    const { isSoft, ...made } = makeCanvas();
+    this.renderer = new WebGLRenderer(made);
+    /** Pixels of the picture in one of the page: without a graphics card, more take too long to draw. */
+    this.mostPixels = isSoft ? 1 : 2;
     this.canvas = this.renderer.domElement;
     host.prepend(this.canvas);
     this.scene = new Scene();
@@ -69,7 +75,7 @@ export class Stage {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setPixelRatio(Math.min(this.mostPixels, window.devicePixelRatio));
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();

@@ -113,6 +113,11 @@ async function startClient(context: vscode.ExtensionContext): Promise<void> {
       documentSelector: ["smurf", "urdf", "yaml"].map((language) => ({ scheme: "file", language })),
       initializationOptions: settings,
       synchronize: { configurationSection: "smurf" },
+      middleware: {
+        // A page of text is read in an editor; the server only has messages.
+        executeCommand: (name, words, next) =>
+          name === "smurf.explainRule" ? explain(context, String(words[0])) : next(name, words),
+      },
     });
   await client.start();
 }

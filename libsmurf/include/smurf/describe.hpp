@@ -2,6 +2,7 @@
 // What a named thing is, in a few lines for a person.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,9 @@ std::vector<std::string> describe(const LinkedModel& model, const Reference& ref
 std::vector<std::string> describe(const LinkedScene& scene, const Reference& reference);
 
 /// The pose of a link when all joints are at zero, and the joints on the way there from the root.
-std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link);
+/// With `X_LP`, of the thing that has this pose in the frame of the link.
+std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link,
+                                        const std::optional<Pose>& X_LP = std::nullopt);
 
 /// Format, size in metres with this scale, triangles, unit.
 std::vector<std::string> describe(const MeshFacts& mesh, const Vector3& scale);

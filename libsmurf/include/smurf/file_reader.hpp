@@ -8,7 +8,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace smurf {
@@ -87,7 +86,7 @@ class ConfinedFiles final : public FileReader {
   std::unique_ptr<CanonicalPaths> ways_;  ///< no further than links may go
   std::unique_ptr<Allowed> allowed_;
   mutable std::mutex mutex_;
-  mutable std::unordered_map<std::string, std::vector<std::string>> lists_;
+  mutable std::map<std::string, std::vector<std::string>> lists_;
 };
 
 /// Files in memory, in front of another reader when one is given (standard input, unsaved buffers).

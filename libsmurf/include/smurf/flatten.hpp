@@ -104,10 +104,19 @@ struct FlatScene {
   std::vector<FlatInstance> instances;  ///< depth-first, in file order
 };
 
+/// What a format writes of a model in each of its instances, besides links, shapes and the text of
+/// the URDF.
+struct RepeatedParts {
+  std::uint64_t bytes = 0;
+  std::uint64_t names = 0;  ///< that the path of the instance is written before
+};
+
 /// The parts that a format needs from flatten().
 struct FlattenOptions {
   bool links = false;           ///< fill FlatInstance::links
   bool repeats_models = false;  ///< the format writes the model of each instance out
+  /// The function of the format; null when it repeats nothing.
+  RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;
   /// Folder that all files of the result are relative to.
   std::string output_folder = ".";
   /// Absolute path that relative paths start from.

@@ -34,7 +34,9 @@ struct KeyHelp {
   std::string_view read_by{};   ///< the programs, as text; may be empty
   bool required = false;
   ValueForm form = ValueForm::scalar;
+  bool is_usual = false;  ///< without it, an element of a URDF makes little sense
   std::vector<std::string_view> choices = {};  ///< the only values; empty: any
+  std::vector<std::string_view> known = {};    ///< words that readers know, among others
   NameKinds names = {};                        ///< what the value is the name of
   bool defines = false;                        ///< the thing gets its name here
   bool is_path = false;                        ///< of a file, relative to the folder of this one
@@ -59,6 +61,7 @@ struct ElementHelp {
   std::string_view doc;
   std::vector<KeyHelp> attributes;
   std::vector<std::string_view> children;
+  std::vector<std::string_view> usual_children;  ///< without them it makes no sense
 };
 /// None for one that URDF does not define.
 std::optional<ElementHelp> element_help(std::string_view name);

@@ -6,8 +6,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
-#include <unordered_set>
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
@@ -22,8 +22,8 @@ namespace smurf {
 /// Files that were read, to limit repeated reading: thousands of models may share one large URDF,
 /// and each keeps a copy.
 struct ReadFiles {
-  std::unordered_set<std::string> known;  ///< by identity
-  std::uint64_t repeated = 0;             ///< bytes
+  std::set<std::string> known;  ///< by identity
+  std::uint64_t repeated = 0;   ///< bytes
   /// Names in the folders of models, sorted: thousands of models may lie in one.
   std::map<std::string, std::vector<std::string>> lists = {};
 };

@@ -22,8 +22,9 @@ enum class SceneForm : std::uint8_t { reference, expand };
 
 /// Where the meshes and textures of a preview come from. Files are relative to the output's folder.
 struct MeshSource {
-  /// Null when no mesh is at hand. Asked for once a file, since nothing is kept.
-  std::function<MeshTriangles(const std::string& file)> triangles;
+  /// Reads a mesh; null when there are no meshes. A writer calls it once for each file and kind,
+  /// because it keeps nothing.
+  std::function<MeshTriangles(const std::string& file, TexturePoints texture_points)> triangles;
   /// Equal for names of one file that have the same triangles.
   std::function<std::string(const std::string& file)> identity;
   /// Null when no image is at hand.
@@ -58,6 +59,8 @@ struct SceneFormat {
   bool has_reference_form = false;
   bool has_expanded_form = true;
   bool repeats_models = false;  ///< writes the model of each instance out
+  /// What check_scene_size() counts before anything is written; null when nothing is repeated.
+  RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;
   /// Why this build cannot write it, and what to do; empty when it can. Null: every build can.
   std::string_view (*obstacle)() = nullptr;
 };

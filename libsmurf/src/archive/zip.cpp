@@ -9,6 +9,7 @@
 #include <minizip/unzip.h>
 
 #include "base/limits.hpp"
+#include "base/little_endian.hpp"
 #include "base/path.hpp"
 
 namespace smurf {
@@ -60,6 +61,18 @@ bool is_inside(std::string_view path) {
   return !path::normalize(path).starts_with("..");
 }
 
+/// A file in the archive, with its header.
+struct Packed {
+  std::size_t begin = 0, end = 0;
+  bool has_sizes_behind = false;  ///< its sizes and checksum are behind it
+
+  bool is_followed_by(std::size_t next) const {
+    if (!has_sizes_behind || next < end) return next == end;
+    const std::size_t behind = next - end;  // with 4 or 8 bytes a size, and perhaps a signature
+    return behind == 12 || behind == 16 || behind == 20 || behind == 24;
+  }
+};
+
 class Reader {
  public:
   Reader(std::string_view bytes, ArchiveBudget& budget)
@@ -99,11 +112,27 @@ class Reader {
     return std::move(archive_);
   }
 
-  /// Programs that do not rely on the number of files read all before the trailer, which also has
-  /// to be where it says that it is.
-  bool is_whole() const {
-    const std::string_view next = file_.bytes.substr(std::min(after_entry_, file_.bytes.size()));
-    return next.starts_with("PK\x05\x06") || next.starts_with("PK\x06\x06");
+  /// Whether every program finds the same files: some read the directory that the last trailer
+  /// names, others the files from the front, or all entries of a directory whatever their number.
+  bool is_whole() {
+    constexpr std::size_t kTrailer = 22;
+    constexpr std::size_t kPlaceOfComment = 20;
+    const std::string_view trailer = file_.bytes.substr(std::min(after_entry_, file_.bytes.size()));
+    if (!trailer.starts_with("PK\x05\x06") || trailer.size() < kTrailer) return false;
+    const std::size_t comment = read_uint16(trailer, kPlaceOfComment);
+    return trailer.size() == kTrailer + comment && has_no_gap();
+  }
+
+  /// Whether the packed files follow each other from the first byte to the directory.
+  bool has_no_gap() {
+    std::sort(packed_.begin(), packed_.end(),
+              [](const Packed& a, const Packed& b) { return a.begin < b.begin; });
+    Packed last;
+    for (const Packed& file : packed_) {
+      if (!last.is_followed_by(file.begin)) return false;
+      last = file;
+    }
+    return last.is_followed_by(directory_);
   }
 
   bool refuse(std::string reason) {
@@ -119,10 +148,13 @@ class Reader {
       return refuse("is a broken zip archive");
     }
     constexpr std::size_t kHeader = 46;
-    after_entry_ = unzGetOffset64(zip) + kHeader + info.size_filename + info.size_file_extra +
-                   info.size_file_comment;
+    const auto entry = static_cast<std::size_t>(unzGetOffset64(zip));
+    if (after_entry_ == 0) directory_ = entry;
+    after_entry_ =
+        entry + kHeader + info.size_filename + info.size_file_extra + info.size_file_comment;
     if (info.size_filename >= name.size()) return refuse("contains a file with too long a name");
     name.resize(info.size_filename);
+    if (!check_header(entry, info, name)) return false;
     if (name.ends_with('/')) return true;  // a folder
     if (!is_inside(name)) return refuse("contains the file '" + name + "', which is not inside it");
     const std::uint64_t most_files = budget_.limits().archive_files;
@@ -141,30 +173,32 @@ class Reader {
     }
     std::string text;
     if (!read(zip, text)) return false;
-    if (!check_name(zip, name)) return false;
     // minizip has compared the checksum only then.
     if (text.size() != info.uncompressed_size) return refuse("is a broken zip archive");
     archive_.files.push_back({path::normalize(name), std::move(text)});
     return true;
   }
 
-  /// Programs that unpack a stream read the name in front of the bytes, others that of the
-  /// directory.
-  bool check_name(unzFile zip, const std::string& name) {
-    constexpr std::size_t kPlaceOfFile =
-        42;  // in an entry of the directory; 4 bytes, little-endian
-    constexpr std::size_t kPlaceOfName = 30;  // in the header of a file
-    const auto entry = static_cast<std::size_t>(unzGetOffset64(zip));
-    std::size_t file = 0;
-    for (std::size_t i = 4; i-- > 0;) {
-      file = file << 8U | static_cast<unsigned char>(file_.bytes[entry + kPlaceOfFile + i]);
-    }
-    const std::string_view header = file_.bytes.substr(std::min(file, file_.bytes.size()));
+  /// Programs that unpack a stream read what is in front of the bytes, others the directory.
+  bool check_header(std::size_t entry, const unz_file_info64& info, const std::string& name) {
+    constexpr std::size_t kPlaceOfFile = 42;   // in an entry of the directory
+    constexpr std::size_t kPlaceOfSizes = 26;  // of name and extra field, in the header of a file
+    constexpr std::size_t kPlaceOfName = 30;
+    const std::size_t begin = read_uint32(file_.bytes, entry + kPlaceOfFile);
+    const std::string_view header = file_.bytes.substr(std::min(begin, file_.bytes.size()));
     if (!header.starts_with("PK\x03\x04") || header.size() < kPlaceOfName) {
       return refuse("is a broken zip archive");
     }
-    return header.substr(kPlaceOfName).starts_with(name) ||
-           refuse("contains the file '" + name + "', which has another name in front of its bytes");
+    if (!header.substr(kPlaceOfName).starts_with(name)) {
+      return refuse("contains the file '" + name +
+                    "', which has another name in front of its bytes");
+    }
+    const std::size_t end = begin + kPlaceOfName + read_uint16(header, kPlaceOfSizes) +
+                            read_uint16(header, kPlaceOfSizes + 2) +
+                            static_cast<std::size_t>(info.compressed_size);
+    constexpr unsigned kHasSizesBehind = 1U << 3U;
+    packed_.push_back({begin, end, (info.flag & kHasSizesBehind) != 0});
+    return true;
   }
 
   /// The size that the archive states is not believed.
@@ -186,7 +220,9 @@ class Reader {
   Memory file_;
   ArchiveBudget& budget_;
   std::uint64_t packed_left_;    ///< bytes of the archive that no file has been unpacked from
+  std::size_t directory_ = 0;    ///< where it begins
   std::size_t after_entry_ = 0;  ///< where the last entry of the directory ends
+  std::vector<Packed> packed_;
   Archive archive_;
 };
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
@@ -27,8 +27,8 @@ class KeyRenames {
 
  private:
   yaml::View mapping_;
-  std::optional<std::unordered_set<std::string_view>> keys_;
-  std::unordered_set<std::string_view> offered_;
+  std::optional<std::set<std::string_view>> keys_;
+  std::set<std::string_view> offered_;
 };
 
 }  // namespace smurf

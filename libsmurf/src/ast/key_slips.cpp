@@ -2,7 +2,7 @@
 // Keys that are missing, and keys that nobody knows because they are misspelt. Unknown keys as such
 // are welcome: annotation is open.
 #include <algorithm>
-#include <unordered_set>
+#include <set>
 
 #include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
@@ -110,7 +110,7 @@ void report_difference(const KeyDifference& difference, yaml::View mapping, std:
                        DiagnosticSink& sink) {
   KeyRenames renames(mapping);
   std::vector<yaml::View> slips;
-  std::unordered_set<std::string_view> meant_before;
+  std::set<std::string_view> meant_before;
   for (const KeySpec* spec : difference.missing) {
     slips.push_back(report_missing(*spec, difference.unknown, mapping, what, renames, sink));
     if (slips.back()) meant_before.insert(spec->name);

@@ -14,6 +14,7 @@
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
@@ -25,10 +26,6 @@ std::string name_of(const KeySpec& spec) { return quoted(spec.name); }
 void offer(Diagnostic& diagnostic, std::string help, Span place, std::string_view text) {
   diagnostic.help(std::move(help));
   diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(text)}}});
-}
-
-bool is_word_of(std::string_view text, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), text) != words.end();
 }
 
 Diagnostic& report_type(const KeySpec& spec, std::string_view wanted, yaml::View value,
@@ -186,9 +183,9 @@ void read_boolean(const KeySpec& spec, yaml::View value, Target target, Diagnost
   }
   if (!boolean) {
     Diagnostic& diagnostic = report_type(spec, wanted::kValue, value, "true or false", sink);
-    if (is_word_of(value.text(), {"yes", "Yes", "YES", "on", "On", "ON", "y", "Y"})) {
+    if (is_one_of(value.text(), {"yes", "Yes", "YES", "on", "On", "ON", "y", "Y"})) {
       offer(diagnostic, "write `true`: MARS does not know this word", value.span(), "true");
-    } else if (is_word_of(value.text(), {"no", "No", "NO", "off", "Off", "OFF", "n", "N"})) {
+    } else if (is_one_of(value.text(), {"no", "No", "NO", "off", "Off", "OFF", "n", "N"})) {
       offer(diagnostic, "write `false`: MARS does not know this word", value.span(), "false");
     } else if (type_without_quotes(value) == yaml::ScalarType::boolean) {
       offer(diagnostic, "remove the quotes: MARS reads the boolean, YAML readers with types a text",

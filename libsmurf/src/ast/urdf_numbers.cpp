@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -22,11 +23,13 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// True for a text that is not a number, but is written like one.
 bool is_out_of_range(std::string_view text) {
-  return !text.empty() &&
-         std::all_of(
-             text.begin(), text.end(),
-             [](char c) { return is_digit(c) || c == '.' || c == 'e' || c == '-' || c == '+'; }) &&
-         text.find('e') != std::string_view::npos && text.find('.') == text.rfind('.');
+  const std::size_t e = text.find('e');
+  if (e == std::string_view::npos || e + 1 >= text.size()) return false;
+  std::string_view exponent = text.substr(e + 1);
+  if (exponent.front() == '-' || exponent.front() == '+') exponent.remove_prefix(1);
+  const std::string_view mantissa = text.substr(0, e);
+  return !exponent.empty() && std::all_of(exponent.begin(), exponent.end(), is_digit) &&
+         parse_number(mantissa).has_value();
 }
 
 struct Token {
@@ -44,6 +47,11 @@ std::vector<Token> split(std::string_view text) {
   return tokens;
 }
 
+/// Some readers refuse what has fewer digits than a double.
+bool is_subnormal(double value) {
+  return value != 0 && std::fabs(value) < std::numeric_limits<double>::min();
+}
+
 /// Reads numbers that all readers read alike, as nearly all are; false for a text that needs a
 /// closer look.
 bool read_plain(std::string_view text, std::span<double> out) {
@@ -53,7 +61,7 @@ bool read_plain(std::string_view text, std::span<double> out) {
     const std::size_t begin = at;
     while (at < text.size() && text[at] != ' ') ++at;
     const std::optional<double> read = parse_number(text.substr(begin, at - begin));
-    if (!read) return false;
+    if (!read || is_subnormal(*read)) return false;
     value = *read;
   }
   return at == text.size();
@@ -121,7 +129,10 @@ class NumberReader {
 
   std::optional<double> number(Token token) {
     const std::string_view text = text_.substr(token.begin, token.end - token.begin);
-    if (const std::optional<double> value = parse_number(text)) return value;
+    if (const std::optional<double> value = parse_number(text)) {
+      if (is_subnormal(*value)) report_subnormal(token, text);
+      return value;
+    }
     const std::string lower = path::to_lower(text);
     const std::string_view bare = lower.starts_with('-') || lower.starts_with('+')
                                       ? std::string_view(lower).substr(1)
@@ -158,6 +169,13 @@ class NumberReader {
       sink_.report(rules::sml1801_not_a_number, place(token), shown + " is not a number");
     }
     return std::nullopt;
+  }
+
+  void report_subnormal(Token token, std::string_view text) {
+    sink_
+        .report(rules::sml1810_overflow_underflow, place(token),
+                quoted(text) + " is so small that a double keeps only some of its digits")
+        .construct = "subnormal";
   }
 
   /// The first character beyond ASCII, as "U+2212".

@@ -99,9 +99,11 @@ class RobotReader {
   }
 
   void report_too_large(const xml::Attribute& attribute, double most) {
-    sink_.report(rules::sml1810_overflow_underflow, attribute.value_span(),
-                 quoted(attribute.name()) + " is larger than " + format_rounded(most) +
-                     ", and cannot be computed with");
+    sink_
+        .report(rules::sml1810_overflow_underflow, attribute.value_span(),
+                quoted(attribute.name()) + " is larger than " + format_rounded(most) +
+                    ", and cannot be computed with")
+        .construct = "too-large";
   }
 
   template <std::size_t N>

@@ -12,6 +12,12 @@
 namespace smurf::urdf {
 namespace {
 
+/// Marks an attribute whose absence is reported by a rule of its own.
+constexpr AttributeSpec usual(AttributeSpec spec) {
+  spec.is_usual = true;
+  return spec;
+}
+
 constexpr AttributeSpec kRobotAttributes[] = {
     {"name", false, "Name of the robot."},
     {"version", false, "Version of URDF; urdfdom accepts 1.0, its newer versions also 1.1 and 1.2.",
@@ -51,26 +57,28 @@ constexpr std::string_view kLinkExtensions[] = {
     "gravity",     "inertia_from_file",  "bullet",       "self_filter",
     "drake_ignore"};
 
-constexpr ChildSpec kInertialChildren[] = {{"origin", true}, {"mass", true}, {"inertia", true}};
+constexpr ChildSpec kInertialChildren[] = {
+    {"origin", true}, {"mass", true, true}, {"inertia", true, true}};
 constexpr AttributeSpec kMassAttributes[] = {{"value", true, "Mass of the link.", "kg"}};
 /// Separate rules report missing entries of a tensor and entries below its diagonal.
 constexpr AttributeSpec kInertiaAttributes[] = {
-    {"ixx", false, "Moment about the x axis through the centre of mass.", "kg m^2"},
-    {"ixy", false, "Product of inertia: minus the integral of x y.", "kg m^2"},
-    {"ixz", false, "Product of inertia: minus the integral of x z.", "kg m^2"},
-    {"iyy", false, "Moment about the y axis through the centre of mass.", "kg m^2"},
-    {"iyz", false, "Product of inertia: minus the integral of y z.", "kg m^2"},
-    {"izz", false, "Moment about the z axis through the centre of mass.", "kg m^2"}};
+    usual({"ixx", false, "Moment about the x axis through the centre of mass.", "kg m^2"}),
+    usual({"ixy", false, "Product of inertia: minus the integral of x y.", "kg m^2"}),
+    usual({"ixz", false, "Product of inertia: minus the integral of x z.", "kg m^2"}),
+    usual({"iyy", false, "Moment about the y axis through the centre of mass.", "kg m^2"}),
+    usual({"iyz", false, "Product of inertia: minus the integral of y z.", "kg m^2"}),
+    usual({"izz", false, "Moment about the z axis through the centre of mass.", "kg m^2"})};
 constexpr std::string_view kInertiaExtensions[] = {"iyx", "izx", "izy"};
 constexpr AttributeSpec kOriginAttributes[] = {
-    {"xyz", false, "Position in the frame of the enclosing element.", "m", "0 0 0"},
+    usual({"xyz", false, "Position in the frame of the enclosing element.", "m", "0 0 0"}),
     {"rpy", false, "Rotation about the fixed axes x, then y, then z.", "rad", "0 0 0"},
     {"quat_xyzw", false, "Rotation as a quaternion; read since version 1.1 of URDF."}};
 
 constexpr AttributeSpec kVisualAttributes[] = {{"name", false, "Name of the visual."}};
-constexpr ChildSpec kVisualChildren[] = {{"origin", true}, {"geometry", true}, {"material", true}};
+constexpr ChildSpec kVisualChildren[] = {
+    {"origin", true}, {"geometry", true, true}, {"material", true}};
 constexpr AttributeSpec kCollisionAttributes[] = {{"name", false, "Name of the collision."}};
-constexpr ChildSpec kCollisionChildren[] = {{"origin", true}, {"geometry", true}};
+constexpr ChildSpec kCollisionChildren[] = {{"origin", true}, {"geometry", true, true}};
 constexpr std::string_view kCollisionExtensions[] = {
     "group",        "mask",   "concave",         "verbose", "material", "contact_coefficients",
     "max_contacts", "bullet", "drake_compliance"};
@@ -97,29 +105,30 @@ constexpr std::string_view kMaterialExtensions[] = {"specular", "shininess"};
 constexpr AttributeSpec kColorAttributes[] = {
     {"rgba", true, "Red, green, blue and alpha, each from 0 to 1."}};
 constexpr AttributeSpec kTextureAttributes[] = {
-    {"filename", false, "The image: a path, or package://NAME/PATH."}};
+    usual({"filename", false, "The image: a path, or package://NAME/PATH."})};
 
 constexpr std::string_view kJointTypes[] = {"revolute", "continuous", "prismatic",
                                             "fixed",    "floating",   "planar"};
 constexpr AttributeSpec kJointAttributes[] = {
     {"name", true, "Name of the joint; motors and sensors refer to it, so it is unique."},
-    {"type", false, "How the child moves relative to the parent.", "", "", kJointTypes}};
-constexpr ChildSpec kJointChildren[] = {
-    {"origin", true},     {"parent", true},   {"child", true}, {"axis", true},
-    {"limit", true},      {"dynamics", true}, {"mimic", true}, {"safety_controller", true},
-    {"calibration", true}};
+    usual({"type", false, "How the child moves relative to the parent.", "", "", kJointTypes})};
+constexpr ChildSpec kJointChildren[] = {{"origin", true},      {"parent", true, true},
+                                        {"child", true, true}, {"axis", true},
+                                        {"limit", true},       {"dynamics", true},
+                                        {"mimic", true},       {"safety_controller", true},
+                                        {"calibration", true}};
 constexpr std::string_view kJointExtensions[] = {
     "dont_collapse", "joint_properties", "hardwareInterface", "gearbox", "sensor",
     "motor",         "actuator",         "drake_ignore"};
 constexpr AttributeSpec kLinkReference[] = {
-    {.name = "link", .doc = "Name of the link.", .names = NameKind::link}};
+    usual({.name = "link", .doc = "Name of the link.", .names = NameKind::link})};
 constexpr AttributeSpec kAxisAttributes[] = {
     {"xyz", true, "Direction in the joint's frame, of length 1.", "", "1 0 0"}};
 constexpr AttributeSpec kLimitAttributes[] = {
-    {"lower", false, "Lowest position.", "rad or m", "0"},
-    {"upper", false, "Highest position.", "rad or m", "0"},
-    {"effort", false, "Largest torque or force.", "N m or N"},
-    {"velocity", false, "Largest speed.", "rad/s or m/s"},
+    usual({"lower", false, "Lowest position.", "rad or m", "0"}),
+    usual({"upper", false, "Highest position.", "rad or m", "0"}),
+    usual({"effort", false, "Largest torque or force.", "N m or N"}),
+    usual({"velocity", false, "Largest speed.", "rad/s or m/s"}),
     {"acceleration", false, "Largest acceleration; read since version 1.2 of URDF.",
      "rad/s^2 or m/s^2"},
     {"deceleration", false, "Largest deceleration; read since version 1.2 of URDF.",
@@ -225,6 +234,8 @@ constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
 
 std::optional<std::string_view> meant_name(std::string_view name,
                                            std::span<const std::string_view> known) {
+  // A prefix marks another vocabulary, which is no slip: what it replaces is missing.
+  if (name.find(':') != std::string_view::npos) return std::nullopt;
   if (const auto near = nearest(name, known)) return near;
   for (const auto& [other, own] : kOtherNames) {
     if (name != other) continue;

@@ -19,12 +19,14 @@ struct AttributeSpec {
   std::string_view unit = {};  ///< "rad or m"; may be empty
   std::string_view fallback = {};
   std::span<const std::string_view> values = {};
-  NameKinds names = {};  ///< what it may name; empty: nothing
+  NameKinds names = {};   ///< what it may name; empty: nothing
+  bool is_usual = false;  ///< robots need it; other rules than that on missing attributes say so
 };
 
 struct ChildSpec {
   std::string_view name;
   bool single = false;
+  bool is_usual = false;  ///< the parent makes no sense without it
 };
 
 struct ElementSpec {

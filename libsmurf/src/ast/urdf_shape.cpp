@@ -3,6 +3,7 @@
 // absent.
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <unordered_map>
 
 #include "ast/urdf_reader.hpp"
@@ -323,7 +324,7 @@ class ShapeChecker {
   DiagnosticSink& sink_;
   std::unordered_map<const ChildSpec*, const ElementSpec*> specs_;  ///< of children, once found
   std::vector<Foreign> foreign_;
-  std::unordered_map<std::string, std::size_t> foreign_by_message_;
+  std::map<std::string, std::size_t> foreign_by_message_;
 };
 
 }  // namespace

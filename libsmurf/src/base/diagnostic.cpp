@@ -23,6 +23,24 @@ constexpr const Rule* kRules[] = {
 #undef SMURF_RULE
 };
 
+using Place = std::tuple<SourceId, std::uint32_t, std::uint32_t>;
+using RulesByPlace = std::map<Place, std::vector<const Rule*>>;
+
+Place key_of(Span span) { return {span.source, span.begin, span.end}; }
+
+/// The entry whose place contains the span. It can be larger than the span: a rule may have marked
+/// the whole value "42 kg", and another finding only `kg`.
+RulesByPlace::const_iterator find_around(const RulesByPlace& rules, Span span) {
+  const auto lies_in = [&](const Place& place) {
+    const auto& [source, begin, end] = place;
+    return source == span.source && begin <= span.begin && span.end <= end;
+  };
+  const auto next = rules.lower_bound(key_of(span));
+  if (next != rules.end() && lies_in(next->first)) return next;
+  if (next == rules.begin() || !lies_in(std::prev(next)->first)) return rules.end();
+  return std::prev(next);
+}
+
 }  // namespace
 
 std::string_view to_string(Severity severity) {
@@ -107,12 +125,11 @@ std::vector<Diagnostic> DiagnosticSink::take() {
     told.help(raise_limit("suggestions"));
     suggestions_end_.reset();
   }
-  const auto key = [](Span span) { return std::tuple(span.source, span.begin, span.end); };
-  std::map<std::tuple<SourceId, std::uint32_t, std::uint32_t>, std::vector<const Rule*>> by_place;
-  for (const auto& [place, rule] : consequences_) by_place[key(place)].push_back(rule);
+  RulesByPlace by_place;
+  for (const auto& [place, rule] : consequences_) by_place[key_of(place)].push_back(rule);
   for (Diagnostic& diagnostic : diagnostics_) {
     if (by_place.empty()) break;
-    const auto found = by_place.find(key(diagnostic.span));
+    const auto found = find_around(by_place, diagnostic.span);
     if (found == by_place.end()) continue;
     diagnostic.consequences.insert(diagnostic.consequences.end(), found->second.begin(),
                                    found->second.end());

@@ -29,6 +29,14 @@ void OpenFolder::enter(const std::string& name) {
   if (is_open()) become(sys::openat(number_, name.c_str(), kFolder | O_NOFOLLOW));
 }
 
+void OpenFolder::enter_above(const std::string& above) {
+  if (is_open()) {
+    enter("..");
+  } else {
+    open(above);
+  }
+}
+
 bool OpenFolder::has(std::string_view name) const {
   sys::Status status{};
   return is_open() &&

@@ -20,6 +20,9 @@ class OpenFolder {
   void open(const std::string& path);
   /// Opens a folder in this one that is not a link, or "..". One that does not exist is empty.
   void enter(const std::string& name);
+  /// Opens the folder above this one, whose path is `above`. This one need not exist: an editor may
+  /// name a new folder in a project.
+  void enter_above(const std::string& above);
   bool is_open() const { return number_ >= 0; }
 
   /// True when there is an entry of this name, even a link that leads nowhere: a checkout must not

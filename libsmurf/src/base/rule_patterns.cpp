@@ -2,12 +2,12 @@
 #include "base/rule_patterns.hpp"
 
 #include <algorithm>
-#include <unordered_map>
+#include <map>
 
 namespace smurf {
 namespace {
 
-using Places = std::unordered_map<std::string_view, std::size_t>;
+using Places = std::map<std::string_view, std::size_t>;
 
 /// The indices in the table of rules with these names, or with these former ids and names.
 const Places& places_by_name() {

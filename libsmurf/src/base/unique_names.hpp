@@ -2,9 +2,9 @@
 // Names for what may be called the same: "a", "a_2", "a_3".
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 namespace smurf {
@@ -26,8 +26,8 @@ class UniqueNames {
   }
 
  private:
-  std::unordered_set<std::string> taken_;
-  std::unordered_map<std::string, int> numbers_;  ///< the last that was tried, by base
+  std::set<std::string> taken_;
+  std::map<std::string, int> numbers_;  ///< the last that was tried, by base
 };
 
 }  // namespace smurf

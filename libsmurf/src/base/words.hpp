@@ -2,6 +2,7 @@
 // Words between the blanks of XML and YAML, and how they are compared.
 #pragma once
 
+#include <initializer_list>
 #include <string_view>
 
 namespace smurf {
@@ -15,6 +16,13 @@ constexpr std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+inline bool is_one_of(std::string_view text, std::initializer_list<std::string_view> texts) {
+  for (const std::string_view one : texts) {
+    if (one == text) return true;
+  }
+  return false;
 }
 
 /// The next word of `text` at or after `at`, which becomes its end; empty when there is none.

@@ -51,9 +51,11 @@ bool is_shared(std::string_view folder) {
 std::string_view widest_project_of(std::string_view folder) {
   std::string_view package;
   OpenFolder open{std::string(folder)};
-  for (std::string_view at = folder; at.size() > 1; at = path::parent(at), open.enter("..")) {
+  for (std::string_view at = folder; at.size() > 1;) {
     if (open.has_any(kHistories) && !is_home(at)) return at;
     if (package.empty() && open.has("package.xml")) package = at;
+    at = path::parent(at);
+    open.enter_above(std::string(at));
   }
   return package.empty() ? path::parent(path::parent(folder)) : path::parent(package);
 }
@@ -96,10 +98,12 @@ void allow_project(ConfinedFiles& files, const std::string& folder) {
   }
   std::string at = project.empty() ? folder : std::string(path::parent(project));
   OpenFolder open(at);
-  for (; at.size() > 1; at = path::parent(at), open.enter("..")) {
+  while (at.size() > 1) {
     for (const std::string_view name : kRuleFiles) {
       if (open.has(name)) files.allow(path::join(at, name));
     }
+    at = path::parent(at);
+    open.enter_above(at);
   }
 }
 

@@ -24,7 +24,7 @@ class Repositories {
     std::string_view at = folder;
     while (at.size() > 1 && !open.has_any(kHistories)) {
       at = path::parent(at);
-      open.enter("..");
+      open.enter_above(std::string(at));
     }
     if (at.size() > 1) known->second = at;
     return known->second;

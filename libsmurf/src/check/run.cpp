@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <iterator>
-#include <unordered_set>
+#include <set>
 #include <utility>
 
 #include "base/canonical_paths.hpp"
@@ -295,7 +295,7 @@ class Run {
   std::vector<MeshLibrary> shared_meshes_;        ///< of each thread, when nothing is kept
   std::vector<Judged> found_;                     ///< by configuration
   std::set<std::string> models_, scenes_, read_;  ///< by identity
-  std::unordered_set<std::string> sources_read_;  ///< by identity
+  std::set<std::string> sources_read_;            ///< by identity
   std::uint64_t rechecked_ = 0;                   ///< bytes of those that were read before
   std::uint64_t count_found_ = 0;                 ///< before settings and comments are applied
   bool is_over_ = false;                          ///< the remaining files are not checked

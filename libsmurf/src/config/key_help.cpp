@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ast/known_words.hpp"
 #include "ast/model_reader.hpp"
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
@@ -57,6 +58,8 @@ KeyHelp help_of(const KeySpec& spec, std::string_view owner, std::string_view re
   help.required = spec.required;
   help.form = form_of(spec.type);
   help.choices.assign(spec.choices.begin(), spec.choices.end());
+  const auto known = known_words(owner, spec.name);
+  help.known.assign(known.begin(), known.end());
   if (spec.type == ValueType::boolean) help.choices.assign(kBooleans, std::end(kBooleans));
   help.names = kinds_of(spec);
   help.defines = spec.names.defines;
@@ -238,6 +241,7 @@ KeyHelp help_of(const urdf::AttributeSpec& attribute, std::string_view element) 
   KeyHelp help{std::string(element), std::string(attribute.name), attribute.doc, "a text",
                attribute.unit,       attribute.fallback};
   help.required = attribute.required;
+  help.is_usual = attribute.required || attribute.is_usual;
   help.choices.assign(attribute.values.begin(), attribute.values.end());
   help.names = attribute.names;
   help.is_path = attribute.name == "filename";
@@ -332,11 +336,14 @@ std::optional<KeyHelp> key_help(KeyLanguage language, std::span<const std::strin
 std::optional<ElementHelp> element_help(std::string_view name) {
   const urdf::ElementSpec* spec = urdf::find_element_spec(name);
   if (spec == nullptr) return std::nullopt;
-  ElementHelp help{spec->name, spec->doc, {}, {}};
+  ElementHelp help{spec->name, spec->doc, {}, {}, {}};
   for (const urdf::AttributeSpec& attribute : spec->attributes) {
     help.attributes.push_back(help_of(attribute, spec->name));
   }
-  for (const urdf::ChildSpec& child : spec->children) help.children.push_back(child.name);
+  for (const urdf::ChildSpec& child : spec->children) {
+    help.children.push_back(child.name);
+    if (child.is_usual) help.usual_children.push_back(child.name);
+  }
   return help;
 }
 

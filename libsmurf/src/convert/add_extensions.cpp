@@ -9,9 +9,10 @@
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
 #include "base/quantity.hpp"
+#include "base/words.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/passes.hpp"
-#include "convert/sensor_keys.hpp"
+#include "convert/sensor_views.hpp"
 
 namespace smurf::passes {
 namespace {
@@ -64,9 +65,10 @@ std::string transmission(const urdf::Joint& joint, const Motor& motor) {
 }
 
 /// One sensor of Gazebo from the keys of an annotation.
-class GazeboSensor {
+class SensorContent {
  public:
-  GazeboSensor(const Sensor& sensor, yaml::View keys) : sensor_(sensor), keys_(keys) {}
+  SensorContent(const Sensor& sensor, yaml::View entry)
+      : sensor_(sensor), keys_(entry), view_(view_of(sensor, entry)) {}
 
   /// The lines inside <sensor>; "" when Gazebo has no such sensor.
   std::string content(std::string_view type) const {
@@ -75,8 +77,7 @@ class GazeboSensor {
       text += "    " + leaf("update_rate", 1000 / *sensor_.rate) + "\n";
     }
     if (type == "CameraSensor") return text + camera();
-    if (type == "RotatingRaySensor") return text + lidar();
-    if (type == "RaySensor") return text + rays();
+    if (view_.scan) return text + rays(*view_.scan);
     if (type == "NodeContact") return text + contact();
     return text;
   }
@@ -94,35 +95,19 @@ class GazeboSensor {
            leaf("height", keys_.camera_height()) + "\n      </image>\n    </camera>\n";
   }
 
-  std::string lidar() const {
-    const double width = keys_.number("opening_width", 2 * std::numbers::pi);
-    const double step = keys_.number("horizontal_resolution", std::numbers::pi / 180);
-    const double steps = step > 0 ? std::round(width / step) : 1;
-    const double samples = is_quantity(steps) ? std::max(1.0, steps) : 1;
-    return pose({0, 0, 0}, keys_.rpy("rotation_offset")) + "    <lidar>\n      <scan>\n" +
-           fan("horizontal", samples, keys_.number("horizontal_offset", 0), width) +
-           fan("vertical", keys_.number("lasers", 32),
-               -keys_.number("vertical_offset", 0.18622663118779495),
-               keys_.number("opening_height", 40 * std::numbers::pi / 180)) +
-           "      </scan>\n" + range(0.01) + "    </lidar>\n";
+  std::string rays(const ScanView& scan) const {
+    const bool is_flat = scan.up.count == 1 && scan.up.lowest == 0 && scan.up.highest == 0;
+    return (view_.X_LS == Pose{} ? "" : pose({0, 0, 0}, keys_.rpy("rotation_offset"))) +
+           "    <lidar>\n      <scan>\n" + fan("horizontal", scan.across) +
+           (is_flat ? "" : fan("vertical", scan.up)) + "      </scan>\n      <range>\n        " +
+           leaf("min", scan.nearest.value_or(0)) + "\n        " + leaf("max", *scan.farthest) +
+           "\n      </range>\n    </lidar>\n";
   }
 
-  /// In one plane (MARS RaySensor.cpp).
-  std::string rays() const {
-    return "    <lidar>\n      <scan>\n" +
-           fan("horizontal", keys_.number("width", 1), 0, keys_.number("opening_width", 1)) +
-           "      </scan>\n" + range(0) + "    </lidar>\n";
-  }
-
-  static std::string fan(const char* name, double samples, double middle, double opening) {
-    return "        <" + std::string(name) + ">\n          " + leaf("samples", samples) +
-           "\n          " + leaf("min_angle", middle - opening / 2) + "\n          " +
-           leaf("max_angle", middle + opening / 2) + "\n        </" + name + ">\n";
-  }
-
-  std::string range(double least) const {
-    return "      <range>\n        " + leaf("min", keys_.number("min_distance", least)) +
-           "\n        " + leaf("max", keys_.number("max_distance", 100)) + "\n      </range>\n";
+  static std::string fan(const char* name, const RayFan& fan) {
+    return "        <" + std::string(name) + ">\n          " + leaf("samples", fan.count) +
+           "\n          " + leaf("min_angle", fan.lowest) + "\n          " +
+           leaf("max_angle", fan.highest) + "\n        </" + name + ">\n";
   }
 
   std::string contact() const {
@@ -137,6 +122,7 @@ class GazeboSensor {
 
   const Sensor& sensor_;
   SensorKeys keys_;
+  SensorView view_;
 };
 
 }  // namespace
@@ -169,10 +155,10 @@ std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::st
 
 std::string_view gazebo_type(const Sensor& sensor) {
   constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
-      {"CameraSensor", "camera"},   {"RotatingRaySensor", "gpu_lidar"},
-      {"RaySensor", "gpu_lidar"},   {"NodeRotation", "imu"},
-      {"NodeIMU", "imu"},           {"NodeContact", "contact"},
-      {"Joint6DOF", "force_torque"}};
+      {"CameraSensor", "camera"}, {"RotatingRaySensor", "gpu_lidar"},
+      {"RaySensor", "gpu_lidar"}, {"MultiLevelLaserRangeFinder", "gpu_lidar"},
+      {"NodeRotation", "imu"},    {"NodeIMU", "imu"},
+      {"NodeContact", "contact"}, {"Joint6DOF", "force_torque"}};
   for (const auto& [type, of_gazebo] : kTypes) {
     if (sensor.type && *sensor.type == type) return of_gazebo;
   }
@@ -193,26 +179,26 @@ std::string gazebo_carrier(const LinkedModel& model, const Sensor& sensor) {
 }
 
 bool gazebo_says(const Sensor& sensor, std::string_view key) {
-  using Keys = std::initializer_list<std::string_view>;
-  const auto says = [key](Keys keys) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
-  };
   const std::string type = sensor.type.value_or("");
-  if (says({"name", "type", "link", "rate"})) return true;
+  if (is_one_of(key, {"name", "type", "link", "rate"})) return true;
   if (type == "CameraSensor") {
-    return says({"width", "height", "opening_width", "opening_angle", "position_offset",
-                 "orientation_offset"});
+    return is_one_of(key, {"width", "height", "opening_width", "opening_angle", "position_offset",
+                           "orientation_offset"});
   }
   if (type == "RotatingRaySensor") {
-    return says({"lasers", "opening_width", "opening_height", "horizontal_offset",
-                 "vertical_offset", "horizontal_resolution", "min_distance", "max_distance",
-                 "rotation_offset"});
+    return is_one_of(key, {"lasers", "opening_width", "opening_height", "horizontal_offset",
+                           "vertical_offset", "horizontal_resolution", "min_distance",
+                           "max_distance", "rotation_offset"});
   }
   if (type == "RaySensor") {
-    return says({"width", "opening_width", "min_distance", "max_distance"});
+    return is_one_of(key, {"width", "opening_width", "max_distance"});
   }
-  if (type == "NodeContact") return says({"id", "collisions"});
-  return type == "Joint6DOF" ? says({"joint"}) : says({"id"});
+  if (type == "MultiLevelLaserRangeFinder") {
+    return is_one_of(key, {"numRaysHorizontal", "numRaysVertical", "horizontalOpeningAngle",
+                           "verticalOpeningAngle", "maxDistance"});
+  }
+  if (type == "NodeContact") return is_one_of(key, {"id", "collisions"});
+  return type == "Joint6DOF" ? is_one_of(key, {"joint"}) : is_one_of(key, {"id"});
 }
 
 std::set<std::string_view> driven_joints(const LinkedModel& model, Actuation actuation) {
@@ -263,7 +249,7 @@ void add_actuation(const LinkedModel& model, Actuation actuation, XmlEdits& edit
 
 std::string gazebo_sensor(const yaml::Document& document, const Sensor& sensor,
                           std::string_view name) {
-  const GazeboSensor content(sensor, yaml::View(document, sensor.node));
+  const SensorContent content(sensor, yaml::View(document, sensor.node));
   return "  <sensor name=\"" + escape_xml(name) + "\" type=\"" + std::string(gazebo_type(sensor)) +
          "\">\n" + content.content(*sensor.type) + "  </sensor>\n";
 }

@@ -10,8 +10,8 @@
 #include "base/edits.hpp"
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
+#include "convert/gazebo_sensors.hpp"
 #include "convert/import.hpp"
-#include "convert/sensor_pose.hpp"
 
 namespace smurf::import {
 namespace {
@@ -46,10 +46,8 @@ class SensorMaker {
   std::vector<NewValue> make() {
     for (const xml::View system : extensions_of(context_, "ros2_control")) ros2_control(system);
     add_joint_sensors();
-    for (const xml::View gazebo : extensions_of(context_, "gazebo")) {
-      for (const xml::View child : gazebo) {
-        if (child.name() == "sensor") sensor(child, attribute_of(gazebo, "reference"));
-      }
+    for (const GazeboSensor& found : gazebo_sensors(context_.robot())) {
+      sensor(found.element, found.reference);
     }
     for (const xml::View child : extensions_of(context_, "sensor")) {
       sensor(child, attribute_of(child.child("parent"), "link"));

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "base/words.hpp"
+#include "convert/gazebo_sensors.hpp"
 #include "convert/passes.hpp"
-#include "convert/sensor_pose.hpp"
 
 namespace smurf {
 namespace {

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a URDF cannot express of a model. Neither values that it already has nor the names by which
 // annotations refer to it are losses.
-#include <algorithm>
 #include <map>
 #include <set>
 
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/passes.hpp"
 
 namespace smurf {
 namespace {
-
-using Names = std::initializer_list<std::string_view>;
 
 /// Names of MARS's first format that are not applied, and what replaced them.
 constexpr std::pair<std::string_view, std::string_view> kOldNames[] = {
@@ -21,10 +19,6 @@ constexpr std::pair<std::string_view, std::string_view> kOldNames[] = {
     {"texturename", "diffuseTexture"},
     {"motorMaxForce", "maxEffort"},
     {"maximumVelocity", "maxSpeed"}};
-
-bool is_one_of(std::string_view name, Names names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 class LossReport {
  public:
@@ -80,7 +74,7 @@ class LossReport {
   }
 
   static std::string title(const Annotation& entry, std::string_view kind) {
-    return std::string(kind) + (entry.name ? " `" + *entry.name + "`" : "");
+    return std::string(kind) + (entry.name ? " " + quoted(*entry.name) : "");
   }
 
   yaml::View view(const Annotation& entry) const {
@@ -108,7 +102,7 @@ class LossReport {
   void of_custom(const CustomSection& section) {
     // Their text stands in the URDF, from which urdf2smurf took it.
     if (section.name.value == "urdf_extensions") return;
-    lose(rules::sml8001_not_expressible, section.name.span, "`" + section.name.value + "`",
+    lose(rules::sml8001_not_expressible, section.name.span, quoted(section.name.value),
          "has no place in a URDF");
   }
 
@@ -243,7 +237,7 @@ class LossReport {
     if (is_new || first->second.number() == key.number()) return;
     lose(rules::sml8003_ambiguous, key.key_span(),
          quoted(key.key()) + " of " + title(entry, "joint"),
-         "differs from `" + std::string(first->second.key()) + "`, which is applied")
+         "differs from " + quoted(first->second.key()) + ", which is applied")
         .label(first->second.key_span(), "this one");
   }
 

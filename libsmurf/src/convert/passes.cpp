@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert/passes.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/system.hpp"
+#include "base/words.hpp"
 #include "smurf/references.hpp"
 
 namespace smurf::passes {
 namespace {
-
-bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 bool is_urdf_child(std::string_view parent, std::string_view child) {
   if (parent == "robot") return is_one_of(child, {"link", "joint", "material"});

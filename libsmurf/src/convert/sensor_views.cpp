@@ -8,8 +8,8 @@
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "base/quantity.hpp"
+#include "convert/gazebo_sensors.hpp"
 #include "convert/import.hpp"
-#include "convert/sensor_pose.hpp"
 
 namespace smurf {
 namespace {
@@ -41,7 +41,7 @@ std::optional<CameraView> camera(double width, std::optional<double> height) {
   return CameraView{width * kRadians, *height * kRadians, {}, {}};
 }
 
-double whole(double count) { return std::max(1.0, std::floor(count)); }
+double whole(double count) { return std::max(1.0, std::round(count)); }
 
 RayFan fan_of(xml::View scan, std::string_view direction) {
   const xml::View element = child_of(scan, direction);

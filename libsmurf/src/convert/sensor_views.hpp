@@ -42,9 +42,10 @@ std::optional<double> vertical_opening(double horizontal, double width, double h
 /// The same from the keys of a camera of MARS.
 std::optional<double> vertical_opening(const SensorKeys& keys);
 
-/// Of a <sensor> in <gazebo>. A sensor of another kind than cameras and rays has a pose only.
+/// What a <sensor> in <gazebo> sees. A sensor of another kind than cameras and rays has a pose
+/// only.
 SensorView view_of(xml::View sensor);
-/// Of the annotation of a sensor with these keys.
+/// What a sensor of the annotations sees, which has these keys. A scan has a farthest distance.
 SensorView view_of(const Sensor& sensor, yaml::View keys);
 
 }  // namespace smurf

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -44,7 +45,7 @@ class KeyCounter {
   }
 
  private:
-  std::unordered_map<std::string, std::size_t> counts_;
+  std::map<std::string, std::size_t> counts_;
 };
 
 /// A thing in both versions.
@@ -61,7 +62,7 @@ class PropertyComparer {
   /// With `is_list`, the keys are the names of items.
   void compare_members(const Property& before, const Property& after, const std::string& path,
                        bool is_list = false) {
-    std::unordered_map<std::string, const Property*> old_members;
+    std::map<std::string, const Property*> old_members;
     KeyCounter old_keys, new_keys;
     for (const Property& member : before.members) {
       old_members.emplace(old_keys.unique(renames_.translate(member.key, member.key_span)),
@@ -163,7 +164,7 @@ class PropertyComparer {
   }
 
   static bool are_named(const Property& list) {
-    std::unordered_map<std::string_view, bool> seen;
+    std::map<std::string_view, bool> seen;
     return std::all_of(list.members.begin(), list.members.end(), [&](const Property& member) {
       return !member.key.empty() && !std::exchange(seen[member.key], true);
     });
@@ -235,7 +236,7 @@ class Comparison {
   /// The number of a thing among the nameless ones in the same parent; 0 for the only one.
   static std::vector<std::size_t> numbers_of(const Things& things) {
     std::vector<std::size_t> numbers(things.all.size());
-    std::unordered_map<std::string, std::vector<std::size_t>> unnamed;
+    std::map<std::string, std::vector<std::size_t>> unnamed;
     for (std::size_t i = 0; i < things.all.size(); ++i) {
       const Thing& thing = things.all[i];
       if (thing.name.empty() && !thing.is_scene)

@@ -198,7 +198,7 @@ class Matcher {
   /// skipped.
   template <class More, class Visit>
   void for_each_bucket(const Candidates& candidates, const More& more, const Visit& visit) {
-    std::unordered_map<std::string, std::size_t> places;
+    std::map<std::string, std::size_t> places;
     std::vector<Bucket> buckets;
     const auto bucket_of = [&](const std::string& key) -> Bucket& {
       const auto [place, is_new] = places.try_emplace(key, buckets.size());

@@ -23,20 +23,20 @@ class JsonReport {
   std::string write(std::span<const Difference> differences, const DiffInputs& inputs,
                     const ToolName& tool) {
     json_.begin_object(JsonPrinter::Layout::block);
-    text("schema_version", "1.0");
+    json_.member("schema_version", "1.0");
     json_.key("tool");
     json_.begin_object();
-    text("name", tool.name);
-    text("version", tool.version);
+    json_.member("name", tool.name);
+    json_.member("version", tool.version);
     json_.end();
-    text("old", inputs.before);
-    text("new", inputs.after);
+    json_.member("old", inputs.before);
+    json_.member("new", inputs.after);
     json_.key("tolerance");
     json_.number(inputs.tolerance);
     summary(differences);
     if (is_page_) {
-      text("old_title", shown_name(inputs.before));
-      text("new_title", shown_name(inputs.after));
+      json_.member("old_title", shown_name(inputs.before));
+      json_.member("new_title", shown_name(inputs.after));
       text_if_any("picture", picture_);
     }
     json_.key("differences");
@@ -48,12 +48,8 @@ class JsonReport {
   }
 
  private:
-  void text(std::string_view key, std::string_view value) {
-    json_.key(key);
-    json_.text(value);
-  }
   void text_if_any(std::string_view key, std::string_view value) {
-    if (!value.empty()) text(key, value);
+    if (!value.empty()) json_.member(key, value);
   }
 
   void summary(std::span<const Difference> differences) {
@@ -70,15 +66,15 @@ class JsonReport {
 
   void difference(const Difference& difference) {
     json_.begin_object();
-    text("change", to_string(difference.change));
-    text("kind", difference.kind);
-    text("name", difference.name);
+    json_.member("change", to_string(difference.change));
+    json_.member("kind", difference.kind);
+    json_.member("name", difference.name);
     if (difference.number != 0) {
       json_.key("number");
       json_.integer(static_cast<std::int64_t>(difference.number));
     }
     text_if_any("of", difference.owner);
-    if (difference.change == Change::renamed) text("old_name", difference.old_name);
+    if (difference.change == Change::renamed) json_.member("old_name", difference.old_name);
     if (difference.change == Change::changed) changed(difference);
     text_if_any("effect", difference.detail);
     place("old_source", difference.old_place);
@@ -88,17 +84,17 @@ class JsonReport {
   }
 
   void add_page_members(const Difference& difference) {
-    text("group", shown_name(difference.kind));
-    text("subject", subject_of(difference));
+    json_.member("group", shown_name(difference.kind));
+    json_.member("subject", subject_of(difference));
     if (difference.change == Change::changed) {
       const ValueTexts texts = value_texts(difference);
-      text("label", label_in(difference));
-      text("old_text", shown_value(texts.before));
-      text("new_text", shown_value(texts.after));
+      json_.member("label", label_in(difference));
+      json_.member("old_text", shown_value(texts.before));
+      json_.member("new_text", shown_value(texts.after));
       text_if_any("percentage", percentage_of(difference));
     } else if (difference.change == Change::renamed) {
-      text("old_text", shown_name(difference.old_name));
-      text("new_text", shown_name(difference.name));
+      json_.member("old_text", shown_name(difference.old_name));
+      json_.member("new_text", shown_name(difference.name));
     }
     text_if_any("old_place", place_text(difference.old_place, sources_));
     text_if_any("new_place", place_text(difference.new_place, sources_));
@@ -113,7 +109,7 @@ class JsonReport {
   }
 
   void changed(const Difference& difference) {
-    text("property", difference.property);
+    json_.member("property", difference.property);
     json_.key("old");
     value(difference.before);
     json_.key("new");

@@ -3,6 +3,7 @@
 // written.
 #include <algorithm>
 #include <array>
+#include <map>
 #include <unordered_map>
 
 #include "ast/urdf_schema.hpp"
@@ -163,7 +164,7 @@ class RobotCollector {
   template <class IsLeftOut>
   void children(xml::View parent, Property& group, IsLeftOut is_left_out) {
     const ElementSpec* spec = urdf::find_element_spec(path::to_lower(parent.name()));
-    std::unordered_map<std::string_view, Siblings> siblings;
+    std::map<std::string_view, Siblings> siblings;
     for (const xml::View child : parent) {
       Siblings& same = siblings[child.name()];
       same.have_names = same.have_names && !attribute_of(child, "name").empty();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <unordered_map>
 
 #include "base/path.hpp"
 #include "base/unique_names.hpp"
@@ -204,7 +203,7 @@ class Flattener {
   const SourceMap& sources_;
   const FlattenOptions& options_;
   FlatScene flat_;
-  std::unordered_map<std::string, std::string> relative_;
+  std::map<std::string, std::string> relative_;
   UniqueNames ids_;
   std::map<std::pair<ModelIndex, JointPoseIndex>, std::vector<std::pair<std::string, double>>>
       positions_;

@@ -3,6 +3,7 @@
 #include "flatten/old_shapes.hpp"
 
 #include <cmath>
+#include <map>
 #include <unordered_map>
 
 #include "base/numbers.hpp"
@@ -170,7 +171,7 @@ class NodeReader {
   std::string folder_;
   std::vector<Node> nodes_;
   std::unordered_map<double, std::size_t> by_index_;
-  std::unordered_map<std::string, Rgba> colors_;
+  std::map<std::string, Rgba> colors_;
 };
 
 template <class T>

@@ -60,7 +60,8 @@ class SizeCheck {
                           of_pose(instance.joint_pose);
     if (instance.model) {
       if (options_.links || options_.repeats_models) {
-        bytes += of_model(*instance.model) + of_prefixes(instance);
+        const ModelSize& model = of_model(*instance.model);
+        bytes += model.bytes + model.names * 2 * escape_xml(instance.path).size();
       }
     } else if (options_.old_scenes != nullptr) {
       bytes += of_old_scene(instance.file);
@@ -109,29 +110,27 @@ class SizeCheck {
     return *known;
   }
 
+  /// `names`: some formats write the path of the entity before each of them.
+  using ModelSize = RepeatedParts;
+
   /// Formats write some hundred bytes for the shortest link or shape, and else what the URDF says.
-  std::uint64_t of_model(ModelIndex index) {
-    std::optional<std::uint64_t>& known = of_model_[to_size(index)];
+  const ModelSize& of_model(ModelIndex index) {
+    std::optional<ModelSize>& known = of_model_[to_size(index)];
     if (known) return *known;
     constexpr std::uint64_t kPart = 400;
     const LinkedModel& model = scene_.models[to_size(index)];
-    known = 0;
+    known.emplace();
     if (!model.robot) return *known;
+    if (options_.repeated_parts != nullptr) known = options_.repeated_parts(model);
     std::uint64_t parts = 0;
     for (const urdf::Link& link : model.robot->links) {
       parts += 1 + link.visuals.size() + link.collisions.size();
     }
-    known =
+    known->bytes +=
         std::max<std::uint64_t>(kPart * parts, sources_.text(model.robot->document.source).size());
+    known->names = std::max<std::uint64_t>(known->names,
+                                           model.robot->links.size() + model.robot->joints.size());
     return *known;
-  }
-
-  /// Some formats write the path of the entity before each name of its model.
-  std::uint64_t of_prefixes(const Instance& instance) const {
-    const LinkedModel& model = *scene_.model(instance);
-    if (!model.robot) return 0;
-    return 2 * escape_xml(instance.path).size() *
-           (model.robot->links.size() + model.robot->joints.size());
   }
 
   /// A node of some 60 bytes becomes a shape of 200.
@@ -149,7 +148,8 @@ class SizeCheck {
   const FlattenOptions& options_;
   std::uint64_t most_;
   std::uint64_t total_ = 0;
-  std::vector<std::optional<std::uint64_t>> of_model_, of_pose_;
+  std::vector<std::optional<ModelSize>> of_model_;
+  std::vector<std::optional<std::uint64_t>> of_pose_;
   std::unordered_map<const Entity*, std::uint64_t> of_entity_;
   std::unordered_map<const SceneFile*, std::uint64_t> of_world_;
 };

@@ -2,7 +2,7 @@
 #include "flatten/value.hpp"
 
 #include <cmath>
-#include <unordered_set>
+#include <set>
 
 namespace smurf {
 namespace {
@@ -39,7 +39,7 @@ Value to_value(yaml::View node) {
 
 Value::Object to_object(yaml::View mapping) {
   Value::Object object;
-  std::unordered_set<std::string_view> keys;
+  std::set<std::string_view> keys;
   for (const yaml::View member : mapping) {
     if (!keys.insert(member.key()).second) continue;
     object.push_back({std::string(member.key()), to_value(member)});

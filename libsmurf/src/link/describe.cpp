@@ -200,11 +200,13 @@ std::vector<std::string> describe(const LinkedScene& scene, const Reference& ref
   return {};
 }
 
-std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link) {
+std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link,
+                                        const std::optional<Pose>& X_LP) {
   const std::vector<std::optional<Pose>> poses = forward_kinematics(model, {});
   if (to_size(link) >= poses.size() || !poses[to_size(link)]) return {};
   const std::string root = name_of(model.link(model.tree.roots.front()).name);
-  Lines lines{"seen from " + root + ", all joints at 0: " + describe(*poses[to_size(link)])};
+  const Pose& X_RL = *poses[to_size(link)];
+  Lines lines{"seen from " + root + ", all joints at 0: " + describe(X_LP ? X_RL * *X_LP : X_RL)};
   std::vector<std::string_view> way;
   for (auto joint = model.tree.parent_joint[to_size(link)]; joint;
        joint = model.tree.parent_joint[to_size(*model.tree.joint_parent[to_size(*joint)])]) {
@@ -212,6 +214,8 @@ std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link
   }
   std::reverse(way.begin(), way.end());
   if (!way.empty()) lines.push_back("by the joints " + listed(way));
+  if (X_LP)
+    lines.push_back("and in link " + name_of(model.link(link).name) + ": " + describe(*X_LP));
   return lines;
 }
 
@@ -222,10 +226,15 @@ std::vector<std::string> describe(const MeshFacts& mesh, const Vector3& scale) {
   if (!is_read) lines.push_back("the mesh " + mesh.unread);
   if (mesh.box) {
     Vector3 size = mesh.box->size();
-    for (std::size_t i = 0; i < size.size(); ++i) size[i] *= scale[i];
+    const double unit = mesh.unit_meters.value_or(1);
+    for (std::size_t i = 0; i < size.size(); ++i) size[i] *= std::fabs(scale[i]) * unit;
     lines.push_back(numbers(size, " x ") + " m");
   }
-  if (mesh.unit_meters) lines.push_back("unit " + number(*mesh.unit_meters) + " m");
+  if (mesh.unit_meters) {
+    lines.push_back("unit " + number(*mesh.unit_meters) + " m");
+  } else if (mesh.box) {
+    lines.emplace_back("the file contains no unit, so readers use metres");
+  }
   if (mesh.defect) lines.push_back(mesh.defect->what);
   return lines;
 }

@@ -7,6 +7,7 @@
 #include "link/drawn_scene.hpp"
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 #include "ast/drawing_reader.hpp"
@@ -234,8 +235,8 @@ class DrawnSceneReader {
   LoadContext& context_;
   Tree tree_;
   yaml::NodeId entities_ = yaml::kNoNode;
-  std::unordered_map<std::string, std::optional<Keys>> keys_;  ///< by title
-  std::unordered_map<std::string, std::optional<Keys>> keys_by_file_;
+  std::map<std::string, std::optional<Keys>> keys_;  ///< by title
+  std::map<std::string, std::optional<Keys>> keys_by_file_;
   std::uint64_t shared_ = 0;  ///< keys that files add, counted for each entity
   bool is_full_ = false;
 };

@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "smurf/file_reader.hpp"
@@ -25,8 +24,8 @@ class FirstNames {
 
  private:
   const FileReader& files_;
-  std::unordered_map<std::string, std::string> known_;   ///< by path
-  std::unordered_map<std::string, std::string> by_key_;  ///< by key_of_file()
+  std::map<std::string, std::string> known_;   ///< by path
+  std::map<std::string, std::string> by_key_;  ///< by key_of_file()
 };
 
 class FileIndex {
@@ -44,7 +43,7 @@ class FileIndex {
   const FileReader& files_;
   std::map<std::string, bool> known_;
   std::map<std::string, std::vector<std::string>> lists_;
-  using Names = std::unordered_map<std::string, std::string>;
+  using Names = std::map<std::string, std::string>;
   std::map<std::string, Names> lower_;  ///< first name of a folder, by itself in lower case
 };
 

@@ -84,10 +84,11 @@ const MeshFile& MeshLibrary::read(const std::string& path, const FileReader& fil
 }
 
 MeshTriangles read_triangles_of(const std::string& path, const FileReader& files,
-                                const Limits& limits) {
+                                const Limits& limits, TexturePoints texture_points) {
   const FileContent content = files.read(path, limits.mesh_bytes);
   if (content.status == ReadStatus::ok) {
-    return read_triangles(content.text, path::extension(path), neighbours_of(path, files, limits));
+    return read_triangles(content.text, path::extension(path), neighbours_of(path, files, limits),
+                          texture_points);
   }
   if (content.status == ReadStatus::not_found) return {{}, {}, "is not there"};
   return {{}, {}, "cannot be read: " + content.reason};

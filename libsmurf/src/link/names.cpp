@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <functional>
+
+#include "base/hash.hpp"
 
 namespace smurf {
 namespace {
@@ -15,7 +16,7 @@ constexpr std::size_t kSlotsForName = 2;  // fewer make long ways
 
 std::size_t NameTable::slot_of(std::string_view name) const {
   const std::size_t last = slots_.size() - 1;  // sizes are powers of two
-  std::size_t slot = std::hash<std::string_view>{}(name)&last;
+  std::size_t slot = hash_of(name) & last;
   while (slots_[slot] != 0 && names_[slots_[slot] - 1] != name) slot = (slot + 1) & last;
   return slot;
 }

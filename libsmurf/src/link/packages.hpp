@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "link/file_index.hpp"
@@ -35,7 +34,7 @@ class Packages {
   std::map<std::string, std::string> names_;
   /// The packages in the folders that contain packages, by name; earlier folders take precedence.
   /// Made when it is first asked for.
-  std::optional<std::unordered_map<std::string, std::vector<std::string>>> installed_;
+  std::optional<std::map<std::string, std::vector<std::string>>> installed_;
 };
 
 }  // namespace smurf

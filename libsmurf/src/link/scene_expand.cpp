@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The include graph: every scene and model file is read once, every entity becomes one instance per
 // use of its scene.
-#include <unordered_map>
-#include <unordered_set>
+#include <map>
+#include <set>
 
 #include "ast/key_renames.hpp"
+#include "ast/known_words.hpp"
 #include "ast/scene_reader.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
@@ -400,13 +401,13 @@ class SceneExpander {
   LoadContext& context_;
   LinkedScene& scene_;
   SceneNames& names_;
-  std::unordered_map<std::string, std::optional<SceneIndex>> scene_files_;
-  std::unordered_map<std::string, std::optional<ModelIndex>> models_;
-  std::unordered_map<std::string, bool> data_files_;
+  std::map<std::string, std::optional<SceneIndex>> scene_files_;
+  std::map<std::string, std::optional<ModelIndex>> models_;
+  std::map<std::string, bool> data_files_;
   FirstNames first_names_{context_.files};
-  std::unordered_map<std::string, ArchivedMain> archives_;
-  std::unordered_set<std::string> paths_;
-  std::unordered_map<std::string, std::uint32_t> numbers_;
+  std::map<std::string, ArchivedMain> archives_;
+  std::set<std::string> paths_;
+  std::map<std::string, std::uint32_t> numbers_;
   std::optional<SceneIndex> empty_scene_;
   /// Of the texts of instances: a long one may be repeated in each of a nested scene.
   std::uint64_t bytes_ = 0;
@@ -433,8 +434,7 @@ EntityKind kind_of(std::string_view type) {
 }
 
 std::optional<std::string_view> type_meant(const LinkedScene& scene, std::string_view type) {
-  std::vector<std::string_view> known = {"smurf", "urdf", "smurfs",    "smurfa",  "scn",
-                                         "scene", "yml",  "primitive", "particle"};
+  std::vector<std::string_view> known(std::begin(kEntityTypes), std::end(kEntityTypes));
   if (is_archive_type(type)) return std::nullopt;
   if (scene.schemas != nullptr) {
     if (scene.schemas->has_entity_type(type)) return std::nullopt;

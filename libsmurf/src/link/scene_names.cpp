@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/scene_names.hpp"
 
+#include <map>
+
 namespace smurf {
 
 void SceneNames::add(UseIndex scope, std::string_view name, EntityIndex entity) {
   if (name.empty()) return;
   // An include has a name but is not an entity, so an entity of the same name takes precedence.
-  const auto keep = [&](std::unordered_map<std::string_view, EntityIndex>& table) {
+  const auto keep = [&](std::map<std::string_view, EntityIndex>& table) {
     const auto [found, is_new] = table.emplace(name, entity);
     if (std::holds_alternative<UseIndex>(found->second)) found->second = entity;
     return is_new;

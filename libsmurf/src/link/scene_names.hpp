@@ -2,9 +2,9 @@
 // Which entity a name in a scene means.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string_view>
-#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -32,8 +32,8 @@ class SceneNames {
   const std::vector<std::string_view>& names() const { return names_; }
 
  private:
-  std::vector<std::unordered_map<std::string_view, EntityIndex>> scopes_;  ///< by use
-  std::unordered_map<std::string_view, EntityIndex> anywhere_;
+  std::vector<std::map<std::string_view, EntityIndex>> scopes_;  ///< by use
+  std::map<std::string_view, EntityIndex> anywhere_;
   std::vector<std::string_view> names_;  ///< unique, in order
   bool is_complete_ = true;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Named joint pose sets and world poses. X_WE = X_WP * X_PE, where P may be a link of another
 // instance in its own joint pose set.
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -94,7 +95,7 @@ class JointPoses {
     return index;
   }
 
-  using Sets = std::unordered_map<std::string_view, const JointPoseSet*>;
+  using Sets = std::map<std::string_view, const JointPoseSet*>;
 
   /// Of equal names the first counts.
   const Sets& sets_of(ModelIndex index) {

@@ -7,6 +7,7 @@
 #include "base/path.hpp"
 #include "base/words.hpp"
 #include "link/reference_finder.hpp"
+#include "smurf/extension_names.hpp"
 
 namespace smurf {
 namespace {
@@ -45,15 +46,19 @@ constexpr AttributeNames kAttributes[] = {
     {"", "", "reference", {kFrames}},
 };
 
-const AttributeNames* find_row(xml::View element, std::string_view attribute) {
+const AttributeNames* find_row(std::string_view parent, std::string_view element,
+                               std::string_view attribute) {
   for (const AttributeNames& row : kAttributes) {
     if (!is_same(row.attribute, attribute)) continue;
-    if (!row.element.empty() && !is_same(row.element, element.name())) continue;
-    if (row.parent.empty() || (element.parent() && element.parent().name() == row.parent)) {
-      return &row;
-    }
+    if (!row.element.empty() && !is_same(row.element, element)) continue;
+    if (row.parent.empty() || parent == row.parent) return &row;
   }
   return nullptr;
+}
+
+const AttributeNames* find_row(xml::View element, std::string_view attribute) {
+  const std::string_view parent = element.parent() ? element.parent().name() : std::string_view();
+  return find_row(parent, element.name(), attribute);
 }
 
 /// The kinds that an attribute names, by its own word or that of its element: <flexJoint
@@ -74,6 +79,12 @@ std::string_view before(std::string_view text, std::string_view word) {
 }
 
 }  // namespace
+
+NameKinds names_in_extension(std::string_view parent, std::string_view element,
+                             std::string_view attribute) {
+  const AttributeNames* row = find_row(parent, element, attribute);
+  return row != nullptr && !row->names.defines ? row->names.kinds : NameKinds();
+}
 
 NamePlace place_of_value(xml::View element, const xml::Attribute& attribute) {
   return {Notation::xml_attribute, number_of(element), attribute.value_span(),

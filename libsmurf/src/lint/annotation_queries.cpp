@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
+#include <set>
 
 #include "base/path.hpp"
 #include "base/suggest.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 
@@ -79,7 +80,7 @@ std::vector<TopLevelKey> top_level_keys(const LinkedModel& model) {
 Span place_in_files(const LinkedModel& model, SourceId source) {
   if (!model.is_complete || !model.main.files) return {};
   std::size_t index = 0;  // of the file in `files` of the model, where the main file is the first
-  std::unordered_set<std::string> read;
+  std::set<std::string> read;
   for (const Spanned<std::string>& entry : *model.main.files) {
     const std::string extension = path::to_lower(path::extension(entry.value));
     const bool is_read =
@@ -114,11 +115,9 @@ std::optional<double> quaternion_length(yaml::View orientation) {
 }
 
 MotorControl control_in_mars(const Motor& motor) {
-  const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
-    return motor.type && std::find(words.begin(), words.end(), *motor.type) != words.end();
-  };
-  if (is_one_of({"2", "DC", "generic_dc"})) return MotorControl::velocity;
-  if (is_one_of({"7", "direct_torque", "direct_effort"})) return MotorControl::torque;
+  const std::string type = motor.type.value_or("");
+  if (is_one_of(type, {"2", "DC", "generic_dc"})) return MotorControl::velocity;
+  if (is_one_of(type, {"7", "direct_torque", "direct_effort"})) return MotorControl::torque;
   return MotorControl::position;
 }
 

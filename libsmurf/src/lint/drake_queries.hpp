@@ -2,10 +2,10 @@
 // Names and numbers as Drake reads them.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "smurf/linked.hpp"
@@ -50,8 +50,8 @@ class Names {
 
  private:
   struct Table {
-    std::unordered_map<std::string_view, xml::View> elements;  ///< the first of each name
-    std::vector<std::string_view> names;                       ///< in the order of the file
+    std::map<std::string_view, xml::View> elements;  ///< the first of each name
+    std::vector<std::string_view> names;             ///< in the order of the file
 
     void add(std::string_view name, xml::View element);
     xml::View find(std::string_view name) const;

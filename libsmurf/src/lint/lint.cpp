@@ -3,8 +3,8 @@
 #include "smurf/lint.hpp"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
-#include <unordered_map>
 
 #include "base/rule_patterns.hpp"
 #include "lint/file_selection.hpp"
@@ -93,7 +93,7 @@ void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& source
 
 std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
                                const RuleSelection& selection) {
-  std::unordered_map<std::string_view, FileSelection> files;  // by path
+  std::map<std::string_view, FileSelection> files;  // by path
   const auto file_of = [&](const Diagnostic& one) -> FileSelection& {
     const std::string& path = sources.path(one.span.source);
     return files.try_emplace(path, selection, path).first->second;

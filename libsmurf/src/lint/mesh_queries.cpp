@@ -2,6 +2,7 @@
 #include "lint/mesh_queries.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <unordered_map>
 
@@ -80,7 +81,7 @@ std::vector<const MeshReference*> collisions_first(const LinkedModel& model) {
 
 std::vector<PathUses> paths_with(const LinkedModel& model, PathFault fault) {
   std::vector<PathUses> paths;
-  std::unordered_map<std::string_view, std::size_t> by_name;
+  std::map<std::string_view, std::size_t> by_name;
   for (const MeshReference& reference : model.meshes) {
     if (path_fault(reference) != fault) continue;
     const auto [known, is_new] = by_name.try_emplace(reference.filename, paths.size());

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_map>
+#include <map>
 
 #include "ast/urdf_numbers.hpp"
 #include "base/words.hpp"
@@ -91,7 +91,7 @@ name_collisions(const LinkedModel& model,
     has_changed = has_changed || fold(*name) != *name;
   });
   if (!has_changed) return collisions;
-  std::unordered_map<std::string, const Field<std::string>*> links, joints;
+  std::map<std::string, const Field<std::string>*> links, joints;
   for_each_name(model, [&](std::string_view kind, const Field<std::string>& name) {
     auto& seen = kind == "link" ? links : joints;
     const auto [first, is_new] = seen.try_emplace(fold(*name), &name);

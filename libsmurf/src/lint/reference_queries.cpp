@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ast/sections.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
@@ -28,10 +29,6 @@ std::string noun_of(const SectionSpec& section) {
   if (&section == &sections::poses) return "joint pose";
   const bool is_of_urdf = &section == &sections::collision || &section == &sections::visuals;
   return std::string(section.entry) + (is_of_urdf ? " entry" : "");
-}
-
-bool is_one_of(std::string_view text, std::initializer_list<std::string_view> texts) {
-  return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
 
 bool is_first(yaml::View entry) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <map>
 #include <optional>
-#include <unordered_map>
 
 #include "base/quoted.hpp"
 #include "base/rule_patterns.hpp"
@@ -348,7 +348,7 @@ std::size_t Suppressions::apply(std::vector<Diagnostic>& diagnostics, const Sour
   DiagnosticSink sink;
   for (const auto& [path, file] : files_) {
     if (file.comments.empty()) continue;
-    std::unordered_map<std::string_view, bool> have_run;  // of which many items may ask
+    std::map<std::string_view, bool> have_run;  // of which many items may ask
     FileSelection selected(selection, path);
     const auto is_unused = [&, &file = file](const Item& item) {
       if (item.is_used || !file.is_complete) return false;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "mesh/bytes.hpp"
+#include "base/little_endian.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/surface.hpp"
 

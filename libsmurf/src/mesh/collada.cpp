@@ -3,7 +3,7 @@
 // Nothing is rendered, so materials, normals and animations stay unread.
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <map>
 
 #include "base/numbers.hpp"
 #include "mesh/collada_file.hpp"
@@ -149,7 +149,7 @@ class ColladaReader {
 
   const File& file_;
   MeshFacts& facts_;
-  std::unordered_map<std::string_view, Box> geometry_boxes_;  ///< by id, in their own frame
+  std::map<std::string_view, Box> geometry_boxes_;  ///< by id, in their own frame
   BoxSum box_;
   bool is_placed_ = true;
 };

@@ -2,6 +2,7 @@
 #include "mesh/collada_colors.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace smurf::collada {
 namespace {
@@ -17,12 +18,17 @@ View descend(View element, std::initializer_list<std::string_view> names) {
   return element;
 }
 
-std::optional<Rgba> color_of(View effect) {
+/// The first <diffuse> of an effect; null when it has none.
+View diffuse_of(View effect, std::string_view child) {
   const View technique = descend(effect, {"profile_COMMON", "technique"});
-  if (!technique) return std::nullopt;
   for (const std::string_view shading : {"phong", "lambert", "blinn"}) {
-    const View color = descend(technique, {shading, "diffuse", "color"});
-    if (!color) continue;
+    if (const View found = descend(technique, {shading, "diffuse", child})) return found;
+  }
+  return {};
+}
+
+std::optional<Rgba> color_of(View effect) {
+  if (const View color = diffuse_of(effect, "color")) {
     const std::vector<double> all = numbers(color.text());
     if (all.size() < 3 || all.size() > 4 || !is_finite(all)) return std::nullopt;
     // What the fourth number means depends on <transparent>, which exporters write in all ways.
@@ -36,10 +42,13 @@ std::optional<Rgba> color_of(View effect) {
 }  // namespace
 
 Colors::Colors(View root) {
-  std::unordered_map<std::string_view, std::optional<Rgba>> effects;
+  std::map<std::string_view, std::optional<Rgba>> effects;
   for (const View library : root) {
     if (library.name() != "library_effects") continue;
-    for (const View effect : library) effects.emplace(value(effect, "id"), color_of(effect));
+    for (const View effect : library) {
+      effects.emplace(value(effect, "id"), color_of(effect));
+      if (diffuse_of(effect, "texture")) has_textures_ = true;
+    }
   }
   for (const View library : root) {
     if (library.name() != "library_materials") continue;

@@ -2,9 +2,9 @@
 // The diffuse colours of the materials of COLLADA.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string_view>
-#include <unordered_map>
 
 #include "mesh/collada_file.hpp"
 #include "smurf/mesh_triangles.hpp"
@@ -12,7 +12,7 @@
 namespace smurf::collada {
 
 /// The ids of materials by the symbols that a geometry has for them.
-using Bindings = std::unordered_map<std::string_view, std::string_view>;
+using Bindings = std::map<std::string_view, std::string_view>;
 Bindings bindings_of(xml::View instance);
 
 class Colors {
@@ -21,9 +21,12 @@ class Colors {
 
   /// None for a texture.
   std::optional<Rgba> of(std::string_view material) const;
+  /// Whether any effect of the file has one.
+  bool has_textures() const { return has_textures_; }
 
  private:
-  std::unordered_map<std::string_view, std::optional<Rgba>> colors_;  ///< by the id of a material
+  std::map<std::string_view, std::optional<Rgba>> colors_;  ///< by the id of a material
+  bool has_textures_ = false;
 };
 
 }  // namespace smurf::collada

@@ -64,6 +64,11 @@ bool GeometryReader::read_points(View mesh, Geometry& geometry) {
     geometry.points.push_back(
         {point[layout.axes[0]], point[layout.axes[1]], point[layout.axes[2]]});
   }
+  points_ = count;
+  if (wants_textures_) {
+    sources_.emplace(mesh);
+    textured_ = {};
+  }
   return true;
 }
 
@@ -87,7 +92,12 @@ std::optional<GeometryReader::Indices> GeometryReader::indices_of(View primitive
     }
     const auto place = static_cast<std::size_t>(*offset);
     indices.stride = std::max(indices.stride, place + 1);
-    if (value(input, "semantic") != "VERTEX" || has_points) continue;
+    const std::string_view semantic = value(input, "semantic");
+    if (wants_textures_ && semantic == "TEXCOORD" && indices.textures == nullptr) {
+      indices.texture_offset = place;
+      indices.textures = sources_->of(input);
+    }
+    if (semantic != "VERTEX" || has_points) continue;
     indices.offset = place;
     has_points = true;
   }
@@ -96,25 +106,34 @@ std::optional<GeometryReader::Indices> GeometryReader::indices_of(View primitive
   return std::nullopt;
 }
 
-bool GeometryReader::read_corners(View list, const Indices& indices, std::size_t points) {
+bool GeometryReader::read_corners(View list, const Indices& indices, Geometry& geometry) {
   corners_.clear();
+  textures_.clear();
   Words words(list.text());
   std::size_t count = 0;
   for (; !words.is_at_end(); ++count) {
     const std::string_view word = words.next();
-    if (count % indices.stride != indices.offset) continue;
+    const std::size_t place = count % indices.stride;
+    if (indices.textures != nullptr && place == indices.texture_offset) {
+      textures_.push_back(parse_integer(word).value_or(-1));
+    }
+    if (place != indices.offset) continue;
     const auto index = parse_integer(word);
-    if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= points) {
-      return fail(list, "the index " + quoted(word) + " names none of " + std::to_string(points) +
+    if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= points_) {
+      return fail(list, "the index " + quoted(word) + " names none of " + std::to_string(points_) +
                             " points");
     }
     corners_.push_back(static_cast<std::uint32_t>(*index));
   }
-  return count % indices.stride == 0 || fail(list, "the indices end inside a corner");
+  if (count % indices.stride != 0) return fail(list, "the indices end inside a corner");
+  if (indices.textures != nullptr) {
+    textured_.join(textures_, *indices.textures, corners_, geometry.points,
+                   geometry.texture_points);
+  }
+  return true;
 }
 
-bool GeometryReader::add(View primitives, const Geometry& geometry,
-                         std::vector<std::uint32_t>& corners) {
+bool GeometryReader::add(View primitives, Geometry& geometry, std::vector<std::uint32_t>& corners) {
   const std::string_view name = primitives.name();
   if (name == "polylist") return add_polygons(primitives, geometry, corners);
   std::optional<Indices> indices;
@@ -124,7 +143,7 @@ bool GeometryReader::add(View primitives, const Geometry& geometry,
       return fail(list, "has polygons with holes, which are not read", false);
     if (list.name() != "p") continue;
     if (!indices) indices = indices_of(primitives);
-    if (!indices || !read_corners(list, *indices, geometry.points.size())) return false;
+    if (!indices || !read_corners(list, *indices, geometry)) return false;
     if (name == "tristrips") {
       add_strip(corners_, corners);
     } else if (name == "trifans") {
@@ -140,13 +159,13 @@ bool GeometryReader::add(View primitives, const Geometry& geometry,
   return true;
 }
 
-bool GeometryReader::add_polygons(View primitives, const Geometry& geometry,
+bool GeometryReader::add_polygons(View primitives, Geometry& geometry,
                                   std::vector<std::uint32_t>& corners) {
   const View counts = primitives.child("vcount");
   const View list = primitives.child("p");
   if (!counts || !list) return true;  // none
   const std::optional<Indices> indices = indices_of(primitives);
-  if (!indices || !read_corners(list, *indices, geometry.points.size())) return false;
+  if (!indices || !read_corners(list, *indices, geometry)) return false;
   std::size_t begin = 0;
   Words words(counts.text());
   while (!words.is_at_end()) {

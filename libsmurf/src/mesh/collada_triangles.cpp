@@ -4,6 +4,7 @@
 // Gazebo reads <unit> only (ColladaLoader.cc:718), and MoveIt and urdf-loader undo the rotation of
 // the root.
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 #include "base/quoted.hpp"
@@ -26,7 +27,14 @@ constexpr std::size_t kMostSteps = 4'000'000;
 class ColladaTriangles {
  public:
   ColladaTriangles(const File& file, TriangleCollector& triangles)
-      : file_(file), root_(file.document()->view()), triangles_(triangles), colors_(root_) {}
+      : file_(file),
+        root_(file.document()->view()),
+        triangles_(triangles),
+        colors_(root_),
+        geometries_(triangles.wants_texture_points() ? TexturePoints::read
+                                                     : TexturePoints::ignored) {
+    if (colors_.has_textures()) triangles.note_textures();
+  }
 
   /// Why there are none.
   std::string read() {
@@ -142,7 +150,14 @@ class ColladaTriangles {
         const auto point = [&](std::size_t corner) {
           return X * geometry.points[part.corners[i + corner]];
         };
-        if (!triangles_.add(point(0), point(1), point(2))) return false;
+        const auto texture = [&](std::size_t corner) {
+          const std::uint32_t place = part.corners[i + corner];
+          return place < geometry.texture_points.size() ? geometry.texture_points[place]
+                                                        : kNoTexturePoint;
+        };
+        if (!triangles_.add(point(0), point(1), point(2), {texture(0), texture(1), texture(2)})) {
+          return false;
+        }
       }
     }
     return true;
@@ -163,7 +178,7 @@ class ColladaTriangles {
   View root_;
   TriangleCollector& triangles_;
   Colors colors_;
-  std::unordered_map<std::string_view, View> geometry_of_id_, node_of_id_, scene_of_id_;
+  std::map<std::string_view, View> geometry_of_id_, node_of_id_, scene_of_id_;
   GeometryReader geometries_;
   std::unordered_map<xml::ElementId, Geometry> geometries_read_;
   std::vector<xml::ElementId> path_;                       ///< from the scene to the node

@@ -23,13 +23,32 @@ class GltfTriangles {
     visit_meshes(data_, [&](const Json& mesh, std::uint64_t, const Affine& X) {
       return visit_primitives(data_, mesh, steps_, [&](const Primitive& primitive) {
         triangles_.set_color(color_of(member(*primitive.written, "material")));
-        return add(primitive, X);
+        if (!triangles_.wants_texture_points()) return add(primitive, std::nullopt, X);
+        const auto textures = textures_of(*primitive.written);
+        return data_.reason().empty() && add(primitive, textures, X);
       });
     });
   }
 
  private:
-  bool add(const Primitive& primitive, const Affine& X) {
+  /// The first texture coordinates of the points of a primitive.
+  std::optional<Accessor> textures_of(const Json& primitive) {
+    const Json* attributes = member(primitive, "attributes");
+    const Json* index = attributes == nullptr ? nullptr : member(*attributes, "TEXCOORD_0");
+    auto textures = index == nullptr ? std::nullopt : data_.accessor(index, "VEC2");
+    if (textures && textures->type == kInt) {
+      data_.fail_broken("texture coordinates are integers of four bytes");
+    }
+    return textures;
+  }
+
+  static TexturePoint texture_of(const std::optional<Accessor>& textures, std::uint64_t place) {
+    if (!textures || place >= textures->count) return kNoTexturePoint;
+    const auto [u, v] = textures->texture_point(place);
+    return texture_point(u, 1 - v);  // glTF counts rows from above
+  }
+
+  bool add(const Primitive& primitive, const std::optional<Accessor>& textures, const Affine& X) {
     const std::uint64_t step = primitive.mode == kTriangles ? 3 : 1;
     for (std::uint64_t i = 0; i + 3 <= primitive.count; i += step) {
       const bool is_turned = primitive.mode == kStrip && i % 2 == 1;
@@ -38,12 +57,15 @@ class GltfTriangles {
                                                               : i,
                                        is_turned ? i : i + 1, i + 2};
       Vector3 points[3];
+      TextureCorners places{};
       for (std::size_t k = 0; k < 3; ++k) {
         const auto point = point_of(data_, primitive, corners[k]);
         if (!point) return false;
         points[k] = X * *point;
+        if (textures) places[k] = texture_of(textures, place_of(primitive, corners[k]));
       }
-      if (!triangles_.add(points[0], points[1], points[2])) return false;
+      if (!textures) places.fill(kNoTexturePoint);
+      if (!triangles_.add(points[0], points[1], points[2], places)) return false;
     }
     return true;
   }
@@ -53,7 +75,11 @@ class GltfTriangles {
     if (index == nullptr) return std::nullopt;
     const Json* material = data_.item("materials", index);
     const Json* pbr = material == nullptr ? nullptr : member(*material, "pbrMetallicRoughness");
-    if (pbr == nullptr || member(*pbr, "baseColorTexture") != nullptr) return std::nullopt;
+    if (pbr == nullptr) return std::nullopt;
+    if (member(*pbr, "baseColorTexture") != nullptr) {
+      triangles_.note_textures();
+      return std::nullopt;
+    }
     Rgba color;
     if (!read_numbers(member(*pbr, "baseColorFactor"), color)) return std::nullopt;
     for (std::size_t i = 0; i < 3; ++i) color[i] = screen_value(color[i]);

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include "base/little_endian.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/utf8.hpp"
 #include "mesh/base64_text.hpp"
-#include "mesh/bytes.hpp"
 #include "mesh/uri.hpp"
 
 namespace smurf::gltf {
@@ -104,6 +104,16 @@ std::uint32_t Accessor::index(std::uint64_t place) const {
 Vector3 Accessor::point(std::uint64_t place) const {
   const std::size_t at = static_cast<std::size_t>(place) * stride;
   return {read_float(bytes, at), read_float(bytes, at + 4), read_float(bytes, at + 8)};
+}
+
+std::array<double, 2> Accessor::texture_point(std::uint64_t place) const {
+  const std::size_t at = static_cast<std::size_t>(place) * stride;
+  const auto byte = [&](std::size_t i) {
+    return static_cast<double>(static_cast<unsigned char>(bytes[at + i]));
+  };
+  if (type == kFloat) return {read_float(bytes, at), read_float(bytes, at + 4)};
+  if (type == kByte) return {byte(0) / 255, byte(1) / 255};
+  return {(byte(0) + 256 * byte(1)) / 65535, (byte(2) + 256 * byte(3)) / 65535};
 }
 
 Data::Data(std::string_view bytes, const MeshNeighbours& neighbours)
@@ -205,7 +215,8 @@ std::optional<Accessor> Data::accessor(const Json* index, std::string_view type)
   const auto offset = number(*written, "byteOffset", 0);
   const auto count = number(*written, "count", 0);
   const auto component = number(*written, "componentType", 0);
-  const std::size_t size = component ? size_of(*component) * (type == "VEC3" ? 3 : 1) : 0;
+  const std::size_t components = type == "VEC3" ? 3 : type == "VEC2" ? 2 : 1;
+  const std::size_t size = component ? size_of(*component) * components : 0;
   const auto stride = number(*view, "byteStride", size);
   if (!start || !length || !offset || !count || size == 0 || !stride || *stride < size ||
       !is_text(member(*written, "type"), type)) {
@@ -233,7 +244,7 @@ std::optional<std::string_view> Data::buffer(const Json* index) {
   return known->second;
 }
 
-bool Data::read_buffer(const Json& buffer, std::string& bytes) {
+bool Data::read_buffer(const Json& buffer, std::string_view& bytes) {
   const Json* written = member(buffer, "uri");
   if (written == nullptr || !written->is_string()) return fail_broken("a buffer has no data");
   const std::string_view uri = written->get_ref<const std::string&>();
@@ -244,7 +255,7 @@ bool Data::read_buffer(const Json& buffer, std::string& bytes) {
                            uri.substr(0, comma + 1).ends_with(kBase64);
     auto content = is_base64 ? from_base64(uri.substr(comma + 1)) : std::nullopt;
     if (!content) return fail_broken("the data of a buffer is no base64");
-    bytes = std::move(*content);
+    bytes = contents_.emplace_back(std::move(*content));
     bytes_ += bytes.size();
     return true;
   }
@@ -253,20 +264,31 @@ bool Data::read_buffer(const Json& buffer, std::string& bytes) {
   if (path::is_absolute(name) || name.find(':') != std::string::npos) {
     return fail_unread("has its points in " + shown + ", which is no file beside it");
   }
-  FileContent content = neighbours_ ? neighbours_(name) : FileContent{};
-  if (content.status == ReadStatus::not_found) {
-    return fail_unread("has its points in " + shown + ", which is not there");
-  }
-  if (content.status != ReadStatus::ok) {
-    return fail_unread("has its points in " + shown + ", which cannot be read: " + content.reason);
-  }
-  bytes = std::move(content.text);
-  bytes_ += bytes.size();
+  if (!read_file(name, bytes)) return false;
   const auto length = natural(member(buffer, "byteLength"));
   if (!length || *length <= bytes.size()) return true;
   short_buffer_ = uri;
   return fail_broken("the buffer " + shown + " has " + std::to_string(bytes.size()) + " of " +
                      std::to_string(*length) + " bytes");
+}
+
+bool Data::read_file(const std::string& name, std::string_view& bytes) {
+  const auto [known, is_new] = files_.try_emplace(name);
+  if (is_new) {
+    FileContent content = neighbours_ ? neighbours_(name) : FileContent{};
+    const std::string shown = smurf::quoted(utf8::replace_controls(name));
+    if (content.status == ReadStatus::not_found) {
+      return fail_unread("has its points in " + shown + ", which is not there");
+    }
+    if (content.status != ReadStatus::ok) {
+      return fail_unread("has its points in " + shown +
+                         ", which cannot be read: " + content.reason);
+    }
+    known->second = contents_.emplace_back(std::move(content.text));
+    bytes_ += known->second.size();
+  }
+  bytes = known->second;
+  return true;
 }
 
 }  // namespace smurf::gltf

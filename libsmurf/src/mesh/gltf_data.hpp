@@ -2,12 +2,14 @@
 // The data of glTF 2.0: the JSON, the buffers beside it, and the numbers in them.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <deque>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
 #include <nlohmann/json.hpp>
 
@@ -39,6 +41,8 @@ struct Accessor {
   std::uint32_t index(std::uint64_t place) const;
   /// Precondition: the type is float, and place < count.
   Vector3 point(std::uint64_t place) const;
+  /// Precondition: the accessor has two components, no integers of four bytes, and place < count.
+  std::array<double, 2> texture_point(std::uint64_t place) const;
 };
 
 /// Types of components.
@@ -81,13 +85,17 @@ class Data {
   bool read_json(std::string_view text);
   bool check_extensions();
   std::optional<std::string_view> buffer(const Json* index);
-  bool read_buffer(const Json& buffer, std::string& bytes);
+  bool read_buffer(const Json& buffer, std::string_view& bytes);
+  /// The content of a file beside this one, which is read once, whatever number of buffers name it.
+  bool read_file(const std::string& name, std::string_view& bytes);
 
   const MeshNeighbours& neighbours_;
   Json json_;
   std::string_view chunk_;  ///< the buffer in a binary file
   bool has_chunk_ = false;
-  std::unordered_map<std::uint64_t, std::string> buffers_;
+  std::map<std::uint64_t, std::string_view> buffers_;
+  std::map<std::string, std::string_view> files_;  ///< by name
+  std::deque<std::string> contents_;               ///< of files and embedded buffers
   std::string_view text_;
   std::size_t text_offset_ = 0;
   std::uint64_t bytes_;

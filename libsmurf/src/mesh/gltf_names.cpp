@@ -96,7 +96,8 @@ class UriFinder : public Json::json_sax_t {
     return true;
   }
 
-  /// Behind the quotation mark that begins the text that ends there. Those in it have backslashes.
+  /// The place after the quotation mark that begins the text that ends at `end`. Quotation marks
+  /// inside the text have backslashes.
   std::size_t begin_of_text(std::size_t end) const {
     for (std::size_t at = end; at > 0; --at) {
       if (text_[at - 1] != '"') continue;

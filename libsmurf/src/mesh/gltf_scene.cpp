@@ -132,7 +132,7 @@ std::optional<Primitive> read(Data& data, const Json& written, std::uint64_t mod
 }  // namespace
 
 std::optional<Vector3> point_of(Data& data, const Primitive& primitive, std::uint64_t corner) {
-  const std::uint64_t place = primitive.indices ? primitive.indices->index(corner) : corner;
+  const std::uint64_t place = place_of(primitive, corner);
   if (place >= primitive.points.count) {
     data.fail_broken("the index " + std::to_string(place) + " names none of " +
                      std::to_string(primitive.points.count) + " points");

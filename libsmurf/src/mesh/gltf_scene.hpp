@@ -28,6 +28,10 @@ struct Primitive {
   }
 };
 
+/// The place of a corner in the lists of points.
+inline std::uint64_t place_of(const Primitive& primitive, std::uint64_t corner) {
+  return primitive.indices ? primitive.indices->index(corner) : corner;
+}
 /// The point of a corner, before any transform. None, and a reason of `data`, when there is none.
 std::optional<Vector3> point_of(Data& data, const Primitive& primitive, std::uint64_t corner);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gives the files that a mesh names other names.
+// Renames the files that a mesh names.
 #include <algorithm>
 
+#include "base/little_endian.hpp"
 #include "base/path.hpp"
-#include "mesh/bytes.hpp"
 #include "mesh/gltf_data.hpp"
 #include "mesh/gltf_names.hpp"
 #include "mesh/mesh_reader.hpp"

@@ -29,8 +29,10 @@ MeshDependency named_in(std::string_view text, std::string_view name, MeshDepend
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, MeshFacts& facts, SurfaceSum& surface)
-      : text_(text), words_(text), facts_(facts), surface_(surface) {}
+  /// `textured` gets the triangles with their texture coordinates; it may be null.
+  ObjReader(std::string_view text, MeshFacts& facts, SurfaceSum& surface,
+            TriangleCollector* textured)
+      : text_(text), words_(text), facts_(facts), surface_(surface), textured_(textured) {}
 
   void read() {
     while (!facts_.defect && !words_.is_at_end()) {
@@ -68,6 +70,8 @@ class ObjReader {
       vertex(line);
     } else if (keyword == "f") {
       face(line);
+    } else if (keyword == "vt" && textured_ != nullptr) {
+      texture_vertex(line);
     } else if (keyword == "mtllib" && !line.empty()) {
       facts_.dependencies.push_back(
           named_in(text_, line, MeshDependency::Kind::material_library, line_));
@@ -92,10 +96,30 @@ class ObjReader {
     box_.add(point);
   }
 
+  void texture_vertex(std::string_view line) {
+    Words numbers(line);
+    const auto u = parse_number(numbers.next());
+    const std::string_view second = numbers.next();
+    const auto v = second.empty() ? std::optional(0.0) : parse_number(second);
+    textures_.push_back(u && v ? texture_point(*u, *v) : kNoTexturePoint);
+  }
+
+  /// The texture coordinates of a corner of a face, such as "7/3" or "7/3/2".
+  TexturePoint texture_of(std::string_view corner) const {
+    const std::size_t slash = corner.find('/');
+    if (slash == std::string_view::npos) return kNoTexturePoint;
+    const std::string_view rest = corner.substr(slash + 1);
+    const std::int64_t index = parse_integer(rest.substr(0, rest.find('/'))).value_or(0);
+    const auto count = static_cast<std::int64_t>(textures_.size());
+    if (index == 0 || index < -count || index > count) return kNoTexturePoint;
+    return textures_[static_cast<std::size_t>(index < 0 ? count + index : index - 1)];
+  }
+
   void face(std::string_view line) {
     Words words(line);
     std::optional<Vector3> first;
     std::optional<Vector3> previous;
+    TextureCorners textures{};
     std::uint64_t corners = 0;
     bool is_known = true;
     while (!words.is_at_end()) {
@@ -110,9 +134,17 @@ class ObjReader {
       if (facts_.defect) return;
       is_known = is_known && point.has_value();
       if (!is_known) continue;
-      if (first && previous && corners > 2) surface_.add(*first, *previous, *point);
-      if (!first) first = point;
+      if (textured_ != nullptr) textures[2] = texture_of(corner);
+      if (first && previous && corners > 2) {
+        surface_.add(*first, *previous, *point);
+        if (textured_ != nullptr) textured_->add(*first, *previous, *point, textures);
+      }
+      if (!first) {
+        first = point;
+        textures[0] = textures[2];
+      }
       previous = point;
+      textures[1] = textures[2];
     }
     if (corners < 3) return fail("a face has fewer than three corners");
     facts_.triangles += corners - 2;
@@ -152,12 +184,23 @@ class ObjReader {
   std::uint64_t latest_offset_ = 0;
   BoxSum box_;
   SurfaceSum& surface_;
+  TriangleCollector* textured_;
+  std::vector<TexturePoint> textures_;  ///< when there is somebody to get them
 };
 
 }  // namespace
 
 void read_obj(std::string_view text, MeshFacts& facts, SurfaceSum& surface) {
-  ObjReader(text, facts, surface).read();
+  ObjReader(text, facts, surface, nullptr).read();
+}
+
+MeshFacts read_textured_obj(std::string_view text, TriangleCollector& triangles) {
+  MeshFacts facts;
+  facts.format = MeshFormat::obj;
+  const TriangleVisitor nothing_else;
+  SurfaceSum surface(nothing_else);
+  ObjReader(text, facts, surface, &triangles).read();
+  return facts;
 }
 
 std::vector<MeshDependency> read_material_library(std::string_view text) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/little_endian.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
-#include "mesh/bytes.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/surface.hpp"
 #include "mesh/words.hpp"

@@ -18,7 +18,7 @@ class BoxSum {
   /// The corners of a box, transformed.
   void add_corners(const Box& box, const Affine& X);
   const std::optional<Box>& box() const { return box_; }
-  /// None also when transforms made it infinite.
+  /// The box around all points. None when there are none, or when transforms made one infinite.
   std::optional<Box> finite_box() const;
 
  private:

@@ -2,8 +2,9 @@
 #include "mesh/triangle_collector.hpp"
 
 #include <cmath>
+#include <cstring>
 
-#include "base/bits.hpp"
+#include "base/hash.hpp"
 
 namespace smurf {
 namespace {
@@ -12,20 +13,27 @@ namespace {
 constexpr std::size_t kMostColors = 256;
 /// Larger numbers overflow in the programs that show them.
 constexpr double kFarthest = 1e15;
+/// Texture coordinates beyond this are a mistake: they repeat the image a million times.
+constexpr double kMostRepeated = 1e6;
 
 }  // namespace
 
-std::size_t TriangleCollector::HashOfPoint::operator()(const Point& point) const {
-  std::uint64_t hash = 0;
-  for (const float coordinate : point) {
-    hash = (hash ^ bit_cast<std::uint32_t>(coordinate)) * 0x9e3779b97f4a7c15U;
-    hash ^= hash >> 32U;
-  }
-  return static_cast<std::size_t>(hash);
+TexturePoint texture_point(double u, double v) {
+  const bool is_sound = std::fabs(u) <= kMostRepeated && std::fabs(v) <= kMostRepeated;
+  if (!is_sound) return kNoTexturePoint;
+  return {static_cast<float>(u) + 0.0F, static_cast<float>(v) + 0.0F};
 }
 
-TriangleCollector::TriangleCollector(std::size_t most_triangles)
-    : most_triangles_(most_triangles), parts_(1) {
+template <std::size_t Size>
+std::size_t
+TriangleCollector::HashOf<Size>::operator()(const std::array<float, Size>& point) const {
+  std::array<char, sizeof point> bytes;
+  std::memcpy(bytes.data(), point.data(), sizeof point);
+  return hash_of(std::string_view(bytes.data(), bytes.size()));
+}
+
+TriangleCollector::TriangleCollector(std::size_t most_triangles, TexturePoints texture_points)
+    : most_triangles_(most_triangles), texture_points_(texture_points), parts_(1) {
   part_of_color_.emplace(std::nullopt, 0);
 }
 
@@ -42,25 +50,53 @@ void TriangleCollector::set_color(const std::optional<Rgba>& color) {
   }
 }
 
-bool TriangleCollector::add(Part& part, const Vector3& point) {
+std::optional<TriangleCollector::Point> TriangleCollector::to_single(const Vector3& point) {
   Point single{};
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!(std::fabs(point[i]) <= kFarthest)) return false;
+    if (!(std::fabs(point[i]) <= kFarthest)) return std::nullopt;
     single[i] = static_cast<float>(point[i]) + 0.0F;  // -0 becomes 0
   }
+  return single;
+}
+
+bool TriangleCollector::add(Part& part, const Vector3& point) {
+  const std::optional<Point> single = to_single(point);
+  if (!single) return false;
   const auto next = static_cast<std::uint32_t>(part.points.size());
-  const auto [known, is_new] = part.known.try_emplace(single, next);
-  if (is_new) part.points.push_back(single);
+  const auto [known, is_new] = part.known.try_emplace(*single, next);
+  if (is_new) part.points.push_back(*single);
   part.indices.push_back(known->second);
   return true;
 }
 
-bool TriangleCollector::add(const Vector3& a, const Vector3& b, const Vector3& c) {
+bool TriangleCollector::add(Part& part, const Vector3& point, const TexturePoint& texture) {
+  const std::optional<Point> single = to_single(point);
+  if (!single) return false;
+  const auto& [x, y, z] = *single;
+  const bool has_texture = !std::isnan(texture[0]);
+  if (!has_texture) lacks_texture_points_ = true;
+  const TexturePoint known_texture = has_texture ? texture : TexturePoint{};
+  const TexturedPoint key{x, y, z, known_texture[0], known_texture[1]};
+  const auto next = static_cast<std::uint32_t>(part.points.size());
+  const auto [known, is_new] = part.known_textured.try_emplace(key, next);
+  if (is_new) {
+    part.points.push_back(*single);
+    part.texture_points.push_back(known_texture);
+  }
+  part.indices.push_back(known->second);
+  return true;
+}
+
+bool TriangleCollector::add(const Vector3& a, const Vector3& b, const Vector3& c,
+                            const TextureCorners& textures) {
   if (!reason_.empty()) return false;
   Part& part = parts_[current_];
+  const auto add_corner = [&](const Vector3& point, std::size_t corner) {
+    return wants_texture_points() ? add(part, point, textures[corner]) : add(part, point);
+  };
   if (++triangles_ > most_triangles_) {
     reason_ = "has more than " + std::to_string(most_triangles_) + " triangles";
-  } else if (!add(part, a) || !add(part, b) || !add(part, c)) {
+  } else if (!add_corner(a, 0) || !add_corner(b, 1) || !add_corner(c, 2)) {
     reason_ = "has a coordinate that is too large";
   }
   return reason_.empty();
@@ -70,9 +106,16 @@ MeshTriangles TriangleCollector::take() {
   MeshTriangles mesh;
   mesh.reason = std::move(reason_);
   if (!mesh.reason.empty()) return mesh;
+  mesh.has_textures = has_textures_;
   for (Part& part : parts_) {
     if (part.indices.empty()) continue;
     part.known = {};
+    part.known_textured = {};
+    if (!lacks_texture_points_) {
+      mesh.texture_points.insert(mesh.texture_points.end(), part.texture_points.begin(),
+                                 part.texture_points.end());
+    }
+    part.texture_points = {};
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     const auto first_index = static_cast<std::uint32_t>(mesh.indices.size());
     mesh.parts.push_back({first, first_index, part.color});

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,15 +16,29 @@
 
 namespace smurf {
 
+/// Stands for the texture coordinates of a corner that has none.
+inline constexpr TexturePoint kNoTexturePoint{std::numeric_limits<float>::quiet_NaN(),
+                                              std::numeric_limits<float>::quiet_NaN()};
+/// The texture coordinates of the three corners of a triangle.
+using TextureCorners = std::array<TexturePoint, 3>;
+/// Texture coordinates from any two numbers; kNoTexturePoint when one of them is too large to be
+/// meant.
+TexturePoint texture_point(double u, double v);
+
 class TriangleCollector {
  public:
-  explicit TriangleCollector(std::size_t most_triangles);
+  TriangleCollector(std::size_t most_triangles, TexturePoints texture_points);
 
   /// The colour of the triangles that follow.
   void set_color(const std::optional<Rgba>& color);
   /// False when there are too many triangles, or when a coordinate is beyond all measure: there is
   /// a reason then, and the reader of the file may stop.
-  bool add(const Vector3& a, const Vector3& b, const Vector3& c);
+  /// Texture coordinates are ignored unless they were asked for.
+  bool add(const Vector3& a, const Vector3& b, const Vector3& c,
+           const TextureCorners& textures = {kNoTexturePoint, kNoTexturePoint, kNoTexturePoint});
+  bool wants_texture_points() const { return texture_points_ == TexturePoints::read; }
+  /// The file has textures.
+  void note_textures() { has_textures_ = true; }
   /// "has more than 3000000 triangles"; empty while all is well.
   const std::string& reason() const { return reason_; }
   std::size_t triangles() const { return triangles_; }
@@ -33,19 +48,29 @@ class TriangleCollector {
 
  private:
   using Point = std::array<float, 3>;
-  struct HashOfPoint {
-    std::size_t operator()(const Point& point) const;
+  using TexturedPoint = std::array<float, 5>;
+  template <std::size_t Size>
+  struct HashOf {
+    std::size_t operator()(const std::array<float, Size>& point) const;
   };
+  template <std::size_t Size>
+  using Known = std::unordered_map<std::array<float, Size>, std::uint32_t, HashOf<Size>>;
   /// Triangles of one colour. Equal points become one.
   struct Part {
     std::optional<Rgba> color;
     std::vector<Point> points;
     std::vector<std::uint32_t> indices;
-    std::unordered_map<Point, std::uint32_t, HashOfPoint> known;
+    Known<3> known;
+    std::vector<TexturePoint> texture_points;  ///< of each point, when they were asked for
+    Known<5> known_textured;
   };
-  bool add(Part& part, const Vector3& point);
+  static std::optional<Point> to_single(const Vector3& point);
+  static bool add(Part& part, const Vector3& point);
+  bool add(Part& part, const Vector3& point, const TexturePoint& texture);
 
   std::size_t most_triangles_;
+  TexturePoints texture_points_;
+  bool has_textures_ = false, lacks_texture_points_ = false;
   std::vector<Part> parts_;
   std::map<std::optional<Rgba>, std::size_t> part_of_color_;
   std::size_t current_ = 0;

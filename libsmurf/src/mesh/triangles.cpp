@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <limits>
+#include <set>
 
 #include "mesh/formats.hpp"
 #include "mesh/mesh_reader.hpp"
@@ -12,13 +14,30 @@ namespace {
 /// size has fewer.
 constexpr std::size_t kMostPlaced = 3'000'000;
 
+/// Texture coordinates are read of an OBJ alone.
+MeshFacts read_plain_facts(std::string_view bytes, std::string_view extension,
+                           TriangleCollector& triangles) {
+  const bool is_obj = format_of_mesh(bytes, extension) == MeshFormat::obj;
+  if (triangles.wants_texture_points() && is_obj) return read_textured_obj(bytes, triangles);
+  return read_mesh(bytes, extension, [&](const Vector3& a, const Vector3& b, const Vector3& c) {
+    triangles.add(a, b, c);
+  });
+}
+
+/// Whether a material library of an OBJ names textures.
+bool has_textures(const MeshFacts& facts, const MeshNeighbours& neighbours) {
+  std::set<std::string> read;
+  return std::any_of(facts.dependencies.begin(), facts.dependencies.end(),
+                     [&](const MeshDependency& library) {
+                       return read.insert(library.path()).second &&
+                              !read_material_library(neighbours(library.path()).text).empty();
+                     });
+}
+
 /// Of a format whose triangles are where its points are.
 std::string read_plain(std::string_view bytes, std::string_view extension,
-                       TriangleCollector& triangles) {
-  const MeshFacts facts =
-      read_mesh(bytes, extension, [&](const Vector3& a, const Vector3& b, const Vector3& c) {
-        triangles.add(a, b, c);
-      });
+                       const MeshNeighbours& neighbours, TriangleCollector& triangles) {
+  const MeshFacts facts = read_plain_facts(bytes, extension, triangles);
   if (facts.defect) return why_broken(*facts.defect);
   if (facts.format == MeshFormat::unknown) return "is of an unknown format";
   if (facts.format == MeshFormat::lfs_pointer) return "is a Git LFS pointer";
@@ -26,6 +45,7 @@ std::string read_plain(std::string_view bytes, std::string_view extension,
   if (triangles.reason().empty() && triangles.triangles() != facts.triangles) {
     return "names points that come later";
   }
+  if (neighbours && has_textures(facts, neighbours)) triangles.note_textures();
   return {};
 }
 
@@ -37,14 +57,15 @@ std::string why_broken(const MeshDefect& defect) {
 }
 
 MeshTriangles read_triangles(std::string_view bytes, std::string_view extension,
-                             const MeshNeighbours& neighbours) {
+                             const MeshNeighbours& neighbours, TexturePoints texture_points) {
   const MeshFormat format = format_of_mesh(bytes, extension);
   const bool has_nodes = format == MeshFormat::collada || format == MeshFormat::gltf;
-  TriangleCollector triangles(has_nodes ? kMostPlaced : std::numeric_limits<std::size_t>::max());
+  TriangleCollector triangles(has_nodes ? kMostPlaced : std::numeric_limits<std::size_t>::max(),
+                              texture_points);
   std::string reason = format == MeshFormat::collada ? read_collada_triangles(bytes, triangles)
                        : format == MeshFormat::gltf
                            ? read_gltf_triangles(bytes, neighbours, triangles)
-                           : read_plain(bytes, extension, triangles);
+                           : read_plain(bytes, extension, neighbours, triangles);
   if (reason.empty()) reason = triangles.reason();
   if (reason.empty() && triangles.triangles() == 0) reason = "has no triangles";
   if (!reason.empty()) return {{}, {}, std::move(reason)};

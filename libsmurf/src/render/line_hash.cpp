@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
-#include <unordered_map>
+#include <map>
 
 #include "base/utf8.hpp"
 
@@ -74,7 +74,7 @@ class Hasher {
   std::uint64_t hash_ = 0;
   bool at_line_start_ = true;
   bool after_return_ = false;
-  std::unordered_map<std::string, std::size_t> occurrences_;
+  std::map<std::string, std::size_t> occurrences_;
   std::vector<std::string> hashes_;
 };
 

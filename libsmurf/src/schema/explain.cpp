@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <set>
-#include <unordered_set>
 
 #include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
@@ -303,7 +302,7 @@ class Explainer {
   void suggest_key(const Located& at, const std::string& missing, Violation& violation) {
     if (!spend(kNodesForStep / 4 * at.value.size())) return;
     const std::vector<std::string_view> names = property_names(at);
-    const std::unordered_set<std::string_view> known(names.begin(), names.end());
+    const std::set<std::string_view> known(names.begin(), names.end());
     const std::string_view meant[] = {missing};
     for (const yaml::View key : at.value) {
       if (known.contains(key.key())) continue;
@@ -382,7 +381,7 @@ class Explainer {
   /// valijson names the first key that is too many; these are all.
   void explain_keys(const Located& at) {
     const std::vector<std::string_view> names = property_names(at);
-    const std::unordered_set<std::string_view> known(names.begin(), names.end());
+    const std::set<std::string_view> known(names.begin(), names.end());
     KeyRenames renames(at.value);
     const bool has_patterns = static_cast<bool>(at.candidates.find("patternProperties"));
     for (const yaml::View key : at.value) {

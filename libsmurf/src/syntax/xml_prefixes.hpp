@@ -2,9 +2,9 @@
 // Prefixes of XML names and where they are declared.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string_view>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
@@ -29,8 +29,8 @@ class XmlPrefixes {
   DiagnosticSink& sink_;
   std::vector<std::size_t> elements_;  ///< prefixes declared before each open element
   std::vector<std::string_view> open_;
-  std::unordered_map<std::string_view, std::uint32_t> declared_;  ///< how often in open_
-  std::unordered_set<std::string_view> reported_;
+  std::map<std::string_view, std::uint32_t> declared_;  ///< how often in open_
+  std::set<std::string_view> reported_;
 };
 
 }  // namespace smurf

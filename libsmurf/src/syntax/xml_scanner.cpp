@@ -161,6 +161,7 @@ class Scanner {
         sink_.report(rules::sml1013_dtd_or_xinclude, doctype,
                      "urdfdom finds no robot after the declarations of this document type");
     diagnostic.severity = Severity::error;
+    diagnostic.construct = "declarations";
     diagnostic.note("sdformat, which uses urdfdom, finds none either; MuJoCo reads the robot");
     diagnostic.help("delete the document type, and write out what it declares");
     for (std::size_t at = subset.find('<'); at != std::string_view::npos;) {

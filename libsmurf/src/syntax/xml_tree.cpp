@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading an xml::Document.
 #include <algorithm>
-#include <unordered_map>
+#include <map>
 
 #include "base/quoted.hpp"
 #include "base/words.hpp"
@@ -37,7 +37,7 @@ void XPaths::name_children(View parent) {
     std::size_t count = 0;
     std::size_t seen = 0;
   };
-  std::unordered_map<std::string, Siblings> same;
+  std::map<std::string, Siblings> same;
   // Elements without a name count all of their kind.
   const auto kind_of = [](View element) { return "/" + std::string(element.name()); };
   for (const View child : parent) {

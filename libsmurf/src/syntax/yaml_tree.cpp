@@ -13,10 +13,6 @@
 namespace smurf::yaml {
 namespace {
 
-bool is_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), text) != words.end();
-}
-
 /// Hexadecimal and octal integers of the core schema: 0x1F, 0o17.
 std::optional<std::int64_t> parse_radix(std::string_view text) {
   const int base = text.starts_with("0x") ? 16 : text.starts_with("0o") ? 8 : 0;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "write/viewer_looks.hpp"
+#include "write/annotated_looks.hpp"
 
 namespace smurf {
 
@@ -17,7 +17,7 @@ class AnnotatedColors {
                          const FlatModel& flat);
 
  private:
-  std::map<const LinkedModel*, ViewerLooks> looks_;
+  std::map<const LinkedModel*, AnnotatedLooks> looks_;
   std::unordered_map<const urdf::Visual*, std::optional<Rgba>> known_;
 };
 

@@ -34,13 +34,13 @@ Contacts CollisionContacts::of(const urdf::Collision& collision, const urdf::Lin
   const yaml::Document* document = model_->document(entry.span.source);
   if (document == nullptr) return contacts;
   const yaml::View keys(*document, entry.node);
-  const auto number = [&](std::string_view key) {
+  const auto quantity = [&](std::string_view key) {
     const yaml::View value = keys.find(key);
     const std::optional<double> number = value ? value.number() : std::nullopt;
     return number && is_quantity(*number) ? number : std::nullopt;
   };
-  contacts.friction1 = number("cfriction1");
-  contacts.friction2 = number("cfriction2");
+  contacts.friction1 = quantity("cfriction1");
+  contacts.friction2 = quantity("cfriction2");
   return contacts;
 }
 

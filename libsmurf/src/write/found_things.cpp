@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/quoted.hpp"
 #include "base/ranges.hpp"
 #include "convert/passes.hpp"
 #include "write/gazebo_elements.hpp"
@@ -14,6 +15,10 @@
 
 namespace smurf::things {
 namespace {
+
+/// Longer names are cut, since a long name may be repeated for each of many parts. Messages show
+/// fewer bytes than this.
+constexpr std::size_t kMostOfName = 240;
 
 /// Joints that have the part that `part_of` returns.
 template <class PartOf>
@@ -179,9 +184,9 @@ Found other_than_sensors(const LinkedModel& model, const auto& sensors,
         found.push_back({child.name_span(), name_of(child)});
         continue;
       }
+      const std::string name = shortened(name_of(child), kMostOfName);
       for (const xml::View setting : lost_settings(child)) {
-        found.push_back(
-            {setting.name_span(), std::string(setting.name()) + " of " + name_of(child)});
+        found.push_back({setting.name_span(), std::string(setting.name()) + " of " + name});
       }
     }
   }
@@ -273,8 +278,11 @@ Found sensor_keys(const LinkedModel& model, SceneColumn column) {
     }
   };
   if (column == SceneColumn::mjcf) {
+    const Sensor* last = nullptr;  // each ray of a scan is a sensor
     for (const MujocoSensor& sensor : mujoco_sensors(model)) {
-      if (sensor.annotation != nullptr) add(*sensor.annotation, is_said_by_mujoco);
+      if (sensor.annotation == nullptr || sensor.annotation == last) continue;
+      last = sensor.annotation;
+      add(*last, is_said_by_mujoco);
     }
     return found;
   }
@@ -357,10 +365,11 @@ Found entity_keys(const SceneExport& scene, SceneColumn column) {
   for (std::size_t i = 0; i < scene.flat.instances.size(); ++i) {
     const FlatInstance& instance = scene.flat.instances[i];
     if (instance.shapes.empty()) continue;
+    const std::string path = shortened(instance.path, kMostOfName);
     for (const ValueMember& member : instance.properties) {
       if (is_said(member.key)) continue;
       const Entity& entity = scene.scene.entity(scene.scene.instances[i]);
-      found.push_back({place_of(entity), member.key + " of " + instance.path});
+      found.push_back({place_of(entity), member.key + " of " + path});
     }
   }
   return found;

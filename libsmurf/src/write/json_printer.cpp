@@ -59,6 +59,16 @@ void JsonPrinter::key(std::string_view name) {
   has_key_ = true;
 }
 
+void JsonPrinter::member(std::string_view name, std::string_view value) {
+  key(name);
+  text(value);
+}
+
+void JsonPrinter::member(std::string_view name, std::initializer_list<double> values) {
+  key(name);
+  numbers({values.begin(), values.size()});
+}
+
 void JsonPrinter::text(std::string_view value) {
   if (is_full()) return;
   begin_value();
@@ -89,11 +99,13 @@ void JsonPrinter::null() {
   out_ += "null";
 }
 
-void JsonPrinter::vector(const Vector3& value) {
+void JsonPrinter::numbers(std::span<const double> values) {
   begin_list();
-  for (const double component : value) number(component);
+  for (const double value : values) number(value);
   end();
 }
+
+void JsonPrinter::vector(const Vector3& value) { numbers(value); }
 
 void JsonPrinter::pose(const Pose& value) {
   begin_object();

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,8 +28,12 @@ class JsonPrinter {
   void begin_list(Layout layout = Layout::line) { begin('[', layout); }
   /// Ends the object or list that was begun last.
   void end();
-  /// Of the next value; in objects only.
+  /// The key of the next value; in objects only.
   void key(std::string_view name);
+  /// A key and its text.
+  void member(std::string_view name, std::string_view value);
+  /// A key and a list of numbers.
+  void member(std::string_view name, std::initializer_list<double> values);
 
   void text(std::string_view value);
   /// JSON has no infinite numbers: those are null.
@@ -35,6 +41,8 @@ class JsonPrinter {
   void integer(std::int64_t value);
   void boolean(bool value);
   void null();
+  /// A list of numbers.
+  void numbers(std::span<const double> values);
   void vector(const Vector3& value);
   /// {"position": [x, y, z], "orientation": {"w": ...}}
   void pose(const Pose& value);

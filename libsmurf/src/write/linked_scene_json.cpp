@@ -34,8 +34,7 @@ class ScenePrinter {
 
   void print() {
     json_.begin_object(Layout::block);
-    json_.key("path");
-    json_.text(scene_.path);
+    json_.member("path", scene_.path);
     json_.key("is_complete");
     json_.boolean(scene_.is_complete);
     list("files", scene_.scenes, [&](const SceneFile& one) { file(one); });
@@ -70,8 +69,7 @@ class ScenePrinter {
 
   void file(const SceneFile& file) {
     json_.begin_object(Layout::block);
-    json_.key("path");
-    json_.text(file.path);
+    json_.member("path", file.path);
     list("entities", file.scene.entities, [&](const Entity& one) { entity(file, one); });
     if (file.scene.physics) {
       json_.key("physics");
@@ -96,8 +94,7 @@ class ScenePrinter {
     });
     list("custom", file.scene.extra, [&](const CustomSection& extra) {
       json_.begin_object();
-      json_.key("name");
-      json_.text(extra.name.value);
+      json_.member("name", extra.name.value);
       source(extra.name.span);
       json_.key("value");
       if (file.document) {
@@ -113,8 +110,7 @@ class ScenePrinter {
   void entity(const SceneFile& file, const Entity& entity) {
     static constexpr std::array<std::string_view, 3> kLists = {"smurfs", "entities", "smurfa"};
     json_.begin_object();
-    json_.key("list");
-    json_.text(kLists[static_cast<std::size_t>(entity.list)]);
+    json_.member("list", kLists[static_cast<std::size_t>(entity.list)]);
     source(entity.span);
     values(file, entity.node, entity_keys_);
     json_.end();
@@ -126,24 +122,18 @@ class ScenePrinter {
       return json_.text(attachment.kind == Attachment::Kind::world ? "world" : none);
     }
     json_.begin_object();
-    json_.key("instance");
-    json_.text(scene_.instance(attachment.instance).path);
-    json_.key("link");
-    json_.text(attachment.link);
+    json_.member("instance", scene_.instance(attachment.instance).path);
+    json_.member("link", attachment.link);
     json_.end();
   }
 
   void instance(const Instance& instance) {
     json_.begin_object();
-    json_.key("name");
-    json_.text(instance.name);
-    json_.key("path");
-    json_.text(instance.path);
-    json_.key("type");
-    json_.text(instance.type);
+    json_.member("name", instance.name);
+    json_.member("path", instance.path);
+    json_.member("type", instance.type);
     if (!instance.file.empty()) {
-      json_.key("file");
-      json_.text(instance.file);
+      json_.member("file", instance.file);
     }
     if (instance.model) {
       json_.key("model");
@@ -181,8 +171,7 @@ std::optional<std::string> write_scene_json(const LinkedScene& scene, const Sour
                                             std::uint64_t most) {
   JsonPrinter json(most);
   json.begin_object(Layout::block);
-  json.key("schema_version");
-  json.text("1.0");
+  json.member("schema_version", "1.0");
   json.key("scene");
   ScenePrinter(json, scene, sources).print();
   json.end();

@@ -172,8 +172,9 @@ void MjcfParts::add_meshes_of_entities() {
       const Span place = place_of(scene_.scene.entity(linked(i)));
       std::string reason;
       if (is_mesh_of_mujoco(*mesh)) {
-        reason = scene_.meshes.triangles ? scene_.meshes.triangles(mesh->file).reason
-                                         : "is not available";
+        reason = scene_.meshes.triangles
+                     ? scene_.meshes.triangles(mesh->file, TexturePoints::ignored).reason
+                     : "is not available";
       }
       if (reason.empty()) reason = declare_mesh(*mesh, place);
       if (!reason.empty()) losses_.unseen_shape(place, shape.geometry, reason);

@@ -5,6 +5,25 @@
 
 namespace smurf {
 
+RepeatedParts mjcf_devices(const LinkedModel& model) {
+  constexpr std::uint64_t kElement = 400;  // bytes, as check_scene_size() counts those of shapes
+  RepeatedParts parts;
+  for (const MujocoSensor& sensor : mujoco_sensors(model)) {
+    parts.bytes += kElement + sensor.name.size();
+    parts.names += 1;
+    for (const MujocoReading& reading : sensor.readings) {
+      parts.bytes += kElement + sensor.name.size() + reading.part.size() +
+                     (reading.name.empty() ? sensor.name : reading.name).size();
+      parts.names += 2;
+    }
+  }
+  for (const JointDrive& drive : joint_drives(model)) {
+    parts.bytes += kElement + drive.name.size();
+    parts.names += 2;
+  }
+  return parts;
+}
+
 const MjcfSensors::OfModel& MjcfSensors::sensors_of(const LinkedModel& model) {
   const auto [known, is_new] = of_model_.try_emplace(&model);
   OfModel& found = known->second;
@@ -17,6 +36,7 @@ const MjcfSensors::OfModel& MjcfSensors::sensors_of(const LinkedModel& model) {
 }
 
 void MjcfSensors::add_mounts(std::size_t i, std::size_t link) {
+  if (xml_.is_full()) return;
   const OfModel& found = sensors_of(*robot_of(i));
   const auto [first, last] = found.by_link.equal_range(link);
   for (auto at = first; at != last; ++at) {
@@ -39,6 +59,7 @@ void MjcfSensors::add_sensors() {
     const LinkedModel* model = robot_of(i);
     if (model == nullptr || !flat(i).X_WE) continue;
     for (const MujocoSensor& sensor : sensors_of(*model).sensors) {
+      if (xml_.is_full()) break;
       for (const MujocoReading& reading : sensor.readings) add_reading(i, sensor, reading);
     }
   }

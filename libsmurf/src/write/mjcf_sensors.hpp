@@ -11,6 +11,9 @@
 
 namespace smurf {
 
+/// The sensors of a model and the motors of its joints, as each instance has them.
+RepeatedParts mjcf_devices(const LinkedModel& model);
+
 class MjcfSensors : protected MjcfActuators {
  public:
   using MjcfActuators::MjcfActuators;

@@ -21,14 +21,12 @@ class ModelPrinter {
 
   void print() {
     json_.begin_object(Layout::block);
-    json_.key("path");
-    json_.text(model_.path);
+    json_.member("path", model_.path);
     print_field(json_, "modelname", model_.main.modelname);
     print_field(json_, "version", model_.main.version);
     if (model_.robot) print_field(json_, "robot", model_.robot->name);
     if (!model_.urdf_path.empty()) {
-      json_.key("urdf");
-      json_.text(model_.urdf_path);
+      json_.member("urdf", model_.urdf_path);
     }
     json_.key("is_complete");
     json_.boolean(model_.is_complete);
@@ -49,10 +47,8 @@ class ModelPrinter {
     json_.begin_list(Layout::block);
     for (const ModelFile& file : model_.files) {
       json_.begin_object();
-      json_.key("path");
-      json_.text(sources_.path(file.source));
-      json_.key("kind");
-      json_.text(kKinds[static_cast<std::size_t>(file.kind)]);
+      json_.member("path", sources_.path(file.source));
+      json_.member("kind", kKinds[static_cast<std::size_t>(file.kind)]);
       json_.end();
     }
     json_.end();
@@ -102,8 +98,7 @@ void print_custom(JsonPrinter& json, const std::vector<CustomSection>& sections,
   for (const CustomSection& section : sections) {
     const yaml::Document* document = model.document(section.name.span.source);
     json.begin_object();
-    json.key("name");
-    json.text(section.name.value);
+    json.member("name", section.name.value);
     json.key("source");
     json.place(section.name.span, sources);
     json.key("value");
@@ -125,8 +120,7 @@ std::optional<std::string> write_model_json(const LinkedModel& model, const Sour
                                             std::uint64_t most) {
   JsonPrinter json(most);
   json.begin_object(Layout::block);
-  json.key("schema_version");
-  json.text("1.0");
+  json.member("schema_version", "1.0");
   json.key("model");
   print_model(json, model, sources);
   json.end();

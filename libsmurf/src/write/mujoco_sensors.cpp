@@ -7,11 +7,11 @@
 #include <set>
 
 #include "base/numbers.hpp"
-#include "base/ranges.hpp"
 #include "base/unique_names.hpp"
+#include "base/words.hpp"
+#include "convert/gazebo_sensors.hpp"
 #include "convert/import.hpp"
 #include "convert/passes.hpp"
-#include "convert/sensor_pose.hpp"
 #include "convert/sensor_views.hpp"
 #include "write/joint_drives.hpp"
 #include "write/ray_directions.hpp"
@@ -22,6 +22,8 @@ namespace smurf {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
+/// The length of a written reading without its names.
+constexpr std::size_t kReadingBytes = 100;
 /// Cameras of Gazebo and MARS look along x, with z up (MARS CameraSensor.cpp, preGraphicsUpdate());
 /// those of MuJoCo along -z, with y up.
 const Quaternion kCameraAxes{0.5, 0.5, -0.5, -0.5};
@@ -42,13 +44,7 @@ class SensorReader {
   }
 
   std::vector<MujocoSensor> read() {
-    for (const xml::ElementId id : model_.robot->extensions) {
-      const xml::View gazebo(model_.robot->document, id);
-      if (gazebo.name() != "gazebo") continue;
-      for (const xml::View child : gazebo) {
-        if (child.name() == "sensor") of_gazebo(child, import::attribute_of(gazebo, "reference"));
-      }
-    }
+    for (const GazeboSensor& found : gazebo_sensors(*model_.robot)) of_gazebo(found);
     for (const Sensor& sensor : model_.annotations.sensors) of_annotation(sensor);
     return std::move(sensors_);
   }
@@ -63,6 +59,17 @@ class SensorReader {
     const auto joint = model_.joint_names.find(name);
     const auto carried = joint ? carried_link(model_, *joint) : std::nullopt;
     return carried && X_RL_[*carried] ? carried : std::nullopt;
+  }
+
+  /// Subtracts the bytes of the readings from kMostReadingBytes; false when too few are left. Each
+  /// reading has `name`, and all together have `more` bytes of other names. A single reading is
+  /// free, because its annotation is as long.
+  bool can_afford(std::size_t readings, std::string_view name, std::size_t more = 0) {
+    const std::size_t bytes = readings * (kReadingBytes + name.size()) + more;
+    if (readings <= 1) return true;
+    if (bytes > bytes_left_) return false;
+    bytes_left_ -= bytes;
+    return true;
   }
 
   bool add(std::string_view name, std::optional<std::size_t> link, const Pose& X_LS,
@@ -93,7 +100,7 @@ class SensorReader {
 
   /// MuJoCo has only single rays, so each ray of a scan becomes a sensor.
   bool add_rays(std::string_view name, std::optional<std::size_t> link, const SensorView& view) {
-    if (!view.scan || !link) return false;
+    if (!view.scan || !link || !can_afford(ray_count(*view.scan), name)) return false;
     const std::vector<Quaternion> rays = ray_directions(*view.scan);
     const double range = view.scan->farthest.value_or(0);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -105,23 +112,30 @@ class SensorReader {
   }
 
   bool add_touch(std::string_view name, const TouchedBoxes& boxes) {
+    std::size_t names = 0;
+    for (const auto& [link, box] : boxes) {
+      const Field<std::string>& of_link = model_.robot->links[link].name;
+      names += of_link ? of_link->size() : 0;
+    }
+    if (!can_afford(boxes.size(), name, names)) return false;
     for (const auto& [link, box] : boxes) {
       if (!X_RL_[link]) return false;
     }
     for (const auto& [link, box] : boxes) {
-      const std::string of_link = "/" + model_.robot->links[link].name.value_or("");
-      add(std::string(name) + (boxes.size() > 1 ? of_link : std::string()), link,
-          {box.center(), {}}, {{"touch", "site", {}}});
+      std::string whole(name);
+      if (boxes.size() > 1) whole += "/" + model_.robot->links[link].name.value_or("");
+      add(whole, link, {box.center(), {}}, {{"touch", "site", {}}});
       const Vector3 size = box.size();
       sensors_.back().reach = Vector3{size[0] / 2, size[1] / 2, size[2] / 2};
     }
     return !boxes.empty();
   }
 
-  void of_gazebo(xml::View sensor, std::string_view reference) {
+  void of_gazebo(const GazeboSensor& found) {
+    const xml::View sensor = found.element;
     const std::string_view name = import::attribute_of(sensor, "name");
     const std::size_t first = sensors_.size();
-    if (name.empty() || !is_gazebo_taken(sensor, reference, name)) return;
+    if (name.empty() || !is_gazebo_taken(sensor, found.reference, name)) return;
     for (std::size_t i = first; i < sensors_.size(); ++i) sensors_[i].element = sensor.id();
     known_.insert(name);
   }
@@ -186,7 +200,8 @@ class SensorReader {
       return is_view_taken(sensor);
     }
     if (type == "NodeContact" || type == "NodeContactForce") {
-      return add_touch(*sensor.name, boxes_.of(targets({&sensor.id, &sensor.collisions})));
+      const std::size_t most = bytes_left_ / (kReadingBytes + sensor.name->size());
+      return add_touch(*sensor.name, boxes_.of(targets({&sensor.id, &sensor.collisions}), most));
     }
     constexpr std::pair<std::string_view, std::string_view> kOfJoints[] = {
         {"JointPosition", "jointpos"}, {"JointVelocity", "jointvel"}};
@@ -228,7 +243,7 @@ class SensorReader {
 
   /// False when nothing is measured.
   bool add_readings(const Sensor& sensor, std::vector<MujocoReading> readings) {
-    if (readings.empty()) return false;
+    if (readings.empty() || !can_afford(readings.size(), *sensor.name)) return false;
     sensors_.push_back({names_.add(*sensor.name), {}, {}, {}, {}, std::move(readings)});
     return true;
   }
@@ -264,12 +279,9 @@ class SensorReader {
   std::map<const urdf::Joint*, std::string> motors_;
   std::set<std::string_view> known_;
   UniqueNames names_;
+  std::size_t bytes_left_ = kMostReadingBytes;
   std::vector<MujocoSensor> sensors_;
 };
-
-bool is_child_of(std::string_view name, std::initializer_list<std::string_view> names) {
-  return ranges::contains(names, name);
-}
 
 }  // namespace
 
@@ -280,14 +292,14 @@ std::vector<MujocoSensor> mujoco_sensors(const LinkedModel& model) {
 std::vector<xml::View> unsaid_by_mujoco(xml::View sensor) {
   std::vector<xml::View> unsaid;
   for (const xml::View child : sensor) {
-    if (is_child_of(child.name(), {"pose", "origin", "parent"})) continue;
-    if (!is_child_of(child.name(), {"camera", "ray", "lidar", "imu", "force_torque", "contact"})) {
+    if (is_one_of(child.name(), {"pose", "origin", "parent"})) continue;
+    if (!is_one_of(child.name(), {"camera", "ray", "lidar", "imu", "force_torque", "contact"})) {
       unsaid.push_back(child);
       continue;
     }
     for (const xml::View setting : child) {
-      if (is_child_of(setting.name(),
-                      {"horizontal_fov", "scan", "measure_direction", "frame", "collision"})) {
+      if (is_one_of(setting.name(),
+                    {"horizontal_fov", "scan", "measure_direction", "frame", "collision"})) {
         continue;
       }
       if (setting.name() == "range" && !setting.child("min") && !setting.child("resolution")) {
@@ -300,20 +312,20 @@ std::vector<xml::View> unsaid_by_mujoco(xml::View sensor) {
 }
 
 bool is_said_by_mujoco(const Sensor& sensor, std::string_view key) {
-  if (is_child_of(key, {"name", "type", "link", "joint", "id", "links", "joints"})) return true;
+  if (is_one_of(key, {"name", "type", "link", "joint", "id", "links", "joints"})) return true;
   const std::string type = sensor.type.value_or("");
-  if (type == "RaySensor") return is_child_of(key, {"width", "opening_width", "max_distance"});
+  if (type == "RaySensor") return is_one_of(key, {"width", "opening_width", "max_distance"});
   if (type == "RotatingRaySensor") {
     return key != "min_distance" && passes::gazebo_says(sensor, key) && key != "rate";
   }
   if (type == "MultiLevelLaserRangeFinder") {
-    return is_child_of(key, {"numRaysHorizontal", "numRaysVertical", "horizontalOpeningAngle",
-                             "verticalOpeningAngle", "maxDistance"});
+    return is_one_of(key, {"numRaysHorizontal", "numRaysVertical", "horizontalOpeningAngle",
+                           "verticalOpeningAngle", "maxDistance"});
   }
   if (type == "NodeContact" || type == "NodeContactForce") return key == "collisions";
   return type == "CameraSensor" &&
-         is_child_of(key, {"opening_width", "opening_height", "opening_angle", "opening_angle2",
-                           "position_offset", "orientation_offset"});
+         is_one_of(key, {"opening_width", "opening_height", "opening_angle", "opening_angle2",
+                         "position_offset", "orientation_offset"});
 }
 
 }  // namespace smurf

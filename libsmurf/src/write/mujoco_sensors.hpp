@@ -33,8 +33,13 @@ struct MujocoSensor {
       xml::kNoElement;  ///< the <sensor> in <gazebo>; kNoElement for an annotation
 };
 
+/// Limit of the bytes that all sensors with several readings may add to one model. Each reading
+/// repeats the name of its sensor; 4 MB are about 40,000 rays.
+inline constexpr std::size_t kMostReadingBytes = 4'000'000;
+
 /// Names are unique. Each ray of a scan, and each link of a contact sensor, is a sensor of its own.
-/// An annotation with the name of a <sensor> in <gazebo> is left out.
+/// Leaves out annotations that have the name of a <sensor> in <gazebo>, and sensors whose readings
+/// exceed kMostReadingBytes.
 std::vector<MujocoSensor> mujoco_sensors(const LinkedModel& model);
 
 /// The settings of such a <sensor> that MuJoCo does not have.

@@ -66,14 +66,19 @@ std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& mode
   return material == nullptr ? std::nullopt : material->rgba.value();
 }
 
-std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedModel& model,
-                                      const FlatModel& flat) {
-  if (!visual.material) return std::nullopt;
+const std::string* written_texture(const urdf::Visual& visual, const LinkedModel& model) {
+  if (!visual.material) return nullptr;
   const urdf::Material* material = &*visual.material;
   if (!material->texture && !material->rgba) material = definition_of(visual, model);
-  if (material == nullptr || !material->texture) return std::nullopt;
-  const auto known = flat.resources.find(*material->texture);
-  return known != flat.resources.end() ? known->second : *material->texture;
+  return material != nullptr && material->texture ? &*material->texture : nullptr;
+}
+
+std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedModel& model,
+                                      const FlatModel& flat) {
+  const std::string* written = written_texture(visual, model);
+  if (written == nullptr) return std::nullopt;
+  const auto known = flat.resources.find(*written);
+  return known != flat.resources.end() ? known->second : *written;
 }
 
 bool is_texture_of_mujoco(const MeshReference& reference) {

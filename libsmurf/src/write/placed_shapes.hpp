@@ -17,7 +17,9 @@ std::optional<FlatGeometry> to_flat(const urdf::Geometry& geometry, const FlatMo
 /// Colour of a visual in the URDF: its own, or that of the robot's material of the same name.
 std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& model);
 
-/// The texture of a visual, likewise: a file relative to the output's folder.
+/// The texture of a visual, likewise, as it is written; null without.
+const std::string* written_texture(const urdf::Visual& visual, const LinkedModel& model);
+/// The texture of a visual as a path relative to the output's folder; null when it has none.
 std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedModel& model,
                                       const FlatModel& flat);
 

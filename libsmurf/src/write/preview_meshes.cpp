@@ -22,12 +22,14 @@ const std::string& PreviewMeshes::first_name(const std::string& file) {
   return known->second;
 }
 
-MeshTriangles PreviewMeshes::read(const std::string& file, Span place) {
+MeshTriangles PreviewMeshes::read(const std::string& file, Span place,
+                                  TexturePoints texture_points) {
   if (!scene_.meshes.triangles) return {{}, {}, "is not available"};
   const std::uint64_t most = scene_.meshes.most_bytes;
   if (bytes_ <= most) {
-    MeshTriangles mesh = scene_.meshes.triangles(file);
-    bytes_ += cost_.point_bytes * mesh.points.size() + cost_.index_bytes * mesh.indices.size();
+    MeshTriangles mesh = scene_.meshes.triangles(file, texture_points);
+    bytes_ += cost_.point_bytes * mesh.points.size() + cost_.index_bytes * mesh.indices.size() +
+              cost_.texture_point_bytes * mesh.texture_points.size();
     if (bytes_ <= most) return mesh;
     scene_.losses
         .report(rules::sml5022_too_many_instances, place,

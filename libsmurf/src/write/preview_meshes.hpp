@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
-#include <unordered_map>
 
 #include "smurf/source.hpp"
 #include "smurf/write_scene.hpp"
@@ -19,6 +19,7 @@ class PreviewMeshes {
   /// The least bytes that a format needs for a point and for an index of a triangle.
   struct Cost {
     std::uint64_t point_bytes, index_bytes;
+    std::uint64_t texture_point_bytes = 0;
   };
 
   /// `scene` must outlive this.
@@ -28,13 +29,14 @@ class PreviewMeshes {
   const std::string& first_name(const std::string& file);
 
   /// No triangles, and a finding at `place`, when those of all files would be too many to write.
-  MeshTriangles read(const std::string& file, Span place);
+  MeshTriangles read(const std::string& file, Span place,
+                     TexturePoints texture_points = TexturePoints::ignored);
 
  private:
   const SceneExport& scene_;
   Cost cost_;
-  std::unordered_map<std::string, std::string> by_name_;
-  std::unordered_map<std::string, std::string> by_identity_;
+  std::map<std::string, std::string> by_name_;
+  std::map<std::string, std::string> by_identity_;
   std::uint64_t bytes_ = 0;
 };
 

@@ -17,11 +17,16 @@ bool is_known(const RayFan& fan) {
 
 }  // namespace
 
-std::vector<Quaternion> ray_directions(const ScanView& scan) {
+std::size_t ray_count(const ScanView& scan) {
   constexpr double kMost = kMostRays;
-  if (!is_known(scan.across) || !is_known(scan.up)) return {};
-  if (!(scan.across.count <= kMost) || !(scan.across.count * scan.up.count <= kMost)) return {};
+  if (!is_known(scan.across) || !is_known(scan.up)) return 0;
+  if (!(scan.across.count <= kMost) || !(scan.across.count * scan.up.count <= kMost)) return 0;
+  return static_cast<std::size_t>(scan.across.count) * static_cast<std::size_t>(scan.up.count);
+}
+
+std::vector<Quaternion> ray_directions(const ScanView& scan) {
   std::vector<Quaternion> directions;
+  if (ray_count(scan) == 0) return directions;
   const auto columns = static_cast<std::size_t>(scan.across.count);
   const auto rows = static_cast<std::size_t>(scan.up.count);
   for (std::size_t row = 0; row < rows; ++row) {

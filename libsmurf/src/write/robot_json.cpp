@@ -12,8 +12,7 @@ namespace smurf {
 
 void print_field(JsonPrinter& json, std::string_view key, const Field<std::string>& field) {
   if (!field) return;
-  json.key(key);
-  json.text(*field);
+  json.member(key, *field);
 }
 
 void print_field(JsonPrinter& json, std::string_view key, const Field<double>& field) {
@@ -90,9 +89,7 @@ class RobotPrinter {
     source(material.span);
     if (material.rgba) {
       json_.key("rgba");
-      json_.begin_list();
-      for (const double part : *material.rgba) json_.number(part);
-      json_.end();
+      json_.numbers(*material.rgba);
     }
     if (material.texture) file("texture", material.texture);
     json_.end();
@@ -104,8 +101,7 @@ class RobotPrinter {
     print_field(json_, key, filename);
     const auto found = files_.find(filename.span.begin);
     if (found == files_.end() || found->second->path.empty()) return;
-    json_.key("file");
-    json_.text(found->second->path);
+    json_.member("file", found->second->path);
     json_.key("exists");
     json_.boolean(found->second->exists);
   }
@@ -193,8 +189,7 @@ class RobotPrinter {
     json_.begin_object(Layout::block);
     print_field(json_, "name", joint.name);
     source(joint.span);
-    json_.key("type");
-    json_.text(name_of(joint.type));
+    json_.member("type", name_of(joint.type));
     print_field(json_, "parent", joint.parent);
     print_field(json_, "child", joint.child);
     pose("X_PJ", joint.origin);
@@ -239,8 +234,7 @@ class RobotPrinter {
   void extension(xml::ElementId id) {
     const xml::View element(robot_.document, id);
     json_.begin_object();
-    json_.key("element");
-    json_.text(element.name());
+    json_.member("element", element.name());
     source(element.span());
     json_.end();
   }

@@ -13,11 +13,16 @@ namespace smurf {
 namespace {
 
 /// "`a`, `b` and 3 more".
-std::string list(const std::vector<std::string>& names) {
+const std::string& name_in(const std::string& name) { return name; }
+const std::string& name_in(const FoundThing& thing) { return thing.name; }
+
+template <class Names>
+std::string list(const Names& names) {
   constexpr std::size_t kShown = 8;
   std::string text;
   for (std::size_t i = 0; i < names.size() && i < kShown; ++i) {
-    text += (i == 0 ? "" : ", ") + (names[i].empty() ? "a node without name" : quoted(names[i]));
+    const std::string& name = name_in(names[i]);
+    text += (i == 0 ? "" : ", ") + (name.empty() ? "a node without name" : quoted(name));
   }
   if (names.size() > kShown) text += " and " + std::to_string(names.size() - kShown) + " more";
   return text;
@@ -135,9 +140,7 @@ void SceneLosses::of_model(const LinkedModel& model) {
 void SceneLosses::report(const SceneThing& thing, const std::vector<FoundThing>& found) {
   if (found.empty()) return;
   const std::string_view cell = thing.cells[to_size(column_)];
-  std::vector<std::string> names;
-  for (const FoundThing& each : found) names.push_back(each.name);
-  const std::string what = std::string(thing.title) + " (" + list(names) + ")";
+  const std::string what = std::string(thing.title) + " (" + list(found) + ")";
   // Of what is kept in part, the cell says what is kept.
   const bool has_reason = !reason_of(cell).empty() && fate_of(cell) != Fate::partly;
   const std::string reason = has_reason ? ": " + std::string(reason_of(cell)) : "";

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MuJoCo: bodies nested as the kinematic trees are, what is anchored inside the link it hangs on,
 // and one keyframe `initial` that holds every joint's start.
+#include <algorithm>
 #include <map>
 #include <set>
-#include <unordered_set>
 
 #include "base/numbers.hpp"
 #include "base/unique_names.hpp"
@@ -302,11 +302,24 @@ class MjcfWriter : MjcfSensors {
   std::map<const LinkedModel*, CollisionContacts> contacts_;
   AnnotatedColors colors_;
   UniqueNames geom_names_;
-  std::map<std::string, std::string> textures_;    ///< file -> name of its material
-  std::unordered_set<std::string_view> existing_;  ///< names of the model's meshes that are there
+  std::map<std::string, std::string> textures_;  ///< file -> name of its material
+  std::set<std::string_view> existing_;          ///< names of the model's meshes that are there
   std::set<const urdf::Joint*> reported_;
   std::vector<std::pair<std::size_t, const urdf::Joint*>> followers_;
 };
+
+RepeatedParts repeated_parts(const LinkedModel& model) {
+  RepeatedParts parts = mjcf_devices(model);
+  parts.names += model.robot->links.size();
+  for (const urdf::Link& link : model.robot->links) {
+    const auto has_name = [](const auto& shape) { return shape.name.has_value(); };
+    parts.names += static_cast<std::uint64_t>(
+        std::count_if(link.visuals.begin(), link.visuals.end(), has_name) +
+        std::count_if(link.collisions.begin(), link.collisions.end(), has_name));
+  }
+  for (const urdf::Joint& joint : model.robot->joints) parts.names += joint.mimic ? 3 : 1;
+  return parts;
+}
 
 }  // namespace
 
@@ -319,6 +332,7 @@ extern constinit const SceneFormat scene_mjcf{
           return scene.form == SceneForm::expand ? MjcfWriter(scene).run() : write_attached(scene);
         },
     .has_reference_form = true,
-    .repeats_models = true};
+    .repeats_models = true,
+    .repeated_parts = repeated_parts};
 
 }  // namespace smurf

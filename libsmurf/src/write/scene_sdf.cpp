@@ -449,12 +449,14 @@ extern constinit const SceneFormat scene_sdf{
     .help = "an SDFormat 1.9 world, for Gazebo",
     .write = [](const SceneExport& scene) { return SdfWriter(scene, false).run(); },
     .has_reference_form = true,
-    .repeats_models = true};
+    .repeats_models = true,
+    .repeated_parts = sdf_parts};
 
 extern constinit const SceneFormat scene_sdf16{
     .name = "sdf1.6",
     .help = "an SDFormat 1.6 world, for older readers",
     .write = [](const SceneExport& scene) { return SdfWriter(scene, true).run(); },
-    .repeats_models = true};
+    .repeats_models = true,
+    .repeated_parts = sdf_parts};
 
 }  // namespace smurf

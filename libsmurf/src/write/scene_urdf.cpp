@@ -29,6 +29,35 @@ constexpr NameAttribute kNames[] = {
     {"actuator", "name"}, {"ros2_control", "name"}, {"sensor", "name"},
 };
 
+/// <gazebo> contains SDF, which has names of its own.
+bool is_inside_gazebo(const xml::Document& document, const xml::Element& element) {
+  for (xml::ElementId at = element.parent; at != xml::kNoElement;
+       at = document.elements[static_cast<std::size_t>(at)].parent) {
+    if (document.elements[static_cast<std::size_t>(at)].name() == "gazebo") return true;
+  }
+  return false;
+}
+
+/// Whether an attribute has a name that gets a prefix. The element is not in <gazebo>.
+bool is_name(const xml::Element& element, const xml::Attribute& attribute) {
+  const auto is_this = [&](const NameAttribute& name) {
+    return name.element == element.name() && name.attribute == attribute.name();
+  };
+  return !attribute.value().empty() && std::any_of(std::begin(kNames), std::end(kNames), is_this);
+}
+
+RepeatedParts repeated_parts(const LinkedModel& model) {
+  const xml::Document& document = model.robot->document;
+  RepeatedParts parts;
+  for (const xml::Element& element : document.elements) {
+    if (element.parent == xml::kNoElement || is_inside_gazebo(document, element)) continue;
+    for (std::uint32_t k = 0; k < element.attribute_count; ++k) {
+      parts.names += is_name(element, document.attributes[element.first_attribute + k]) ? 1 : 0;
+    }
+  }
+  return parts;
+}
+
 class UrdfMerger {
  public:
   explicit UrdfMerger(const SceneExport& scene)
@@ -38,7 +67,7 @@ class UrdfMerger {
     open_robot();
     xml_.empty("link", {{"name", "world"}});
     for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
-      if (scene_.flat.instances[i].X_WE) add_instance(i);
+      if (scene_.flat.instances[i].X_WE && !xml_.is_full()) add_instance(i);
     }
     losses_.table();
     losses_.files_in_archives();
@@ -117,11 +146,7 @@ class UrdfMerger {
     if (is_root || is_inside_gazebo(document, element)) return;
     for (std::uint32_t k = 0; k < element.attribute_count; ++k) {
       const xml::Attribute& attribute = document.attributes[element.first_attribute + k];
-      const auto is_this = [&](const NameAttribute& name) {
-        return name.element == element.name() && name.attribute == attribute.name();
-      };
-      if (!attribute.value().empty() &&
-          std::any_of(std::begin(kNames), std::end(kNames), is_this)) {
+      if (is_name(element, attribute)) {
         const Span begin{attribute.value_span().source, attribute.value_span().begin,
                          attribute.value_span().begin};
         edits.push_back({begin, prefix(i)});
@@ -130,15 +155,6 @@ class UrdfMerger {
                            (element.name() == "mesh" || element.name() == "texture");
       if (is_file) add_file_edit(attribute, i, edits);
     }
-  }
-
-  /// <gazebo> contains SDF, which has names of its own.
-  static bool is_inside_gazebo(const xml::Document& document, const xml::Element& element) {
-    for (xml::ElementId at = element.parent; at != xml::kNoElement;
-         at = document.elements[static_cast<std::size_t>(at)].parent) {
-      if (document.elements[static_cast<std::size_t>(at)].name() == "gazebo") return true;
-    }
-    return false;
   }
 
   void add_file_edit(const xml::Attribute& attribute, std::size_t i,
@@ -314,6 +330,7 @@ extern constinit const SceneFormat scene_urdf{
     .name = "urdf",
     .help = "one URDF with a prefix before the names of each model",
     .write = [](const SceneExport& scene) { return UrdfMerger(scene).run(); },
-    .repeats_models = true};
+    .repeats_models = true,
+    .repeated_parts = repeated_parts};
 
 }  // namespace smurf

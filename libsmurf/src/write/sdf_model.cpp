@@ -3,8 +3,27 @@
 
 #include "base/edits.hpp"
 #include "convert/passes.hpp"
+#include "write/placed_shapes.hpp"
 
 namespace smurf {
+
+RepeatedParts sdf_parts(const LinkedModel& model) {
+  RepeatedParts parts;
+  for (const Sensor& sensor : model.annotations.sensors) {
+    const yaml::Document* document = model.document(sensor.span.source);
+    if (document == nullptr || !sensor.name || passes::gazebo_type(sensor).empty()) continue;
+    parts.bytes += passes::gazebo_sensor(*document, sensor, *sensor.name).size();
+  }
+  for (const urdf::Link& link : model.robot->links) {
+    const std::size_t name = link.name ? link.name->size() : 0;
+    for (const urdf::Visual& visual : link.visuals) {
+      const std::string* texture = written_texture(visual, model);
+      parts.bytes += (visual.name ? 0 : name) + (texture != nullptr ? texture->size() : 0);
+    }
+    for (const urdf::Collision& shape : link.collisions) parts.bytes += shape.name ? 0 : name;
+  }
+  return parts;
+}
 
 SdfModel::SdfModel(const LinkedModel& model, const SourceMap& sources)
     : model_(model), contacts(model), gazebo(model, sources.text(model.robot->document.source)) {
@@ -38,6 +57,7 @@ void SdfModel::add_sensors(XmlText& xml, std::string_view carrier, std::string_v
                            UniqueNames& names) const {
   const auto [first, last] = sensors_.equal_range(carrier);
   for (auto at = first; at != last; ++at) {
+    if (xml.is_full()) return;
     const Sensor& sensor = *at->second;
     const yaml::Document* document = model_.document(sensor.span.source);
     if (document == nullptr) continue;

@@ -12,6 +12,9 @@
 
 namespace smurf {
 
+/// The sensors of the annotations, and names that many shapes share, as each instance has them.
+RepeatedParts sdf_parts(const LinkedModel& model);
+
 class SdfModel {
  public:
   SdfModel(const LinkedModel& model, const SourceMap& sources);

@@ -159,7 +159,7 @@ const std::vector<Vector3>& SvgOutlines::points_of(const std::string& file) {
   }
   const std::string& name = files_.first_name(file);
   const auto [known, is_new] = meshes_.try_emplace(name);
-  if (is_new) known->second = outermost(scene_.meshes.triangles(name));
+  if (is_new) known->second = outermost(scene_.meshes.triangles(name, TexturePoints::ignored));
   if (known->second.empty()) lacks_meshes_ = true;
   ++drawn_;
   return known->second;

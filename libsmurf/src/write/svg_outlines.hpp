@@ -2,7 +2,7 @@
 // The outlines of shapes in pictures: points whose hull is the outline.
 #pragma once
 
-#include <unordered_map>
+#include <map>
 #include <vector>
 
 #include "write/preview_meshes.hpp"
@@ -25,7 +25,7 @@ class SvgOutlines {
 
   const SceneExport& scene_;
   PreviewMeshes files_;
-  std::unordered_map<std::string, std::vector<Vector3>> meshes_;
+  std::map<std::string, std::vector<Vector3>> meshes_;
   std::size_t drawn_ = 0;
   bool lacks_meshes_ = false;
 };

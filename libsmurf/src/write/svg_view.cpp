@@ -14,7 +14,7 @@
 namespace smurf {
 namespace {
 
-/// Of robots, one after the other.
+/// Robots get these colours in turn.
 constexpr std::string_view kColors[] = {"#4878a8", "#e08a3c", "#6aa84f", "#a05195",
                                         "#c0504d", "#17a2b8", "#8d6e63", "#7f8c2b"};
 
@@ -112,7 +112,7 @@ std::string_view SvgView::color(std::size_t i) const {
   return at(i).model ? kColors[robots_[i] % std::size(kColors)] : "#888";
 }
 
-/// Of what is shown, the nearer ones later.
+/// Collects the shapes of what is shown; the nearer ones come later, to be drawn over the others.
 void SvgView::collect_footprints() {
   LinkFrames frames;
   AnnotatedColors colors;
@@ -152,13 +152,12 @@ void SvgView::add_footprints(SvgCanvas& canvas) {
              "\" y=\"" + pixels(sheet.low[1]) + "\" width=\"" + pixels(sheet.size(0)) +
              "\" height=\"" + pixels(sheet.size(1)) + "\"/></clipPath>\n<g clip-path=\"url(#" +
              canvas.clip() +
-             ")\" "
-             "fill-opacity=\"0.28\" stroke-width=\"1\" stroke-opacity=\"0.8\">\n");
+             ")\" fill-opacity=\"0.28\" stroke-width=\"1\" stroke-opacity=\"0.8\">\n");
   for (const Footprint& footprint : footprints_) {
     std::vector<Point2> points;
     for (const Vector3& p_V : outlines_.of(footprint.geometry, footprint.X_VS)) {
       points.push_back({p_V[0], p_V[1]});
-    };
+    }
     std::string path;
     for (const Point2& point : convex_hull(std::move(points))) {
       path += (path.empty() ? "M" : "L") + pixels(canvas.to_pixels(point));

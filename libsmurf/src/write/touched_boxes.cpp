@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/touched_boxes.hpp"
 
+#include <algorithm>
+
 #include "lint/geometry_queries.hpp"
 
 namespace smurf {
@@ -17,12 +19,9 @@ Box with_margin(Box box) {
   return box;
 }
 
-/// False when there is no box.
-bool add(TouchedBoxes& boxes, std::size_t link, const std::optional<Box>& box) {
-  if (!box) return false;
-  const auto [known, is_new] = boxes.try_emplace(link, *box);
-  if (!is_new) known->second = united(known->second, *box);
-  return true;
+void add(TouchedBoxes& boxes, std::size_t link, const Box& box) {
+  const auto [known, is_new] = boxes.try_emplace(link, box);
+  if (!is_new) known->second = united(known->second, box);
 }
 
 }  // namespace
@@ -32,44 +31,57 @@ void CollisionBoxes::read() {
   is_read_ = true;
   const auto& links = model_.robot->links;
   of_links_.resize(links.size());
+  const auto add_to = [](Boxes& boxes, std::size_t link, const std::optional<Box>& box) {
+    if (box) {
+      add(boxes.of_links, link, *box);
+    } else {
+      boxes.unknown.insert(link);
+    }
+  };
   for (std::size_t link = 0; link < links.size(); ++link) {
-    TouchedBoxes all;
-    bool is_known = true;
     for (const urdf::Collision& collision : links[link].collisions) {
       std::optional<Box> box = bounding_box(model_, collision.geometry);
       if (box) box = with_margin(moved(*box, urdf::to_pose(collision.origin)));
-      is_known = add(all, link, box) && is_known;
-      if (collision.name) by_name_.emplace(*collision.name, OfLink(link, box));
+      add_to(of_links_[link], link, box);
+      if (collision.name) add_to(by_name_[*collision.name], link, box);
     }
-    if (is_known && !all.empty()) of_links_[link] = all.begin()->second;
   }
 }
 
 TouchedBoxes CollisionBoxes::of(std::size_t link, std::string_view collision) {
   read();
-  TouchedBoxes boxes;
-  const auto [first, last] = by_name_.equal_range(collision);
-  for (auto named = first; named != last; ++named) {
-    const auto& [of_link, box] = named->second;
-    if (of_link == link && !add(boxes, link, box)) return {};
-  }
-  if (boxes.empty()) add(boxes, link, of_links_[link]);
-  return boxes;
+  const auto named = by_name_.find(collision);
+  const Boxes* boxes = named != by_name_.end() ? &named->second : nullptr;
+  if (boxes != nullptr && boxes->unknown.contains(link)) return {};
+  if (boxes == nullptr || !boxes->of_links.contains(link)) boxes = &of_links_[link];
+  const auto found = boxes->of_links.find(link);
+  if (found == boxes->of_links.end() || boxes->unknown.contains(link)) return {};
+  return {*found};
 }
 
-TouchedBoxes CollisionBoxes::of(const std::vector<std::string>& names) {
+const CollisionBoxes::Boxes* CollisionBoxes::find(std::string_view name) const {
+  if (const auto named = by_name_.find(name); named != by_name_.end()) return &named->second;
+  const auto link = model_.link_names.find(name);
+  return link ? &of_links_[*link] : nullptr;
+}
+
+TouchedBoxes CollisionBoxes::of(std::vector<std::string> names, std::size_t most) {
   read();
-  TouchedBoxes boxes;
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  // All of them are looked at before any is copied: many sensors may name what many links have.
+  std::size_t count = 0;
   for (const std::string& name : names) {
-    const auto [first, last] = by_name_.equal_range(name);
-    for (auto named = first; named != last; ++named) {
-      if (!add(boxes, named->second.first, named->second.second)) return {};
-    }
-    if (first != last) continue;
-    const auto link = model_.link_names.find(name);
-    if (!link || !add(boxes, *link, of_links_[*link])) return {};
+    const Boxes* boxes = find(name);
+    if (boxes == nullptr || !boxes->unknown.empty() || boxes->of_links.empty()) return {};
+    count += boxes->of_links.size();
   }
-  return boxes;
+  TouchedBoxes all;
+  if (count > std::max(most, names.size())) return all;
+  for (const std::string& name : names) {
+    for (const auto& [link, box] : find(name)->of_links) add(all, link, box);
+  }
+  return all;
 }
 
 }  // namespace smurf

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -25,18 +26,26 @@ class CollisionBoxes {
   /// Of a contact sensor in <gazebo> on this link: of the collision that it names, otherwise of all
   /// of the link.
   TouchedBoxes of(std::size_t link, std::string_view collision);
-  /// Of an annotation: names of collisions, as MARS reads them, or of links, as Phobos does.
-  TouchedBoxes of(const std::vector<std::string>& names);
+  /// The boxes of the names in an annotation: names of collisions, as MARS reads them, or of links,
+  /// as Phobos does. Empty when they name shapes of more than `most` links, or the same shapes many
+  /// times.
+  TouchedBoxes of(std::vector<std::string> names, std::size_t most);
 
  private:
-  using OfLink = std::pair<std::size_t, std::optional<Box>>;
+  /// The boxes of all collisions that have one name, or that are on one link.
+  struct Boxes {
+    TouchedBoxes of_links;
+    std::set<std::size_t> unknown;  ///< links that have such a shape of unknown size
+  };
 
   void read();
+  /// The boxes of a name in an annotation; null when it names nothing.
+  const Boxes* find(std::string_view name) const;
 
   const LinkedModel& model_;
   bool is_read_ = false;
-  std::unordered_multimap<std::string_view, OfLink> by_name_;
-  std::vector<std::optional<Box>> of_links_;  ///< none: without shape, or of unknown size
+  std::unordered_map<std::string_view, Boxes> by_name_;
+  std::vector<Boxes> of_links_;
 };
 
 }  // namespace smurf

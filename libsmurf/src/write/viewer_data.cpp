@@ -7,12 +7,12 @@
 #include "base/path.hpp"
 #include "link/kinematics.hpp"
 #include "lint/geometry_queries.hpp"
+#include "write/annotated_looks.hpp"
 #include "write/body_inertia.hpp"
 #include "write/json_printer.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/viewer_images.hpp"
-#include "write/viewer_looks.hpp"
 #include "write/viewer_meshes.hpp"
 #include "write/viewer_sensors.hpp"
 
@@ -45,13 +45,6 @@ class VersionData {
   }
 
  private:
-  void numbers(std::string_view key, std::initializer_list<double> values) {
-    json_.key(key);
-    json_.begin_list();
-    for (const double value : values) json_.number(value);
-    json_.end();
-  }
-
   /// A list with a line for each item.
   void begin_lines(std::string_view key) {
     json_.key(key);
@@ -61,16 +54,11 @@ class VersionData {
   void add_pose(std::string_view key, const Pose& pose) {
     const Vector3& p = pose.position;
     const Quaternion& q = pose.orientation;
-    numbers(key, {p[0], p[1], p[2], q.w, q.x, q.y, q.z});
-  }
-
-  void add_text(std::string_view key, std::string_view text) {
-    json_.key(key);
-    json_.text(text);
+    json_.member(key, {p[0], p[1], p[2], q.w, q.x, q.y, q.z});
   }
 
   void add_name(const Field<std::string>& name) {
-    if (name) add_text("name", *name);
+    if (name) json_.member("name", *name);
   }
 
   void add_number(std::string_view key, const Field<double>& value) {
@@ -87,8 +75,8 @@ class VersionData {
   void add_model(const FlatModel& flat) {
     const LinkedModel& model = scene_.scene.models[to_size(flat.source)];
     json_.begin_object(Layout::block);
-    add_text("name", flat.id);
-    add_text("file", flat.file);
+    json_.member("name", flat.id);
+    json_.member("file", flat.file);
     add_version();
     begin_lines("links");
     if (model.robot) add_links(flat, model);
@@ -99,14 +87,14 @@ class VersionData {
     }
     json_.end();
     add_joint_poses(model);
-    add_motors_and_sensors(model);
+    print_devices(model, json_);
     print_sensors(model, json_);
     json_.end();
   }
 
   void add_links(const FlatModel& flat, const LinkedModel& model) {
     const std::vector<std::optional<Pose>> X_RL = forward_kinematics(model, {});
-    const ViewerLooks looks(model, flat);
+    const AnnotatedLooks looks(model, flat);
     for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
       const urdf::Link& link = model.robot->links[i];
       json_.begin_object();
@@ -121,7 +109,7 @@ class VersionData {
         json_.key("mass");
         json_.number(mass->mass);
         add_pose("com", mass->X_LC);
-        numbers("inertia", {mass->ixx, mass->ixy, mass->ixz, mass->iyy, mass->iyz, mass->izz});
+        json_.member("inertia", {mass->ixx, mass->ixy, mass->ixz, mass->iyy, mass->iyz, mass->izz});
       }
       json_.key("visuals");
       json_.begin_list();
@@ -140,34 +128,55 @@ class VersionData {
   }
 
   template <class Part>
-  void add_part(const Part& part, const ViewerLooks::Look& look, const FlatModel& flat,
+  void add_part(const Part& part, const AnnotatedLooks::Look& look, const FlatModel& flat,
                 const LinkedModel& model) {
     const std::optional<FlatGeometry> geometry = to_flat(part.geometry, flat);
     if (!geometry) return;
     json_.begin_object();
     add_name(part.name);
-    if (look.texture) add_texture(*look.texture, part.span, *geometry);
+    const bool is_textured = look.texture && add_texture(*look.texture, part.span, *geometry);
     add_solid({urdf::to_pose(part.origin), *geometry, look.color, part.span},
-              bounding_box(model, part.geometry));
+              bounding_box(model, part.geometry), is_textured);
+    const bool is_visual = std::is_same_v<Part, urdf::Visual>;
+    if (is_visual && !look.color && !look.texture) name_own_textures(*geometry, part.span);
     json_.end();
   }
 
-  void add_texture(const std::string& file, Span place, const FlatGeometry& geometry) {
-    const bool is_mesh = std::holds_alternative<FlatMesh>(geometry);
-    const ViewerImages::Known known =
-        is_mesh ? ViewerImages::Known{{}, "is on a mesh, whose texture coordinates are not read"}
-                : images_.find(file);
-    if (known.index) return add_index("texture", *known.index);
-    losses_.note("textures", place, file);
-    meshes_.add_unseen(file, known.why_none);
+  /// Whether the shape has coordinates for the texture, also when the image cannot be shown.
+  bool add_texture(const std::string& file, Span place, const FlatGeometry& geometry) {
+    const auto* mesh = std::get_if<FlatMesh>(&geometry);
+    std::string why = mesh == nullptr ? "" : meshes_.find_textured(mesh->file, place).why_none;
+    const bool has_coordinates = why.empty();
+    if (has_coordinates) {
+      const ViewerImages::Known& known = images_.find(file);
+      if (known.index) add_index("texture", *known.index);
+      why = known.why_none;
+    } else {
+      why = "is on a mesh that " + why;
+    }
+    if (why.empty()) return true;
+    lose_texture(file, place, why);
+    return has_coordinates;
+  }
+
+  /// The page shows the colours of a mesh file, but not its images.
+  void name_own_textures(const FlatGeometry& geometry, Span place) {
+    const auto* mesh = std::get_if<FlatMesh>(&geometry);
+    if (mesh == nullptr || !meshes_.find(mesh->file, place).has_textures) return;
+    lose_texture(mesh->file, place, "has textures of its own, which are not shown");
+  }
+
+  /// Thousands of visuals may have one texture.
+  void lose_texture(const std::string& file, Span place, const std::string& why) {
+    if (lost_textures_.insert(file).second) losses_.note("textures", place, file);
+    meshes_.add_unseen(file, why);
   }
 
   void add_joint(const LinkedModel& model, std::size_t index) {
     const urdf::Joint& joint = model.robot->joints[index];
     json_.begin_object();
     add_name(joint.name);
-    json_.key("type");
-    json_.text(joint.type_name.value_or({}));
+    json_.member("type", joint.type_name.value_or({}));
     if (const auto parent = model.tree.joint_parent[index]) add_index("parent", to_size(*parent));
     if (const auto child = model.tree.joint_child[index]) add_index("child", to_size(*child));
     add_pose("pose", urdf::to_pose(joint.origin));
@@ -213,38 +222,6 @@ class VersionData {
     json_.end();
   }
 
-  void add_motors_and_sensors(const LinkedModel& model) {
-    begin_lines("devices");
-    for (const Motor& motor : model.annotations.motors) {
-      add_device("motor", motor.name, child_of(model, motor.joint));
-    }
-    for (const Sensor& sensor : model.annotations.sensors) {
-      std::optional<std::uint32_t> link;
-      if (sensor.link) link = model.link_names.find(*sensor.link);
-      add_device("sensor", sensor.name, link ? link : child_of(model, sensor.joint));
-    }
-    json_.end();
-  }
-
-  /// The link that a joint moves.
-  static std::optional<std::uint32_t> child_of(const LinkedModel& model,
-                                               const Field<std::string>& joint) {
-    const auto index = joint ? model.joint_names.find(*joint) : std::nullopt;
-    const auto child = index ? model.tree.joint_child[*index] : std::nullopt;
-    return child ? std::optional(static_cast<std::uint32_t>(to_size(*child))) : std::nullopt;
-  }
-
-  void add_device(std::string_view kind, const Field<std::string>& name,
-                  const std::optional<std::uint32_t>& link) {
-    if (!name || !link) return;
-    json_.begin_object();
-    json_.key("kind");
-    json_.text(kind);
-    add_name(name);
-    add_index("link", *link);
-    json_.end();
-  }
-
   void add_positions(const JointPositions& positions) {
     json_.key("positions");
     json_.begin_object();
@@ -258,8 +235,8 @@ class VersionData {
   void add_entity(std::size_t index) {
     const FlatInstance& entity = scene_.flat.instances[index];
     json_.begin_object();
-    add_text("path", entity.path);
-    add_text("type", entity.type);
+    json_.member("path", entity.path);
+    json_.member("type", entity.type);
     add_version();
     if (entity.model) add_index("model", models_before_ + *entity.model);
     if (entity.X_WE) add_pose("pose", *entity.X_WE);
@@ -274,8 +251,9 @@ class VersionData {
     const Span place = place_of(scene_.scene.entity(scene_.scene.instances[index]));
     for (const FlatShape& shape : entity.shapes) {
       json_.begin_object();
-      if (!shape.name.empty()) add_text("name", shape.name);
-      add_solid({shape.X_ES, shape.geometry, shape.color, place}, std::nullopt);
+      if (!shape.name.empty()) json_.member("name", shape.name);
+      add_solid({shape.X_ES, shape.geometry, shape.color, place}, std::nullopt, false);
+      if (!shape.color) name_own_textures(shape.geometry, place);
       json_.end();
     }
     json_.end();
@@ -305,34 +283,36 @@ class VersionData {
   }
 
   /// `around` is the box that is shown for a mesh that could not be read.
-  void add_solid(const LinkShape& shape, const std::optional<Box>& around) {
+  void add_solid(const LinkShape& shape, const std::optional<Box>& around, bool is_textured) {
     if (shape.X_LS != Pose{}) add_pose("pose", shape.X_LS);
     if (shape.color) {
       const Rgba& color = *shape.color;
-      numbers("color", {color[0], color[1], color[2], color[3]});
+      json_.member("color", {color[0], color[1], color[2], color[3]});
     }
     if (const auto* box = std::get_if<FlatBox>(&shape.geometry)) {
-      numbers("box", {box->size[0], box->size[1], box->size[2]});
+      json_.member("box", {box->size[0], box->size[1], box->size[2]});
     } else if (const auto* sphere = std::get_if<FlatSphere>(&shape.geometry)) {
-      numbers("sphere", {sphere->radius});
+      json_.member("sphere", {sphere->radius});
     } else if (const auto* cylinder = std::get_if<FlatCylinder>(&shape.geometry)) {
-      numbers("cylinder", {cylinder->radius, cylinder->length});
+      json_.member("cylinder", {cylinder->radius, cylinder->length});
     } else if (const auto* capsule = std::get_if<FlatCapsule>(&shape.geometry)) {
-      numbers("capsule", {capsule->radius, capsule->length});
+      json_.member("capsule", {capsule->radius, capsule->length});
     } else if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
-      numbers("plane", {plane->length, plane->width});
+      json_.member("plane", {plane->length, plane->width});
     } else if (const auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) {
-      add_mesh(*mesh, shape, around);
+      add_mesh(*mesh, shape, around, is_textured);
     } else if (const auto* map = std::get_if<FlatHeightmap>(&shape.geometry)) {
       losses_.unseen_shape(shape.span, shape.geometry, {});
       meshes_.add_unseen(map->file, "is a heightmap");
-      numbers("around",
-              {-map->length / 2, -map->width / 2, 0, map->length / 2, map->width / 2, map->height});
+      json_.member("around", {-map->length / 2, -map->width / 2, 0, map->length / 2, map->width / 2,
+                              map->height});
     }
   }
 
-  void add_mesh(const FlatMesh& mesh, const LinkShape& shape, const std::optional<Box>& around) {
-    const ViewerMeshes::Known& known = meshes_.find(mesh.file, shape.span);
+  void add_mesh(const FlatMesh& mesh, const LinkShape& shape, const std::optional<Box>& around,
+                bool is_textured) {
+    const ViewerMeshes::Known& known = is_textured ? meshes_.find_textured(mesh.file, shape.span)
+                                                   : meshes_.find(mesh.file, shape.span);
     if (known.index) {
       add_index("mesh", *known.index);
       if (mesh.scale != Vector3{1, 1, 1}) {
@@ -346,7 +326,7 @@ class VersionData {
     if (!around) return;
     const Vector3& low = around->low;
     const Vector3& high = around->high;
-    numbers("around", {low[0], low[1], low[2], high[0], high[1], high[2]});
+    json_.member("around", {low[0], low[1], low[2], high[0], high[1], high[2]});
   }
 
   void add_version() {
@@ -360,6 +340,7 @@ class VersionData {
   std::size_t models_before_, entities_before_;
   SceneLosses losses_;
   LinkFrames frames_;
+  std::set<std::string> lost_textures_;  ///< one is noted once, however many visuals have it
   ViewerMeshes& meshes_;
   ViewerImages& images_;
   JsonPrinter& json_;
@@ -375,8 +356,7 @@ std::optional<std::string> viewer_data(const SceneExport& scene, const SceneExpo
   versions.emplace_back(scene, nullptr, meshes, images, json);
   if (before != nullptr) versions.emplace_back(*before, &scene, meshes, images, json);
   json.begin_object(Layout::block);
-  json.key("scene");
-  json.text(path::file_name(scene.flat.scene));
+  json.member("scene", path::file_name(scene.flat.scene));
   json.key("models");
   json.begin_list(Layout::block);
   for (VersionData& version : versions) version.add_models();

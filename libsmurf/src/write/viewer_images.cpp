@@ -24,8 +24,11 @@ std::optional<ImageHead> head_of_jpeg(std::string_view bytes) {
     if (is_frame) {
       return ImageHead{"image/jpeg", number_at(bytes, at + 7, 2), number_at(bytes, at + 5, 2)};
     }
-    // 0xff may be repeated before a marker.
-    at += marker == 0xff ? 1 : 2 + number_at(bytes, at + 2, 2);
+    // The pixels, or the end of the image: the header is over.
+    if (marker == 0xda || marker == 0xd9) return std::nullopt;
+    // 0xff may be repeated before a marker, and a few markers have no length.
+    const bool is_alone = marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
+    at += marker == 0xff ? 1 : is_alone ? 2 : 2 + number_at(bytes, at + 2, 2);
   }
   return std::nullopt;
 }
@@ -73,12 +76,9 @@ void ViewerImages::print(JsonPrinter& json) const {
   json.begin_list(JsonPrinter::Layout::block);
   for (const Shown& image : shown_) {
     json.begin_object();
-    json.key("file");
-    json.text(image.file);
-    json.key("type");
-    json.text(image.type);
-    json.key("bytes");
-    json.text(image.bytes);
+    json.member("file", image.file);
+    json.member("type", image.type);
+    json.member("bytes", image.bytes);
     json.end();
   }
   json.end();

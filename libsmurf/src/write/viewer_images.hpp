@@ -2,9 +2,9 @@
 // The textures of a page that shows a scene. Each is written once, however many shapes use it.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "smurf/write_scene.hpp"
@@ -36,7 +36,7 @@ class ViewerImages {
   Known read(const std::string& file);
 
   const SceneExport& scene_;
-  std::unordered_map<std::string, Known> known_;
+  std::map<std::string, Known> known_;
   std::vector<Shown> shown_;
   std::uint64_t pixels_ = 0, bytes_ = 0;  ///< of all of them
 };

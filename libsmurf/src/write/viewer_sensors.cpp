@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/viewer_sensors.hpp"
 
-#include "base/ranges.hpp"
+#include "base/words.hpp"
+#include "convert/gazebo_sensors.hpp"
 #include "convert/import.hpp"
 #include "write/scene_parts.hpp"
 
 namespace smurf {
 namespace {
 
-using Names = std::initializer_list<std::string_view>;
-
 class Collector {
  public:
   explicit Collector(const LinkedModel& model) : model_(model) {}
 
   std::vector<ViewerSensor> collect() {
-    for (const xml::ElementId id : model_.robot->extensions) {
-      const xml::View gazebo(model_.robot->document, id);
-      if (gazebo.name() != "gazebo") continue;
-      for (const xml::View child : gazebo) {
-        if (child.name() == "sensor") of_gazebo(child, import::attribute_of(gazebo, "reference"));
-      }
-    }
+    for (const GazeboSensor& found : gazebo_sensors(*model_.robot)) of_gazebo(found);
     for (const Sensor& sensor : model_.annotations.sensors) of_annotation(sensor);
     return std::move(sensors_);
   }
@@ -37,8 +30,9 @@ class Collector {
     return joint ? carried_link(model_, *joint) : std::nullopt;
   }
 
-  void of_gazebo(xml::View element, std::string_view reference) {
-    const std::optional<std::size_t> link = link_or_child(reference);
+  void of_gazebo(const GazeboSensor& found) {
+    const xml::View element = found.element;
+    const std::optional<std::size_t> link = link_or_child(found.reference);
     if (!link) return;
     sensors_.push_back({std::string(import::attribute_of(element, "name")),
                         std::string(import::attribute_of(element, "type")) + " in <gazebo>", *link,
@@ -85,37 +79,48 @@ void print_number(JsonPrinter& json, std::string_view key, const std::optional<d
   json.number(*value);
 }
 
-void print_numbers(JsonPrinter& json, std::string_view key, std::initializer_list<double> values) {
-  json.key(key);
-  json.begin_list();
-  for (const double value : values) json.number(value);
-  json.end();
-}
-
-void print_text(JsonPrinter& json, std::string_view key, std::string_view text) {
-  json.key(key);
-  json.text(text);
-}
-
 void print_view(const SensorView& view, JsonPrinter& json) {
   const Vector3& p = view.X_LS.position;
   const Quaternion& q = view.X_LS.orientation;
-  if (view.X_LS != Pose{}) print_numbers(json, "pose", {p[0], p[1], p[2], q.w, q.x, q.y, q.z});
-  if (!view.why_unseen.empty()) print_text(json, "why", view.why_unseen);
+  if (view.X_LS != Pose{}) json.member("pose", {p[0], p[1], p[2], q.w, q.x, q.y, q.z});
+  if (!view.why_unseen.empty()) json.member("why", view.why_unseen);
   if (const auto& camera = view.camera) {
-    print_numbers(json, "camera", {camera->width, camera->height});
+    json.member("camera", {camera->width, camera->height});
     print_number(json, "nearest", camera->nearest);
     print_number(json, "farthest", camera->farthest);
   }
   if (const auto& scan = view.scan) {
-    print_numbers(json, "across", {scan->across.lowest, scan->across.highest, scan->across.count});
-    print_numbers(json, "up", {scan->up.lowest, scan->up.highest, scan->up.count});
+    json.member("across", {scan->across.lowest, scan->across.highest, scan->across.count});
+    json.member("up", {scan->up.lowest, scan->up.highest, scan->up.count});
     print_number(json, "nearest", scan->nearest);
     print_number(json, "farthest", scan->farthest);
   }
 }
 
-bool is_one_of(std::string_view name, Names names) { return ranges::contains(names, name); }
+std::set<const Sensor*> annotations_of(const std::vector<ViewerSensor>& sensors) {
+  std::set<const Sensor*> annotations;
+  for (const ViewerSensor& sensor : sensors) annotations.insert(sensor.annotation);
+  annotations.erase(nullptr);
+  return annotations;
+}
+
+/// The link that a joint moves.
+std::optional<std::uint32_t> child_of(const LinkedModel& model, const Field<std::string>& joint) {
+  const auto index = joint ? model.joint_names.find(*joint) : std::nullopt;
+  const auto child = index ? model.tree.joint_child[*index] : std::nullopt;
+  return child ? std::optional(static_cast<std::uint32_t>(to_size(*child))) : std::nullopt;
+}
+
+void print_device(std::string_view kind, const Field<std::string>& name,
+                  const std::optional<std::uint32_t>& link, JsonPrinter& json) {
+  if (!name || !link) return;
+  json.begin_object();
+  json.member("kind", kind);
+  json.member("name", *name);
+  json.key("link");
+  json.integer(*link);
+  json.end();
+}
 
 }  // namespace
 
@@ -124,10 +129,7 @@ std::vector<ViewerSensor> viewer_sensors(const LinkedModel& model) {
 }
 
 std::set<const Sensor*> sensors_on_page(const LinkedModel& model) {
-  std::set<const Sensor*> shown;
-  for (const ViewerSensor& sensor : viewer_sensors(model)) shown.insert(sensor.annotation);
-  shown.erase(nullptr);
-  return shown;
+  return annotations_of(viewer_sensors(model));
 }
 
 std::vector<xml::View> unshown_settings(xml::View sensor) {
@@ -139,10 +141,11 @@ std::vector<xml::View> unshown_settings(xml::View sensor) {
       unshown.push_back(child);
       continue;
     }
-    const Names shown =
-        is_camera ? Names{"horizontal_fov", "image", "clip"} : Names{"scan", "range"};
     for (const xml::View setting : child) {
-      if (!is_one_of(setting.name(), shown)) unshown.push_back(setting);
+      const bool is_setting_shown =
+          is_camera ? is_one_of(setting.name(), {"horizontal_fov", "image", "clip"})
+                    : is_one_of(setting.name(), {"scan", "range"});
+      if (!is_setting_shown) unshown.push_back(setting);
     }
   }
   return unshown;
@@ -166,25 +169,39 @@ bool is_shown(const Sensor& sensor, std::string_view key) {
                          "verticalOpeningAngle", "maxDistance"});
 }
 
+void print_devices(const LinkedModel& model, JsonPrinter& json) {
+  json.key("devices");
+  json.begin_list(JsonPrinter::Layout::block);
+  for (const Motor& motor : model.annotations.motors) {
+    print_device("motor", motor.name, child_of(model, motor.joint), json);
+  }
+  for (const Sensor& sensor : model.annotations.sensors) {
+    const auto link = sensor.link ? model.link_names.find(*sensor.link) : std::nullopt;
+    print_device("sensor", sensor.name, link ? link : child_of(model, sensor.joint), json);
+  }
+  json.end();
+}
+
 void print_sensors(const LinkedModel& model, JsonPrinter& json) {
   json.key("sensors");
   json.begin_list(JsonPrinter::Layout::block);
-  for (const ViewerSensor& sensor : viewer_sensors(model)) {
+  const std::vector<ViewerSensor> sensors = viewer_sensors(model);
+  for (const ViewerSensor& sensor : sensors) {
     json.begin_object();
-    print_text(json, "name", sensor.name);
-    print_text(json, "type", sensor.type);
+    json.member("name", sensor.name);
+    json.member("type", sensor.type);
     json.key("link");
     json.integer(static_cast<std::int64_t>(sensor.link));
     print_view(sensor.view, json);
     json.end();
   }
-  const std::set<const Sensor*> shown = sensors_on_page(model);
+  const std::set<const Sensor*> shown = annotations_of(sensors);
   for (const Sensor& sensor : model.annotations.sensors) {
     if (shown.contains(&sensor)) continue;
     json.begin_object();
-    print_text(json, "name", sensor.name.value_or({}));
-    print_text(json, "type", sensor.type.value_or({}));
-    print_text(json, "why", "it is on no link");
+    json.member("name", sensor.name.value_or({}));
+    json.member("type", sensor.type.value_or({}));
+    json.member("why", "it is on no link");
     json.end();
   }
   json.end();

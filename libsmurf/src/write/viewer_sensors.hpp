@@ -32,6 +32,8 @@ std::vector<xml::View> unshown_settings(xml::View sensor);
 /// Whether the page shows the setting of a key in the annotation of a sensor.
 bool is_shown(const Sensor& sensor, std::string_view key);
 
+/// Prints the motors and sensors of a model that move a link or are on one, for its tree.
+void print_devices(const LinkedModel& model, JsonPrinter& json);
 /// Prints the sensors of a model as web/viewer/scene.js describes them, and those that are not
 /// shown.
 void print_sensors(const LinkedModel& model, JsonPrinter& json);

@@ -3,11 +3,19 @@
 #include "base/readers.hpp"
 
 namespace smurf::readers {
+namespace {
+
+constexpr Fact kUnread[] = {
+    {&dart, Effect::ignores, "does not open textures", kRun, "/texture/@filename/"},
+};
+
+}  // namespace
 
 extern constinit const Reader dart{.name = "dart",
                                    .title = "DART",
                                    .basis = "6.12.1 (Debian 12), executed",
                                    .like = &urdfdom,
-                                   .version = "DART 6.12.1"};
+                                   .version = "DART 6.12.1",
+                                   .unread = kUnread};
 
 }  // namespace smurf::readers

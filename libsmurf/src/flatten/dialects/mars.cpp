@@ -2,8 +2,8 @@
 // MARS, with all its quirks: an include overwrites the keys of its entities
 // (SMURFLoader.cpp:350-380, 667-755), entities are created in an order of their own (580-637),
 // names are global, and what is not found is the world (SimEntity.cpp:344-501).
+#include <map>
 #include <queue>
-#include <unordered_map>
 
 #include "ast/scene_reader.hpp"
 #include "base/path.hpp"
@@ -138,7 +138,7 @@ class CreationOrder {
   const LinkedScene& scene_;
   std::vector<std::size_t> waiting_;
   std::vector<bool> is_created_;
-  std::unordered_map<std::string, std::vector<std::size_t>> dependents_;
+  std::map<std::string, std::vector<std::size_t>> dependents_;
   std::priority_queue<Turn, std::vector<Turn>, std::greater<>> ready_;
   std::vector<std::size_t> order_;
 };
@@ -338,7 +338,7 @@ class EntityReader {
   SceneReading result_;
   JointPoseTable poses_{result_.joint_poses};
   std::vector<std::string> notes_{1};  ///< by joint pose
-  std::unordered_map<std::string, InstanceIndex> first_of_name_;
+  std::map<std::string, InstanceIndex> first_of_name_;
   LinkFrames frames_;
 };
 

@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "base/rules.hpp"
 
 namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::refuses, "finds no robot after the declarations", kRun,
+     "#declarations"},
+    {&readers::mujoco, Effect::takes, "skips the declarations", kRun, "#declarations"},
+};
+
+}  // namespace
 
 extern constinit const Rule sml1013_dtd_or_xinclude{
     .id = "SML1013",
@@ -14,6 +24,7 @@ extern constinit const Rule sml1013_dtd_or_xinclude{
     .sources =
         "urdfdom and tinyxml2 9.0, executed (tinyxml2 issue 1082: unknown entities corrupt the "
         "text).",
+    .facts = kFacts,
     .blocks_building = true};
 
 }  // namespace smurf::rules

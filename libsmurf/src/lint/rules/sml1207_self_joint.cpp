@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 #include "lint/queries.hpp"
@@ -15,6 +17,15 @@ bool has_other_roots(const LinkedModel& model, std::string_view link) {
   return count > 1;
 }
 
+/// Whether no other joint leads to the link, so that readers that start at the root never reach it.
+bool is_apart(const LinkedModel& model, std::string_view link) {
+  const std::vector<urdf::Joint>& joints = model.robot->joints;
+  return !model.tree.roots.empty() &&
+         std::none_of(joints.begin(), joints.end(), [&](const urdf::Joint& joint) {
+           return joint.child.value_or("") == link && joint.parent.value_or("") != link;
+         });
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.parent || !joint.child || *joint.parent != *joint.child) return;
@@ -23,6 +34,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(joint.child.span,
                         title(joint) + " connects the link " + quoted(*joint.child) + " to itself");
     diagnostic.label(joint.parent.span, "the same link as parent");
+    if (is_apart(model, *joint.child)) diagnostic.construct = "apart";
     // The link that it should lead to is a root then, which is not reported for itself.
     if (has_other_roots(model, *joint.child)) {
       diagnostic.consequences.push_back(&rules::sml1204_several_roots);
@@ -34,6 +46,8 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes, "accepts it; programs that walk the tree never terminate",
      "urdfdom issue 154; check_urdf 3.0.1, run"},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+    {&readers::gazebo, Effect::loses, "does not reach the link from the root", kRun, "#apart"},
+    {&readers::dart, Effect::loses, "does not reach the link from the root", kRun, "#apart"},
     {&readers::gazebo, Effect::crashes, "crashes", kRun},
     {&readers::dart, Effect::crashes, "never terminates", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -26,7 +27,20 @@ constexpr std::string_view kNumbers[] = {"mu1",
                                          "springStiffness",
                                          "springReference",
                                          "fudgeFactor",
+                                         "laserRetro",
                                          kWhole};
+/// Numbers of sensors, which sdformat copies and then reads as those of SDF.
+struct SensorNumber {
+  std::string_view name;
+  double least, most;
+};
+constexpr double kAny = std::numeric_limits<double>::max();
+constexpr SensorNumber kSensorNumbers[] = {{"update_rate", -kAny, kAny},
+                                           {"horizontal_fov", 0.1, 6.283186},
+                                           {"near", 0, kAny},
+                                           {"far", 0.1, kAny},
+                                           {"width", -kAny, kAny},
+                                           {"height", -kAny, kAny}};
 constexpr std::string_view kFlags[] = {"true", "false", "1", "0", ""};
 
 std::from_chars_result read_number(std::string_view text, int& number) {
@@ -71,12 +85,42 @@ void check_value(const xml::View element, Findings& findings) {
   }
 }
 
+void check_sensor(const xml::View element, Findings& findings) {
+  for (const xml::View child : element) check_sensor(child, findings);
+  for (const SensorNumber& known : kSensorNumbers) {
+    if (known.name != element.name() || element.begin() != element.end()) continue;
+    const auto number = leading_number<double>(element.text());
+    if (!number || *number < known.least || *number > known.most) {
+      report(element, "sensor", findings);
+    }
+  }
+}
+
+/// A pose of the model has six numbers.
+void check_pose(const xml::View element, Findings& findings) {
+  const std::string_view text = element.text();
+  if (element.name() != "pose" || text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    return;
+  }
+  if (numbers_in(text).size() < 6) report(element, "pose", findings);
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View gazebo(model.robot->document, id);
-    if (gazebo.name() != "gazebo" || gazebo.attribute("reference") == nullptr) continue;
-    for (const xml::View element : gazebo) check_value(element, findings);
+    if (gazebo.name() != "gazebo") continue;
+    const xml::Attribute* reference = gazebo.attribute("reference");
+    const bool is_of_link = reference != nullptr && model.link_names.contains(reference->value());
+    for (const xml::View element : gazebo) {
+      if (reference == nullptr) {
+        check_pose(element, findings);
+      } else if (is_of_link && element.name() == "sensor") {
+        check_sensor(element, findings);
+      } else {
+        check_value(element, findings);
+      }
+    }
   }
 }
 
@@ -93,7 +137,7 @@ extern constinit const Rule sml1447_gazebo_value{
     .severity = Severity::warning,
     .summary = "An element for Gazebo contains a value that Gazebo cannot read.",
     .why = "An empty `mu1`, or a word in `dampingFactor`, ends the simulator.",
-    .remedy = "Write a number; `gravity` is `true` or `false`.",
+    .remedy = "Write a number, and six for a `pose`; `gravity` is `true` or `false`.",
     .check_model = check,
     .facts = kFacts};
 

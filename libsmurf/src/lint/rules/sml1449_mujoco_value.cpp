@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <array>
 #include <string>
 
@@ -33,10 +32,6 @@ bool is_at_most_one_number(std::string_view text) {
   std::size_t at = 0;
   const std::string_view first = next_word(text, at);
   return first.empty() || (is_number(first) && next_word(text, at).empty());
-}
-
-bool is_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
-  return ranges::contains(words, text);
 }
 
 bool is_readable(std::string_view name, std::string_view text) {

@@ -21,6 +21,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "does not open meshes", kRun},
+    {&readers::dart, Effect::takes, "loads it", kRun},
     {&readers::mujoco, Effect::refuses, "can make no convex hull of it, and refuses the model",
      kRun},
 };

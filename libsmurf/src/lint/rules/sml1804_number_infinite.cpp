@@ -20,6 +20,8 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@size/#not-positive"},
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@radius/#not-positive"},
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@length/#not-positive"},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body of such a mass", kRun,
+     "/mass/@value/#not-positive"},
     {&readers::mujoco, Effect::changes, "reads infinity", kRun},
     {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
 };

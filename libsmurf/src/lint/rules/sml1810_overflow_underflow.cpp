@@ -7,6 +7,9 @@ namespace {
 
 constexpr std::string_view kAsserts = "reads 0, and ends the process by an assertion";
 
+constexpr std::string_view kCannotRead = "cannot read the number, and refuses the file";
+constexpr std::string_view kComputes = "reads the number, and computes with it";
+
 constexpr Fact kFacts[] = {
     {&readers::dart, Effect::crashes, kAsserts, kRun, "/box/@size/#underflow"},
     {&readers::dart, Effect::crashes, kAsserts, kRun, "/sphere/@radius/#underflow"},
@@ -14,6 +17,21 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::crashes, kAsserts, kRun, "/cylinder/@length/#underflow"},
     {&readers::dart, Effect::crashes, kAsserts, kRun, "/mesh/@scale/#underflow"},
     {&readers::urdfdom, Effect::changes, "reads 0", kRun, "#underflow"},
+    {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/limit/@lower/#subnormal"},
+    {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/limit/@upper/#subnormal"},
+    {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/limit/@effort/#subnormal"},
+    {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/limit/@velocity/#subnormal"},
+    {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/inertia/@ixx/#subnormal"},
+    {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/inertia/@ixy/#subnormal"},
+    {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/inertia/@ixz/#subnormal"},
+    {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/inertia/@iyy/#subnormal"},
+    {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/inertia/@iyz/#subnormal"},
+    {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/inertia/@izz/#subnormal"},
+    {&readers::urdfdom, Effect::takes, "reads the number", kRun, "#subnormal"},
+    {&readers::urdfdom, Effect::changes, kComputes, kRun, "#too-large"},
+    {&readers::mujoco, Effect::changes, kComputes, kRun, "/origin/@xyz/#too-large"},
+    {&readers::mujoco, Effect::changes, kComputes, kRun, "/origin/@rpy/#too-large"},
+    {&readers::mujoco, Effect::changes, kComputes, kRun, "/axis/@xyz/#too-large"},
     {&readers::pybullet, Effect::changes, "reads 0", "Bullet UrdfParser.cpp (atof), run",
      "#underflow"},
     {&readers::pybullet, Effect::changes, "reads infinity", "Bullet UrdfParser.cpp (atof), run"},

@@ -50,6 +50,7 @@ constexpr Fact kFacts[] = {
      "#bobj"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#bobj"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#glb"},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#msh"},
     {&readers::mujoco, Effect::takes, "reads it", kRun, "#obj"},
     {&readers::mujoco, Effect::takes, "reads it", kRun, "#stl"},
     {&readers::mujoco, Effect::takes, "reads it", kRun, "#msh"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unordered_map>
+
+#include <map>
 
 #include "base/readers.hpp"
 #include "lint/reference_queries.hpp"
@@ -10,7 +11,7 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   // A model without motors is not meant to move in MARS.
   if (!can_judge(model, NameKind::motor) || model.annotations.motors.empty()) return;
-  std::unordered_map<std::string_view, const Motor*> by_joint;
+  std::map<std::string_view, const Motor*> by_joint;
   for (const Reference& one : findings.doubtful_references()) {
     const bool is_joint = one.is_known() && one.kind == NameKind::joint;
     if (!is_joint || annotation_place(model, one).section != "poses") continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <map>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "lint/annotation_queries.hpp"
@@ -9,7 +9,7 @@ namespace smurf::rules {
 namespace {
 
 /// How many instances have a motor, or a link, of a name.
-using Counts = std::unordered_map<std::string_view, int>;
+using Counts = std::map<std::string_view, int>;
 
 void count(const NameTable& table, int uses, Counts& counts) {
   for (const std::string_view name : table.names()) counts[name] += uses;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unordered_map>
+
+#include <map>
 
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
@@ -7,7 +8,7 @@
 namespace smurf::rules {
 namespace {
 
-using Silent = std::unordered_map<std::string_view, Span>;
+using Silent = std::map<std::string_view, Span>;
 
 template <class Entries>
 void add_silent(const LinkedModel& model, const Entries& entries, Silent& silent) {

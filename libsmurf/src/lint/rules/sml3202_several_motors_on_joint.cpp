@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unordered_map>
+
+#include <map>
 
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
@@ -8,7 +9,7 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  std::unordered_map<std::string_view, const Motor*> first;
+  std::map<std::string_view, const Motor*> first;
   for (const Motor& motor : model.annotations.motors) {
     if (!motor.joint) continue;
     const auto [found, is_new] = first.emplace(*motor.joint, &motor);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <set>
 #include <unordered_map>
-#include <unordered_set>
 
 #include "base/edits.hpp"
 #include "base/readers.hpp"
@@ -27,7 +27,7 @@ class ShapeNames {
 
  private:
   const ShapesOf& shapes_of_;
-  std::unordered_map<const urdf::Link*, std::unordered_set<std::string_view>> names_;
+  std::unordered_map<const urdf::Link*, std::set<std::string_view>> names_;
 };
 
 template <class Entries, class ShapesOf>

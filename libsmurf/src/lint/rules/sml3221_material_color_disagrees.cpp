@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 #include <cmath>
-#include <unordered_map>
+#include <map>
 
 #include "lint/annotation_queries.hpp"
 
@@ -16,7 +16,7 @@ bool differs(const Field<double>& component, double in_urdf) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  std::unordered_map<std::string_view, const urdf::Material*> colours;
+  std::map<std::string_view, const urdf::Material*> colours;
   for_each_material(model, [&](const urdf::Material& material) {
     if (material.name && material.rgba) colours.emplace(*material.name, &material);
   });

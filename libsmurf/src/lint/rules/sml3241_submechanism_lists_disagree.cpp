@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <set>
 #include <string>
-#include <unordered_set>
 
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
@@ -12,7 +12,7 @@ namespace {
 void check_list(const LinkedModel& model, const Submechanism& mechanism, std::string_view key,
                 const Field<NameList>& list, Findings& findings) {
   if (!list) return;
-  std::unordered_set<std::string_view> all;
+  std::set<std::string_view> all;
   for (const Spanned<std::string>& name : *mechanism.joint_names) all.insert(name.value);
   for (const Spanned<std::string>& name : *list) {
     // Unknown names are reported as possible misspellings.
@@ -26,7 +26,7 @@ void check_list(const LinkedModel& model, const Submechanism& mechanism, std::st
 
 /// Unknown and repeated names are reported; they may be misspellings of the missing ones.
 bool is_sound(const LinkedModel& model, const NameList& names) {
-  std::unordered_set<std::string_view> seen;
+  std::set<std::string_view> seen;
   return std::all_of(names.begin(), names.end(), [&](const Spanned<std::string>& name) {
     return model.joint_names.contains(name.value) && seen.insert(name.value).second;
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "ast/known_words.hpp"
 #include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
@@ -8,31 +9,16 @@
 namespace smurf::rules {
 namespace {
 
-constexpr std::string_view kTypes[] = {"PID",
-                                       "DC",
-                                       "generic_bldc",
-                                       "generic_dc",
-                                       "direct_torque",
-                                       "direct_effort",
-                                       "1",
-                                       "2",
-                                       "7",
-                                       "DirectEffort",
-                                       "FeedForwardEffort",
-                                       "ff_torque",  // MARS 2
-                                       "position",
-                                       "velocity",
-                                       "force"};  // Phobos 2
-
 void check(const LinkedModel& model, Findings& findings) {
   for (const Motor& motor : model.annotations.motors) {
     if (!motor.type) continue;
-    if (std::find(std::begin(kTypes), std::end(kTypes), *motor.type) != std::end(kTypes)) continue;
+    const auto is_type = [&](std::string_view type) { return type == *motor.type; };
+    if (std::any_of(std::begin(kMotorTypes), std::end(kMotorTypes), is_type)) continue;
     Diagnostic& diagnostic =
         findings.report(motor.type.span, quoted(*motor.type) + " is not a motor type");
     diagnostic.note("MARS runs " + subject("motor", motor) + " as a position controller");
     diagnostic.help("known types: PID, DC, generic_bldc, generic_dc, direct_torque, direct_effort");
-    if (const auto near = nearest(*motor.type, kTypes)) {
+    if (const auto near = nearest(*motor.type, kMotorTypes)) {
       diagnostic.help("did you mean " + quoted(*near) + "?");
       diagnostic.fixes.push_back(
           {Applicability::unsafe, {{within_quotes(model, motor.type.span), std::string(*near)}}});

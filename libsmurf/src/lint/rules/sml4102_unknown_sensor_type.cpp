@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "ast/known_words.hpp"
 #include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "lint/annotation_queries.hpp"
@@ -8,34 +9,13 @@
 namespace smurf::rules {
 namespace {
 
-constexpr std::string_view kTypes[] = {"JointPosition",
-                                       "JointVelocity",
-                                       "JointLoad",
-                                       "JointTorque",
-                                       "JointAVGTorque",
-                                       "NodePosition",
-                                       "NodeRotation",
-                                       "NodeVelocity",
-                                       "NodeAngularVelocity",
-                                       "NodeIMU",
-                                       "NodeCOM",
-                                       "NodeContact",
-                                       "NodeContactForce",
-                                       "MotorCurrent",
-                                       "Joint6DOF",
-                                       "CameraSensor",
-                                       "RaySensor",
-                                       "RotatingRaySensor",
-                                       "MultiLevelLaserRangeFinder",
-                                       "ScanningSonar",
-                                       "HapticField"};
 constexpr std::string_view kPhobosTypes[] = {"IMU", "GPS"};
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const Sensor& sensor : model.annotations.sensors) {
     if (!sensor.type) continue;
     const auto is_type = [&](std::string_view type) { return type == *sensor.type; };
-    if (std::any_of(std::begin(kTypes), std::end(kTypes), is_type)) continue;
+    if (std::any_of(std::begin(kSensorTypes), std::end(kSensorTypes), is_type)) continue;
     Diagnostic& diagnostic = findings.report(
         sensor.type.span, "MARS does not know the sensor type " + quoted(*sensor.type));
     diagnostic.note(
@@ -44,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
       diagnostic.construct = "phobos-sensor";
       diagnostic.note("Phobos knows it");
       diagnostic.help(*sensor.type == "IMU" ? "the type of MARS is `NodeIMU`" : "");
-    } else if (const auto near = nearest(*sensor.type, kTypes)) {
+    } else if (const auto near = nearest(*sensor.type, kSensorTypes)) {
       diagnostic.help("did you mean " + quoted(*near) + "?");
       diagnostic.fixes.push_back(
           {Applicability::unsafe, {{within_quotes(model, sensor.type.span), std::string(*near)}}});

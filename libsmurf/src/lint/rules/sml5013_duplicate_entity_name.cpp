@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unordered_map>
+
+#include <map>
 
 #include "base/readers.hpp"
 #include "link/scene_link.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
   for (const SceneFile& file : scene.scenes) {
-    std::unordered_map<std::string_view, const Entity*> first;
+    std::map<std::string_view, const Entity*> first;
     for (const Entity& entity : file.scene.entities) {
       if (!entity.name || entity.name->empty()) continue;
       if (kind_of(entity_type(entity)) == EntityKind::scene) continue;

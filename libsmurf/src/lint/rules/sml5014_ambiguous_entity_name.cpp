@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unordered_map>
+
+#include <map>
 
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
@@ -76,7 +77,7 @@ class Ambiguities {
 
   const LinkedScene& scene_;
   Findings& findings_;
-  std::unordered_map<std::string_view, Named> names_;
+  std::map<std::string_view, Named> names_;
 };
 
 void check(const LinkedScene& scene, Findings& findings) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unordered_map>
+
+#include <map>
 
 #include "base/readers.hpp"
 #include "link/scene_link.hpp"
@@ -30,7 +31,7 @@ void check_entities(yaml::View entities, Findings& findings) {
 
 /// MARS lets included scenes share a name, with each other and with an entity.
 void check_shared_names(const SceneFile& file, Findings& findings) {
-  std::unordered_map<std::string_view, bool> is_scene_by_name;
+  std::map<std::string_view, bool> is_scene_by_name;
   for (const Entity& entity : file.scene.entities) {
     if (!entity.name || entity.name->empty()) continue;
     const bool is_scene = kind_of(entity_type(entity)) == EntityKind::scene;

@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-class ViewerLooks {
+class AnnotatedLooks {
  public:
   struct Look {
     std::optional<Rgba> color;
@@ -18,7 +18,7 @@ class ViewerLooks {
   };
 
   /// Both must outlive this.
-  ViewerLooks(const LinkedModel& model, const FlatModel& flat);
+  AnnotatedLooks(const LinkedModel& model, const FlatModel& flat);
   Look of(const urdf::Visual& visual) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers of binary mesh files: little-endian, wherever they lie.
+// Little-endian numbers of binary files, wherever they lie.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,12 @@
 #include "base/bits.hpp"
 
 namespace smurf {
+
+/// Precondition: offset + 2 <= bytes.size().
+inline std::uint32_t read_uint16(std::string_view bytes, std::size_t offset) {
+  return static_cast<unsigned char>(bytes[offset]) |
+         std::uint32_t{static_cast<unsigned char>(bytes[offset + 1])} << 8U;
+}
 
 /// Precondition: offset + 4 <= bytes.size().
 inline std::uint32_t read_uint32(std::string_view bytes, std::size_t offset) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sources: MARS smurf.cpp:333-352 and 404-426, MaterialData.cpp:47-118.
-#include "write/viewer_looks.hpp"
+#include "write/annotated_looks.hpp"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 
 namespace smurf {
 
-ViewerLooks::ViewerLooks(const LinkedModel& model, const FlatModel& flat)
+AnnotatedLooks::AnnotatedLooks(const LinkedModel& model, const FlatModel& flat)
     : model_(model), flat_(flat), values_(model) {
   for (const MaterialAnnotation& entry : model.annotations.materials) {
     if (entry.name) annotations_.emplace(*entry.name, &entry);
@@ -18,7 +18,7 @@ ViewerLooks::ViewerLooks(const LinkedModel& model, const FlatModel& flat)
   }
 }
 
-ViewerLooks::Look ViewerLooks::of(const urdf::Visual& visual) const {
+AnnotatedLooks::Look AnnotatedLooks::of(const urdf::Visual& visual) const {
   Look look{color_of(visual, model_), texture_of(visual, model_, flat_)};
   std::string_view name;
   if (visual.material && visual.material->name) name = *visual.material->name;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "convert/sensor_pose.hpp"
+#include "convert/gazebo_sensors.hpp"
 
 #include <array>
 
 #include "base/numbers.hpp"
 #include "base/words.hpp"
+#include "convert/import.hpp"
 
 namespace smurf {
 namespace {
@@ -23,6 +24,20 @@ std::array<double, 6> numbers_of(xml::View element, std::string_view attribute) 
 }
 
 }  // namespace
+
+std::vector<GazeboSensor> gazebo_sensors(const urdf::Robot& robot) {
+  std::vector<GazeboSensor> sensors;
+  for (const xml::ElementId id : robot.extensions) {
+    const xml::View gazebo(robot.document, id);
+    if (gazebo.name() != "gazebo") continue;
+    for (const xml::View child : gazebo) {
+      if (child.name() == "sensor") {
+        sensors.push_back({child, import::attribute_of(gazebo, "reference")});
+      }
+    }
+  }
+  return sensors;
+}
 
 Pose sensor_pose(xml::View sensor) {
   if (const xml::View origin = sensor.child("origin")) {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is named by the attributes of extensions of URDF and of SRDF.
+#pragma once
+
+#include <string_view>
+
+#include "smurf/names.hpp"
+
+namespace smurf {
+
+/// What the value of an attribute names, such as a link for `reference` of <gazebo>. Empty when the
+/// element has no such attribute.
+NameKinds names_in_extension(std::string_view parent, std::string_view element,
+                             std::string_view attribute);
+
+}  // namespace smurf
