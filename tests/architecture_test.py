@@ -65,6 +65,10 @@ UNPORTABLE = {
     re.compile(r"\bstd::chars_format\b"): "base/floating.hpp",
 }
 REPLACEMENTS = {"base/ranges.hpp", "base/bits.hpp", "base/exact_math.hpp", "base/exact_math.cpp", "base/floating.cpp"}
+# Headers of a system, and the only files that include them. What std::filesystem does on Windows is not what base/places.hpp says.
+SYSTEM_HEADERS = re.compile(r"(dirent|fcntl|io|poll|shellapi|unistd|windows|winioctl)\.h|sys/.*\.h|filesystem")
+SYSTEM_FILES = re.compile(r"src/base/(places_posix\.cpp|system(_posix|_windows)?\.[ch]pp|windows_paths\.cpp)|"
+                          r"tools/common/process_(posix|windows)\.cpp|tools/smurf-load-check/")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 LONGEST_FILE = 500
 
@@ -82,10 +86,13 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/numbers.hpp",
     "base/path.hpp",
     "base/path_patterns.hpp",
+    "base/places.hpp",  # what differs between systems is there
     "base/quoted.hpp",
     "base/rules.hpp",
     "base/sanitizer.hpp",
     "base/suggest.hpp",
+    "base/system.hpp",
+    "base/windows_paths.hpp",
     "convert/mass_properties.hpp",
     "flatten/shapes.hpp",
     "link/kinematics.hpp",
@@ -111,7 +118,7 @@ def sources(folder):
 
 
 def is_standard(header):
-    return "/" not in header and "." not in header or header in {"dirent.h", "fcntl.h", "unistd.h", "sys/stat.h"}
+    return "/" not in header and "." not in header or SYSTEM_HEADERS.fullmatch(header)
 
 
 def check_include(path, stage, bracket, header):
@@ -172,6 +179,15 @@ def check_portable():
                     yield path, number, f"{found[0]} differs between systems; {replacement} does the same everywhere"
 
 
+def check_systems():
+    """What differs between systems is in few files."""
+    for path in [*sources(SOURCE), *sources(ROOT / "tools")]:
+        for number, line in code_lines(path):
+            include = INCLUDE.match(line)
+            if include and SYSTEM_HEADERS.fullmatch(include[2]) and not SYSTEM_FILES.search(path.as_posix()):
+                yield path, number, f"<{include[2]}> is for base/system.hpp and base/places.hpp"
+
+
 def check_public_headers():
     for path in sources(PUBLIC):
         for number, line in code_lines(path):
@@ -230,6 +246,7 @@ def main():
     faults = [
         *check_stage_files(),
         *check_portable(),
+        *check_systems(),
         *check_private_headers(),
         *check_public_headers(),
         *check_installed_headers(),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Finds out from the bytes of a Linux program on which systems it runs."""
+"""Finds out from the bytes of a program for Linux or Windows on which systems it runs."""
 import struct
 import sys
 import sysconfig
@@ -63,7 +63,22 @@ def _glibc_of(elf):
     return max([OLDEST_GLIBC, *((int(major), int(minor)) for major, minor, *_ in numbers)])
 
 
+def machine_of(content):
+    """Such as linux-aarch64, or win-amd64: what sysconfig.get_platform() says where the program runs."""
+    if is_for_windows(content):
+        return "win-amd64"
+    return f"linux-{Elf(content).machine}"
+
+
+def is_for_windows(content):
+    """A PE file for x86_64."""
+    header = struct.unpack_from("<I", content, 60)[0] if content.startswith(b"MZ") and len(content) >= 64 else 0
+    return header > 0 and content[header : header + 6] == b"PE\0\0\x64\x86"
+
+
 def _platforms(files):
+    if all(map(is_for_windows, files)):
+        return "win_amd64"
     if not all(content.startswith(b"\x7fELF\x02\x01") for content in files):
         return sysconfig.get_platform().replace("-", "_").replace(".", "_")
     elves = [Elf(content) for content in files]

@@ -32,12 +32,17 @@ class NoPrograms(Exception):
 def gather(work):
     """Two dictionaries, the programs and the module of this Python (or nothing): contents by name."""
     programs, modules = _find(work)
-    missing = [name for name in PROGRAMS if name not in programs]
+    missing = [name for name in PROGRAMS if name not in map(_plain, programs)]
     if missing == [OPTIONAL]:
         say(f"there is no {OPTIONAL} among them")
     elif missing:
         raise NoPrograms(f"there is no {' and no '.join(missing)} among them")
     return programs, modules
+
+
+def _plain(name):
+    """The name of a program without what Windows adds."""
+    return name.removesuffix(".exe")
 
 
 def _find(work):
@@ -59,12 +64,13 @@ def say(text):
 
 
 def system():
-    """Such as linux-x86_64."""
+    """Such as linux-x86_64 or win-amd64."""
     return sysconfig.get_platform()
 
 
 def from_folder(folder, module_folder):
-    programs = {name: (folder / name).read_bytes() for name in PROGRAMS if (folder / name).is_file()}
+    names = [name + suffix for name in PROGRAMS for suffix in ("", ".exe")]
+    programs = {name: (folder / name).read_bytes() for name in names if (folder / name).is_file()}
     module = module_folder / MODULE
     return programs, {MODULE: module.read_bytes()} if module.is_file() else {}
 
@@ -86,7 +92,7 @@ def from_release(archive, sum_):
     with tarfile.open(fileobj=io.BytesIO(content)) as files:
         members = {pathlib.PurePosixPath(member.name): member for member in files if member.isfile()}
         return {path.name: files.extractfile(member).read() for path, member in members.items()
-                if path.parent.name == "bin" and path.name in PROGRAMS}
+                if path.parent.name == "bin" and _plain(path.name) in PROGRAMS}
 
 
 def from_source(work, reason):

@@ -13,7 +13,9 @@
 import os
 import pathlib
 import shutil
+import subprocess
 import sys
+import sysconfig
 
 from .try_all import try_all
 
@@ -32,8 +34,10 @@ def find_program(name):
     """In the build folder or the prefix that the package is in, else on PATH; or None."""
     package = pathlib.Path(__file__).resolve().parent
     # TARGET/smurf of `pip install --target`, build/release/python/smurf and PREFIX/lib/python3/site-packages/smurf
-    for above in [package.parents[i] for i in (0, 1, 3) if i < len(package.parents)]:
-        program = above / "bin" / name
+    folders = [package.parents[i] / "bin" / name for i in (0, 1, 3) if i < len(package.parents)]
+    if os.name == "nt":  # ENVIRONMENT/Lib/site-packages/smurf
+        folders = [pathlib.Path(sysconfig.get_path("scripts"), f"{name}.exe")]
+    for program in folders:
         if program.is_file() and os.access(program, os.X_OK):
             return str(program)
     return shutil.which(name)
@@ -58,6 +62,8 @@ def main(arguments):
         print(f"smurf: the program {name} is neither beside this module nor on PATH; install it, or run\n"
               "smurf.check(path) in Python, which needs no program", file=sys.stderr)
         return 2
+    if os.name == "nt":  # where execv() does not wait
+        return subprocess.call([program, *arguments[1:]])
     os.execv(program, [name, *arguments[1:]])
 
 

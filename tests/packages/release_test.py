@@ -10,6 +10,7 @@ import sys
 import tarfile
 import tempfile
 import unittest
+import zipfile
 
 from local_release import PROGRAMS, ROOT, copy_of_project
 
@@ -42,6 +43,17 @@ class Release(unittest.TestCase):
             content[18:20] = (183).to_bytes(2, "little")
             program.write_bytes(content)
 
+    def build_for_windows(self):
+        """Programs with the header of Windows, and without the pages of shells."""
+        source = self.folder / "windows-source"
+        shutil.copytree(self.folder / "source", source)
+        for program in list((source / "bin").iterdir()):
+            header = b"MZ".ljust(60, b"\0") + (64).to_bytes(4, "little") + b"PE\0\0\x64\x86"
+            program.with_suffix(".exe").write_bytes(header)
+            program.unlink()
+        for page in PAGES[:4]:
+            shutil.rmtree(source / "share" / page.partition("/")[0], ignore_errors=True)
+
     def release(self, *arguments, output="out"):
         command = [ROOT / "scripts/release", *arguments, "--built", self.folder / "build", "--output", self.folder / output]
         environment = {name: value for name, value in os.environ.items() if not name.startswith(("SMURF_", "PYTHON"))}
@@ -71,12 +83,14 @@ class Release(unittest.TestCase):
     def test_a_release_with_a_tag(self):
         """With other scripts in place of the build and the tests. What pip makes of the tagged sources is the wheel."""
         self.build_for_arm64()
+        self.build_for_windows()
         project = self.folder / "project"
         (project / "scripts").mkdir(parents=True)
         copy_of_project(project)
         shutil.copy(ROOT / "scripts/release", project / "scripts")
         for name, text in (("setup", "exit 0"), ("static-libraries", "exit 0"), ("viewer", "exit 0"), ("test", f"cmake -S '{self.folder}/source' -B build/release"),
                            ("container", 'echo image >"$2"'), ("arm64", f"cmake -S '{self.folder}/arm64-source' -B build/arm64"),
+                           ("windows", f"cmake -S '{self.folder}/windows-source' -B build/windows"),
                            ("wasm", "mkdir -p build/wasm && echo packed >build/wasm/smurf-tools.tgz")):
             (project / "scripts" / name).write_text(f"#!/bin/sh\n{text}\n")
             (project / "scripts" / name).chmod(0o755)
@@ -95,9 +109,9 @@ class Release(unittest.TestCase):
         table = subprocess.run([*git, "show", f"v{VERSION}:python/backend/releases.sha256"], check=True, capture_output=True)
         self.assertEqual({file.name for file in out.glob("*.oci.tar")},
                          {f"smurf-lint-{VERSION}-linux-{machine}.oci.tar" for machine in ("x86_64", "aarch64")})
-        archives = table.stdout.decode().splitlines()[-2:]
+        archives = table.stdout.decode().splitlines()[-3:]
         self.assertLessEqual(set(archives), set((out / "SHA256SUMS").read_text().splitlines()))
-        self.assertEqual([line.rpartition(VERSION)[2] for line in archives], ["-linux-x86_64.tar.gz", "-linux-aarch64.tar.gz"])
+        self.assertEqual([line.rpartition(VERSION)[2] for line in archives], ["-linux-x86_64.tar.gz", "-linux-aarch64.tar.gz", "-win-amd64.tar.gz"])
         self.assertIn(f"{hashlib.sha256(b'packed' + os.linesep.encode()).hexdigest()}  smurf-tools.tgz",
                       (out / "SHA256SUMS").read_text().splitlines())
         build = "import sys, backend; backend.build_wheel(sys.argv[1])"
@@ -105,6 +119,9 @@ class Release(unittest.TestCase):
                        env=environment | {"PYTHONPATH": str(project / "python"), "SMURF_RELEASES": out.as_uri()})
         wheel = next(out.glob("*_x86_64.whl"))
         self.assertEqual(len(list(out.glob("*_aarch64.whl"))), 1)
+        with zipfile.ZipFile(next(out.glob("*-win_amd64.whl"))) as packed:
+            scripts = {name.rpartition("/")[2] for name in packed.namelist() if "/scripts/" in name}
+        self.assertEqual(scripts, {f"{program}.exe" for program in PROGRAMS})
         self.assertEqual((self.folder / wheel.name).read_bytes(), wheel.read_bytes())
         again = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
         self.assertEqual((again.returncode, again.stderr), (2, f"release: the tag v{VERSION} exists\n"))

@@ -262,6 +262,25 @@ class Pip(Case):
             wheel = next((self.folder / platform).iterdir())
             self.assertIn("_aarch64", wheel.name)
 
+    def test_what_pip_chooses_on_windows(self):
+        """Among wheels of both systems."""
+        (self.folder / "windows").mkdir()
+        for program in PROGRAMS:  # PE files without contents
+            header = b"MZ".ljust(60, b"\0") + (64).to_bytes(4, "little") + b"PE\0\0\x64\x86"
+            (self.folder / "windows" / f"{program}.exe").write_bytes(header)
+        for programs in (self.small, self.folder / "windows"):
+            self.assertEqual(self.build(SMURF_PREBUILT=str(programs)).returncode, 0)
+        environment = self.folder / "environment"
+        self.assertEqual(self.call(sys.executable, "-m", "venv", environment).returncode, 0)
+        done = self.call(environment / "bin/pip", "download", "--no-deps", "--only-binary=:all:", "--platform", "win_amd64",
+                         "-d", self.folder / "got", "smurf-tools", PIP_FIND_LINKS=str(self.folder / "out"))
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        wheel = next((self.folder / "got").iterdir())
+        self.assertTrue(wheel.name.endswith("-py3-none-win_amd64.whl"), wheel.name)
+        with zipfile.ZipFile(wheel) as packed:
+            scripts = {name.rpartition("/")[2] for name in packed.namelist() if "/scripts/" in name}
+        self.assertEqual(scripts, {f"{program}.exe" for program in PROGRAMS})
+
     def test_the_line_of_the_readme(self):
         """With a folder in place of the Python index."""
         self.assertEqual(self.build(SMURF_PREBUILT=str(self.small)).returncode, 0)

@@ -7,11 +7,13 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent / "wasm"))
 from built import skip_without  # noqa: E402
 
+WINE = shutil.which("wine64", path=os.environ["PATH"] + ":/usr/lib/wine")
 QEMU = "qemu-aarch64-static"
 ENVIRONMENT = {"PATH": os.environ["PATH"], "NO_COLOR": "1"}
 
@@ -29,15 +31,31 @@ class Native:
     def command(self, tool):
         return [self.folder / tool]
 
+    environment = ENVIRONMENT
+
     def run_alone(self, job):
         tool, arguments, folder = job
-        return subprocess.run([*self.command(tool), *arguments], cwd=folder, env=ENVIRONMENT, capture_output=True, check=False,
-                              stdin=subprocess.DEVNULL)
+        return subprocess.run([*self.command(tool), *arguments], cwd=folder, env=self.environment, capture_output=True,
+                              check=False, stdin=subprocess.DEVNULL)
 
     def run(self, job):
         """The exit code and the sums of both outputs."""
         done = self.run_alone(job)
-        return [done.returncode, sum_of(done.stdout), sum_of(done.stderr)]
+        return [done.returncode, sum_of(self.shared(done.stdout)), sum_of(self.shared(done.stderr))]
+
+    @staticmethod
+    def shared(data):
+        """What is printed or written, without what each system writes in its own way."""
+        return data
+
+
+def skip_without_program(emulator, program, tools, script):
+    if emulator is None or not program.exists():
+        print(f"SKIPPED: {script} builds what is tested here")
+        sys.exit(77)
+    if program.stat().st_mtime < (tools / "smurf-lint").stat().st_mtime:
+        print(f"SKIPPED: the programs are older than the native tools; {script} builds them again")
+        sys.exit(77)
 
 
 class Emulated(Native):
@@ -50,13 +68,31 @@ class Emulated(Native):
 
     @staticmethod
     def skip_without(tools, folder):
-        program = folder / "smurf-lint"
-        if shutil.which(QEMU) is None or not program.exists():
-            print("SKIPPED: scripts/arm64 builds what is tested here")
-            sys.exit(77)
-        if program.stat().st_mtime < (tools / "smurf-lint").stat().st_mtime:
-            print("SKIPPED: the programs are older than the native tools; scripts/arm64 builds them again")
-            sys.exit(77)
+        skip_without_program(shutil.which(QEMU), folder / "smurf-lint", tools, "scripts/arm64")
+
+
+class Windows(Native):
+    """Programs for Windows, which wine runs. It shows the root of this machine as the drive Z."""
+
+    tools = Emulated.tools
+
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.home = tempfile.TemporaryDirectory(prefix="smurf-wine-", ignore_cleanup_errors=True)
+        self.environment = ENVIRONMENT | {"WINEPREFIX": self.home.name, "WINEDEBUG": "-all", "HOME": self.home.name, "LC_ALL": "C.UTF-8",
+                                          "WINEDLLOVERRIDES": "mscoree,mshtml="}
+        self.run_alone(("smurf-lint", ["--version"], "/"))  # the first program has wine make its folders, and say so
+
+    def command(self, tool):
+        return [WINE, self.folder / f"{tool}.exe"]
+
+    @staticmethod
+    def shared(data):
+        return data.replace(b"/Z:/", b"/")
+
+    @staticmethod
+    def skip_without(tools, folder):
+        skip_without_program(WINE, folder / "smurf-lint.exe", tools, "scripts/windows")
 
 
 class WebAssembly(Native):
@@ -80,4 +116,4 @@ class WebAssembly(Native):
         return json.loads(self.process.stdout.readline())
 
 
-BUILDS = {"arm64": Emulated, "wasm": WebAssembly}
+BUILDS = {"arm64": Emulated, "windows": Windows, "wasm": WebAssembly}

@@ -3,6 +3,7 @@
 
 usage: parity_test.py FOLDER_OF_TOOLS wasm PACKAGE [CORPUS]
        parity_test.py FOLDER_OF_TOOLS arm64 FOLDER_OF_PROGRAMS [CORPUS]
+       parity_test.py FOLDER_OF_TOOLS windows FOLDER_OF_PROGRAMS [CORPUS]
 
 SMURF_PARITY_SHARD=K/N compares the K-th of N parts only.
 """
@@ -65,12 +66,12 @@ def comparison_jobs(roots):
         yield from (("smurf-diff", ["--format=json", str(old), str(new)], root) for old, new in zip(paths, paths[1:]))
 
 
-def written(folder):
+def written(folder, build):
     """What is in a folder, which is emptied."""
     found = {}
     for path in sorted(folder.rglob("*")):
         if path.is_file():
-            found[str(path.relative_to(folder))] = sum_of(path.read_bytes())
+            found[str(path.relative_to(folder))] = sum_of(build.shared(path.read_bytes()))
     for path in folder.iterdir():
         shutil.rmtree(path) if path.is_dir() else path.unlink()
     return found
@@ -104,8 +105,8 @@ def main():
         jobs = [*lint_jobs(roots), *conversion_jobs(roots, scratch), *comparison_jobs(roots)]
         jobs = [job for job in jobs if job[0] in other.tools][part - 1 :: parts]
         for job in jobs:
-            expected = [native.run(job), written(scratch)]
-            found = [other.run(job), written(scratch)]
+            expected = [native.run(job), written(scratch, native)]
+            found = [other.run(job), written(scratch, other)]
             if expected == found:
                 continue
             different += 1
@@ -114,7 +115,7 @@ def main():
                 if expected[0] == found[0]:
                     print("    in what was written:", expected[1], found[1])
                 show(native, other, job)
-                written(scratch)
+                written(scratch, other)
     print(f"{len(jobs) - different} of {len(jobs)} runs are equal")
     sys.exit(different > 0)
 

@@ -2,18 +2,15 @@
 #include "common/asset_copies.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 
 #include "base/limits.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
 #include "common/output.hpp"
 #include "smurf/check.hpp"
 
 namespace smurf::tools {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A path whose names need no quoting in any format.
 std::string plain(std::string_view written) {
@@ -50,17 +47,15 @@ std::string with_extension(const std::string& file, std::string_view extension) 
 /// anywhere, so it is not compared.
 bool is_behind_link(const AssetCopy& copy) {
   const std::string whole = copy.to();
-  std::error_code error;
   for (std::size_t end = copy.folder.size(); end != std::string::npos && end < whole.size();) {
     end = whole.find('/', end + 1);
-    if (fs::is_symlink(whole.substr(0, end), error)) return true;
+    if (places::is_link(whole.substr(0, end))) return true;
   }
   return false;
 }
 
 bool is_in_place(const AssetCopy& copy) {
-  std::error_code error;
-  return !is_behind_link(copy) && fs::equivalent(copy.from, copy.to(), error);
+  return !is_behind_link(copy) && places::is_same(copy.from, copy.to());
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <map>
 
+#include "base/system.hpp"
 #include "common/command.hpp"
 #include "common/output.hpp"
 #include "common/pages.hpp"
+#include "common/process.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -22,8 +24,8 @@ class CommandLine {
   }
 
   /// Returns an error message, or nullopt.
-  std::optional<std::string> parse(int argc, const char* const* argv) {
-    if (auto wrong = split(argc, argv)) return wrong;
+  std::optional<std::string> parse(const std::vector<std::string>& given) {
+    if (auto wrong = split(given)) return wrong;
     if (has("help") || has("version")) return std::nullopt;
     if (has("generate")) return set(options_[index_of("generate")], value_of("generate"));
     for (std::size_t i = 0; i < options_.size(); ++i) {
@@ -37,7 +39,7 @@ class CommandLine {
     }
     for (const std::string& operand : operands_) {
       if (!command_.set_operand) return "unexpected argument '" + operand + "'";
-      if (auto wrong = command_.set_operand(operand)) return wrong;
+      if (auto wrong = command_.set_operand(sys::from_user(operand))) return wrong;
     }
     return std::nullopt;
   }
@@ -79,7 +81,7 @@ class CommandLine {
   }
 
   /// Fills values_ and operands_.
-  std::optional<std::string> split(int argc, const char* const* argv) {
+  std::optional<std::string> split(const std::vector<std::string>& given) {
     // "-": operands keep their place; ":": the message about a missing value is ours.
     std::string letters = "-:";
     std::vector<std::string> names(options_.size());
@@ -93,10 +95,11 @@ class CommandLine {
       if (kind == required_argument) letters += ':';
     }
     table.push_back({});
-    std::vector<std::string> copies(argv, argv + argc);  // getopt_long() may write into them
+    std::vector<std::string> copies = given;  // getopt_long() may write into them
     std::vector<char*> arguments;
     for (std::string& copy : copies) arguments.push_back(copy.data());
     arguments.push_back(nullptr);
+    const int argc = static_cast<int>(given.size());
     opterr = 0;
     optind = 0;  // a process may parse several command lines
     for (int at = 1;; at = optind) {
@@ -110,7 +113,7 @@ class CommandLine {
         if (auto wrong = take(code, copies[to_size(at)], is_next)) return wrong;
       }
     }
-    operands_.insert(operands_.end(), argv + std::min(optind, argc), argv + argc);
+    operands_.insert(operands_.end(), given.begin() + std::min(optind, argc), given.end());
     return std::nullopt;
   }
 
@@ -154,9 +157,14 @@ class CommandLine {
       return long_name(option) + ": " + none_of(value, allowed);
     }
     if (!option.set) return std::nullopt;
-    auto wrong = option.set(value);
+    auto wrong = is_path(option) ? option.set(sys::from_user(value)) : option.set(value);
     if (wrong) *wrong = long_name(option) + ": " + *wrong;
     return wrong;
+  }
+
+  /// Of the names of values, these are the ones of paths.
+  static bool is_path(const Option& option) {
+    return option.metavar == "FILE" || option.metavar == "DIR" || option.metavar == "PATH";
   }
 
   std::string unknown(const std::string& argument) const {
@@ -180,7 +188,7 @@ class CommandLine {
 std::optional<ExitCode> parse_command_line(const Command& command, int argc,
                                            const char* const* argv) {
   CommandLine line(command);
-  if (auto wrong = line.parse(argc, argv)) {
+  if (auto wrong = line.parse(arguments_of(argc, argv))) {
     complain(command.name, *wrong);
     return kFailed;
   }

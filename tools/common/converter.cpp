@@ -2,12 +2,11 @@
 #include "common/converter.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "base/counted.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
 #include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/shared_options.hpp"
@@ -78,8 +77,7 @@ std::optional<std::string> Conversion::open(const std::string& path) {
     return std::nullopt;
   }
   path_ = path;
-  std::error_code ignored;
-  if (path != "-" && std::filesystem::is_directory(path, ignored)) {
+  if (path != "-" && places::is_folder(path)) {
     const auto found = find_in(path);
     if (!found) return std::nullopt;
     path_ = *found;

@@ -2,13 +2,10 @@
 // The result does not depend on the order in which a file system lists a folder.
 #include "common/discover.hpp"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <system_error>
@@ -16,6 +13,8 @@
 
 #include "base/limits.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
+#include "base/system.hpp"
 #include "common/input.hpp"
 #include "smurf/check.hpp"
 #include "smurf/file_reader.hpp"
@@ -31,15 +30,7 @@ bool is_sought(std::string_view path) {
 
 bool is_xacro(std::string_view path) { return path::to_lower(path::extension(path)) == ".xacro"; }
 
-enum class Entry : std::uint8_t { file, folder, link, other };
-
-/// The kind as the folder lists it, which saves a query of the file system for each entry.
-Entry kind_of_entry(const std::filesystem::directory_entry& entry) {
-  std::error_code vanished;
-  if (entry.is_symlink(vanished)) return Entry::link;
-  if (entry.is_directory(vanished)) return Entry::folder;
-  return entry.is_regular_file(vanished) ? Entry::file : Entry::other;
-}
+using places::Entry;
 
 class Search {
  public:
@@ -64,7 +55,7 @@ class Search {
     return true;
   }
 
-  bool is_new(const struct stat& status) {
+  bool is_new(const sys::Status& status) {
     return seen_.insert({status.st_dev, status.st_ino}).second;
   }
 
@@ -84,17 +75,19 @@ class Search {
   }
 
   void walk(const std::string& folder) {
-    struct stat status {};
-    if (::stat(folder.c_str(), &status) != 0) return fail(folder, errno);
+    sys::Status status{};
+    if (sys::stat(folder.c_str(), &status) != 0) return fail(folder, errno);
     if (!is_new(status)) return;
-    std::error_code error;
     std::map<std::string, Entry> entries;
-    std::filesystem::directory_iterator entry(folder, error);
-    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-      if (is_full()) return;
+    bool is_cut = false;
+    const std::error_code error = places::for_each_entry(folder, [&](std::string name, Entry kind) {
+      is_cut = is_full();
+      if (is_cut) return false;
       ++entries_;
-      entries.emplace(entry->path().filename().string(), kind_of_entry(*entry));
-    }
+      entries.emplace(std::move(name), kind);
+      return true;
+    });
+    if (is_cut) return;
     if (error) fail(folder, error.value());
     for (const auto& [name, kind] : entries) {
       if (!name.starts_with('.')) visit(path::join(folder, name), kind);
@@ -107,8 +100,8 @@ class Search {
     } else if (kind == Entry::folder) {
       if (!is_left_out(path, true)) walk(path);
     } else if (kind == Entry::file && is_sought(path)) {
-      struct stat status {};
-      if (::lstat(path.c_str(), &status) != 0) return fail(path, errno);
+      sys::Status status{};
+      if (sys::lstat(path.c_str(), &status) != 0) return fail(path, errno);
       add(path, status);
     } else if (kind == Entry::file && is_xacro(path) && !is_left_out(path, false)) {
       ++found_.xacro;
@@ -119,10 +112,10 @@ class Search {
   /// out and back. A link with the name of a model may lead elsewhere in the project; the reader of
   /// the model decides.
   void follow(const std::string& link) {
-    struct stat status {};
+    sys::Status status{};
     if (inside_.is_denied(link)) {
-      if (is_sought(link) && ::lstat(link.c_str(), &status) == 0) add(link, status);
-    } else if (::stat(link.c_str(), &status) != 0) {
+      if (is_sought(link) && sys::lstat(link.c_str(), &status) == 0) add(link, status);
+    } else if (sys::stat(link.c_str(), &status) != 0) {
       if (is_sought(link)) fail(link, errno);
     } else if (S_ISDIR(status.st_mode)) {
       // git treats a link as a file, wherever it leads.
@@ -132,7 +125,7 @@ class Search {
     }
   }
 
-  void add(const std::string& path, const struct stat& status) {
+  void add(const std::string& path, const sys::Status& status) {
     if (!is_left_out(path, false) && is_new(status)) found_.files.push_back(path);
   }
 
@@ -143,7 +136,7 @@ class Search {
   ConfinedFiles inside_;
   Found found_;
   std::vector<std::string> links_;
-  std::set<std::pair<dev_t, ino_t>> seen_;
+  std::set<std::pair<std::uint64_t, std::uint64_t>> seen_;
 };
 
 }  // namespace

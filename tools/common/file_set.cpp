@@ -1,37 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/file_set.hpp"
 
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
-#include <filesystem>
 #include <system_error>
 
 #include "base/path.hpp"
+#include "base/system.hpp"
 #include "smurf/repository.hpp"
 
 namespace smurf::tools {
 namespace {
 
+#ifdef O_PATH
 constexpr int kFolder = O_PATH | O_DIRECTORY | O_CLOEXEC;
+#else
+constexpr int kFolder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+#endif
 
 bool is_link(int folder, const std::string& name) {
-  struct stat status {};
-  return ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+  sys::Status status{};
+  return sys::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
          S_ISLNK(status.st_mode);
 }
 
 /// Whether the opened folder is another one than was judged before, because a link has replaced it.
 /// False when the system does not tell.
 bool is_elsewhere(int folder, const std::string& judged) {
-  std::error_code error;
-  const std::filesystem::path opened =
-      std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(folder), error);
-  if (error) return false;
-  return opened != std::filesystem::path(judged.empty() ? "/" : judged).lexically_normal();
+  const auto opened = sys::place_of(folder);
+  return opened && *opened != path::normalize(judged.empty() ? "/" : judged);
 }
 
 FileSet::Problem problem(const std::string& path, int error) {
@@ -40,13 +37,14 @@ FileSet::Problem problem(const std::string& path, int error) {
   return {path, std::generic_category().message(error), error == EEXIST};
 }
 
-/// By default a program may have 1,024 open files; it may raise that limit itself.
-void allow_open_files(std::size_t count) {
-  constexpr rlim_t kOthers = 64;
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= count + kOthers) return;
-  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, count + kOthers);
-  ::setrlimit(RLIMIT_NOFILE, &limit);  // what is not allowed shows when a file is opened
+/// Of names that models have chosen, a system may take one for a device.
+std::string_view why_no_path(std::string_view path) {
+  while (!path.empty()) {
+    const std::size_t end = std::min(path.find('/'), path.size());
+    if (const auto reason = sys::why_no_name(path.substr(0, end)); !reason.empty()) return reason;
+    path.remove_prefix(std::min(end + 1, path.size()));
+  }
+  return {};
 }
 
 }  // namespace
@@ -61,18 +59,18 @@ FileSet::~FileSet() {
     const char* const name = written.file.name().c_str();
     if (!is_done_ && written.is_placed) {
       if (written.replaces) {
-        ::renameat(folder, written.backup.c_str(), folder, name);
+        sys::renameat(folder, written.backup.c_str(), folder, name);
       } else {
-        ::unlinkat(folder, name, 0);
+        sys::unlinkat(folder, name, 0);
       }
     } else if (!written.backup.empty()) {
-      ::unlinkat(folder, written.backup.c_str(), 0);
+      sys::unlinkat(folder, written.backup.c_str(), 0);
     }
   }
   written_.clear();
   if (is_done_) return;
   for (auto made = made_folders_.rbegin(); made != made_folders_.rend(); ++made) {
-    ::unlinkat(made->first, made->second.c_str(), AT_REMOVEDIR);
+    sys::unlinkat(made->first, made->second.c_str(), AT_REMOVEDIR);
   }
 }
 
@@ -94,7 +92,7 @@ std::optional<FileSet::Problem> FileSet::write_for_now(bool overwrite) {
 }
 
 std::optional<FileSet::Problem> FileSet::prepare_all(bool overwrite) {
-  allow_open_files(2 * files_.size());  // each and its folder
+  sys::allow_open_files(2 * files_.size());  // each and its folder
   for (const OutputFile& file : files_) {
     if (auto found = prepare(file, overwrite)) return found;
   }
@@ -108,12 +106,18 @@ std::optional<FileSet::Problem> FileSet::prepare(const OutputFile& file, bool ov
   if (!followed.link_out.empty()) return Problem{shown, reason_of_link(followed.link_out)};
   const std::string judged =
       file.written_as.empty() ? followed.place : std::string(path::parent(followed.place));
+  if (const auto reason = why_no_path(file.path); !reason.empty()) {
+    return Problem{shown, std::string(reason)};
+  }
   int folder = -1;
   if (auto found = open_folder(file, judged, folder)) return found;
   Written& written = written_.emplace_back(folder, std::string(path::file_name(file.path)));
   written.shown = shown;
-  struct stat status {};
-  if (::fstatat(folder, written.file.name().c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) {
+  if (sys::kIgnoresCase && !names_.emplace(folder, path::to_lower(written.file.name())).second) {
+    return Problem{shown, "another new file has the same name but for its case"};
+  }
+  sys::Status status{};
+  if (sys::fstatat(folder, written.file.name().c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) {
     written.replaces = true;
     if (S_ISLNK(status.st_mode)) return problem(shown, ELOOP);
     if (!S_ISREG(status.st_mode)) {
@@ -137,7 +141,7 @@ std::optional<FileSet::Problem> FileSet::place(Written& written, bool is_last) {
     error = with_free_name(written.backup, [&](const std::string& name) {
       const int folder = written.file.folder();
       const char* const old = written.file.name().c_str();
-      return ::linkat(folder, old, folder, name.c_str(), 0) == 0 ? 0 : errno;
+      return sys::linkat(folder, old, folder, name.c_str(), 0) == 0 ? 0 : errno;
     });
     if (error != 0) written.backup.clear();
   }
@@ -155,7 +159,7 @@ std::optional<FileSet::Problem> FileSet::open_folder(const OutputFile& file,
   }
   Descriptor& users = folders_[path];
   if (!users.is_open()) {
-    users.reset(::open(path.c_str(), kFolder));
+    users.reset(sys::open(path.c_str(), kFolder));
     if (!users.is_open()) return problem(path, errno);
     if (is_elsewhere(users.number(), judged)) {
       return Problem{path, "another folder has taken its place meanwhile"};
@@ -183,10 +187,10 @@ std::optional<FileSet::Problem> FileSet::open_folder(const OutputFile& file,
 /// 0 or an errno; ELOOP for a link.
 int FileSet::open_below(int above, const std::string& name, int& folder) {
   if (name.empty() || name == "." || name == "..") return EINVAL;
-  if (missing_ == MissingFolders::make && ::mkdirat(above, name.c_str(), 0777) == 0) {
+  if (missing_ == MissingFolders::make && sys::mkdirat(above, name.c_str(), 0777) == 0) {
     made_folders_.emplace_back(above, name);
   }
-  folder = ::openat(above, name.c_str(), kFolder | O_NOFOLLOW);
+  folder = sys::openat(above, name.c_str(), kFolder | O_NOFOLLOW);
   if (folder >= 0) return 0;
   const int error = errno;
   return is_link(above, name) ? ELOOP : error;
@@ -194,10 +198,10 @@ int FileSet::open_below(int above, const std::string& name, int& folder) {
 
 /// 0 or an errno.
 int FileSet::make_all(const std::string& folder) {
-  struct stat status {};
-  if (folder.empty() || ::stat(folder.c_str(), &status) == 0) return 0;
+  sys::Status status{};
+  if (folder.empty() || sys::stat(folder.c_str(), &status) == 0) return 0;
   if (const int error = make_all(std::string(path::parent(folder))); error != 0) return error;
-  if (::mkdir(folder.c_str(), 0777) != 0) return errno;
+  if (sys::mkdir(folder.c_str(), 0777) != 0) return errno;
   made_folders_.emplace_back(AT_FDCWD, folder);
   return 0;
 }

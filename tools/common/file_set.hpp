@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,6 +64,7 @@ class FileSet {
 
   const std::vector<OutputFile>& files_;
   MissingFolders missing_;
+  std::set<std::pair<int, std::string>> names_;            ///< folder and name in small letters
   std::map<std::string, Descriptor> folders_;              ///< open, by path
   std::deque<Written> written_;                            ///< in the order of the files
   std::vector<std::pair<int, std::string>> made_folders_;  ///< with the folder around each

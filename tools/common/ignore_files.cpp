@@ -2,10 +2,9 @@
 #include "common/ignore_files.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 
 #include "base/path.hpp"
+#include "base/places.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -27,9 +26,7 @@ const IgnoreFiles::Level& IgnoreFiles::level_of(const std::string& folder) {
   level.folder = folder;
   const std::string above(path::parent(folder));
   if (above != folder) level.above = &level_of(above);
-  std::error_code ignored;
-  level.is_repository =
-      std::filesystem::exists(std::filesystem::symlink_status(path::join(folder, ".git"), ignored));
+  level.is_repository = places::has_entry(path::join(folder, ".git"));
   level.is_in_repository =
       level.is_repository || (level.above != nullptr && level.above->is_in_repository);
   const auto read = [&](std::string_view name) {

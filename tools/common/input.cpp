@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/input.hpp"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <filesystem>
 #include <system_error>
 
 #include "base/canonical_paths.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
+#include "base/system.hpp"
 #include "common/output.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/source.hpp"
@@ -26,7 +24,7 @@ constexpr std::string_view kXmlName = "stdin.urdf";
 int read_all(std::string& text, std::uint64_t most) {
   std::array<char, 65536> buffer{};
   while (true) {
-    const ssize_t count = ::read(0, buffer.data(), buffer.size());
+    const ssize_t count = sys::read(0, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return errno;
     if (count == 0) return 0;
@@ -88,15 +86,15 @@ std::optional<std::string> find_main_file(std::string_view tool, const std::stri
 
 std::optional<std::string> current_folder(std::string_view tool) {
   std::error_code error;
-  const std::filesystem::path folder = std::filesystem::current_path(error);
-  if (!error) return folder.generic_string();
+  auto folder = places::current_folder(error);
+  if (folder) return folder;
   complain(tool, "cannot tell the current folder: " + error.message());
   return std::nullopt;
 }
 
 InputFiles::InputFiles(const FileReader& behind) : behind_(behind) {
-  struct stat status {};
-  if (::fstat(0, &status) == 0 && S_ISREG(status.st_mode)) {
+  sys::Status status{};
+  if (sys::fstat(0, &status) == 0 && S_ISREG(status.st_mode)) {
     known_.insert({status.st_dev, status.st_ino});
   }
 }
@@ -114,15 +112,15 @@ bool InputFiles::is_file(const std::string& path) const {
 }
 
 void InputFiles::add(const std::string& path) const {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return;
+  sys::Status status{};
+  if (sys::stat(path.c_str(), &status) != 0) return;
   const std::lock_guard lock(mutex_);
   known_.insert({status.st_dev, status.st_ino});
 }
 
 bool InputFiles::contains(const std::string& path) const {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return false;
+  sys::Status status{};
+  if (sys::stat(path.c_str(), &status) != 0) return false;
   const std::lock_guard lock(mutex_);
   return known_.contains({status.st_dev, status.st_ino});
 }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/new_file.hpp"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <unistd.h>
-
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -19,7 +15,7 @@ std::string way_to(int descriptor) { return "/proc/self/fd/" + std::to_string(de
 int copy_all(int from, int to) {
   std::array<char, 65536> buffer;
   for (off_t at = 0;;) {
-    const ssize_t count = ::pread(from, buffer.data(), buffer.size(), at);
+    const ssize_t count = sys::pread(from, buffer.data(), buffer.size(), at);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return count == 0 ? 0 : errno;
     const int error = write_all(to, {buffer.data(), static_cast<std::size_t>(count)});
@@ -31,17 +27,16 @@ int copy_all(int from, int to) {
 }  // namespace
 
 void Descriptor::reset(int number) {
-  if (number_ >= 0) ::close(number_);
+  if (number_ >= 0) sys::close(number_);
   number_ = number;
 }
 
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
-    const ssize_t count = ::write(descriptor, text.data(), text.size());
+    const ssize_t count = sys::write(descriptor, text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0 && errno == EAGAIN) {  // someone made the shared terminal or pipe non-blocking
-      pollfd ready{descriptor, POLLOUT, 0};
-      ::poll(&ready, 1, -1);
+      sys::wait_until_writable(descriptor);
       continue;
     }
     if (count < 0) return errno;
@@ -54,16 +49,16 @@ int with_free_name(std::string& name, const std::function<int(const std::string&
   int error = EEXIST;
   static std::atomic<unsigned> next = 0;  // thousands of files may be replaced in one folder
   for (int attempt = 0; attempt < 1000 && error == EEXIST; ++attempt) {
-    name = ".smurf-" + std::to_string(::getpid()) + "-" + std::to_string(next++) + ".tmp";
+    name = ".smurf-" + std::to_string(sys::getpid()) + "-" + std::to_string(next++) + ".tmp";
     error = make(name);
   }
   return error;
 }
 
-int NewFile::write(std::string_view text, const std::optional<struct stat>& replaced) {
+int NewFile::write(std::string_view text, const std::optional<sys::Status>& replaced) {
   replaced_ = replaced;
   int error = open_nameless() == 0 ? 0 : open_named();
-  if (error == 0) error = adopt_owner();
+  if (error == 0 && replaced_) error = sys::adopt_owner(file_.number(), *replaced_);
   if (error == 0) error = write_all(file_.number(), text);
   return error != 0 ? error : flush();
 }
@@ -79,26 +74,26 @@ int NewFile::take_place() {
       temporary_.clear();
       const Descriptor nameless = std::move(file_);
       error = open_named();
-      if (error == 0) error = adopt_owner();
+      if (error == 0 && replaced_) error = sys::adopt_owner(file_.number(), *replaced_);
       if (error == 0) error = copy_all(nameless.number(), file_.number());
       if (error == 0) error = flush();
     }
     if (error != 0) return error;
   }
   if (!replaced_) {
-    if (::linkat(folder_, temporary_.c_str(), folder_, name_.c_str(), 0) == 0) return 0;
+    if (sys::linkat(folder_, temporary_.c_str(), folder_, name_.c_str(), 0) == 0) return 0;
     if (errno == EEXIST) return errno;
   }
-  if (::renameat(folder_, temporary_.c_str(), folder_, name_.c_str()) != 0) return errno;
+  if (sys::renameat(folder_, temporary_.c_str(), folder_, name_.c_str()) != 0) return errno;
   temporary_.clear();
   return 0;
 }
 
 int NewFile::open_nameless() {
 #ifdef O_TMPFILE
-  file_.reset(::openat(folder_, ".", O_TMPFILE | O_RDWR | O_CLOEXEC, 0666));
+  file_.reset(sys::openat(folder_, ".", O_TMPFILE | O_RDWR | O_CLOEXEC, 0666));
   if (!file_.is_open()) return errno;
-  if (::faccessat(AT_FDCWD, way_to(file_.number()).c_str(), F_OK, 0) == 0) return 0;
+  if (sys::Status status; sys::stat(way_to(file_.number()).c_str(), &status) == 0) return 0;
   file_.reset();
 #endif
   return ENOTSUP;
@@ -107,7 +102,7 @@ int NewFile::open_nameless() {
 int NewFile::open_named() {
   return with_free_name(temporary_, [&](const std::string& name) {
     constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-    file_.reset(::openat(folder_, name.c_str(), kNew, 0666));
+    file_.reset(sys::openat(folder_, name.c_str(), kNew, 0666));
     if (file_.is_open()) return 0;
     const int error = errno;
     temporary_.clear();
@@ -115,27 +110,19 @@ int NewFile::open_named() {
   });
 }
 
-int NewFile::adopt_owner() const {
-  if (!replaced_) return 0;
-  const int file = file_.number();
-  // The owner comes first, because the mode is meant for this owner. Only root may change it.
-  const bool is_given = ::fchown(file, replaced_->st_uid, replaced_->st_gid) == 0;
-  [[maybe_unused]] const bool is_kept =
-      is_given || ::fchown(file, static_cast<uid_t>(-1), replaced_->st_gid) == 0;
-  return ::fchmod(file, replaced_->st_mode & 0777U) == 0 ? 0 : errno;
+int NewFile::flush() const {
+  return sys::fsync(file_.number()) == 0 || errno == EINVAL ? 0 : errno;
 }
-
-int NewFile::flush() const { return ::fsync(file_.number()) == 0 || errno == EINVAL ? 0 : errno; }
 
 int NewFile::link_to(const std::string& name) const {
   const std::string file = way_to(file_.number());
-  const int failed = ::linkat(AT_FDCWD, file.c_str(), folder_, name.c_str(), AT_SYMLINK_FOLLOW);
+  const int failed = sys::linkat(AT_FDCWD, file.c_str(), folder_, name.c_str(), AT_SYMLINK_FOLLOW);
   return failed == 0 ? 0 : errno;
 }
 
 void NewFile::drop() {
   file_.reset();
-  if (!temporary_.empty()) ::unlinkat(folder_, temporary_.c_str(), 0);
+  if (!temporary_.empty()) sys::unlinkat(folder_, temporary_.c_str(), 0);
 }
 
 }  // namespace smurf::tools

@@ -2,13 +2,13 @@
 // Writes one file completely or not at all: to a temporary file first, which then gets the name.
 #pragma once
 
-#include <sys/stat.h>
-
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "base/system.hpp"
 
 namespace smurf::tools {
 
@@ -51,7 +51,7 @@ class NewFile {
   /// Returns 0 or an errno, such as that of a full disk. Takes over the permissions of a file that
   /// will be replaced and, as far as allowed, its owner and group; but not the setuid, setgid and
   /// sticky bits, which were given to the old content.
-  int write(std::string_view text, const std::optional<struct stat>& replaced);
+  int write(std::string_view text, const std::optional<sys::Status>& replaced);
 
   /// Returns 0 or an errno; EEXIST when another file has appeared meanwhile. Other names of a
   /// replaced file (hard links) keep the old content.
@@ -63,7 +63,6 @@ class NewFile {
  private:
   int open_nameless();
   int open_named();
-  int adopt_owner() const;
   int flush() const;
   int link_to(const std::string& name) const;
   void drop();
@@ -72,7 +71,7 @@ class NewFile {
   std::string name_;
   std::string temporary_;  ///< until it gets its name; "": none
   Descriptor file_;
-  std::optional<struct stat> replaced_;
+  std::optional<sys::Status> replaced_;
 };
 
 }  // namespace smurf::tools

@@ -2,29 +2,25 @@
 // write(2) and rename(2) instead of streams: every error is seen, and none is reported late.
 #include "common/output.hpp"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/ioctl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
+#include <chrono>
 #include <climits>
 #include <cstdlib>
-#include <filesystem>
 #include <optional>
 #include <system_error>
+#include <thread>
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
+#include "base/system.hpp"
 #include "common/file_set.hpp"
+#include "common/process.hpp"
 #include "render/printable.hpp"
 #include "smurf/repository.hpp"
 
 namespace smurf::tools {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// True for "/dev/stdout", and for "/dev/fd/63", which shells write for ">(command)". These are
 /// open already; opening the file behind them again would not be the same.
@@ -42,11 +38,11 @@ std::optional<int> open_descriptor(std::string_view path) {
 /// Writes to a device or pipe. If no program reads the pipe yet, waits at most one second for one.
 int write_directly(const std::string& path, std::string_view text) {
   constexpr int kMoments = 100;
-  constexpr int kMoment = 10;  // ms
+  constexpr std::chrono::milliseconds kMoment{10};
   Descriptor file;
   for (int i = 0; i <= kMoments && !file.is_open(); ++i) {
-    if (i > 0) ::poll(nullptr, 0, kMoment);
-    file.reset(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
+    if (i > 0) std::this_thread::sleep_for(kMoment);
+    file.reset(sys::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
     if (!file.is_open() && errno != ENXIO) return errno;
   }
   return file.is_open() ? write_all(file.number(), text) : ENXIO;
@@ -58,14 +54,14 @@ std::string reason_of(int error) {
 }
 
 bool is_device_or_pipe(const std::string& path) {
-  struct stat status {};
-  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+  sys::Status status{};
+  return sys::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) &&
+         !S_ISDIR(status.st_mode);
 }
 
 /// Returns why it failed, or "".
 std::string replace_file(const std::string& path, std::string_view text) {
-  std::error_code ignored;
-  if (path.ends_with('/') || fs::is_directory(path, ignored)) return reason_of(EISDIR);
+  if (path.ends_with('/') || places::is_folder(path)) return reason_of(EISDIR);
   const std::vector<OutputFile> files{named_by_user(path, text)};
   FileSet set(files, FileSet::MissingFolders::refuse);
   const auto problem = set.write(true);
@@ -82,7 +78,7 @@ bool wants_color(int descriptor) {
   if (is_set("FORCE_COLOR")) return std::string_view(std::getenv("FORCE_COLOR")) != "0";
   const char* terminal = std::getenv("TERM");
   if (terminal != nullptr && std::string_view(terminal) == "dumb") return false;
-  return ::isatty(descriptor) == 1;
+  return is_terminal(descriptor);
 }
 
 }  // namespace
@@ -106,9 +102,7 @@ std::string safe_name(std::string_view name) {
 }
 
 OutputFile named_by_user(const std::string& path, std::string_view text) {
-  std::error_code failed;
-  const fs::path target = fs::canonical(path, failed);
-  const std::string place = failed ? path : target.string();
+  const std::string place = places::canonical(path).value_or(path);
   return {std::string(path::parent(place)), std::string(path::file_name(place)), text, path};
 }
 
@@ -139,10 +133,7 @@ TextStyle style_for(Stream stream, ColorChoice choice) {
   TextStyle style;
   style.color = choice == ColorChoice::always ||
                 (choice == ColorChoice::automatic && wants_color(descriptor));
-  winsize size{};
-  if (::isatty(descriptor) == 1 && ::ioctl(descriptor, TIOCGWINSZ, &size) == 0) {
-    style.width = size.ws_col;
-  }
+  if (const auto width = terminal_width(descriptor)) style.width = *width;
   return style;
 }
 

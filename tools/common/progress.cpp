@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/progress.hpp"
 
-#include <unistd.h>
-
 #include <cstdlib>
 #include <string_view>
 
 #include "common/output.hpp"
+#include "common/process.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -21,7 +20,7 @@ std::string_view variable(const char* name) {
 }
 
 bool has_watcher() {
-  return ::isatty(STDERR_FILENO) == 1 && variable("CI").empty() && variable("TERM") != "dumb";
+  return is_terminal(2) && variable("CI").empty() && variable("TERM") != "dumb";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/system.hpp"
 #include "smurf/repository.hpp"
 
 namespace smurf::tools {
@@ -149,7 +150,7 @@ Setter append_report(std::vector<ReportRequest>& requests) {
     }
     ReportRequest request{format, {}};
     if (equals != std::string_view::npos) {
-      request.file = value.substr(equals + 1);
+      request.file = sys::from_user(value.substr(equals + 1));
       if (request.file.empty()) return "there is no file name after '='";
     }
     requests.push_back(std::move(request));

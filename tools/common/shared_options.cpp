@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
+#include "base/system.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -14,7 +15,7 @@ Setter set_package(std::map<std::string, std::string>& packages) {
     if (equals == std::string_view::npos || equals == 0 || equals + 1 == value.size()) {
       return "'" + std::string(value) + "' is not NAME=DIR";
     }
-    packages[std::string(value.substr(0, equals))] = value.substr(equals + 1);
+    packages[std::string(value.substr(0, equals))] = sys::from_user(value.substr(equals + 1));
     return std::nullopt;
   };
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <deque>
-#include <filesystem>
 #include <map>
 #include <set>
 
@@ -12,6 +11,7 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/path_patterns.hpp"
+#include "base/places.hpp"
 #include "common/discover.hpp"
 #include "common/ignore_files.hpp"
 #include "common/input.hpp"
@@ -24,11 +24,6 @@ namespace smurf::tools {
 namespace {
 
 constexpr std::string_view kTool = "smurf-lint";
-
-bool is_folder(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::is_directory(path, ignored);
-}
 
 /// The files that a configuration leaves out.
 struct Exclusions {
@@ -94,7 +89,7 @@ class Planner {
       fail("cannot read '" + options_.config + "': " + *reason);
     }
     const std::string& first = paths.front();
-    if (is_folder(first)) {
+    if (places::is_folder(first)) {
       config_of_folder(first);
     } else {
       config_of_entry(first == "-" ? options_.stdin_filename : first);
@@ -102,7 +97,7 @@ class Planner {
     for (const std::string& path : paths) {
       if (path == "-") {
         add_standard_input();
-      } else if (is_folder(path)) {
+      } else if (places::is_folder(path)) {
         add_folder(path);
       } else {
         add_named(path);

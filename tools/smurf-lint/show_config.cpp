@@ -2,11 +2,11 @@
 #include "smurf-lint/show_config.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
+#include "base/places.hpp"
 #include "common/input.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/plan.hpp"
@@ -195,8 +195,7 @@ ExitCode show_config(const LintOptions& options) {
   ConfinedFiles disk;
   confine_to_inputs(disk, options);
   const InputFiles files(disk);
-  std::error_code ignored;
-  if (!std::filesystem::exists(options.show_config, ignored)) {
+  if (!places::exists(options.show_config)) {
     complain(kTool, "there is no '" + options.show_config + "'");
     return kFailed;
   }

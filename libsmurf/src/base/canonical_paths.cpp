@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/canonical_paths.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <string_view>
-#include <system_error>
 
 #include "base/open_folder.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
+#include "base/system.hpp"
 
 namespace smurf {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::optional<std::string> looked_up(const std::string& path) {
-  std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(fs::absolute(path, error), error);
-  if (error) return std::nullopt;
-  return canonical.string();
+/// A path that names no drive is on that of the current folder.
+std::string root_of(const std::string& path) {
+  return sys::kIgnoresCase && sys::without_drive(path) == path ? places::absolute("/") : "/";
 }
 
 std::string inside(const std::string& folder, std::string_view name) {
@@ -61,7 +54,7 @@ std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) co
     start = path::parent(start);
     at = known(start);
   }
-  if (!at) at = start == "/" ? std::optional<std::string>("/") : looked_up(".");
+  if (!at) at = start == "/" ? std::optional(root_of(path)) : places::whole(".");
   if (!at) return std::nullopt;
   if (start.empty()) remember("", *at);
   int links = 0;
@@ -71,7 +64,9 @@ std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) co
   at = walk(*std::move(at), way, links, nullptr);
   if (at && !folder.empty()) remember(folder, *at);
   if (at) at = walk(*std::move(at), names.substr(way.size()), links, nullptr);
-  return at ? at : looked_up(path);
+  if (!at) return places::whole(path);
+  // The names of the system, not those that were asked for.
+  return sys::kIgnoresCase ? places::weakly_canonical(*at) : at;
 }
 
 /// Name by name from a canonical folder: what ".." means is seen from where the links before it
@@ -110,16 +105,14 @@ std::optional<std::string> CanonicalPaths::walk(std::string at, std::string_view
 }
 
 std::optional<std::string> canonical_now(const std::string& path) {
-  std::error_code error;
 #ifdef O_PATH
-  const int opened = ::open(path.c_str(), O_PATH | O_CLOEXEC);
+  const int opened = sys::open(path.c_str(), O_PATH | O_CLOEXEC);
   if (opened < 0) return std::nullopt;
-  const fs::path place = fs::read_symlink("/proc/self/fd/" + std::to_string(opened), error);
-  ::close(opened);
-  if (!error && place.is_absolute()) return place.string();
+  auto place = sys::place_of(opened);
+  sys::close(opened);
+  if (place && path::is_absolute(*place)) return place;
 #endif
-  const fs::path canonical = fs::canonical(path, error);
-  return error ? std::nullopt : std::optional(canonical.string());
+  return places::canonical(path);
 }
 
 std::string identity(const std::string& path, const CanonicalPaths& paths) {

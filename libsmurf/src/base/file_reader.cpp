@@ -2,10 +2,6 @@
 // read(2) into a buffer of the file's size: faster than streams.
 #include "smurf/file_reader.hpp"
 
-#include <dirent.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <map>
@@ -17,6 +13,7 @@
 #include "base/canonical_paths.hpp"
 #include "base/found_file.hpp"
 #include "base/path.hpp"
+#include "base/system.hpp"
 
 namespace smurf {
 namespace {
@@ -51,7 +48,7 @@ FileContent read_all(const FoundFile& found, std::uint64_t max_bytes) {
   std::size_t filled = 0;
   while (filled < content.text.size()) {
     const ssize_t count =
-        ::read(file.number(), content.text.data() + filled, content.text.size() - filled);
+        sys::read(file.number(), content.text.data() + filled, content.text.size() - filled);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return failure(errno);
     if (count == 0) break;  // the file shrank meanwhile
@@ -64,14 +61,7 @@ FileContent read_all(const FoundFile& found, std::uint64_t max_bytes) {
 std::vector<std::string> names_in(const FoundFile& found) {
   std::vector<std::string> names;
   if (found.error() != 0 || !S_ISDIR(found.status().st_mode)) return names;
-  const int opened = found.open();
-  DIR* folder = opened < 0 ? nullptr : ::fdopendir(opened);
-  if (folder == nullptr) return names;
-  while (const dirent* entry = ::readdir(folder)) {
-    const std::string_view name = entry->d_name;
-    if (name != "." && name != "..") names.emplace_back(name);
-  }
-  ::closedir(folder);
+  names = sys::names_in(found.open());
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -89,8 +79,9 @@ FileContent DiskFiles::read(const std::string& path, std::uint64_t max_bytes) co
 }
 
 bool DiskFiles::is_file(const std::string& path) const {
-  struct stat status {};
-  return !has_zero(path) && ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+  sys::Status status{};
+  return !has_zero(path) && sys::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
+         sys::is_named_so(path);
 }
 
 std::vector<std::string> DiskFiles::list(const std::string& folder) const {
@@ -98,8 +89,8 @@ std::vector<std::string> DiskFiles::list(const std::string& folder) const {
 }
 
 std::string DiskFiles::identity(const std::string& path) const {
-  struct stat status {};
-  if (has_zero(path) || ::stat(in_folder(path).c_str(), &status) != 0) {
+  sys::Status status{};
+  if (has_zero(path) || sys::stat(in_folder(path).c_str(), &status) != 0) {
     return path::normalize(path);
   }
   // The zero byte keeps an identity distinct from every path.
@@ -120,8 +111,8 @@ struct ConfinedFiles::Allowed {
     const std::string_view name = path::file_name(path);
     const std::string_view folder = path::parent(path);
     if (!name.starts_with('.') && files_in.contains(folder)) {
-      struct stat status {};
-      return ::stat(std::string(path).c_str(), &status) != 0 || !S_ISDIR(status.st_mode);
+      sys::Status status{};
+      return sys::stat(std::string(path).c_str(), &status) != 0 || !S_ISDIR(status.st_mode);
     }
     return !named.empty() && is_named(name, folder);
   }

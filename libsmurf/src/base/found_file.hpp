@@ -2,10 +2,10 @@
 // A file that was found, but not opened yet.
 #pragma once
 
-#include <sys/stat.h>
-
 #include <optional>
 #include <string>
+
+#include "base/system.hpp"
 
 namespace smurf {
 
@@ -30,7 +30,7 @@ class FoundFile {
 
   /// 0, or the errno of why nothing was found.
   int error() const { return error_; }
-  const struct stat& status() const { return status_; }
+  const sys::Status& status() const { return status_; }
   /// Where it really is, all links followed; none when it has no place in the file system.
   std::optional<std::string> real_path() const;
   /// A descriptor to read a regular file or a folder, or -1 with errno.
@@ -40,7 +40,7 @@ class FoundFile {
   std::string path_;
   mutable std::optional<std::string> looked_up_;  ///< where the system does not keep places
   Descriptor place_;
-  struct stat status_ {};
+  sys::Status status_{};
   int error_ = 0;
 };
 

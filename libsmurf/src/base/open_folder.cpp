@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/open_folder.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
 
 #include "base/path.hpp"
 #include "base/ranges.hpp"
+#include "base/system.hpp"
 
 namespace smurf {
 namespace {
@@ -22,14 +19,14 @@ constexpr int kFolder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
 }  // namespace
 
 void OpenFolder::become(int number) {
-  if (number_ >= 0) ::close(number_);
+  if (number_ >= 0) sys::close(number_);
   number_ = number;
 }
 
-void OpenFolder::open(const std::string& path) { become(::open(path.c_str(), kFolder)); }
+void OpenFolder::open(const std::string& path) { become(sys::open(path.c_str(), kFolder)); }
 
 void OpenFolder::enter(const std::string& name) {
-  if (is_open()) become(::openat(number_, name.c_str(), kFolder | O_NOFOLLOW));
+  if (is_open()) become(sys::openat(number_, name.c_str(), kFolder | O_NOFOLLOW));
 }
 
 void OpenFolder::enter_above(const std::string& above) {
@@ -41,9 +38,9 @@ void OpenFolder::enter_above(const std::string& above) {
 }
 
 bool OpenFolder::has(std::string_view name) const {
-  struct stat status {};
+  sys::Status status{};
   return is_open() &&
-         ::fstatat(number_, std::string(name).c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+         sys::fstatat(number_, std::string(name).c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
 }
 
 bool OpenFolder::has_any(std::span<const std::string_view> names) const {
@@ -53,7 +50,7 @@ bool OpenFolder::has_any(std::span<const std::string_view> names) const {
 std::optional<std::string> OpenFolder::target_of(const std::string& name) const {
   std::array<char, path::kLongest> target;
   const ssize_t size =
-      is_open() ? ::readlinkat(number_, name.c_str(), target.data(), target.size()) : -1;
+      is_open() ? sys::readlinkat(number_, name.c_str(), target.data(), target.size()) : -1;
   if (size < 0) return std::nullopt;
   return std::string(target.data(), static_cast<std::size_t>(size));
 }

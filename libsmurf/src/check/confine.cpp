@@ -4,22 +4,21 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <filesystem>
 #include <optional>
 #include <set>
 
 #include "base/canonical_paths.hpp"
 #include "base/open_folder.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
 #include "base/ranges.hpp"
+#include "base/system.hpp"
 #include "smurf/check.hpp"
 #include "smurf/config.hpp"
 #include "smurf/repository.hpp"
 
 namespace smurf {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// All of them are canonical folders.
 bool is_around(std::string_view around, std::string_view folder) {
@@ -28,23 +27,23 @@ bool is_around(std::string_view around, std::string_view folder) {
 }
 
 bool is_home(std::string_view folder) {
-  const std::string_view above = path::parent(folder);
-  if (above == "/home" || above == "/Users" || folder == "/root") return true;
+  const std::string_view below = sys::without_drive(folder);
+  const std::string_view above = path::parent(below);
+  if (above == "/home" || above == "/Users" || below == "/root") return true;
   static const std::string home = [] {
-    const char* variable = std::getenv("HOME");
+    const char* variable = sys::home();
     // The standard libraries disagree about empty paths.
     if (variable == nullptr || *variable == '\0') return std::string();
-    std::error_code error;
-    const fs::path found = fs::weakly_canonical(variable, error);
-    return error ? std::string() : found.string();
+    return places::weakly_canonical(variable).value_or("");
   }();
   return home.size() > 1 && home.starts_with('/') && is_around(folder, home);
 }
 
 /// True for a folder that confine() does not treat as one project, such as a home folder.
 bool is_shared(std::string_view folder) {
-  if (folder.size() <= 1 || is_home(folder)) return true;
-  return path::parent(folder) == "/" && !OpenFolder(std::string(folder)).has_any(kHistories);
+  const std::string_view below = sys::without_drive(folder);
+  if (below.size() <= 1 || is_home(folder)) return true;
+  return path::parent(below) == "/" && !OpenFolder(std::string(folder)).has_any(kHistories);
 }
 
 /// The root of the project if no folder were shared. Walks upwards folder by folder, because paths
@@ -75,13 +74,12 @@ std::string_view project_of(std::string_view folder) {
 /// The folder of an input; none when it is unknown. A link that leads out of its repository may
 /// have come with a pull request, so its target is not treated as a project of the user.
 std::optional<std::string> folder_of(const std::string& input) {
-  std::error_code error;
   const std::string link = link_out_of_repository(input);
   if (!link.empty()) return std::string(path::parent(link));
   const auto there = canonical_now(input);
-  const std::string place = there ? *there : fs::weakly_canonical(input, error).string();
-  if (error) return std::nullopt;
-  return fs::is_directory(place, error) ? place : std::string(path::parent(place));
+  const auto place = there ? there : places::weakly_canonical(input);
+  if (!place) return std::nullopt;
+  return places::is_folder(*place) ? *place : std::string(path::parent(*place));
 }
 
 constexpr std::array<std::string_view, 3> kRuleFiles = {".gitignore", ".smurf-lintignore",
@@ -126,10 +124,9 @@ void confine_to_projects(ConfinedFiles& files, std::span<const std::string> inpu
   }
   std::set<std::string> folders;
   std::set<std::string_view> seen;  // folders of files
-  std::error_code ignored;
   for (const std::string& input : inputs) {
     if (input.empty() || input == "-") continue;
-    const bool is_file = fs::is_regular_file(fs::symlink_status(input, ignored));
+    const bool is_file = places::is_plain_file(input);
     if (is_file && !seen.insert(path::parent(input)).second) continue;
     if (is_shared_folder(input) && link_out_of_repository(input).empty()) {
       for (const std::string_view name : kRuleFiles) files.allow_named(std::string(name), input);
@@ -141,9 +138,8 @@ void confine_to_projects(ConfinedFiles& files, std::span<const std::string> inpu
 }
 
 bool is_shared_folder(const std::string& path) {
-  std::error_code error;
   const auto folder = canonical_now(path);
-  return folder && fs::is_directory(*folder, error) && is_shared(*folder);
+  return folder && places::is_folder(*folder) && is_shared(*folder);
 }
 
 }  // namespace smurf

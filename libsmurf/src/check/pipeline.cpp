@@ -2,21 +2,19 @@
 #include "check/pipeline.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include "base/canonical_paths.hpp"
 #include "base/limits.hpp"
+#include "base/path.hpp"
+#include "base/places.hpp"
 #include "base/rules.hpp"
 #include "syntax/yaml_reader.hpp"
 
 namespace smurf {
 namespace {
-
-namespace fs = std::filesystem;
 
 template <class Linked>
 Judged take(const Linked& linked, const SourceMap& sources, DiagnosticSink& sink) {
@@ -29,13 +27,11 @@ Judged take(const Linked& linked, const SourceMap& sources, DiagnosticSink& sink
 
 /// Paths relative to the folder of a file; a file outside of it starts with "..".
 BaselinePath relative_to_folder_of(const std::string& file) {
-  std::error_code error;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(file, error), error).parent_path();
+  const std::string folder(path::parent(places::whole(file).value_or("")));
   return [folder](const std::string& path) {
-    std::error_code failed;
-    const fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
-    const fs::path relative = whole.lexically_relative(folder);
-    return failed || relative.empty() ? path : relative.generic_string();
+    const auto whole = places::whole(path);
+    const std::string relative = whole ? places::relative(*whole, folder) : std::string();
+    return relative.empty() ? path : relative;
   };
 }
 

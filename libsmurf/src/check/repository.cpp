@@ -2,20 +2,17 @@
 #include "smurf/repository.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
-#include <system_error>
 
 #include "base/canonical_paths.hpp"
 #include "base/open_folder.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
 #include "base/ranges.hpp"
 
 namespace smurf {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// The repository around folders, each of which is asked for once; "": none.
 class Repositories {
@@ -37,16 +34,16 @@ class Repositories {
   std::map<std::string, std::string> known_;
 };
 
-bool is_inside(const fs::path& path, const fs::path& folder) {
-  const fs::path inside = path.lexically_relative(folder);
-  return !inside.empty() && *inside.begin() != "..";
+bool is_inside(const std::string& path, const std::string& folder) {
+  const std::string inside = places::relative(path, folder);
+  return !inside.empty() && inside != ".." && !inside.starts_with("../");
 }
 
 /// `target` is where a link leads that lies in the repository at `root`; "": nowhere.
-bool leads_out(const fs::path& target, const fs::path& root) {
+bool leads_out(const std::string& target, const std::string& root) {
   if (root.empty()) return false;
   const auto has_target = [&](std::string_view history) {
-    return is_inside(target, root / history);
+    return is_inside(target, path::join(root, history));
   };
   return target.empty() || !is_inside(target, root) || ranges::any_of(kHistories, has_target);
 }
@@ -54,15 +51,13 @@ bool leads_out(const fs::path& target, const fs::path& root) {
 }  // namespace
 
 RepositoryPath in_repository() {
-  std::error_code error;
-  const fs::path here = fs::canonical(".", error);
-  const std::string above = Repositories().above(here.string());
-  const fs::path root = above.empty() ? here : fs::path(above);
+  const std::string here = places::canonical(".").value_or("");
+  const std::string above = Repositories().above(here);
+  const std::string root = above.empty() ? here : above;
   const auto find = [root](const std::string& path) {
-    std::error_code failed;
-    const fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
-    if (failed) return path;
-    return (is_inside(whole, root) ? whole.lexically_relative(root) : whole).generic_string();
+    const auto whole = places::whole(path);
+    if (!whole) return path;
+    return is_inside(*whole, root) ? places::relative(*whole, root) : *whole;
   };
   // Thousands of findings may be in one file, and each of them asks.
   return [find, known = std::map<std::string, std::string>()](const std::string& path) mutable {
@@ -73,11 +68,10 @@ RepositoryPath in_repository() {
 }
 
 FollowedPath follow(const std::string& path) {
-  std::error_code error;
   Repositories repositories;
   std::string at;  // without links
   OpenFolder open("/");
-  const std::string whole = fs::absolute(path, error).string();
+  const std::string whole = places::absolute(path);
   for (std::size_t begin = 0; begin < whole.size();) {
     const std::size_t end = std::min(whole.find('/', begin), whole.size());
     const std::string part = whole.substr(begin, end - begin);

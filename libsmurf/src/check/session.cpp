@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "base/path.hpp"
+#include "base/system.hpp"
 #include "check/group.hpp"
 #include "check/pipeline.hpp"
 #include "check/run.hpp"
@@ -27,8 +26,8 @@ void append_entries(const char* variable, std::string_view suffix, std::vector<s
   const char* value = std::getenv(variable);
   std::string_view rest = value == nullptr ? "" : value;
   while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(':'), rest.size());
-    if (end > 0) to.push_back(path::join(rest.substr(0, end), suffix));
+    const std::size_t end = std::min(rest.find(sys::kListSeparator), rest.size());
+    if (end > 0) to.push_back(path::join(sys::from_user(rest.substr(0, end)), suffix));
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
 }
@@ -56,8 +55,8 @@ std::string config_for(const std::string& path, const CheckSettings& settings,
 FileStamp stamp_on_disk(const std::string& path) {
   // A file that was just written may change again within the resolution of its time stamps.
   constexpr std::time_t kResolution = 2;  // s
-  struct stat status {};
-  if (path.find('\0') != std::string::npos || ::stat(path.c_str(), &status) != 0) {
+  sys::Status status{};
+  if (path.find('\0') != std::string::npos || sys::stat(path.c_str(), &status) != 0) {
     return {"missing " + std::to_string(errno), true};
   }
   std::string text = text_of(status.st_mtim) + " " + text_of(status.st_ctim);

@@ -6,6 +6,7 @@
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/system.hpp"
 #include "base/words.hpp"
 #include "smurf/references.hpp"
 
@@ -82,7 +83,7 @@ void rewrite_paths(const LinkedModel& model, const UrdfExport& options, XmlEdits
     if (!is_relative && (options.mesh_uri == MeshUri::rebase || !mesh.exists)) continue;
     const std::string target = path::join(options.current_folder, mesh.path);
     std::string uri = path::relative(target, folder);
-    if (options.mesh_uri == MeshUri::absolute) uri = target;
+    if (options.mesh_uri == MeshUri::absolute) uri = sys::for_others(target);
     if (options.mesh_uri == MeshUri::file) uri = "file://" + target;
     if (options.mesh_uri == MeshUri::package) {
       const std::string inside = path::relative(target, options.package_folder);

@@ -2,6 +2,7 @@
 #include "common/process.hpp"
 
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -68,6 +69,18 @@ void prepare_process() {
   prepare_streams();
   prepare_memory();
   std::set_new_handler(end_without_memory);
+}
+
+std::vector<std::string> arguments_of(int argc, const char* const* argv) {
+  return {argv, argv + argc};
+}
+
+bool is_terminal(int descriptor) { return ::isatty(descriptor) == 1; }
+
+std::optional<std::size_t> terminal_width(int descriptor) {
+  winsize size{};
+  if (!is_terminal(descriptor) || ::ioctl(descriptor, TIOCGWINSZ, &size) != 0) return std::nullopt;
+  return size.ws_col;
 }
 
 }  // namespace smurf::tools

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The calls of POSIX that open, name and replace files. Only the files of this name include the
+// headers of a system. On Windows they are written with its own functions (system_windows.cpp):
+// a drive is a folder of the root there, "/C:/robots/arm.urdf", so that a path has one form.
+#pragma once
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#ifndef _WIN32
+#include <unistd.h>
+#endif
+
+#include <cstddef>
+#include <cstdint>
+#include <ctime>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#ifdef _WIN32
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): the names of POSIX
+#define O_CLOEXEC 0
+#define O_NOCTTY 0
+#define O_NONBLOCK 0
+#define O_DIRECTORY 0x01000000
+#define O_NOFOLLOW 0x02000000
+#define AT_FDCWD (-100)
+#define AT_SYMLINK_NOFOLLOW 0x100
+#define AT_REMOVEDIR 0x200
+#define AT_SYMLINK_FOLLOW 0x400
+#define ESTALE ENOENT
+#define S_IFLNK 0xA000
+#define S_ISLNK(mode) (((mode)&S_IFMT) == S_IFLNK)
+// NOLINTEND(cppcoreguidelines-macro-usage)
+#endif
+
+namespace smurf::sys {
+
+#ifdef _WIN32
+/// Are "a.stl" and "A.stl" one file?
+inline constexpr bool kIgnoresCase = true;
+inline constexpr char kListSeparator = ';';
+
+struct Status {
+  std::uint64_t st_dev = 0;
+  std::uint64_t st_ino = 0;
+  unsigned st_mode = 0;
+  std::uint64_t st_nlink = 0;
+  std::int64_t st_size = 0;
+  ::timespec st_mtim{};
+  ::timespec st_ctim{};
+};
+
+int close(int number);
+int open(const char* path, int flags, int mode = 0);
+int openat(int folder, const char* name, int flags, int mode = 0);
+int stat(const char* path, Status* status);
+int lstat(const char* path, Status* status);
+int fstat(int number, Status* status);
+int fstatat(int folder, const char* name, Status* status, int flags);
+ssize_t readlinkat(int folder, const char* name, char* target, std::size_t size);
+ssize_t read(int number, void* to, std::size_t size);
+ssize_t pread(int number, void* to, std::size_t size, off_t at);
+ssize_t write(int number, const void* from, std::size_t size);
+int fsync(int number);
+int linkat(int folder, const char* name, int other_folder, const char* other_name, int flags);
+int renameat(int folder, const char* name, int other_folder, const char* other_name);
+int unlinkat(int folder, const char* name, int flags);
+int mkdirat(int folder, const char* name, int mode);
+int mkdir(const char* path, int mode);
+int getpid();
+#else
+inline constexpr bool kIgnoresCase = false;
+inline constexpr char kListSeparator = ':';
+
+using Status = struct ::stat;
+using ::close;
+using ::fstat;
+using ::fstatat;
+using ::fsync;
+using ::getpid;
+using ::linkat;
+using ::lstat;
+using ::mkdir;
+using ::mkdirat;
+using ::open;
+using ::openat;
+using ::pread;
+using ::read;
+using ::readlinkat;
+using ::renameat;
+using ::stat;
+using ::unlinkat;
+using ::write;
+#endif
+
+/// The names in an open folder, which it closes; not sorted, without "." and "..".
+std::vector<std::string> names_in(int folder);
+
+/// All links followed; none when nothing is there.
+std::optional<std::string> real_path(const std::string& path);
+
+/// Where an open file or folder is, when the system tells.
+std::optional<std::string> place_of(int number);
+
+/// Gives an open file the permissions and, as far as allowed, the owner and the group of another
+/// one, but not the setuid, setgid and sticky bits. 0 or an errno.
+int adopt_owner(int number, const Status& other);
+
+/// Waits until a terminal or pipe that someone made non-blocking takes more.
+void wait_until_writable(int number);
+
+/// By default a program of POSIX may have 1,024 open files; it may raise that limit itself.
+void allow_open_files(std::size_t count);
+
+/// Why no file of this system can have the name; "" when one can.
+std::string_view why_no_name(std::string_view name);
+
+/// A path as a person or a variable gives it: "C:\robots" becomes "/C:/robots" on Windows.
+std::string from_user(std::string_view path);
+
+/// A path as other programs take it: "C:/robots" on Windows.
+std::string_view for_others(std::string_view path);
+
+/// Is every name of the path written as the file system has it? On Windows it finds a file by names
+/// in another case too, but what other systems do not find is to be reported.
+bool is_named_so(const std::string& path);
+
+/// What is below the drive: "/robots" of "/C:/robots"; on other systems the path.
+std::string_view without_drive(std::string_view path);
+
+/// The variable of the environment that names the folder of the user.
+const char* home();
+
+}  // namespace smurf::sys
