@@ -29,6 +29,7 @@ class Rename(cli.CliTest):
 
     def test_all_files(self):
         done = self.expect(0, "--rename", "joint:elbow=elbow_left", "arm")
+        self.assertEqual(done.stderr, "smurf-lint: wrote 2 files: renamed 'elbow' to 'elbow_left'\n")
         self.assertIn("no findings", done.stdout)
         self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF.replace("elbow", "elbow_left"))
         self.assertEqual(self.read("arm/smurf/arm_motors.yml"),

@@ -267,8 +267,9 @@ class Refusal(ExportTest):
 
     def test_force(self):
         self.break_type()
-        self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf", "--force")
+        done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf", "--force")
         self.assertEqual(self.read("arm/urdf/o.urdf"), self.source())
+        self.assertIn("= note: converted because of --force, although ", done.stderr)
 
     def test_what_the_linter_is_told_to_let_pass(self):
         self.write("arm/urdf/arm.urdf", self.source().replace("<robot", "<!-- 100% -->\n<robot", 1))
@@ -296,6 +297,20 @@ class Refusal(ExportTest):
         self.expect_complaint("'hall.smurfs' is a scene; smurfs-flatten --format urdf exports it", "hall.smurfs")
         self.expect_complaint("'hall.smurfs' is a scene; smurfs-flatten --format urdf exports it", "-",
                               "--stdin-filename", "hall.smurfs", stdin="entities: []\n")
+
+    def test_files_that_are_no_models(self):
+        self.write("arm.urdf.xacro", "<robot/>")
+        self.expect_complaint("'arm.urdf.xacro' has to be expanded first: xacro FILE | smurf2urdf -", "arm.urdf.xacro")
+        self.expect_complaint("'arm/smurf/arm_motors.yml' is no model; name the .smurf file that lists it",
+                              "arm/smurf/arm_motors.yml")
+        self.expect_complaint("'arm/meshes/upper_arm.obj' is no model; name the .smurf or .urdf file that uses it",
+                              "arm/meshes/upper_arm.obj")
+
+    def test_missing_annotations_do_not_lose_the_robot(self):
+        self.write("m.smurf", "modelname: m\nfiles: [gone.urdf, gone.yml]\n")
+        done = self.run_with_messages(1, "m.smurf")
+        self.assertEqual(done.stderr.count("= note: not converted: its URDF cannot be read"), 1)
+        self.assertIn("smurf2urdf: 1 error: see smurf-lint m.smurf\n", done.stderr)
 
     def test_folders(self):
         """Scenes do not count, and neither do URDFs where there is a model."""

@@ -206,7 +206,7 @@ class Models(Diff):
         self.write("t.txt", "x")
         self.expect_complaint("cannot read 'gone.urdf': No such file or directory", "r.urdf", "gone.urdf")
         self.expect_complaint("'t.txt' is not a model, scene, URDF or annotation file", "t.txt", "r.urdf")
-        self.expect_complaint("'s.smurfs' and 'r.urdf' are a scene and a model, which cannot be compared", "s.smurfs", "r.urdf")
+        self.expect_complaint("'s.smurfs' is a scene and 'r.urdf' a model; a scene can only be compared with a scene", "r.urdf", "s.smurfs")
         self.expect_complaint("two inputs are compared, not 1; see --help", "r.urdf")
         self.expect_complaint("standard input can be one of them only", "-", "-")
         for broken, rule in (("broken.urdf", "SML1001"), ("m.smurf", "SML2001")):

@@ -238,6 +238,17 @@ class Fixes(LintTest):
         self.assertEqual((self.folder / "arm/urdf/arm.urdf").stat().st_mode & 0o777, 0o640)
         self.assertEqual(self.read("arm/smurf/arm_motors.yml"), BROKEN_MOTORS)
 
+    def test_no_fix_lists_a_file_twice(self):
+        """`arm_motors.yml` resembles the missing names, but the model lists it already."""
+        self.write("a.smurf", "files: [a.urdf, a_motor2.yml, a_motors.yml, a_motor3.yml]\n")
+        self.write("a.urdf", '<robot name="a"><link name="l"/></robot>\n')
+        self.write("a_motors.yml", "motors: []\n")
+        done = self.run_tool("--diff", "--unsafe-fixes", "a.smurf")
+        self.assertEqual(done.stdout, "")
+        self.write("a_motor4.yml", "motors: []\n")
+        done = self.run_tool("--diff", "--unsafe-fixes", "a.smurf")
+        self.assertIn("a_motor4.yml", done.stdout)
+
     def test_unsafe_fix_keeps_every_other_byte(self):
         before = BROKEN_MOTORS.replace("elbwo", "'elbwo'  # half right").replace("\n", "\r\n")
         self.write_model(motors="\ufeff" + before)
@@ -563,7 +574,7 @@ class Usage(LintTest):
                 ("two reports go to 'a'; give one a file of its own: --format json=FILE",
                  ["--format", "full=a", "--format", "json=a"]),
                 ("standard input can be read only once", ["-", "-"]),
-                ("--diff changes nothing, so it does not go with --fix", ["--diff", "--fix"]),
+                ("--diff shows what --fix would change; leave out --fix", ["--diff", "--fix"]),
                 ("--unsafe-fixes goes with --fix, --fix-only or --diff", ["--unsafe-fixes"]),
                 ("cannot read '--x': No such file or directory", ["--", "--x"]),
                 ("cannot read 'a\\u001bb': No such file or directory", ["a\x1bb"]),

@@ -134,6 +134,29 @@ class Output(FlattenTest):
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn(self.REFUSED, done.stderr)
 
+    def test_what_only_mars_fails_on_is_written_for_others(self):
+        """MARS loads no primitive in an included scene; its pose is known all the same."""
+        self.write("inner.smurfs", "entities:\n- {name: box, type: primitive, geometry: {type: box}, "
+                   "extend: {x: 1, y: 1, z: 1}, mass: 2, position: {x: 3}}\n")
+        done = self.run_tool("outer.smurfs")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("SML5207", done.stderr)
+        self.assertEqual(json.loads(done.stdout)["instances"][0]["position"], [3, 0, 0])
+
+    def test_the_extension_of_the_output_chooses_the_format(self):
+        self.run_tool("scene.smurfs", "-o", "scene.sdf")
+        self.assertTrue(self.read("scene.sdf").startswith("<?xml"))
+        self.run_tool("scene.smurfs", "-o", "scene.txt")
+        self.assertEqual(len(json.loads(self.read("scene.txt"))["instances"]), 2)
+        self.run_tool("scene.smurfs", "-o", "flat.sdf", "--format", "json")
+        self.assertEqual(len(json.loads(self.read("flat.sdf"))["instances"]), 2)
+
+    def test_files_that_are_no_scenes(self):
+        self.write("box.obj", "v 0 0 0\n")
+        self.write("box.xacro", "<robot/>")
+        self.expect_complaint("'box.obj' is no model; name the .smurf or .urdf file that uses it", "box.obj")
+        self.expect_complaint("'box.xacro' has to be expanded first: xacro FILE | smurfs-flatten -", "box.xacro")
+
     def test_what_a_robot_loses_refuses_the_scene(self):
         """A value that cannot be read, a robot without a tree, a named pose; not a motor."""
         self.write("models/box.smurf", "modelname: box\nfiles: [box.urdf, box_poses.yml, box_motors.yml]\n")

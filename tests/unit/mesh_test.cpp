@@ -297,10 +297,12 @@ TEST_CASE("mesh: what is broken, and where") {
   CHECK(defect("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n") ==
         "5: the file ends where `vertex` is expected");
 
-  CHECK(defect(replaced(obj(), "f 1//1", "f 9//1")) == "13: a face names the vertex 9 of 8");
+  CHECK(defect(replaced(obj(), "f 1//1", "f 9//1")) ==
+        "13: a face uses vertex 9, but the file has only 8");
   CHECK(defect(replaced(obj(), "f 1//1", "f 0//1")) ==
         "13: the corner `0//1` of a face is not an index");
-  CHECK(defect("v 0 0 0\nf -2 1 1\n") == "2: a face names the vertex -2, but 1 come before it");
+  CHECK(defect("v 0 0 0\nf -2 1 1\n") ==
+        "2: a face uses vertex -2, but the file has only 1 before it");
   CHECK(defect("v 0 0\n") == "1: a vertex has fewer than three coordinates");
   CHECK(defect("v 0 0 1,5\n") == "1: the coordinate `1,5` is not a number");
   CHECK(defect("v 0 0 0\nf 1 1\n") == "2: a face has fewer than three corners");

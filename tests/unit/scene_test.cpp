@@ -249,6 +249,7 @@ TEST_CASE("findings say what to do") {
     return loaded.diagnostics[0].help_text;
   };
   CHECK(help("parent: Base") == "write `Base::foot`");
+  CHECK(help("parent: Bass") == "did you mean `Base::foot`?");
   CHECK(help("parent: \"Bass::hook\"") == "did you mean `Base::hook`?");
   CHECK(help("parent: \"Base::hok\"") == "did you mean `Base::hook`?");
   CHECK(help("parent: \"Base::boom_hull\"") == "name its link: `Base::boom`");

@@ -64,10 +64,32 @@ std::optional<std::string> Conversion::find_in(const std::string& folder) const 
 
 bool Conversion::is_accepted(const std::string& path) const {
   const InputKind kind = input_kind(path);
-  const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;
-  if (!is_scene || std::find(kinds_.begin(), kinds_.end(), InputKind::scene) != kinds_.end())
-    return true;
-  complain(tool_, "'" + path + "' is a scene; smurfs-flatten --format urdf exports it");
+  const auto takes = [&](InputKind one) {
+    return std::find(kinds_.begin(), kinds_.end(), one) != kinds_.end();
+  };
+  const bool takes_models = takes(InputKind::model);
+  std::string problem;
+  switch (kind) {
+  case InputKind::model:
+  case InputKind::urdf: return true;
+  case InputKind::scene:
+  case InputKind::drawing:
+    if (takes(InputKind::scene)) return true;
+    problem = " is a scene; smurfs-flatten --format urdf exports it";
+    break;
+  case InputKind::annotation:
+    problem = takes_models ? " is no model; name the .smurf file that lists it" : " is no URDF";
+    break;
+  case InputKind::resource:
+    problem =
+        takes_models ? " is no model; name the .smurf or .urdf file that uses it" : " is no URDF";
+    break;
+  case InputKind::other:
+    if (path::to_lower(path::extension(path)) != ".xacro") return true;
+    problem = " has to be expanded first: xacro FILE | " + std::string(tool_) + " -";
+    break;
+  }
+  complain(tool_, "'" + path + "'" + problem);
   return false;
 }
 
@@ -174,7 +196,11 @@ std::string Conversion::render_for_people(const Report& report, const LossOf& lo
     const auto loss = loss_of(finding);
     if (loss || (!options_.quiet && is_told(finding, sources))) {
       Diagnostic shown = finding;
-      if (loss) shown.notes.push_back("not converted: " + *loss);
+      if (loss) {
+        shown.notes.push_back(
+            (options_.force ? "converted because of --force, although " : "not converted: ") +
+            *loss);
+      }
       text += render_full(shown, sources, style);
     } else {
       rest.push_back(finding);

@@ -30,6 +30,7 @@ struct ConverterOptions {
   bool allow_outside = false;  ///< read files that models name, wherever they are
   Limits limits;
   bool quiet = false;
+  bool force = false;                  ///< convert although findings make the result wrong
   std::vector<const Reader*> targets;  ///< readers of the result; empty: all
 };
 

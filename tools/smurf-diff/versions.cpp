@@ -93,8 +93,10 @@ Compared compare_versions(Session& session, const Version& before, const Version
                           const Options& options) {
   Compared result;
   if (is_scene(before.path) != is_scene(after.path)) {
-    result.problem = "'" + before.shown + "' and '" + after.shown +
-                     "' are a scene and a model, which cannot be compared";
+    const Version& scene = is_scene(before.path) ? before : after;
+    const Version& model = is_scene(before.path) ? after : before;
+    result.problem = "'" + scene.shown + "' is a scene and '" + model.shown +
+                     "' a model; a scene can only be compared with a scene";
     return result;
   }
   CheckSettings settings;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/path.hpp"
 #include "render/wrap.hpp"
 #include "smurf-lint/options.hpp"
 #include "smurf/format.hpp"
@@ -77,7 +78,11 @@ std::string keys_called(std::string_view name) {
 
 }  // namespace
 
-std::string explanation(std::string_view what, const TextStyle& style) {
+std::string explanation(std::string_view name, const TextStyle& style) {
+  // Ids may be written in lower case.
+  std::string id = path::to_lower(name);
+  if (id.starts_with("sml")) id.replace(0, 3, "SML");
+  const std::string_view what = id.starts_with("SML") ? std::string_view(id) : name;
   if (const Rule* rule = find_rule(what)) return render_rule(*rule, style);
   const std::vector<const Rule*> rules = family(what);
   if (rules.size() == 1) return render_rule(*rules.front(), style);

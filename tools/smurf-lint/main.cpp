@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "base/counted.hpp"
 #include "base/limits.hpp"
 #include "common/input.hpp"
 #include "common/process.hpp"
@@ -165,6 +166,13 @@ ExitCode rename(const LintOptions& options, const LintPlan& plan, Session& sessi
                 const Changes& changes, const Report& found) {
   if (options.diff) return show_diff(options, changes);
   if (!write_all(options, plan, session, changes)) return kFailed;
+  if (!options.quiet) {
+    std::string renames;
+    for (const Rename& one : options.renames) {
+      renames += (renames.empty() ? "'" : ", '") + one.from + "' to '" + one.to + "'";
+    }
+    complain(kTool, "wrote " + counted(changes.size(), "file") + ": renamed " + renames);
+  }
   if (options.fix_only) return kDone;
   return report(options, plan, {found, session}, 0);
 }

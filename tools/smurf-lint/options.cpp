@@ -406,7 +406,8 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
     return "standard input can be read only once";
   }
   if (options.diff && (options.fix || options.fix_only)) {
-    return "--diff changes nothing, so it does not go with --fix";
+    return "--diff shows what --fix would change; leave out " +
+           std::string(options.fix ? "--fix" : "--fix-only");
   }
   if (!options.renames.empty() && (options.fix || options.unsafe_fixes)) {
     return "--rename and --fix are two steps";

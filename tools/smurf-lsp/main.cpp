@@ -35,6 +35,7 @@ Command lsp_command(Options& options) {
   command.details =
       "An editor starts the server and sends it messages of the Language Server Protocol on "
       "standard input. The server reads the same configurations and comments as smurf-lint.";
+  command.exit_with_1 = "the editor sent `exit` without `shutdown`";
   command.options = {
       {.group = "Server",
        .name = "log",

@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
   if (!model.robot) {
     return conversion.refuse(verdict == kDone ? "has no URDF" : conversion.why());
   }
-  if (verdict != kDone && !options.force) {
+  if (verdict != kDone && !options.common.force) {
     return conversion.refuse(conversion.why() + "; see --force");
   }
 

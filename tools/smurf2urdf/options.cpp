@@ -210,7 +210,7 @@ std::vector<Option> run_options(Options& options) {
            .set = set_flag(options.fails_on_loss)},
           {.name = "force",
            .help = "Export despite errors, as long as the model can be read.",
-           .set = set_flag(options.force)},
+           .set = set_flag(options.common.force)},
           {.name = "prove",
            .help = "Print the comparison with the source on standard error.",
            .set = set_flag(options.prove)},

@@ -17,7 +17,6 @@ struct Options {
   std::string loss_report;
   std::string shown_preset;
   bool fails_on_loss = false;
-  bool force = false;
   bool prove = false;
   bool dry_run = false;
 };

@@ -40,7 +40,6 @@ struct Options {
   std::string loss_report;
   bool overwrite = false;
   bool links = false;
-  bool force = false;
   bool strict = false;
 };
 
@@ -51,7 +50,7 @@ std::vector<std::string_view> format_names() {
 }
 
 std::string format_help() {
-  std::string help = "The output format; the default is json.";
+  std::string help = "The output format; by default, that of the extension of --output, or json.";
   for (const SceneFormat* format : scene_formats()) {
     help += " " + std::string(format->name) + ": " + std::string(format->help) + ".";
   }
@@ -124,7 +123,7 @@ void add_options(Command& command, Options& options) {
       {.name = "explain", .metavar = "NAME", .set = set_text(options.explained)});
   add({.name = "force",
        .help = "Write the scene despite errors, as long as every pose is known.",
-       .set = set_flag(options.force)});
+       .set = set_flag(options.common.force)});
   add({.name = "loss-report",
        .metavar = "FILE",
        .help = "List everything that the format cannot express in FILE, as JSON.",
@@ -159,6 +158,13 @@ Command make_command(Options& options) {
       {"smurfs-flatten scene.smurfs --compare-dialects",
        "Show where programs disagree about poses:"}};
   return command;
+}
+
+/// "sdf" of "scene.sdf"; "" when the extension is not the name of a format.
+std::string format_of(const std::string& output) {
+  const std::string_view extension = path::extension(output);
+  const SceneFormat* format = extension.empty() ? nullptr : find_scene_format(extension.substr(1));
+  return format != nullptr ? std::string(format->name) : std::string();
 }
 
 /// Standard output counts as the current folder.
@@ -337,6 +343,7 @@ int main(int argc, char** argv) {
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
 
+  if (options.format.empty()) options.format = format_of(options.common.output);
   if (!check_options(options)) return kFailed;
   const SceneFormat& format = *find_scene_format(options.format.empty() ? "json" : options.format);
   if (const std::string_view why = format.obstacle ? format.obstacle() : ""; !why.empty()) {
@@ -369,7 +376,7 @@ int main(int argc, char** argv) {
       *loaded, [&](const Diagnostic& finding) { return loss_in_scene(finding, sources); });
   if (verdict == kFailed) return kFailed;
   if (loss) return conversion.refuse("cannot be converted: " + *loss);
-  if (verdict != kDone && !options.force) {
+  if (verdict != kDone && !options.common.force) {
     return conversion.refuse(conversion.why() + "; see --force");
   }
   if (!options.explained.empty()) {

@@ -79,6 +79,8 @@ struct MeshReference {
   bool exists = false;  ///< also true outside of the project, where nothing is looked up
   /// When nothing is at `path`: a file whose path differs only in case or in `/` for `\`.
   std::string similar;
+  /// When there is no such file either: the name of a file beside `path` that resembles its name.
+  std::string near_name;
   const MeshFile* file = nullptr;  ///< what is at `path`; null when it was not opened
 
   /// The file that MARS opens: the .bobj of this mesh where there is one (smurf.cpp:1070-1111).

@@ -10,6 +10,7 @@
 #include "ast/sections.hpp"
 #include "ast/urdf_schema.hpp"
 #include "base/path.hpp"
+#include "base/words.hpp"
 #include "smurf/config.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/readers.hpp"
@@ -237,8 +238,15 @@ std::vector<KeyHelp> settings_in(std::span<const std::string> path) {
   return keys;
 }
 
+std::string_view value_of(const urdf::AttributeSpec& attribute) {
+  if (attribute.name == "rgba") return "four numbers";
+  if (is_one_of(attribute.name, {"xyz", "rpy", "size"})) return "three numbers";
+  return attribute.unit.empty() ? "a text" : "a number";
+}
+
 KeyHelp help_of(const urdf::AttributeSpec& attribute, std::string_view element) {
-  KeyHelp help{std::string(element), std::string(attribute.name), attribute.doc, "a text",
+  KeyHelp help{std::string(element), std::string(attribute.name),
+               attribute.doc,        value_of(attribute),
                attribute.unit,       attribute.fallback};
   help.required = attribute.required;
   help.is_usual = attribute.required || attribute.is_usual;
@@ -353,7 +361,9 @@ std::vector<KeyHelp> find_keys(std::string_view name) {
   std::vector<KeyHelp> found;
   for_each_key([&](std::string_view owner, const KeyHelp& help) {
     const std::string whole = owner.empty() ? help.name : std::string(owner) + "." + help.name;
-    if (name == help.name || name == whole) found.push_back(help);
+    const bool is_named =
+        name == help.name || name == whole || name == help.owner + "." + help.name;
+    if (is_named) found.push_back(help);
   });
   return found;
 }

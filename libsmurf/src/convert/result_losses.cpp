@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/readers.hpp"
+#include "base/rules.hpp"
 #include "smurf/check.hpp"
 
 namespace smurf {
@@ -71,12 +72,23 @@ std::optional<std::string> loss_in_text(const Diagnostic& finding, const UrdfExp
   return std::nullopt;
 }
 
+/// True for what was read well, and what only MARS fails on: scenes are written for other programs.
+bool is_for_mars_alone(const Rule& rule) {
+  return rule.check_scene != nullptr && !rule.facts.empty() &&
+         std::all_of(rule.facts.begin(), rule.facts.end(),
+                     [](const Fact& fact) { return fact.reader == &readers::mars; });
+}
+
 }  // namespace
 
 std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedModel& model,
                                         const UrdfExport& wanted) {
   if (finding.severity != Severity::error) return std::nullopt;
-  if (!model.robot) return "its URDF cannot be read";
+  if (!model.robot) {
+    const bool is_other_file =
+        finding.rule == &rules::sml2001_missing_file && finding.construct != "urdf";
+    return is_other_file ? std::nullopt : std::optional<std::string>("its URDF cannot be read");
+  }
   const SourceId source = finding.span.source;
   if (source == model.robot->document.source) {
     const auto refused =
@@ -98,6 +110,7 @@ std::optional<std::string> loss_in_model(const Diagnostic& finding) {
 std::optional<std::string> loss_in_scene(const Diagnostic& finding, const SourceMap& sources) {
   if (finding.severity != Severity::error) return std::nullopt;
   const Rule& rule = *finding.rule;
+  if (is_for_mars_alone(rule)) return std::nullopt;
   switch (input_kind(sources.path(finding.span.source))) {
   case InputKind::resource: return std::nullopt;
   case InputKind::urdf: return loss_in_robot(rule);

@@ -3,6 +3,7 @@
 // by name.
 #include <algorithm>
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -155,6 +156,25 @@ class ModelLoader {
     find_unlisted(path);
   }
 
+  /// Whether `files` also lists this file, which is then not the one that another entry means.
+  bool is_listed(const std::string& path) {
+    if (listed_.empty()) {
+      const std::string_view folder =
+          path::parent(context_.sources.path(model_.files.front().source));
+      for (const Spanned<std::string>& entry : *model_.main.files) {
+        listed_.insert(path::normalize(path::join(folder, entry.value)));
+      }
+    }
+    return listed_.contains(path::normalize(path));
+  }
+
+  std::optional<SourceId> read_listed(const std::string& path, Span reference,
+                                      const Rule& missing) {
+    return read_source(path, reference, missing, context_, [this](const std::string& other) {
+      return model_.has_main && is_listed(other);
+    });
+  }
+
   /// The content of an annotation file does not depend on its folder; the places of the meshes of a
   /// URDF do.
   std::string listed_key(const std::string& path) const {
@@ -232,7 +252,7 @@ class ModelLoader {
   }
 
   void annotation_file(const std::string& path, Span reference, const Rule& missing) {
-    const auto source = read_source(path, reference, missing, context_);
+    const auto source = read_listed(path, reference, missing);
     if (!source) {
       model_.is_complete = false;
       return;
@@ -260,7 +280,7 @@ class ModelLoader {
 
   /// Several URDFs: the last one wins, as in MARS; a rule reports it.
   void urdf_file(const std::string& path, Span reference, const Rule& missing) {
-    const auto source = read_source(path, reference, missing, context_);
+    const auto source = read_listed(path, reference, missing);
     model_.urdf_path = path::normalize(path);
     model_.robot.reset();
     if (source) {
@@ -332,7 +352,8 @@ class ModelLoader {
 
   LoadContext& context_;
   LinkedModel model_;
-  std::uint64_t entries_ = 0;  ///< of all lists of all annotation files
+  std::set<std::string> listed_;  ///< paths in `files`, when one of them does not exist
+  std::uint64_t entries_ = 0;     ///< of all lists of all annotation files
   std::uint64_t annotation_bytes_ = 0;
 };
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/read_file.hpp"
-#include "base/edits.hpp"
 
+#include <map>
+#include <vector>
+
+#include "base/edits.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
@@ -21,7 +24,8 @@ bool has_room(const std::string& path, std::size_t bytes, LoadContext& context) 
 }  // namespace
 
 std::optional<SourceId> read_source(const std::string& path, Span reference, const Rule& rule,
-                                    LoadContext& context) {
+                                    LoadContext& context,
+                                    const std::function<bool(const std::string&)>& is_taken) {
   FileContent content = context.files.read(path, context.limits.file_bytes);
   if (content.status == ReadStatus::ok && !has_room(path, content.text.size(), context)) {
     if (reference.empty())
@@ -50,7 +54,7 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
   }
   if (content.status != ReadStatus::not_found) return std::nullopt;
   diagnostic.message = "there is no file `" + path::normalize(path) + "`";
-  if (const auto similar = similar_file(path, reported, context)) {
+  if (const auto similar = similar_file(path, reported, context, is_taken)) {
     diagnostic.help("did you mean `" + *similar + "`?");
     const std::string_view written =
         is_named ? context.sources.text(reference) : std::string_view{};
@@ -66,19 +70,30 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
   return std::nullopt;
 }
 
+std::optional<std::string> similar_name(std::string_view name, std::span<const std::string> names,
+                                        const std::function<bool(const std::string&)>& may_be) {
+  const std::string extension = path::to_lower(path::extension(name));
+  std::map<std::string_view, const std::string*> by_stem;
+  for (const std::string& one : names) {
+    const bool is_kind = path::to_lower(path::extension(one)) == extension;
+    if (is_kind && may_be(one)) by_stem.emplace(path::stem(one), &one);
+  }
+  std::vector<std::string_view> stems;
+  for (const auto& [stem, one] : by_stem) stems.push_back(stem);
+  const auto near = nearest(path::stem(name), stems);
+  return near ? std::optional(*by_stem.at(*near)) : std::nullopt;
+}
+
 std::optional<std::string> similar_file(const std::string& path, const Rule& rule,
-                                        const LoadContext& context) {
+                                        const LoadContext& context,
+                                        const std::function<bool(const std::string&)>& is_taken) {
   constexpr std::uint64_t kMostSought = 20;  // a file may list a hundred thousand
   if (context.sink.count_of(rule) > kMostSought) return std::nullopt;
-  const std::vector<std::string> names = context.files.list(std::string(path::parent(path)));
-  std::vector<std::string_view> same_kind;
-  const std::string extension = path::to_lower(path::extension(path));
-  for (const std::string& name : names) {
-    const bool is_kind = path::to_lower(path::extension(name)) == extension;
-    if (is_kind && utf8::is_printable(name)) same_kind.push_back(name);
-  }
-  if (const auto near = nearest(path::file_name(path), same_kind)) return std::string(*near);
-  return std::nullopt;
+  const std::string folder(path::parent(path));
+  return similar_name(
+      path::file_name(path), context.files.list(folder), [&](const std::string& name) {
+        return utf8::is_printable(name) && !(is_taken && is_taken(path::join(folder, name)));
+      });
 }
 
 }  // namespace smurf

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "base/edits.hpp"
 #include "base/path.hpp"
 #include "link/packages.hpp"
+#include "link/read_file.hpp"
 
 namespace smurf {
 namespace {
@@ -32,6 +34,7 @@ class Resolver {
         !is_found && !reference.path.empty() && context_.files.is_denied(reference.path);
     reference.exists = is_found || is_denied;
     if (!reference.exists) reference.similar = find_similar(reference);
+    if (!reference.exists && reference.similar.empty()) reference.near_name = find_near(reference);
     if (has_main_ && !filename->empty() && !is_address(*filename)) see_as_mars(reference);
     if (context_.meshes == nullptr || (is_texture && !is_denied)) return reference;
     if (reference.exists) reference.file = open(reference.path);
@@ -72,6 +75,17 @@ class Resolver {
     if (path.empty()) return {};
     const auto other = index_.in_other_case(path);
     return other && index_.exists(*other) ? *other : std::string();
+  }
+
+  /// For the first missing files only: a robot may name a hundred thousand.
+  std::string find_near(const MeshReference& reference) {
+    constexpr int kMostSought = 20;
+    if (reference.path.empty() || sought_ == kMostSought) return {};
+    ++sought_;
+    const auto near =
+        similar_name(path::file_name(reference.path),
+                     index_.list(std::string(path::parent(reference.path))), fits_everywhere);
+    return near.value_or("");
   }
 
   void see_as_mars(MeshReference& reference) {
@@ -120,6 +134,7 @@ class Resolver {
   std::string urdf_folder_;
   std::string main_folder_;
   bool has_main_;
+  int sought_ = 0;  ///< missing files for which find_near() looked
   Packages packages_;
 };
 

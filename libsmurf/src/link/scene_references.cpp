@@ -195,12 +195,11 @@ class ReferenceResolver {
                      quoted(reference.key) + " is " + quoted(text) + ", which names no link");
     diagnostic.help("write `ENTITY::LINK`");
     const std::optional<EntityIndex> found = names_.find(use, text, scene_);
-    const InstanceIndex* index = found ? std::get_if<InstanceIndex>(&*found) : nullptr;
-    const LinkedModel* model = index ? scene_.model(scene_.instance(*index)) : nullptr;
-    if (model != nullptr && !model->tree.roots.empty()) {
-      const urdf::Link& root = model->link(model->tree.roots.front());
-      if (root.name) suggest(diagnostic, reference, text + "::" + *root.name, "write ", "");
-      return;
+    if (found) {
+      if (const auto root = root_link(*found)) {
+        suggest(diagnostic, reference, text + "::" + *root, "write ", "");
+        return;
+      }
     }
     static constexpr std::string_view kParents[] = {"world", "none"};
     static constexpr std::string_view kAnchors[] = {"none", "world", "parent"};
@@ -208,9 +207,28 @@ class ReferenceResolver {
     const std::string lower = path::to_lower(text);
     if (near) {
       suggest(diagnostic, reference, std::string(*near), "did you mean ", "?");
+    } else if (const auto meant = root_of_similar(use, text)) {
+      suggest(diagnostic, reference, *meant, "did you mean ", "?");
     } else if (reference.key == "anchor" && (lower == "false" || lower == "no")) {
       diagnostic.help("write `none`; MARS fixes the entity to the world");
     }
+  }
+
+  /// The name of the root link of an entity that is a model.
+  std::optional<std::string> root_link(const EntityIndex& entity) const {
+    const InstanceIndex* index = std::get_if<InstanceIndex>(&entity);
+    const LinkedModel* model = index ? scene_.model(scene_.instance(*index)) : nullptr;
+    if (model == nullptr || model->tree.roots.empty()) return std::nullopt;
+    const Field<std::string>& name = model->link(model->tree.roots.front()).name;
+    return name ? std::optional(*name) : std::nullopt;
+  }
+
+  /// "table::top" for "tabel", which is nearly the name of an entity.
+  std::optional<std::string> root_of_similar(UseIndex use, const std::string& text) {
+    const auto name = sink_.suggest(text, names_.names());
+    const auto entity = name ? names_.find(use, std::string(*name), scene_) : std::nullopt;
+    const auto root = entity ? root_link(*entity) : std::nullopt;
+    return root ? std::optional(std::string(*name) + "::" + *root) : std::nullopt;
   }
 
   void suggest(Diagnostic& diagnostic, const Reference& reference, const std::string& text,

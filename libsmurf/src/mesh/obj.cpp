@@ -154,8 +154,8 @@ class ObjReader {
   std::optional<Vector3> find(std::int64_t index) {
     const auto count = static_cast<std::int64_t>(points_.size());
     if (index < -count) {
-      fail("a face uses vertex " + std::to_string(index) + ", but only " + std::to_string(count) +
-           " vertices come before it");
+      fail("a face uses vertex " + std::to_string(index) + ", but the file has only " +
+           std::to_string(count) + " before it");
       return std::nullopt;
     }
     if (index > count) {

@@ -136,6 +136,7 @@ class Overview {
       files[place->second].push_back(&section);
     }
     const std::size_t named = std::min(files.size(), kMostNames);
+    if (!files.empty()) write("Also found, and shown with --all:\n");
     for (std::size_t i = 0; i < named; ++i) {
       std::string line = title(*files[i].front());
       for (std::size_t j = 1; j < files[i].size(); ++j) line += ", " + amount(*files[i][j]);

@@ -82,7 +82,7 @@ extern constinit const Rule sml1449_mujoco_value{
     .name = "mujoco-value",
     .severity = Severity::warning,
     .summary = "A setting for MuJoCo is repeated, or has a value that MuJoCo cannot read.",
-    .why = "MuJoCo reads flags in its element `compiler` only as `true` or `false`.",
+    .why = "A flag in the element `compiler` is read only as `true` or `false`.",
     .remedy = "Write one element, with a value that MuJoCo accepts.",
     .check_model = check,
     .facts = kFacts};

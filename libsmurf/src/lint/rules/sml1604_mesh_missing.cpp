@@ -27,7 +27,20 @@ void report_package(const std::vector<const MeshReference*>& uses, std::string_v
   diagnostic.help("name its folder: `--package " + name + "=DIR`");
 }
 
-void report_file(const MeshReference& mesh, std::size_t lost_beside, Findings& findings) {
+/// Suggests a file with a similar name in all places that name the missing one.
+void suggest(const MeshReference& mesh, const LinkedModel& model, Diagnostic& diagnostic) {
+  diagnostic.help("did you mean " + quoted(mesh.near_name) + "?");
+  PathUses uses{mesh.filename, {}};
+  for (const MeshReference& other : model.meshes) {
+    if (other.filename == mesh.filename) uses.references.push_back(&other);
+  }
+  const std::size_t folder = mesh.filename.size() - path::file_name(mesh.filename).size();
+  diagnostic.fixes.push_back(
+      rewrite(uses, mesh.filename.substr(0, folder) + mesh.near_name, Applicability::unsafe));
+}
+
+void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_t lost_beside,
+                 Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(mesh.span, std::string(mesh.is_texture ? "texture" : "mesh") +
                                      " file not found: " + quoted(mesh.filename));
@@ -50,6 +63,7 @@ void report_file(const MeshReference& mesh, std::size_t lost_beside, Findings& f
                         ? "add the mesh itself; only MARS reads .bobj"
                         : "keep the URDF and the .smurf in folders side by side");
   }
+  if (!mesh.near_name.empty()) suggest(mesh, model, diagnostic);
   if (mesh.is_texture) diagnostic.severity = Severity::warning;
 }
 
@@ -73,14 +87,14 @@ void check(const LinkedModel& model, Findings& findings) {
     if (mesh->path.empty() && !found.contains(package)) {
       lost_packages[package].push_back(mesh);
     } else if (mesh->path.empty() || found.contains(folder)) {
-      report_file(*mesh, 0, findings);
+      report_file(*mesh, model, 0, findings);
     } else {
       lost_folders[{folder, fault}].push_back(mesh);
     }
   }
   for (const auto& [package, uses] : lost_packages) report_package(uses, package, findings);
   for (const auto& [folder, uses] : lost_folders) {
-    report_file(*uses.front(), uses.size() - 1, findings);
+    report_file(*uses.front(), model, uses.size() - 1, findings);
   }
 }
 

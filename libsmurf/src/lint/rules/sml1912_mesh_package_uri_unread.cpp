@@ -23,7 +23,8 @@ void check(const LinkedModel& model, Findings& findings) {
       diagnostic.note("the same applies to those of " + std::to_string(places.size() - 1) +
                       " more " + what + (places.size() > 2 ? "s" : ""));
     }
-    diagnostic.help("smurf2urdf writes paths relative to the URDF");
+    diagnostic.help(
+        "write a path relative to the URDF, as smurf2urdf does for packages that it finds");
   }
 }
 

@@ -42,7 +42,7 @@ extern constinit const Rule sml3113_joint6dof_other_joint{
     .name = "joint6dof-other-joint",
     .severity = Severity::warning,
     .summary = "A Joint6DOF sensor names a joint that does not lead to its link.",
-    .why = "The same sensor measures different joints in MARS 1 and MARS 2.",
+    .why = "The same sensor measures different joints in different readers.",
     .remedy = "Name the joint whose child the link is.",
     .check_model = check,
     .facts = kFacts};

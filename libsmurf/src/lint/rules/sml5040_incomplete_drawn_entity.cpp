@@ -17,8 +17,8 @@ extern constinit const Rule sml5040_incomplete_drawn_entity{
     .name = "incomplete-drawn-entity",
     .severity = Severity::error,
     .summary = "A group of a drawn scene does not describe an entity.",
-    .why = "MARS requires that the group's title names a YAML file, that the description contains "
-           "`origin_z: NUMBER`, and that the first path begins with `m X,Y`.",
+    .why = "The title of the group must name a YAML file, the description must contain "
+           "`origin_z: NUMBER`, and the first path must begin with `m X,Y`.",
     .remedy = "Give the group a `<title>`, a `<desc>` and a path of this form, or move "
               "decorative shapes out of groups.",
     .facts = kFacts};

@@ -25,8 +25,9 @@ void check(const LinkedScene& scene, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "creates old scenes (scn, scene, yml) while it parses the file, before any model, so it does "
-     "not find the link; it places the old scene in the world frame and anchors it to the world",
+     "creates old scenes (scn, scene, yml) while it parses the file, before any model, and "
+     "therefore does not find the link; places the old scene in the world frame and anchors it to "
+     "the world",
      "MARS SMURFLoader.cpp:337-349, 580-637; SimEntity.cpp:371-390"},
 };
 
