@@ -137,6 +137,23 @@ const kPictures = {
     await press("Control+KeyI");
     await pause(2500);
   },
+  async mesh() {
+    await open("urdf/arm.urdf");
+    await go(...place("urdf/arm.urdf", 'filename="../meshes/forearm.obj'));
+    await press("Control+KeyK");
+    await press("Control+KeyI");
+    await pause(2500);
+  },
+  async pose() {
+    await open("urdf/arm.urdf");
+    await go(...place("urdf/arm.urdf", '<origin xyz="0.03 0 0.06'));
+    await press("Control+KeyK");
+    await press("Control+KeyI");
+    await pause(2500);
+  },
+  async colors() {
+    await open("smurf/arm_materials.yml", ".colorpicker-color-decoration");
+  },
   async completion() {
     await open("smurf/arm_motors.yml");
     const [line, column] = place("smurf/arm_motors.yml", "joint: joint2_shoulder");
@@ -172,6 +189,12 @@ const kPictures = {
     await open("urdf/arm.urdf");
     await go(...place("urdf/arm.urdf", '<link name="turret"'));
     await press("Control+Shift+KeyO");
+    await pause(2500);
+  },
+  async outline() {
+    await open("urdf/arm.urdf");
+    await go(...place("urdf/arm.urdf", '<joint name="joint2_shoulder"'));
+    await run("Outline: Focus on Outline View");
     await pause(2500);
   },
 };
