@@ -133,7 +133,7 @@ TextStyle style_for(Stream stream, ColorChoice choice) {
   TextStyle style;
   style.color = choice == ColorChoice::always ||
                 (choice == ColorChoice::automatic && wants_color(descriptor));
-  if (const auto width = terminal_width(descriptor)) style.width = *width;
+  if (const auto width = terminal_width(descriptor)) style.width = static_cast<int>(*width);
   return style;
 }
 
