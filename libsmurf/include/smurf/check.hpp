@@ -172,8 +172,8 @@ class Session {
   const SourceMap& loaded_sources() const;
   /// Use it to read other files, such as an SRDF, into the same sources and findings.
   LoadContext context_of(Loaded& loaded);
-  /// Checks what was loaded. Findings that are in `loaded.found` are reported with the rest. All point
-  /// into `*loaded.sources`, not into sources().
+  /// Checks what was loaded. Findings that are in `loaded.found` are reported with the rest. All
+  /// point into `*loaded.sources`, not into sources().
   Report check(LoadedModel& loaded);
   Report check(LoadedScene& loaded);
   /// Findings of other code in the form of a report: located, with the same settings applied,
