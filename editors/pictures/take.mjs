@@ -103,6 +103,15 @@ async function run(command) {
   await press("Enter");
 }
 
+/// Shows what the server says about the end of a text.
+async function describe(file, text) {
+  await open(file);
+  await go(...place(file, text));
+  await press("Control+KeyK");
+  await press("Control+KeyI");
+  await pause(2500);
+}
+
 async function go(line, column) {
   await press("Control+KeyG");
   await page.keyboard.type(`${line}:${column}`);
@@ -131,25 +140,13 @@ const kPictures = {
     await pause(2000);
   },
   async hover() {
-    await open("smurf/arm_motors.yml");
-    await go(...place("smurf/arm_motors.yml", "joint: joint2_shoulder"));
-    await press("Control+KeyK");
-    await press("Control+KeyI");
-    await pause(2500);
+    await describe("smurf/arm_motors.yml", "joint: joint2_shoulder");
   },
   async mesh() {
-    await open("urdf/arm.urdf");
-    await go(...place("urdf/arm.urdf", 'filename="../meshes/forearm.obj'));
-    await press("Control+KeyK");
-    await press("Control+KeyI");
-    await pause(2500);
+    await describe("urdf/arm.urdf", 'filename="../meshes/forearm.obj');
   },
   async pose() {
-    await open("urdf/arm.urdf");
-    await go(...place("urdf/arm.urdf", '<origin xyz="0.03 0 0.06'));
-    await press("Control+KeyK");
-    await press("Control+KeyI");
-    await pause(2500);
+    await describe("urdf/arm.urdf", '<origin xyz="0.03 0 0.06');
   },
   async colors() {
     await open("smurf/arm_materials.yml", ".colorpicker-color-decoration");

@@ -256,10 +256,12 @@ TEST_CASE("what a converter loads is checked as by its path") {
       LoadedScene loaded = other.load_scene(path);
       const Report report = other.check(loaded);
       CHECK(text_of(report, *loaded.sources) == whole);
+      CHECK(text_of(report, other.sources()) == whole);
     } else {
       LoadedModel loaded = other.load_model(path);
       const Report report = other.check(loaded);
       CHECK(text_of(report, *loaded.sources) == whole);
+      CHECK(text_of(report, other.sources()) == whole);
     }
   }
 }

@@ -138,7 +138,7 @@ class Confine(cli.CliTest):
                     found = self.expect(1, "--isolated", "--format", "concise", path, cwd=cwd, environment=home).stdout
                     self.assertIn("outside of the project", found)
                     self.assertNotIn("the_secret", found)
-        # Of the files in the home folder itself, a model there reads those that are not hidden.
+        # A model in the home folder itself reads only files that are not hidden.
         self.write("a/.hidden.yml", SECRET)
         for name, is_read in (("visible.yml", True), (".hidden.yml", False), (".ssh/id.yml", False), ("b/r.yml", False)):
             self.write("a/b/r.yml", SECRET)

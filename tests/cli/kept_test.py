@@ -94,7 +94,7 @@ entities:
 - {name: Cloud, type: weather, rain: heavy}
 """
 
-# Of every thing: the text that is changed, and what it becomes.
+# For every thing: a text of the model, and the text that replaces it.
 CHANGES = {
     "masses and inertias": ('<mass value="2"/>', '<mass value="3"/>'),
     "masses of moving links that have none": ('<link name="finger"/>', '<link name="finger">'

@@ -61,7 +61,7 @@ def elements_of(text):
     def end(_):
         index = parser.CurrentByteIndex
         one = stack.pop()
-        # Of an empty element, the index is that of what follows.
+        # For an empty element, the index is that of the text after it.
         closing = text.find(b">", index) + 1 if text[index:index + 2] == b"</" else 0
         one.end = closing or text.index(b">", one.begin) + 1
 

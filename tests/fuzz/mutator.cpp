@@ -29,7 +29,7 @@ class Mutation {
   Mutation(const std::string& bundle, const std::string& other, Random& random)
       : text_(bundle), here_(bundle), there_(other), random_(random) {}
 
-  /// None when what was drawn does not go together.
+  /// None when the drawn change does not fit the drawn part.
   std::optional<std::string> run() {
     if (here_.parts.empty()) return std::nullopt;
     using Change = bool (Mutation::*)();

@@ -24,7 +24,7 @@ struct Range {
 
 enum class PartKind : std::uint8_t { element, attribute, member, item };
 
-/// Of a file: an element, an attribute, a key with its value, or an entry of a list.
+/// A part of a file: an element, an attribute, a key with its value, or an entry of a list.
 struct Part {
   PartKind kind = PartKind::element;
   Range whole;

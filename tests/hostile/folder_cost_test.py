@@ -22,8 +22,8 @@ MEGABYTE = 1_000_000
 MODEL = "modelname: r\nfiles: [r.urdf]\n"
 SMALL = "modelname: r\nfiles: []\n"
 FOLDERS = []
-# Of one file, a megabyte, the bound is two seconds. A folder of many has that of its parts, and room for the limit on
-# what is read again.
+# One file of a megabyte has a bound of two seconds. A folder of many files has twice that, because of the limit on what is
+# read again.
 FOLDER_SECONDS = 2 * SECONDS
 
 

@@ -34,7 +34,7 @@ std::size_t check(const FileReader& files, const std::string& path, bool renders
   return result.findings;
 }
 
-/// Of the processor, so that what else the machine does has no part in it.
+/// Processor time, so that other work of the machine does not count.
 double seconds(const std::function<void()>& run) {
   const std::clock_t start = std::clock();
   run();

@@ -93,7 +93,8 @@ double period_of(World& world, const Position& position) {
   return 2 * (passages.back() - passages.front()) / static_cast<double>(passages.size() - 1);
 }
 
-/// Of a compound pendulum; `moment` is about its centre of mass, `length` reaches to that.
+/// The period of a compound pendulum, s. `length` is from the pivot to the centre of mass, and
+/// `moment` is about the centre of mass.
 inline double pendulum_period(double mass, double length, double moment, double amplitude) {
   constexpr double kTurn = 6.283185307179586;
   const double small =

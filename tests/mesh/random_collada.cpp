@@ -179,7 +179,7 @@ class Writer {
     return out;
   }
 
-  /// Of unit length: assimp takes another one for a matrix that is no rotation.
+  /// An axis of unit length, because assimp makes no rotation of any other.
   std::string axis() {
     const Quaternion q = normalized({0, random_.between(-1, 1), random_.between(-1, 1), 0.1});
     return text(q.x) + text(q.y) + text(q.z);

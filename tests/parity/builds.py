@@ -45,7 +45,7 @@ class Native:
 
     @staticmethod
     def shared(data):
-        """What is printed or written, without what each system writes in its own way."""
+        """The output without the parts that differ from system to system."""
         return data
 
 
@@ -72,7 +72,7 @@ class Emulated(Native):
 
 
 class Windows(Native):
-    """Programs for Windows, which wine runs. It shows the root of this machine as the drive Z."""
+    """Programs for Windows, run by wine, where the root of this machine is the drive Z."""
 
     tools = Emulated.tools
 
@@ -81,7 +81,7 @@ class Windows(Native):
         self.home = tempfile.TemporaryDirectory(prefix="smurf-wine-", ignore_cleanup_errors=True)
         self.environment = ENVIRONMENT | {"WINEPREFIX": self.home.name, "WINEDEBUG": "-all", "HOME": self.home.name, "LC_ALL": "C.UTF-8",
                                           "WINEDLLOVERRIDES": "mscoree,mshtml="}
-        self.run_alone(("smurf-lint", ["--version"], "/"))  # the first program has wine make its folders, and say so
+        self.run_alone(("smurf-lint", ["--version"], "/"))  # on its first run, wine makes its folders and prints that
 
     def command(self, tool):
         return [WINE, self.folder / f"{tool}.exe"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What Windows does with names of files in its own way changes no finding, and harms no file. Runs the programs under wine.
+"""The special file names of Windows change no finding and harm no file. Runs the programs under wine.
 
 usage: windows_test.py FOLDER_OF_TOOLS FOLDER_OF_PROGRAMS
 """
@@ -52,7 +52,7 @@ class WindowsTest(unittest.TestCase):
         return "Z:" + str(path).replace("/", "\\")
 
     def test_names_of_meshes(self):
-        """Devices, streams, patterns, drives, and names in another case are as missing as on other systems."""
+        """Names of devices, streams, patterns, drives, and names in another case are missing files, as on other systems."""
         for mesh in ("NUL", "meshes/con.stl", "meshes/COM1.stl", "meshes/arm.stl:stream", "meshes/arm.stl::$DATA", "meshes\\arm.stl",
                      "meshes/ARM.STL", "Meshes/arm.stl", "meshes/arm.stl.", "meshes/arm.stl ", "meshes/a*.stl", "C:/Windows/win.ini",
                      "C:\\Windows\\win.ini", "//server/share/arm.stl", "meshes/arm.stl"):
@@ -66,7 +66,7 @@ class WindowsTest(unittest.TestCase):
         self.assertIn(b"\n", found.stdout)
 
     def test_paths_of_users(self):
-        """With a drive, with backslashes, and in another case; reports have slashes."""
+        """Users can type drives, backslashes, and another case; reports have slashes."""
         self.write("meshes/missing.stl")
         expected = self.run_tool("--format=concise", "--all", "meshes/../arm.urdf")
         self.assertIn(b"arm.urdf:", expected.stdout)

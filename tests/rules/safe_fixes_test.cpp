@@ -75,7 +75,7 @@ bool is_near(const Pose& a, const Pose& b) {
   return angle_between(a.orientation, b.orientation) <= 1e-9;
 }
 
-/// Of joints in the same place of two files.
+/// Compares joints at the same place of two files.
 bool have_other_limits(const urdf::Joint& a, const urdf::Joint& b) {
   if (a.type != b.type) return true;
   if (!a.is_movable()) return false;

@@ -33,7 +33,7 @@ Json scalar(yaml::View value) {
   return std::string(value.text());
 }
 
-/// Of a key that is written twice the first counts, as in MARS.
+/// The first of two equal keys counts, as in MARS.
 Json to_json(yaml::View value) {
   if (!value || value.is_null()) return nullptr;
   if (value.is_scalar()) return scalar(value);

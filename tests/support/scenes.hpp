@@ -44,7 +44,7 @@ Matrix translation(double x, double y, double z);
 Matrix rotation_x(double angle);
 Matrix rotation_y(double angle);
 Matrix rotation_z(double angle);
-/// Of a quaternion that need not be of unit length.
+/// The quaternion need not have unit length.
 Matrix rotation(double w, double x, double y, double z);
 double radians(double degrees);
 Matrix to_matrix4(const Pose& pose);

@@ -116,7 +116,7 @@ Demand of_instances(std::uint64_t instances) {
   return demand;
 }
 
-/// Of the name, the path, the type and the file of the first entity.
+/// The bytes are those of the name, path, type and file of the first entity.
 Demand of_scene_bytes(std::uint64_t bytes) {
   const std::string file = repeat("x", bytes - std::string_view("aaurdf.urdf").size()) + ".urdf";
   return {"s.smurfs", "entities: [{name: a, type: urdf, file: " + file +
@@ -197,7 +197,7 @@ TEST_CASE("limits: the last that passes, the first that does not, and the same w
 }
 
 TEST_CASE("limits: all of them hold at the most that can be asked for") {
-  // Those beyond the memory of a test are left out: their bounds are those of a number.
+  // The other limits would need more memory than a test has.
   for (const std::string_view name :
        {"yaml-depth", "xml-depth", "xml-attributes", "include-depth"}) {
     CAPTURE(name);

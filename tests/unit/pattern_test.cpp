@@ -14,7 +14,7 @@ using namespace smurf;
 
 namespace {
 
-/// None when the pattern is none.
+/// None when the pattern is invalid.
 std::optional<bool> match(const std::string& pattern, const std::string& text) {
   const auto compiled = Pattern::compile(pattern);
   if (!std::holds_alternative<Pattern>(compiled)) return std::nullopt;

@@ -162,7 +162,7 @@ class CommandLine {
     return wrong;
   }
 
-  /// Of the names of values, these are the ones of paths.
+  /// Whether the value of an option is a path.
   static bool is_path(const Option& option) {
     return option.metavar == "FILE" || option.metavar == "DIR" || option.metavar == "PATH";
   }

@@ -85,7 +85,7 @@ bool Conversion::is_accepted(const std::string& path) const {
         takes_models ? " is no model; name the .smurf or .urdf file that uses it" : " is no URDF";
     break;
   case InputKind::other:
-    if (path::to_lower(path::extension(path)) != ".xacro") return true;
+    if (!is_xacro_file(path)) return true;
     problem = " has to be expanded first: xacro FILE | " + std::string(tool_) + " -";
     break;
   }

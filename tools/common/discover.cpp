@@ -28,8 +28,6 @@ bool is_sought(std::string_view path) {
   return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf;
 }
 
-bool is_xacro(std::string_view path) { return path::to_lower(path::extension(path)) == ".xacro"; }
-
 using places::Entry;
 
 class Search {
@@ -103,7 +101,7 @@ class Search {
       sys::Status status{};
       if (sys::lstat(path.c_str(), &status) != 0) return fail(path, errno);
       add(path, status);
-    } else if (kind == Entry::file && is_xacro(path) && !is_left_out(path, false)) {
+    } else if (kind == Entry::file && is_xacro_file(path) && !is_left_out(path, false)) {
       ++found_.xacro;
     }
   }
@@ -140,6 +138,10 @@ class Search {
 };
 
 }  // namespace
+
+bool is_xacro_file(std::string_view path) {
+  return path::to_lower(path::extension(path)) == ".xacro";
+}
 
 Found find_inputs(const std::string& folder, const Limits& limits, const LeftOut& is_left_out) {
   return Search(limits, is_left_out).run(folder);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "smurf/limits.hpp"
@@ -20,6 +21,8 @@ struct Found {
 
 /// Decides whether a path inside a searched folder is left out, with everything in it.
 using LeftOut = std::function<bool(const std::string& path, bool is_folder)>;
+
+bool is_xacro_file(std::string_view path);
 
 /// Finds the .smurf, .smurfs, .smurfa and .urdf files in a folder and the folders below it, each
 /// once. Leaves out hidden files, and links that lead out of the folder.

@@ -37,12 +37,10 @@ FileSet::Problem problem(const std::string& path, int error) {
   return {path, std::generic_category().message(error), error == EEXIST};
 }
 
-/// Of names that models have chosen, a system may take one for a device.
+/// Why no file can have this path: on Windows, models can name devices. "" when one can.
 std::string_view why_no_path(std::string_view path) {
-  while (!path.empty()) {
-    const std::size_t end = std::min(path.find('/'), path.size());
-    if (const auto reason = sys::why_no_name(path.substr(0, end)); !reason.empty()) return reason;
-    path.remove_prefix(std::min(end + 1, path.size()));
+  for (const std::string_view name : path::names(path)) {
+    if (const auto reason = sys::why_no_name(name); !reason.empty()) return reason;
   }
   return {};
 }

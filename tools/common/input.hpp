@@ -23,7 +23,7 @@ std::optional<std::string> read_standard_input(std::string_view tool, const std:
                                                const Limits& limits, MemoryFiles& files);
 
 /// Why the user's path cannot be checked: "No such file or directory", "is not a regular file".
-/// None when it can be read.
+/// None when the path can be read.
 std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files);
 
 /// The path to load for a path of the user: itself, or the main file of an archive. Complains and

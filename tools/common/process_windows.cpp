@@ -30,7 +30,7 @@ HANDLE handle_of(int descriptor) {
 
 }  // namespace
 
-/// Text is UTF-8 with the ends of lines that it has, and a terminal shows colours.
+/// Writes text as UTF-8 without changing line ends, and lets a terminal show colours.
 void prepare_process() {
   for (int descriptor = 0; descriptor <= 2; ++descriptor) ::_setmode(descriptor, _O_BINARY);
   ::SetConsoleOutputCP(CP_UTF8);
@@ -39,11 +39,11 @@ void prepare_process() {
     if (::GetConsoleMode(handle_of(descriptor), &mode) == 0) continue;
     ::SetConsoleMode(handle_of(descriptor), mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
   }
-  ::SetErrorMode(SEM_FAILCRITICALERRORS);  // no window about a drive without a disk
+  ::SetErrorMode(SEM_FAILCRITICALERRORS);  // a drive without a disk opens no window
   std::set_new_handler(end_without_memory);
 }
 
-/// What main() gets is in an old encoding, which lacks characters.
+/// Asks Windows, because the arguments of main() are in an old encoding that lacks characters.
 std::vector<std::string> arguments_of(int /*argc*/, const char* const* /*argv*/) {
   int count = 0;
   wchar_t** const wide = ::CommandLineToArgvW(::GetCommandLineW(), &count);

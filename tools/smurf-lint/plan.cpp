@@ -236,10 +236,9 @@ class Planner {
     case InputKind::resource: add_resource(path); return;
     case InputKind::other: break;
     }
-    const bool is_xacro = path::to_lower(path::extension(path)) == ".xacro";
     fail(
         "cannot check '" + path + "': " +
-        (is_xacro
+        (is_xacro_file(path)
              ? "expand it first: xacro FILE | smurf-lint -"
              : "it is not a .smurf, .smurfs, .smurfa, .svg, .urdf or .yml file; to check a URDF of "
                "another name: smurf-lint --stdin-filename NAME.urdf - < FILE"));

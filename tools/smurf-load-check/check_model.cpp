@@ -271,7 +271,7 @@ class ModelCheck {
   const ShapeFiles& files_;
   StageRun run_;
   JointPositions given_;  ///< of the named pose
-  Plan fixed_;            ///< the root is fixed; without shapes
+  Plan fixed_;            ///< the model with a fixed root and without shapes
   Plan whole_;            ///< with shapes; the root free when it can be
   bool is_free_ = false;
   bool has_masses_ = true;

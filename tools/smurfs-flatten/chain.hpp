@@ -10,7 +10,7 @@
 
 namespace smurf::tools {
 
-/// One line a transform, from the world to the instance, each with the place it is written at.
+/// One line per transform, from the world to the instance, each with its place in the source.
 /// None when there are more than kMostSteps. Precondition: the instance has a pose; see explain().
 std::optional<std::string> describe_chain(const LinkedScene& scene, const SourceMap& sources,
                                           InstanceIndex instance, const Dialect& dialect);

@@ -152,8 +152,7 @@ class Session {
   Report check(const std::string& path, const CheckSettings& settings = {});
   /// Checks a plan: scenes, models that no scene loads, and strays that no model loads.
   Report check(const Plan& plan, const CheckSettings& settings = {});
-  /// The texts of the last check of a path or a plan, which its findings point into. Findings of a
-  /// loaded model or scene point into `*loaded.sources`.
+  /// The texts of the last check, which its findings point into.
   const SourceMap& sources() const;
   /// The text of a baseline file at `path` with the findings of the last check.
   std::string baseline_of(const Report& report, const std::string& path) const;
@@ -172,8 +171,7 @@ class Session {
   const SourceMap& loaded_sources() const;
   /// Use it to read other files, such as an SRDF, into the same sources and findings.
   LoadContext context_of(Loaded& loaded);
-  /// Checks what was loaded. Findings that are in `loaded.found` are reported with the rest. All
-  /// point into `*loaded.sources`, not into sources().
+  /// Checks what was loaded. Findings that are in `loaded.found` are reported with the rest.
   Report check(LoadedModel& loaded);
   Report check(LoadedScene& loaded);
   /// Findings of other code in the form of a report: located, with the same settings applied,

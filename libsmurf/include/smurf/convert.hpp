@@ -68,7 +68,7 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
 
 /// An SRDF beside the URDF: joint pose sets as group states; neighbours, and links whose bitmasks
 /// share no bit, as pairs that do not collide. Precondition: model.robot is set.
-/// None when it would have more bytes than `most`.
+/// None when the result would have more bytes than `most`.
 std::optional<std::string> export_srdf(const LinkedModel& model, const std::string& prefix,
                                        std::uint64_t most);
 

@@ -48,7 +48,7 @@ std::span<const Dialect* const> dialects();
 const Dialect* find_dialect(std::string_view name);
 
 /// Gives the instances of a scene the poses, anchors and joint positions that a reader gives them.
-/// Those that it does not load have no pose then, and are reported.
+/// Instances that it does not load are reported and have no pose.
 void apply_dialect(const Dialect& dialect, LinkedScene& scene, DiagnosticSink& sink);
 
 /// True when two poses are equal within 1e-9 m and 1e-9 rad.

@@ -20,7 +20,7 @@ namespace smurf {
 struct MeshPart {
   std::uint32_t first_point = 0;
   std::uint32_t first_index = 0;
-  std::optional<Rgba> color;  ///< that the file gives them
+  std::optional<Rgba> color;  ///< if the file gives one
 };
 
 /// Texture coordinates: (0, 0) is the lower left corner of an image and (1, 1) its upper right one.

@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
 
-#include <vector>
+#include <algorithm>
 
 namespace smurf::path {
 namespace {
-
-std::vector<std::string_view> split(std::string_view path) {
-  std::vector<std::string_view> parts;
-  std::size_t begin = 0;
-  while (begin <= path.size()) {
-    std::size_t end = path.find('/', begin);
-    if (end == std::string_view::npos) end = path.size();
-    if (end > begin) parts.push_back(path.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
 
 /// May the text go on with ".", ".." or nothing where a part begins?
 bool begins_oddly(std::string_view rest) {
@@ -63,7 +51,7 @@ bool is_absolute(std::string_view path) { return path.starts_with('/'); }
 std::string normalize(std::string_view path) {
   if (is_final(path)) return std::string(path);
   std::vector<std::string_view> kept;
-  for (const std::string_view part : split(path)) {
+  for (const std::string_view part : names(path)) {
     if (part == ".") continue;
     if (part == ".." && !kept.empty() && kept.back() != "..") {
       kept.pop_back();
@@ -79,6 +67,16 @@ std::string normalize(std::string_view path) {
   return result.empty() ? "." : result;
 }
 
+std::vector<std::string_view> names(std::string_view path) {
+  std::vector<std::string_view> found;
+  while (!path.empty()) {
+    const std::size_t end = std::min(path.find('/'), path.size());
+    if (end > 0) found.push_back(path.substr(0, end));
+    path.remove_prefix(std::min(end + 1, path.size()));
+  }
+  return found;
+}
+
 std::string join(std::string_view folder, std::string_view path) {
   if (is_absolute(path) || folder.empty()) return normalize(path);
   std::string whole;
@@ -92,8 +90,8 @@ std::string relative(std::string_view path, std::string_view folder) {
   const std::string whole = normalize(path);
   const std::string base = normalize(folder.empty() ? "." : folder);
   if (is_absolute(whole) != is_absolute(base) || whole.size() > kLongest) return whole;
-  std::vector<std::string_view> to = split(whole);
-  std::vector<std::string_view> from = split(base);
+  std::vector<std::string_view> to = names(whole);
+  std::vector<std::string_view> from = names(base);
   if (whole == ".") to.clear();
   if (base == ".") from.clear();
   std::size_t common = 0;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace smurf::path {
 
@@ -19,6 +20,8 @@ std::string_view extension(std::string_view path);
 /// File name without extension.
 std::string_view stem(std::string_view path);
 bool is_absolute(std::string_view path);
+/// The folders and the file of a path: "a", "b" and "c" of "/a//b/c".
+std::vector<std::string_view> names(std::string_view path);
 /// `path` when absolute, otherwise folder/path, normalised.
 std::string join(std::string_view folder, std::string_view path);
 /// Resolves "." and ".." and doubled '/' in the text; "" becomes ".". Names longer than kLongest

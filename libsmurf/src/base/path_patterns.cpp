@@ -11,16 +11,6 @@ namespace {
 
 constexpr std::string_view kAnyFolders = "**";
 
-std::vector<std::string_view> split(std::string_view path) {
-  std::vector<std::string_view> names;
-  while (!path.empty()) {
-    const std::size_t end = std::min(path.find('/'), path.size());
-    if (end > 0) names.push_back(path.substr(0, end));
-    path.remove_prefix(std::min(end + 1, path.size()));
-  }
-  return names;
-}
-
 /// Length of the class at the front of `pattern`, such as "[!a-z]", when `c` is in it; else 0.
 std::size_t match_class(std::string_view pattern, char c, std::uint64_t& steps) {
   std::size_t i = 1;
@@ -131,7 +121,7 @@ void PathPatterns::add(std::string_view line) {
   }
   const bool is_tied = line.find('/') != std::string_view::npos;
   if (!is_tied) pattern.names.emplace_back(kAnyFolders);
-  for (const std::string_view name : split(line)) pattern.names.emplace_back(name);
+  for (const std::string_view name : path::names(line)) pattern.names.emplace_back(name);
   if (pattern.names.empty() || line.empty()) return;
   // "a/**" means what is in the folder, not the folder.
   if (is_tied && pattern.names.size() > 1 && pattern.names.back() == kAnyFolders) {
@@ -151,7 +141,7 @@ void PathPatterns::add_lines(std::string_view text) {
 
 PathVerdict PathPatterns::judge(std::string_view path, bool is_folder, std::uint64_t* steps) const {
   if (patterns_.empty()) return PathVerdict::unmentioned;
-  const std::vector<std::string_view> names = split(path);
+  const std::vector<std::string_view> names = path::names(path);
   std::uint64_t taken = 0;
   const auto last = std::find_if(patterns_.rbegin(), patterns_.rend(), [&](const Pattern& one) {
     ++taken;

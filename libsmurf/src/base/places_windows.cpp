@@ -16,16 +16,6 @@ Entry kind_of(const sys::Status& status) {
   return S_ISREG(status.st_mode) ? Entry::file : Entry::other;
 }
 
-std::vector<std::string_view> names_of(std::string_view path) {
-  std::vector<std::string_view> names;
-  while (!path.empty()) {
-    const std::size_t end = std::min(path.find('/'), path.size());
-    if (end > 0) names.push_back(path.substr(0, end));
-    path.remove_prefix(std::min(end + 1, path.size()));
-  }
-  return names;
-}
-
 }  // namespace
 
 bool is_folder(const std::string& path) {
@@ -85,8 +75,8 @@ std::optional<std::string> whole(const std::string& path) { return weakly_canoni
 
 std::string relative(const std::string& path, const std::string& folder) {
   if (path::is_absolute(path) != path::is_absolute(folder)) return {};
-  const auto to = names_of(path);
-  const auto from = names_of(folder);
+  const auto to = path::names(path);
+  const auto from = path::names(folder);
   const auto [first, other] = std::mismatch(to.begin(), to.end(), from.begin(), from.end());
   std::string way;
   for (auto name = other; name != from.end(); ++name) way += way.empty() ? ".." : "/..";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The calls of POSIX that open, name and replace files. Only the files of this name include the
-// headers of a system. On Windows they are written with its own functions (system_windows.cpp):
-// a drive is a folder of the root there, "/C:/robots/arm.urdf", so that a path has one form.
+// headers of a system. For Windows, system_windows.cpp defines them. A drive is a folder in the
+// root there, as in "/C:/robots/arm.urdf", so that paths have one form on every system.
 #pragma once
 
 #include <fcntl.h>
@@ -39,7 +39,7 @@
 namespace smurf::sys {
 
 #ifdef _WIN32
-/// Are "a.stl" and "A.stl" one file?
+/// Whether the file system ignores case: "a.stl" and "A.stl" are then one file.
 inline constexpr bool kIgnoresCase = true;
 inline constexpr char kListSeparator = ';';
 

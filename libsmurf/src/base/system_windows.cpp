@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The calls of base/system.hpp with functions of Windows. All paths go through to_windows().
+// Defines the calls of base/system.hpp with functions of Windows. All paths go through
+// to_windows().
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -17,7 +18,7 @@
 namespace smurf::sys {
 namespace {
 
-constexpr int kFirst = 3;  // behind the standard streams
+constexpr int kFirst = 3;  // after the standard streams
 constexpr DWORD kShared = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
 
 struct Opened {
@@ -92,14 +93,14 @@ int keep(HANDLE handle, std::string place) {
   return kFirst + static_cast<int>(free - all.opened.begin());
 }
 
-/// What a name in an open folder is from the root on.
+/// The path of a name in an open folder.
 std::string in_folder(int folder, const char* name) {
   if (folder == AT_FDCWD || *name == '/') return name;
   const auto place = place_of(folder);
   return place ? path::join(*place, name) : std::string();
 }
 
-/// Also of a folder, or of a link itself.
+/// Opens a file, a folder, or a link itself.
 HANDLE open_handle(const std::wstring& name, DWORD access, DWORD how, bool follows) {
   const DWORD flags =
       FILE_FLAG_BACKUP_SEMANTICS | (follows ? 0U : DWORD{FILE_FLAG_OPEN_REPARSE_POINT});
@@ -189,7 +190,7 @@ int open_at(const std::string& path, int flags) {
   return keep(handle, place.empty() ? with_drive(path) : std::move(place));
 }
 
-/// What Windows tells about a link; its headers for programs lack it.
+/// The data of a link, which the headers of Windows for programs do not declare.
 struct LinkData {
   ULONG tag;
   USHORT length, reserved;
@@ -199,7 +200,7 @@ struct LinkData {
 std::string target_in(const std::vector<char>& data) {
   LinkData link{};
   std::memcpy(&link, data.data(), sizeof(link));
-  constexpr std::size_t kFlags = 4;  // of a symbolic link, between the numbers and the names
+  constexpr std::size_t kFlags = 4;  // a symbolic link has these bytes before its names
   const std::size_t names = sizeof(link) + (link.tag == IO_REPARSE_TAG_SYMLINK ? kFlags : 0);
   if (names + link.target_at + link.target_size > data.size()) return {};
   std::wstring target(link.target_size / sizeof(wchar_t), L'\0');
@@ -350,7 +351,7 @@ std::optional<std::string> place_of(int number) {
   return all.opened[index].place;
 }
 
-// A new file gets what its folder gives; there are no owners and modes to take over.
+// A new file gets its owner and rights from its folder, so there is nothing to copy.
 int adopt_owner(int /*number*/, const Status& /*other*/) { return 0; }
 void wait_until_writable(int /*number*/) {}
 void allow_open_files(std::size_t /*count*/) {}

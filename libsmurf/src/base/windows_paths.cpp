@@ -27,14 +27,14 @@ bool begins_with_drive(std::string_view path) {
          (path.size() == 2 || is_slash(path[2]));
 }
 
-/// "/C:" of "/C:/robots"; "" when there is none.
+/// "/C:" for "/C:/robots"; "" when there is no drive.
 std::string_view drive_of(std::string_view path) {
   if (path == kNetwork || path.starts_with("/UNC:/")) return path.substr(0, kNetwork.size());
   return path.starts_with('/') && begins_with_drive(path.substr(1)) ? path.substr(0, 3)
                                                                     : std::string_view();
 }
 
-/// "NUL", "com1.txt": devices, in every folder.
+/// Whether Windows takes the name for a device in every folder, as it does "NUL" and "com1.txt".
 bool is_device(std::string_view name) {
   constexpr std::array<std::string_view, 7> kDevices = {"con",    "prn",     "aux",   "nul",
                                                         "conin$", "conout$", "clock$"};
@@ -47,7 +47,7 @@ bool is_device(std::string_view name) {
   return is_digit || number == "\xC2\xB9" || number == "\xC2\xB2" || number == "\xC2\xB3";
 }
 
-/// "/C:/robots" of "C:\\robots", "/UNC:/server/share" of "\\\\server\\share"
+/// "/C:/robots" for "C:\\robots", and "/UNC:/server/share" for "\\\\server\\share".
 std::string with_slashes(std::string_view path) {
   std::string text(path);
   std::replace(text.begin(), text.end(), '\\', '/');
@@ -57,7 +57,7 @@ std::string with_slashes(std::string_view path) {
   return text;
 }
 
-/// How the last name of a path is written where the path leads.
+/// The last name of a path as it is written on disk.
 std::optional<std::string> name_on_disk(const std::string& path) {
   const auto wide = to_windows(path);
   if (!wide || wide->ends_with(L'\\')) return std::nullopt;
@@ -158,7 +158,7 @@ std::string_view why_no_name(std::string_view name) {
   return is_device(name) ? "its name is that of a device of Windows" : "";
 }
 
-/// What a person types in another case is the file all the same.
+/// Replaces names that differ from those on disk only in case by those on disk.
 std::string from_user(std::string_view path) {
   std::string text = with_slashes(path);
   for (std::size_t end = 0; end != std::string::npos && text != "-";) {

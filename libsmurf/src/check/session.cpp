@@ -164,10 +164,12 @@ struct Session::State {
       snapshot->begin();
     }
     const Workshop workshop{desk(), snapshot ? &*snapshot : nullptr, memory};
+    checked = &sources;
     return run_check(plan, settings, workshop, sources);
   }
 
   Report report(Judged&& judged, Loaded& loaded) {
+    checked = &loaded_sources;
     std::vector<Judged> found;
     found.push_back(std::move(judged));
     return make_report(std::move(found), *loaded.with->groups, desk(loaded.with->first_source),
@@ -190,8 +192,9 @@ struct Session::State {
 
   std::optional<Snapshot> snapshot;
   Memory memory;
-  SourceMap sources;  ///< of the last check
+  SourceMap sources;  ///< of the last check of paths
   SourceMap loaded_sources;
+  const SourceMap* checked = &sources;                              ///< of the last check
   std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();  ///< into loaded_sources
   std::deque<LoadedWith> loaded_with;
   std::set<std::string> announced;
@@ -240,10 +243,10 @@ Report Session::check(const std::string& path, const CheckSettings& settings) {
   return state_->run(plan, settings);
 }
 
-const SourceMap& Session::sources() const { return state_->sources; }
+const SourceMap& Session::sources() const { return *state_->checked; }
 
 std::string Session::baseline_of(const Report& report, const std::string& path) const {
-  return write_baseline(report.diagnostics, state_->sources, path);
+  return write_baseline(report.diagnostics, *state_->checked, path);
 }
 
 void Session::announce(std::span<const std::string> paths, const CheckSettings& settings) {

@@ -28,7 +28,7 @@ constexpr std::size_t kLongestChain = 16;  // of configurations that extend each
 // Bytes. Thousands of folders may extend one configuration; a thousand sections may name one
 // schema.
 constexpr std::uint64_t kMostOfConfig = 100'000, kMostOfSchemas = 2'000'000;
-/// Of one setting. Each pattern is compared with every rule or file, and no project has as many.
+/// Entries of one setting. Each is compared with every rule or file.
 constexpr std::size_t kMostEntries = 1000;
 
 std::string listed(std::span<const std::string_view> names) {

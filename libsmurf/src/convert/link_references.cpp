@@ -67,7 +67,7 @@ LinkReferences::LinkReferences(const LinkedModel& model) : model_(model) {
   for (auto& [link, properties] : properties_) std::sort(properties.begin(), properties.end());
   for (const urdf::Joint& joint : model.robot->joints) {
     if (joint.mimic && joint.mimic->joint) needed_.insert(*joint.mimic->joint);
-    // Isaac does not collapse a joint that has this attribute.
+    // Isaac keeps a joint with this attribute when it merges fixed joints.
     if (xml::View(model.robot->document, joint.element).attribute("dont_collapse") && joint.name) {
       needed_.insert(*joint.name);
     }

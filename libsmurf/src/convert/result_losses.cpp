@@ -115,7 +115,7 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Source
   case InputKind::resource: return std::nullopt;
   case InputKind::urdf: return loss_in_robot(rule);
   case InputKind::annotation:
-    // Of annotations, only the named poses decide where a link is.
+    // Named poses are the only annotations that decide where a link is.
     if (rule.id.starts_with("SML0")) return "a file cannot be read";
     if (section_of(finding) == "poses") return "a named pose is not understood";
     return std::nullopt;

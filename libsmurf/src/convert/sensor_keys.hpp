@@ -24,7 +24,7 @@ class SensorKeys {
   /// Same, as a unit quaternion.
   Quaternion rotation(std::string_view key) const;
 
-  /// Of a camera: on its link, opening in degrees, picture in pixels.
+  /// A camera: its pose on the link, its opening in degrees, its picture in pixels.
   Pose camera_pose() const { return {vector("position_offset"), rotation("orientation_offset")}; }
   double camera_opening() const { return number("opening_angle", number("opening_width", 90)); }
   double camera_width() const { return number("width", 640); }

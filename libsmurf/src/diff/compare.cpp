@@ -180,25 +180,12 @@ class PropertyComparer {
     return difference;
   }
 
-  /// The old value with the names of the new version: with its old name, a renamed thing would seem
-  /// to differ, and what still has the old name would seem to be equal.
-  DiffValue old_value(const Property& before) const {
-    if (before.form == Form::text) return renames_.translate(before.text, before.span);
-    if (before.form != Form::texts && before.form != Form::list) return value_of(before);
-    std::vector<std::string> items;
-    for (const Spanned<std::string_view>& one : before.texts) {
-      items.push_back(renames_.translate(one.value, one.span));
-    }
-    for (const Property& member : before.members) {
-      const bool is_text = member.form == Form::text;
-      items.push_back(is_text ? renames_.translate(member.text, member.span) : summary_of(member));
-    }
-    return items;
-  }
-
   void report(const std::string& path, const Property& before, const Property& after) {
     Difference& difference = add(path, after);
-    difference.before = old_value(before);
+    // With its old name, a renamed thing would seem to differ, and what still has the old name
+    // would seem to be equal.
+    difference.before = value_of(
+        before, [&](std::string_view name, Span place) { return renames_.translate(name, place); });
     difference.after = value_of(after);
     difference.old_place = before.span;
     difference.new_place = after.span;

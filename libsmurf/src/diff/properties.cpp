@@ -124,12 +124,15 @@ Quaternion rotation_of(const Property& property) {
   return {n[0], n[1], n[2], n[3]};
 }
 
-DiffValue value_of(const Property& property) {
+DiffValue value_of(const Property& property, const NameAt& name_at) {
+  const auto name = [&](std::string_view text, Span place) {
+    return name_at ? name_at(text, place) : std::string(text);
+  };
   switch (property.form) {
   case Form::absent: return {};
   case Form::boolean: return property.numbers[0] != 0;
   case Form::number: return property.numbers[0];
-  case Form::text:
+  case Form::text: return name(property.text, property.span);
   case Form::file: return property.text;
   case Form::numbers: return property.numbers;
   case Form::rotation: return rotation_of(property);
@@ -141,8 +144,12 @@ DiffValue value_of(const Property& property) {
   }
   std::vector<std::string> items;
   items.reserve(property.texts.size() + property.members.size());
-  for (const Spanned<std::string_view>& one : property.texts) items.emplace_back(one.value);
-  for (const Property& member : property.members) items.push_back(summary_of(member));
+  for (const Spanned<std::string_view>& one : property.texts)
+    items.push_back(name(one.value, one.span));
+  for (const Property& member : property.members) {
+    const bool is_name = name_at && member.form == Form::text;
+    items.push_back(is_name ? name(member.text, member.span) : summary_of(member));
+  }
   return items;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -93,7 +94,10 @@ void add_member(Property& group, Property member);
 
 Pose pose_of(const Property& property);
 Quaternion rotation_of(const Property& property);
-DiffValue value_of(const Property& property);
+/// Gives a text, which is written at a place, another name.
+using NameAt = std::function<std::string(std::string_view text, Span place)>;
+/// The value, with texts renamed by `name_at` if there is one.
+DiffValue value_of(const Property& property, const NameAt& name_at = {});
 /// One line for a person; for a group, its members; "none" when it is absent.
 std::string summary_of(const Property& property);
 

@@ -162,10 +162,10 @@ class ModelLoader {
       const std::string_view folder =
           path::parent(context_.sources.path(model_.files.front().source));
       for (const Spanned<std::string>& entry : *model_.main.files) {
-        listed_.insert(path::normalize(path::join(folder, entry.value)));
+        listed_.insert(path::join(folder, entry.value));
       }
     }
-    return listed_.contains(path::normalize(path));
+    return listed_.contains(path);
   }
 
   std::optional<SourceId> read_listed(const std::string& path, Span reference,
@@ -243,11 +243,7 @@ class ModelLoader {
       if (!utf8::is_printable(name)) continue;  // no text can list it
       const std::string_view section = path::stem(name).substr(prefix.size());
       if (find_section(section) == nullptr) continue;
-      const bool is_listed =
-          std::any_of(model_.main.files->begin(), model_.main.files->end(), [&](const auto& file) {
-            return path::join(folder, file.value) == path::join(folder, name);
-          });
-      if (!is_listed) model_.unlisted_files.push_back(name);
+      if (!is_listed(path::join(folder, name))) model_.unlisted_files.push_back(name);
     }
   }
 

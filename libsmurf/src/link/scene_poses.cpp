@@ -97,7 +97,7 @@ class JointPoses {
 
   using Sets = std::map<std::string_view, const JointPoseSet*>;
 
-  /// Of equal names the first counts.
+  /// The first of several equal names counts.
   const Sets& sets_of(ModelIndex index) {
     std::optional<Sets>& sets = sets_[to_size(index)];
     if (sets) return *sets;

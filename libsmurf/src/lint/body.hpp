@@ -29,7 +29,7 @@ inline constexpr double kLightestMaterial = 0.01;  // kg/m3
 /// Parts of a robot are nearer to each other; farther origins are reported (SML1442).
 inline constexpr double kFarthestOrigin = 10;  // m
 
-/// None when the link has no shape, or one whose size is not known, as that of a mesh.
+/// None when the link has no shape, or a shape of unknown size, such as a mesh.
 std::optional<Extent> extent_of(const LinkedModel& model, const urdf::Link& link);
 
 struct Body {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Transforms of the nodes of mesh files, which may scale and shear. The results are the same to the
-// last digit on every system.
+// Transforms of the nodes of mesh files, which may scale and shear. The results are identical on
+// every system.
 #pragma once
 
 #include <array>

@@ -28,7 +28,7 @@ struct Primitive {
   }
 };
 
-/// The place of a corner in the lists of points.
+/// The index of the point at a corner.
 inline std::uint64_t place_of(const Primitive& primitive, std::uint64_t corner) {
   return primitive.indices ? primitive.indices->index(corner) : corner;
 }
@@ -41,7 +41,7 @@ inline constexpr const char* kRepeats = "repeats too many parts to be read";
 
 /// Takes a mesh, its number and its transform. False stops.
 using MeshVisitor = std::function<bool(const Json& mesh, std::uint64_t number, const Affine& X)>;
-/// Each mesh of the scene, once for each node that places it. What is wrong becomes the reason of
+/// Visits each mesh of the scene once for each node that places it. On failure, sets the reason in
 /// `data`.
 void visit_meshes(Data& data, const MeshVisitor& visit);
 

@@ -34,7 +34,7 @@ bool has_textures(const MeshFacts& facts, const MeshNeighbours& neighbours) {
                      });
 }
 
-/// Of a format whose triangles are where its points are.
+/// Reads a format that does not place its triangles by nodes.
 std::string read_plain(std::string_view bytes, std::string_view extension,
                        const MeshNeighbours& neighbours, TriangleCollector& triangles) {
   const MeshFacts facts = read_plain_facts(bytes, extension, triangles);

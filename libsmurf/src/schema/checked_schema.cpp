@@ -101,8 +101,8 @@ constexpr std::string_view kTypes[] = {"array",  "boolean", "integer", "null",
 constexpr int kDeepest = 32;
 constexpr double kMost = 256;
 constexpr std::size_t kLongestPattern = 300;
-/// Of all patterns of a schema: each takes memory for what it comes to, each pattern of names the
-/// time to be read again for every mapping.
+/// Limits on the patterns of a schema. Each pattern takes memory, and each pattern of names is
+/// matched again for every mapping.
 constexpr std::size_t kMostPatternSteps = 500'000;
 constexpr std::size_t kMostNamePatternSteps = 300;
 constexpr int kMostNamePatterns = 1000;

@@ -211,8 +211,8 @@ bool has_too_many_nodes(const DiagnosticSink& found) {
   return !all.empty() && all.back().rule == &rules::sml0002_file_too_large;
 }
 
-/// None when the result is final: the text is plain, or too large to be read twice.
-/// Otherwise where it ceases to be plain.
+/// Returns where the text ceases to be plain. None when the result is final: the text is plain, or
+/// too large to be read twice.
 std::optional<std::uint32_t> parse_plain(const SourceMap& sources, SourceId id,
                                          const Limits& limits, DiagnosticSink& sink,
                                          std::optional<yaml::Document>& document) {

@@ -8,7 +8,7 @@ namespace smurf::things {
 
 using Found = std::vector<FoundThing>;
 
-// Of a URDF.
+// In a URDF.
 Found masses(const LinkedModel& model, SceneColumn);
 Found collision_shapes(const LinkedModel& model, SceneColumn);
 Found movable_joints(const LinkedModel& model, SceneColumn);
@@ -28,7 +28,7 @@ Found ros2_controls(const LinkedModel& model, SceneColumn column);
 Found gazebo_elements(const LinkedModel& model, SceneColumn column);
 Found other_extensions(const LinkedModel& model, SceneColumn);
 
-// Of annotations.
+// In annotations.
 /// Keys of an entry of a section other than those that the format expresses.
 Found other_keys(const LinkedModel& model, const Annotation& entry,
                  const std::vector<std::string_view>& said);
@@ -59,7 +59,7 @@ Found visual_settings(const LinkedModel& model, SceneColumn column);
 Found collision_settings(const LinkedModel& model, SceneColumn column);
 Found other_sections(const LinkedModel& model, SceneColumn);
 
-// Of scenes.
+// In scenes.
 Found no_gravity(const SceneExport& scene, SceneColumn);
 Found no_step(const SceneExport& scene, SceneColumn);
 Found ambient_lights(const SceneExport& scene, SceneColumn);

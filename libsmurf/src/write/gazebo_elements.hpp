@@ -43,7 +43,7 @@ class GazeboElements {
   void add_to_visual(XmlText& xml, std::string_view link) const;
   /// Whether that was a material.
   bool has_own_material(std::string_view link) const;
-  /// Of Gazebo Classic: "Gazebo/Red"; "" without.
+  /// A material of Gazebo Classic, such as "Gazebo/Red"; "" when there is none.
   std::string_view material(std::string_view link) const { return value(link, "material"); }
   bool has_spring(std::string_view joint) const {
     return has_any(joint, {"springReference", "springStiffness"});

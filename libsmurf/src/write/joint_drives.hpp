@@ -32,7 +32,7 @@ std::vector<JointDrive> joint_drives(const LinkedModel& model);
 /// within a step; these give all they have when they are a tenth of the largest speed off.
 double speed_gain(const JointDrive& drive);
 
-/// A motor that makes its joint follow that of another.
+/// A motor that makes its joint follow another joint.
 struct DrivenFollower {
   const urdf::Joint* joint = nullptr;
   const urdf::Joint* leader = nullptr;

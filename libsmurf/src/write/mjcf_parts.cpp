@@ -156,7 +156,7 @@ void MjcfParts::add_geom(std::vector<XmlText::Attribute> geom, const Pose& pose,
     geom.emplace_back("conaffinity", bits);
   }
   if (contacts.friction1) {
-    // Of sliding; those of turning and rolling are MuJoCo's own.
+    // Only sliding has a value; turning and rolling keep the defaults of MuJoCo.
     geom.emplace_back("friction", join_numbers({*contacts.friction1, 0.005, 0.0001}));
   }
   xml_.empty("geom", geom);

@@ -34,21 +34,21 @@ class MjcfParts {
   /// Inside <asset>: only what MuJoCo can read.
   void add_heightmaps();
   void add_lights();
-  /// What is no model: its shapes, or its loss.
+  /// Writes the shapes of an entity that is not a model, or reports its loss.
   void add_solid(std::size_t i);
-  /// Class, type and size of a geom; none for what MuJoCo has no geom for.
+  /// Class, type and size of a geom; none if MuJoCo has no such geom.
   std::optional<std::vector<XmlText::Attribute>> geom_of(const std::string& geom_class,
                                                          const FlatGeometry& geometry) const;
-  /// `geom` is what geom_of() gave, and more.
+  /// Writes a geom. `geom` holds the attributes from geom_of() and any others.
   void add_geom(std::vector<XmlText::Attribute> geom, const Pose& pose,
                 const std::optional<Rgba>& color, const Contacts& contacts);
   /// Writes the inertial of a body. `moves`: the body has a joint. Reports losses at `span`.
   void add_inertial(const LinkInertial& mass, bool moves, Span span, const std::string& name);
-  /// Inside <asset>: meshes of what is no model.
+  /// Writes the meshes of entities that are not models into <asset>.
   void add_meshes_of_entities();
   static std::string mesh_key(const FlatMesh& mesh);
   /// Names the file of a mesh that MuJoCo reads, and writes out the triangles of any other one.
-  /// Returns why there are none: "is flat, which MuJoCo refuses".
+  /// Returns why there is none, such as "is flat, which MuJoCo refuses", or "".
   std::string declare_mesh(const FlatMesh& mesh, Span place);
   /// The joint of a body that nothing holds. Not <freejoint/>, which DART takes for a weld.
   void add_free_joint(std::size_t i);

@@ -10,7 +10,7 @@
 namespace smurf {
 namespace {
 
-/// Those of scenes first, then those of old scenes.
+/// The lights of scenes, then those of old scenes.
 std::vector<const Value*> all_lights(const FlatScene& scene) {
   std::vector<const Value*> lights;
   for (const Value& light : scene.lights) lights.push_back(&light);

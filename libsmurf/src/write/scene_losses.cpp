@@ -141,7 +141,7 @@ void SceneLosses::report(const SceneThing& thing, const std::vector<FoundThing>&
   if (found.empty()) return;
   const std::string_view cell = thing.cells[to_size(column_)];
   const std::string what = std::string(thing.title) + " (" + list(found) + ")";
-  // Of what is kept in part, the cell says what is kept.
+  // A cell "partly" says what is kept, which is no reason for the loss.
   const bool has_reason = !reason_of(cell).empty() && fate_of(cell) != Fate::partly;
   const std::string reason = has_reason ? ": " + std::string(reason_of(cell)) : "";
   const Span span = found.front().span;

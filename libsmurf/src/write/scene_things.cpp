@@ -33,7 +33,7 @@ constexpr std::string_view kReadMeshes =
 constexpr std::string_view kColours = "lost: shapes have colours";
 
 constexpr SceneThing kThings[] = {
-    // Of the URDF.       sdf, sdf16, mjcf, urdf, dmd, html, gltf, usda
+    // In the URDF.       sdf, sdf16, mjcf, urdf, dmd, html, gltf, usda
     {.title = "masses and inertias",
      .in_model = things::masses,
      .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, kKept}},
@@ -192,7 +192,7 @@ constexpr SceneThing kThings[] = {
      .of = ThingOf::annotation,
      .in_model = things::other_sections,
      .cells = kLostEverywhere},
-    // Of scenes and entities.
+    // In scenes and entities.
     {.title = "gravity",
      .of = ThingOf::scene,
      .setting = WorldSetting::gravity,

@@ -54,8 +54,8 @@ inline constexpr std::string_view kRefusedInertias = "inertias that simulators r
 struct SceneThing {
   std::string_view title;  ///< plural: "effort limits"; of an annotation singular: "motor"
   ThingOf of = ThingOf::urdf;
-  /// Those in a model, or in a scene, that are not kept; asked where the cell is not "kept". Both
-  /// null: the writers see it and say so.
+  /// Finds the things in a model, or in a scene, that are not kept. Called where the cell is not
+  /// "kept". When both are null, the writers report the loss themselves.
   std::vector<FoundThing> (*in_model)(const LinkedModel& model, SceneColumn column) = nullptr;
   std::vector<FoundThing> (*in_scene)(const SceneExport& scene, SceneColumn column) = nullptr;
   WorldSetting setting = WorldSetting::none;

@@ -159,7 +159,7 @@ class UsdaWriter {
     text_.close();
   }
 
-  /// Those that shapes of the entity are bound to.
+  /// Writes the materials that shapes of the entity are bound to.
   void add_materials(const std::string& scope) {
     if (frictions_.empty()) return;
     text_.open("Scope", scope);

@@ -23,11 +23,11 @@ class CollisionBoxes {
  public:
   explicit CollisionBoxes(const LinkedModel& model) : model_(model) {}
 
-  /// Of a contact sensor in <gazebo> on this link: of the collision that it names, otherwise of all
-  /// of the link.
+  /// The boxes that a contact sensor in <gazebo> on this link touches: those of the collision that
+  /// it names, or all of the link if it names none.
   TouchedBoxes of(std::size_t link, std::string_view collision);
-  /// The boxes of the names in an annotation: names of collisions, as MARS reads them, or of links,
-  /// as Phobos does. Empty when they name shapes of more than `most` links, or the same shapes many
+  /// The boxes that an annotation names. MARS reads its names as those of collisions, and Phobos as
+  /// those of links. Empty when they name shapes of more than `most` links, or the same shapes many
   /// times.
   TouchedBoxes of(std::vector<std::string> names, std::size_t most);
 

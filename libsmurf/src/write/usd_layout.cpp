@@ -34,7 +34,7 @@ void find_bodies(const LinkedModel& model, UsdLayout& layout) {
   }
 }
 
-/// Those of the shapes of a body, beside which its frames are.
+/// The names of the shapes of a body. Its frames stand beside them and need other names.
 UniqueNames names_of_shapes(const urdf::Link& link) {
   UniqueNames names;
   const std::size_t shapes = std::max(link.visuals.size(), link.collisions.size());

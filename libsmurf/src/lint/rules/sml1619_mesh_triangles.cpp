@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::uint64_t kMany = 10000;
 constexpr std::uint64_t kManyOfVisual = 100000;
-/// Of an STL file in MuJoCo (stl_decoder.cc:70).
+/// The most that MuJoCo takes of an STL file (stl_decoder.cc:70).
 constexpr std::uint64_t kMostOfMujoco = 200000;
 
 void check_collision(const OpenedMesh& mesh, Findings& findings) {
