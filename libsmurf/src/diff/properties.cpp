@@ -144,8 +144,9 @@ DiffValue value_of(const Property& property, const NameAt& name_at) {
   }
   std::vector<std::string> items;
   items.reserve(property.texts.size() + property.members.size());
-  for (const Spanned<std::string_view>& one : property.texts)
+  for (const Spanned<std::string_view>& one : property.texts) {
     items.push_back(name(one.value, one.span));
+  }
   for (const Property& member : property.members) {
     const bool is_name = name_at && member.form == Form::text;
     items.push_back(is_name ? name(member.text, member.span) : summary_of(member));
