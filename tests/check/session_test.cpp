@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -300,6 +301,34 @@ TEST_CASE("a second check reads only what has changed") {
   CHECK(std::count(read_again.begin(), read_again.end(), mesh) == 1);
   CHECK(std::none_of(read_again.begin(), read_again.end(),
                      [&](const std::string& path) { return path.ends_with(".yml"); }));
+}
+
+TEST_CASE("after a cancelled check the next one finds everything") {
+  TemporaryFolder folder;
+  std::vector<std::string> paths;
+  for (int i = 0; i < 20; ++i) {
+    paths.push_back(folder / ("r" + std::to_string(i) + ".urdf"));
+    write(paths.back(), "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/></robot>");
+  }
+  const Plan plan = plan_of(paths);
+  Session fresh;
+  const std::string whole = check(fresh, plan);
+  for (const bool remembers : {false, true}) {
+    Session session;
+    for (const int after : {0, 1, 10}) {
+      CheckSettings settings;
+      settings.remembers = remembers;
+      std::atomic<int> asked = 0;
+      settings.is_cancelled = [&] { return asked++ >= after; };
+      const Report part = session.check(plan, settings);
+      CHECK(part.summary.models <= static_cast<std::size_t>(after));
+      settings.is_cancelled = nullptr;
+      CHECK(check(session, plan, settings) == whole);
+      for (const std::string& path : paths) {
+        session.set_text(path, read(path) + std::string(after + 1, '\n'));
+      }
+    }
+  }
 }
 
 TEST_CASE("after random edits a check finds what a new session finds") {

@@ -32,6 +32,7 @@ class Client:
         self.inbox = queue.Queue()
         self.notifications = []  # (method, params), in order
         self.requests = []  # of the server
+        self.answers = {}  # by request, of those that nobody has asked for yet
         self.seen = []  # every message, for who validates them
         self.stderr = b""
         self.threads = [threading.Thread(target=run, daemon=True) for run in (self._read, self._drain)]
@@ -83,7 +84,9 @@ class Client:
         if "method" in message and "id" in message:
             self.requests.append(message)
             self.send({"jsonrpc": "2.0", "id": message["id"], "result": None})
-        elif "method" in message:
+        elif "method" not in message:
+            self.answers[message.get("id")] = message
+        else:
             self.notifications.append((message["method"], message["params"]))
             if message["method"] == "textDocument/publishDiagnostics":
                 self.diagnostics[path_of(message["params"]["uri"])] = message["params"]
@@ -95,12 +98,12 @@ class Client:
         return self.last_id
 
     def answer(self, request, timeout=60):
-        while True:
-            message = self._take(timeout)
-            if message.get("id") == request and "method" not in message:
-                if "error" in message:
-                    raise RequestError(message["error"])
-                return message["result"]
+        while request not in self.answers:
+            self._take(timeout)
+        message = self.answers.pop(request)
+        if "error" in message:
+            raise RequestError(message["error"])
+        return message["result"]
 
     def request(self, method, params, timeout=60):
         return self.answer(self.begin(method, params), timeout)

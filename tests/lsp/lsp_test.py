@@ -67,11 +67,15 @@ class LspTest(unittest.TestCase):
         self.client.open(path, text)
         return self.client.published(path)
 
+    def settle(self):
+        """Waits until all messages but those about folders are handled."""
+        self.client.of("textDocument/foldingRange", self.motors)
+
     def expect_soon(self, path, codes):
         """Of a file that is not open, which has no version to wait for."""
         end = time.monotonic() + 30
         while True:
-            self.client.request("workspace/symbol", {"query": "no such name"})
+            self.settle()
             found = self.client.diagnostics.get(str(path), {}).get("diagnostics", [])
             if {one["code"] for one in found} == set(codes) or time.monotonic() > end:
                 break
@@ -251,7 +255,7 @@ class Refreshed(LspTest):
                     "textDocument": {"diagnostic": {}}}
 
     def asked(self):
-        self.client.request("workspace/symbol", {"query": "no such name"})
+        self.settle()
         methods = {one["method"] for one in self.client.requests}
         self.client.requests.clear()
         return methods
@@ -267,6 +271,59 @@ class Refreshed(LspTest):
         self.asked()
         self.client.notify("workspace/didChangeConfiguration", {"settings": {"smurf": {}}})
         self.assertEqual(self.asked(), {"workspace/inlayHint/refresh"})
+
+
+class Folders(LspTest):
+    """A folder that takes a second or more to check."""
+    def setUp(self):
+        super().setUp()
+        links = "".join(f'<link name="l{i}"/>' for i in range(1000))
+        for i in range(200):
+            self.write(f"many/r{i:03}.urdf", f'<robot name="r">{links}</robot>')
+
+    def begin(self):
+        return self.client.begin("workspace/diagnostic", {"previousResultIds": []})
+
+    def assert_cancelled(self, request):
+        with self.assertRaises(client.RequestError) as caught:
+            self.client.answer(request)
+        self.assertEqual(caught.exception.code, -32800)
+
+    def found(self, request):
+        return {path_of(one["uri"]): [each["code"] for each in one["items"]]
+                for one in self.client.answer(request)["items"]}
+
+    def test_typing_does_not_wait(self):
+        request = self.begin()
+        self.open(self.motors)
+        at = self.find(self.motors, "joint: joint1_waist") + len("joint: ")
+        self.client.edit(self.motors, at, at + 6, "joynt1")
+        self.assertEqual([one["code"] for one in self.client.published(self.motors)], ["SML3101"])
+        self.client.at("textDocument/hover", self.motors, at + 1)
+        self.assertNotIn(request, self.client.answers)
+        # What was typed since then is in the next answer.
+        self.assertNotIn(str(self.motors), self.found(request))
+        self.assertEqual(self.found(self.begin())[str(self.motors)], ["SML3101"])
+
+    def test_cancelled(self):
+        whole = self.found(self.begin())
+        self.assertGreaterEqual(len(whole), 200)
+        for path in self.folder.glob("many/*.urdf"):
+            path.write_text(path.read_text().replace('name="r"', 'name="s"'))  # else all is known
+        request = self.begin()
+        self.client.notify("$/cancelRequest", {"id": request})
+        self.assert_cancelled(request)
+        self.assertEqual(self.found(self.begin()), whole)
+
+    def test_the_end_cancels(self):
+        request = self.begin()
+        waiting = self.client.begin("workspace/symbol", {"query": "l1"})
+        self.assertEqual(self.client.stop(), 0)
+        while (message := self.client.inbox.get(timeout=60)) is not None:
+            self.client.answers[message.get("id")] = message
+        for one in (request, waiting):
+            self.assert_cancelled(one)
+        self.client = self.another()
 
 
 class Actions(LspTest):

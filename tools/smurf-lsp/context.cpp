@@ -22,7 +22,7 @@ void Context::send(const Json& message) {
 
 void Context::ask(const char* method, Json params) {
   send({{"jsonrpc", "2.0"},
-        {"id", "server-" + std::to_string(++last_id)},
+        {"id", name + "-" + std::to_string(++last_id)},
         {"method", method},
         {"params", std::move(params)}});
 }

@@ -42,7 +42,7 @@ struct RequestError : std::runtime_error {
 };
 inline constexpr int kInvalidParams = -32602;
 inline constexpr int kRequestFailed = -32803;
-inline constexpr int kServerCancelled = -32802;
+inline constexpr int kRequestCancelled = -32800;
 
 /// The most places of a name that an answer has. An editor shows fewer, and each takes 150 bytes.
 inline constexpr std::size_t kMostPlaces = 100'000;
@@ -51,8 +51,10 @@ struct Context {
   Workspace workspace;
   Client client;
   Send write;
-  PrintedLists lists;  ///< of the next message
-  int last_id = 0;     ///< of own requests
+  std::string name;                                           ///< begins the ids of own requests
+  std::function<bool()> is_cancelled = [] { return false; };  ///< the request that is handled
+  PrintedLists lists;                                         ///< of the next message
+  int last_id = 0;                                            ///< of own requests
   bool has_checked_folders = false;
 
   void send(const Json& message);

@@ -166,8 +166,9 @@ Json document_diagnostics(Context& context, const Json& params) {
 Json workspace_diagnostics(Context& context, const Json& params) {
   ProgressTeller progress(context, token_of(context, params));
   const Workspace::FolderReport checked = context.workspace.check_folders(
-      [&](std::size_t done, std::size_t of) { progress.tell(done, of); });
+      [&](std::size_t done, std::size_t of) { progress.tell(done, of); }, context.is_cancelled);
   progress.end();
+  if (context.is_cancelled()) throw RequestError(kRequestCancelled, "cancelled");
   context.has_checked_folders = true;
   std::map<std::string, std::string> previous;
   const Json& known = at(params, {"previousResultIds"});

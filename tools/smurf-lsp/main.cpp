@@ -11,6 +11,7 @@
 #include "common/command.hpp"
 #include "common/output.hpp"
 #include "common/process.hpp"
+#include "smurf-lsp/background.hpp"
 #include "smurf-lsp/server.hpp"
 #include "smurf-lsp/transport.hpp"
 
@@ -55,20 +56,24 @@ Command lsp_command(Options& options) {
 int serve(std::ostream* log) {
   std::ios::sync_with_stdio(false);
   std::cin.tie(nullptr);
-  std::mutex mutex;  // progress comes from several threads
+  std::mutex mutex;  // several threads send messages and write the log
   const auto send = [&](std::span<const std::string_view> parts) {
     const std::lock_guard lock(mutex);
     write_message(std::cout, parts);
   };
-  Server server(send, [&](std::string_view line) {
+  const auto note = [&](std::string_view line) {
+    const std::lock_guard lock(mutex);
     if (log != nullptr) *log << line << std::endl;
-  });
+  };
+  Server server(send, note);
+  Background background(send, note);
   Inbox inbox(std::cin);
+  Messages& messages = inbox.messages();
   while (!server.exit_code()) {
-    if (inbox.is_empty()) server.rest();
-    const std::optional<Json> message = inbox.next();
+    if (messages.is_empty()) server.rest();
+    const std::optional<Json> message = messages.next();
     if (!message) return kFailed;  // the editor is gone
-    server.handle(*message);
+    if (!background.take(*message)) server.handle(*message);
   }
   return *server.exit_code();
 }

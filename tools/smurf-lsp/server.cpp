@@ -8,7 +8,7 @@
 
 #include "common/command.hpp"
 #include "smurf-lsp/capabilities.hpp"
-#include "smurf-lsp/transport.hpp"
+#include "smurf-lsp/messages.hpp"
 #include "smurf-lsp/uri.hpp"
 
 namespace smurf::lsp {
@@ -18,7 +18,6 @@ constexpr int kParseError = -32700;
 constexpr int kInvalidRequest = -32600;
 constexpr int kMethodNotFound = -32601;
 constexpr int kNotInitialized = -32002;
-constexpr int kRequestCancelled = -32800;
 
 using Handler = Json (*)(Context&, const Json&);
 constexpr std::pair<std::string_view, Handler> kHandlers[] = {
@@ -173,8 +172,7 @@ void watch_files(Context& context) {
 }
 
 /// A client that asks for findings does not know that files on the disk have changed.
-void files_changed(Context& context) {
-  context.workspace.forget_files();
+void refresh(Context& context) {
   const Client& client = context.client;
   if (client.pulls_diagnostics && client.refreshes_diagnostics) {
     context.ask("workspace/diagnostic/refresh", nullptr);
@@ -183,14 +181,13 @@ void files_changed(Context& context) {
   if (client.refreshes_hints) context.ask("workspace/inlayHint/refresh", nullptr);
 }
 
-void settings_changed(Context& context, const Json& settings) {
-  read_settings(settings, context.client);
-  if (context.client.refreshes_hints) context.ask("workspace/inlayHint/refresh", nullptr);
-}
-
 }  // namespace
 
-Server::Server(Send send, Log log) : log_(std::move(log)) { context_.write = std::move(send); }
+Server::Server(Send send, Log log, ServerOptions options) : log_(std::move(log)) {
+  context_.write = std::move(send);
+  context_.name = std::move(options.name);
+  if (options.is_cancelled) context_.is_cancelled = std::move(options.is_cancelled);
+}
 
 void Server::reply(const Json& id, Json result) {
   context_.send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
@@ -203,11 +200,15 @@ void Server::refuse(const Json& id, int code, std::string_view message) {
                  {"error", {{"code", code}, {"message", std::string(message)}}}});
 }
 
-void Server::initialize(const Json& id, const Json& params) {
-  if (is_initialized_) return refuse(id, kInvalidRequest, "`initialize` comes once");
+void Server::begin(const Json& params) {
   is_initialized_ = true;
   read_client(params, context_.client);
   context_.workspace.set_folders(folders_in(params));
+}
+
+void Server::initialize(const Json& id, const Json& params) {
+  if (is_initialized_) return refuse(id, kInvalidRequest, "`initialize` comes once");
+  begin(params);
   reply(id, {{"capabilities", capabilities(context_.client)},
              {"serverInfo", {{"name", "smurf-lsp"}, {"version", tools::kVersion}}}});
 }
@@ -221,16 +222,37 @@ Json Server::answer(const std::string& method, const Json& params) {
   return handler->second(context_, params);
 }
 
-void Server::notify(const std::string& method, const Json& params) {
-  if (method == "initialized") return watch_files(context_);
+void Server::note(const std::string& method, const Json& params) {
+  Workspace& workspace = context_.workspace;
   if (method == "textDocument/didOpen") return open(context_, params);
   if (method == "textDocument/didChange") return change(context_, params);
-  if (method == "textDocument/didClose") return context_.workspace.close(path_in(params));
-  if (method == "textDocument/didSave") return context_.workspace.forget_files();
-  if (method == "workspace/didChangeWatchedFiles") return files_changed(context_);
+  if (method == "textDocument/didClose") return workspace.close(path_in(params));
+  if (method == "textDocument/didSave") return workspace.forget_files();
+  if (method == "workspace/didChangeWatchedFiles") return workspace.forget_files();
   if (method == "workspace/didChangeWorkspaceFolders") return change_folders(context_, params);
   if (method == "workspace/didChangeConfiguration") {
-    return settings_changed(context_, at(params, {"settings"}));
+    return read_settings(at(params, {"settings"}), context_.client);
+  }
+}
+
+void Server::notify(const std::string& method, const Json& params) {
+  note(method, params);
+  if (method == "initialized") return watch_files(context_);
+  if (method == "workspace/didChangeWatchedFiles") return refresh(context_);
+  if (method == "workspace/didChangeConfiguration" && context_.client.refreshes_hints) {
+    context_.ask("workspace/inlayHint/refresh", nullptr);
+  }
+}
+
+void Server::follow(const Json& message) {
+  const std::string method = text_at(message, {"method"});
+  const Json& params = at(message, {"params"});
+  if (!is_request(message)) {
+    if (is_running()) note(method, params);
+  } else if (method == "initialize" && !is_initialized_) {
+    begin(params);
+  } else if (method == "shutdown" && is_initialized_) {
+    is_shut_down_ = true;
   }
 }
 
@@ -239,8 +261,8 @@ void Server::handle(const Json& message) {
   const Json& id = at(message, {"id"});
   const std::string method = text_at(message, {"method"});
   const Json& params = at(message, {"params"});
-  const bool is_request = message.is_object() && message.contains("id");
-  log_((is_request ? "request " : "notification ") + method);
+  const bool is_answered = is_request(message);
+  log_((is_answered ? "request " : "notification ") + method);
   if (method.empty()) {  // an answer to a request of ours, or nothing at all
     const bool is_answer = message.contains("result") || message.contains("error");
     if (!is_answer) refuse(nullptr, kInvalidRequest, "this is no message");
@@ -250,8 +272,8 @@ void Server::handle(const Json& message) {
     exit_code_ = is_shut_down_ ? 0 : 1;
     return;
   }
-  if (!is_request) {
-    if (is_initialized_ && !is_shut_down_) notify(method, params);
+  if (!is_answered) {
+    if (is_running()) notify(method, params);
     return;
   }
   if (flag_at(message, {kCancelled})) return refuse(id, kRequestCancelled, "cancelled");
@@ -273,7 +295,7 @@ void Server::handle(const Json& message) {
 
 void Server::rest() {
   Workspace& workspace = context_.workspace;
-  if (!is_initialized_ || is_shut_down_ || workspace.is_checked()) return;
+  if (!is_running() || workspace.is_checked()) return;
   if (context_.client.pulls_diagnostics) return;  // it asks
   const Report& report = workspace.report();
   std::map<std::string, std::string> files =

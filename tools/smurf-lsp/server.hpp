@@ -12,11 +12,18 @@
 
 namespace smurf::lsp {
 
+struct ServerOptions {
+  std::string name = "server";         ///< begins the ids of its own requests
+  std::function<bool()> is_cancelled;  ///< whether the request that it handles is cancelled
+};
+
 class Server {
  public:
-  Server(Send send, Log log);
+  Server(Send send, Log log, ServerOptions options = {});
 
   void handle(const Json& message);
+  /// Notes what a message tells about the client and the documents, and sends nothing.
+  void follow(const Json& message);
   /// Publishes the findings of the current texts. Call it when no message waits.
   void rest();
 
@@ -25,10 +32,14 @@ class Server {
   std::optional<int> exit_code() const { return exit_code_; }
 
  private:
+  bool is_running() const { return is_initialized_ && !is_shut_down_; }
+  /// What follow() does with a notification.
+  void note(const std::string& method, const Json& params);
   void notify(const std::string& method, const Json& params);
   Json answer(const std::string& method, const Json& params);
   void reply(const Json& id, Json result);
   void refuse(const Json& id, int code, std::string_view message);
+  void begin(const Json& params);
   void initialize(const Json& id, const Json& params);
 
   Context context_;

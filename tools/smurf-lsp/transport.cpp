@@ -118,39 +118,10 @@ void Inbox::read(std::istream& in) {
     Json message = parse(*text);
     if (message.is_discarded()) message = parse(without_halves(*text));
     const bool is_last = text_at(message, {"method"}) == "exit";
-    take(std::move(message));
+    messages_.push(std::move(message));
     if (is_last) break;
   }
-  const std::lock_guard lock(mutex_);
-  is_over_ = true;
-  has_more_.notify_one();
-}
-
-void Inbox::take(Json message) {
-  const std::lock_guard lock(mutex_);
-  if (text_at(message, {"method"}) == "$/cancelRequest") {
-    const Json& id = at(message, {"params", "id"});
-    for (Json& waiting : messages_) {
-      if (!id.is_null() && at(waiting, {"id"}) == id) waiting[kCancelled] = true;
-    }
-    if (!message.contains("id")) return;  // else it waits for an answer
-  }
-  messages_.push_back(std::move(message));
-  has_more_.notify_one();
-}
-
-std::optional<Json> Inbox::next() {
-  std::unique_lock lock(mutex_);
-  has_more_.wait(lock, [this] { return is_over_ || !messages_.empty(); });
-  if (messages_.empty()) return std::nullopt;
-  Json message = std::move(messages_.front());
-  messages_.pop_front();
-  return message;
-}
-
-bool Inbox::is_empty() {
-  const std::lock_guard lock(mutex_);
-  return messages_.empty();
+  messages_.end();
 }
 
 }  // namespace smurf::lsp

@@ -140,7 +140,7 @@ void Workspace::set_folders(std::vector<std::string> folders) {
 }
 
 void Workspace::touch(const std::string& path) {
-  changed_.push_back(path);
+  changed_.insert(path);
   is_checked_ = false;
   names_.reset();
   folder_names_.reset();
@@ -305,7 +305,7 @@ std::vector<FileView> Workspace::views_with(const std::string& path, std::string
   load();
   std::vector<FileView> found = views(path);
   // The loaded files stay until the next request for them.
-  changed_.push_back(path);
+  changed_.insert(path);
   return found;
 }
 
@@ -360,7 +360,7 @@ Renamed Workspace::rename(std::size_t part, const Reference& reference, const st
   confine_changes(changeable);
   Renamed renamed =
       tools::rename_planned(plan, settings_of_check(), std::span(&rename, 1), session_, changeable);
-  for (const FixedText& file : renamed.texts) changed_.push_back(file.path);
+  for (const FixedText& file : renamed.texts) changed_.insert(file.path);
   put_texts();
   return renamed;
 }

@@ -67,7 +67,8 @@ class Workspace {
     Report report;
     const SourceMap* sources = nullptr;
   };
-  FolderReport check_folders(std::function<void(std::size_t, std::size_t)> on_progress);
+  FolderReport check_folders(std::function<void(std::size_t, std::size_t)> on_progress,
+                             std::function<bool()> is_cancelled);
 
   /// All definitions in the folders and the open documents: a name, its kind, and its place.
   struct Definition {
@@ -119,7 +120,7 @@ class Workspace {
   std::optional<Session>
       folder_session_;                  ///< separate, so that typing does not wait for the folders
   std::set<std::string> folder_texts_;  ///< documents whose texts that session has
-  std::vector<std::string> changed_;    ///< documents whose new text the session does not have yet
+  std::set<std::string> changed_;       ///< documents whose new text the session does not have yet
   std::optional<Plan> plan_;
   Report report_;
   bool is_checked_ = false;

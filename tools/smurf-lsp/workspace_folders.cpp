@@ -21,10 +21,12 @@ Session& Workspace::folder_session() {
 }
 
 Workspace::FolderReport
-Workspace::check_folders(std::function<void(std::size_t, std::size_t)> on_progress) {
+Workspace::check_folders(std::function<void(std::size_t, std::size_t)> on_progress,
+                         std::function<bool()> is_cancelled) {
   Session& session = folder_session();
   CheckSettings settings = settings_of_check();
   settings.on_progress = std::move(on_progress);
+  settings.is_cancelled = std::move(is_cancelled);
   Report report = session.check(make_plan(folders_), settings);
   return {std::move(report), &session.sources()};
 }

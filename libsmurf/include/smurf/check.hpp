@@ -64,6 +64,9 @@ struct CheckSettings {
   bool remembers = true;
   /// Called with 0 first, then after each file, possibly from several threads.
   std::function<void(std::size_t done, std::size_t of)> on_progress;
+  /// Called before each file, possibly from several threads. True ends the check: its report lacks
+  /// the files that were not checked yet.
+  std::function<bool()> is_cancelled;
 };
 
 /// A file to check with everything that it loads, and its configuration.

@@ -67,15 +67,17 @@ class Run {
         left.push_back(&file);
       }
     }
-    if (is_over_) return;
+    if (is_over_ || is_cancelled_) return;
     std::vector<Outcome> outcomes(left.size());
     for_each_in_order(
         left.size(), jobs_,
         [&](std::size_t worker, std::size_t i) {
+          if (is_cancelled()) return;
           outcomes[i] = check(*left[i], shared_meshes_[worker]);
           advance();
         },
         [&](std::size_t i) {
+          if (is_cancelled_) return false;
           Outcome outcome = is_remembering() ? copy_of(outcomes[i]) : std::move(outcomes[i]);
           take(std::move(outcome), *left[i]);
           return !is_over_;
@@ -84,7 +86,9 @@ class Run {
   }
 
   Report finish(const Plan& plan) {
-    std::erase_if(memory_.outcomes, [&](const auto& one) { return !used_.contains(one.first); });
+    if (!is_cancelled_) {
+      std::erase_if(memory_.outcomes, [&](const auto& one) { return !used_.contains(one.first); });
+    }
     Report report = make_report(std::move(found_), memory_.groups, workshop_.desk, sources_);
     report.summary.models = models_.size();
     report.summary.scenes = scenes_.size();
@@ -109,6 +113,12 @@ class Run {
     return identity(path, workshop_.desk.paths, workshop_.desk.files);
   }
 
+  /// Called by several threads.
+  bool is_cancelled() {
+    if (settings_.is_cancelled && settings_.is_cancelled()) is_cancelled_ = true;
+    return is_cancelled_;
+  }
+
   void advance() {
     const std::size_t done = ++done_;
     if (settings_.on_progress) settings_.on_progress(done, expected_);
@@ -127,7 +137,7 @@ class Run {
 
   void remember(const std::vector<const PlannedFile*>& planned, std::vector<Outcome>&& outcomes) {
     for (std::size_t i = 0; i < planned.size(); ++i) {
-      if (outcomes[i].answers.empty()) continue;  // not checked: there was no room
+      if (outcomes[i].answers.empty()) continue;  // not checked: no room, or cancelled
       parsed_bytes_ += outcomes[i].parsed.bytes();
       if (parsed_bytes_ > kMostParsed) outcomes[i].parsed = {};
       memory_.outcomes[planned[i]->path] = std::move(outcomes[i]);
@@ -301,6 +311,7 @@ class Run {
   bool is_over_ = false;                          ///< the remaining files are not checked
   std::set<std::string> used_;                    ///< paths of the outcomes used here
   std::size_t parsed_bytes_ = 0;                  ///< of the texts whose trees are kept
+  std::atomic<bool> is_cancelled_ = false;
   std::atomic<std::size_t> done_ = 0;
   std::size_t expected_ = 0;
 };
