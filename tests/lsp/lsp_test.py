@@ -277,9 +277,10 @@ class Folders(LspTest):
     """A folder that takes a second or more to check."""
     def setUp(self):
         super().setUp()
-        links = "".join(f'<link name="l{i}"/>' for i in range(1000))
+        star = "".join(f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="b"/><child link="l{i}"/></joint>'
+                       for i in range(1000))
         for i in range(200):
-            self.write(f"many/r{i:03}.urdf", f'<robot name="r">{links}</robot>')
+            self.write(f"many/r{i:03}.urdf", f'<robot name="r"><link name="b"/><link name="b"/>{star}</robot>')
 
     def begin(self):
         return self.client.begin("workspace/diagnostic", {"previousResultIds": []})
