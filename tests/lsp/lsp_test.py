@@ -301,7 +301,7 @@ class Folders(LspTest):
         self.client.edit(self.motors, at, at + 6, "joynt1")
         self.assertEqual([one["code"] for one in self.client.published(self.motors)], ["SML3101"])
         self.client.at("textDocument/hover", self.motors, at + 1)
-        self.assertNotIn(request, self.client.answers)
+        self.assertFalse(request in self.client.answers)
         # What was typed since then is in the next answer.
         self.assertNotIn(str(self.motors), self.found(request))
         self.assertEqual(self.found(self.begin())[str(self.motors)], ["SML3101"])
