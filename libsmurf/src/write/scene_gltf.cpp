@@ -37,7 +37,6 @@ class GltfWriter {
   }
 
  private:
-  enum class Solid : std::uint8_t { box, sphere, cylinder, square };
   /// Points that several meshes share: a solid, or the file of a mesh.
   using Points = std::variant<Solid, std::string>;
   /// Triangles of one colour.
@@ -134,31 +133,15 @@ class GltfWriter {
       node += std::to_string(mesh_of(points, shape.color));
       nodes.push_back(add_node(std::move(node)));
     };
-    if (const auto* box = std::get_if<FlatBox>(&shape.geometry)) {
-      add(Solid::box, shape.X_LS, box->size);
-    } else if (const auto* sphere = std::get_if<FlatSphere>(&shape.geometry)) {
-      add(Solid::sphere, shape.X_LS, {sphere->radius, sphere->radius, sphere->radius});
-    } else if (const auto* cylinder = std::get_if<FlatCylinder>(&shape.geometry)) {
-      add(Solid::cylinder, shape.X_LS, {cylinder->radius, cylinder->radius, cylinder->length});
-    } else if (const auto* capsule = std::get_if<FlatCapsule>(&shape.geometry)) {
-      const double r = capsule->radius;
-      add(Solid::cylinder, shape.X_LS, {r, r, capsule->length});
-      for (const double end : {-0.5, 0.5}) {
-        add(Solid::sphere, shape.X_LS * Pose{{0, 0, end * capsule->length}, {}}, {r, r, r});
-      }
-    } else if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
-      add(Solid::square, shape.X_LS, {plane->length, plane->width, 1});
-    } else if (const auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) {
-      const std::string& file = files_.first_name(mesh->file);
-      const std::string& reason = accessors_of(file, shape.span).why_none;
-      if (reason.empty()) {
-        add(file, shape.X_LS, mesh->scale);
-      } else {
-        losses_.unseen_shape(shape.span, shape.geometry, reason);
-      }
-    } else {
-      losses_.unseen_shape(shape.span, shape.geometry, {});
-    }
+    const std::vector<PlacedSolid> solids = solids_of(shape.geometry);
+    for (const PlacedSolid& one : solids) add(one.solid, shape.X_LS * one.X_GS, one.scale);
+    if (!solids.empty()) return;
+    const auto* mesh = std::get_if<FlatMesh>(&shape.geometry);
+    if (mesh == nullptr) return losses_.unseen_shape(shape.span, shape.geometry, {});
+    const std::string& file = files_.first_name(mesh->file);
+    const std::string& reason = accessors_of(file, shape.span).why_none;
+    if (!reason.empty()) return losses_.unseen_shape(shape.span, shape.geometry, reason);
+    add(file, shape.X_LS, mesh->scale);
   }
 
   /// A mesh for every pair of points and colour. Without normals a reader shows flat triangles.
@@ -214,10 +197,7 @@ class GltfWriter {
   }
 
   Accessors add_solid(Solid solid) {
-    const TriangleMesh mesh = solid == Solid::box        ? unit_box()
-                              : solid == Solid::sphere   ? unit_sphere()
-                              : solid == Solid::cylinder ? unit_cylinder()
-                                                         : unit_square();
+    const TriangleMesh mesh = unit_mesh(solid);
     Accessors accessors;
     accessors.points = add_vectors(mesh.points, true);
     accessors.normals = add_vectors(mesh.normals, false);

@@ -60,8 +60,6 @@ void add_disk(TriangleMesh& mesh, float z, bool is_seen_from_above) {
   }
 }
 
-}  // namespace
-
 TriangleMesh unit_square() {
   TriangleMesh mesh;
   add_face(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
@@ -118,6 +116,40 @@ TriangleMesh unit_sphere() {
     }
   }
   return mesh;
+}
+
+}  // namespace
+
+TriangleMesh unit_mesh(Solid solid) {
+  switch (solid) {
+  case Solid::box: return unit_box();
+  case Solid::sphere: return unit_sphere();
+  case Solid::cylinder: return unit_cylinder();
+  case Solid::square: break;
+  }
+  return unit_square();
+}
+
+std::vector<PlacedSolid> solids_of(const FlatGeometry& geometry) {
+  if (const auto* box = std::get_if<FlatBox>(&geometry)) return {{Solid::box, {}, box->size}};
+  if (const auto* sphere = std::get_if<FlatSphere>(&geometry)) {
+    const double r = sphere->radius;
+    return {{Solid::sphere, {}, {r, r, r}}};
+  }
+  if (const auto* cylinder = std::get_if<FlatCylinder>(&geometry)) {
+    return {{Solid::cylinder, {}, {cylinder->radius, cylinder->radius, cylinder->length}}};
+  }
+  if (const auto* capsule = std::get_if<FlatCapsule>(&geometry)) {
+    const double r = capsule->radius;
+    const double half = capsule->length / 2;
+    return {{Solid::cylinder, {}, {r, r, capsule->length}},
+            {Solid::sphere, {{0, 0, -half}, {}}, {r, r, r}},
+            {Solid::sphere, {{0, 0, half}, {}}, {r, r, r}}};
+  }
+  if (const auto* plane = std::get_if<FlatPlane>(&geometry)) {
+    return {{Solid::square, {}, {plane->length, plane->width, 1}}};
+  }
+  return {};
 }
 
 }  // namespace smurf

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles of the solids that other formats have and glTF has not; scaled to size by their users.
+// Triangles of the shapes that are no meshes, for formats without such shapes; scaled to size by
+// their users.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
+
+#include "smurf/flat_shape.hpp"
+#include "smurf/pose.hpp"
 
 namespace smurf {
 
@@ -13,13 +17,21 @@ struct TriangleMesh {
   std::vector<std::uint16_t> indices;                 ///< three a triangle, counterclockwise
 };
 
-/// Edges of length 1, around the origin.
-TriangleMesh unit_box();
-/// Radius 1.
-TriangleMesh unit_sphere();
-/// Radius 1, from z = -0.5 to 0.5.
-TriangleMesh unit_cylinder();
-/// From -0.5 to 0.5 in x and y, at z = 0, seen from above.
-TriangleMesh unit_square();
+/// Around the origin of their frame.
+enum class Solid : std::uint8_t {
+  box,       ///< edges of length 1
+  sphere,    ///< radius 1
+  cylinder,  ///< radius 1, from z = -0.5 to 0.5
+  square     ///< from -0.5 to 0.5 in x and y, at z = 0, seen from above
+};
+TriangleMesh unit_mesh(Solid solid);
+
+struct PlacedSolid {
+  Solid solid{};
+  Pose X_GS;  ///< in the frame of the shape
+  Vector3 scale{};
+};
+/// The solids that a shape is made of: several for a capsule, none for a mesh or a heightmap.
+std::vector<PlacedSolid> solids_of(const FlatGeometry& geometry);
 
 }  // namespace smurf
