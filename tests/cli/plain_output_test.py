@@ -141,7 +141,7 @@ class Names(PlainOutputTest):
                     if b"has no form" not in refusal and b"this build has no viewer" not in refusal:
                         text = self.data("smurfs-flatten", *arguments)
                         PARSERS.get(name, str)(text)
-                        if name in ("tsv", "dot", "usda"):
+                        if name in ("tsv", "dot", "usda", "obj"):
                             self.check_people(text.encode(), arguments)
         with self.subTest("comparison"):
             json.loads(self.data("smurfs-flatten", "--compare-dialects", "--format", "json", "--force", "--", scene))

@@ -14,7 +14,7 @@ import xml.etree.ElementTree as ElementTree
 
 SUFFIXES = {".smurfs", ".smurfa"}
 XML_FORMATS = ("svg", "sdf", "sdf1.6", "mjcf", "urdf")
-FORMATS = (*XML_FORMATS, "json", "tsv", "dot", "dmd", "gltf", "usda", "smurfs")
+FORMATS = (*XML_FORMATS, "json", "tsv", "dot", "dmd", "gltf", "usda", "obj", "smurfs")
 
 
 def run(tool, *arguments):

@@ -594,7 +594,7 @@ class Assets(FlattenTest):
         self.assertFalse((self.folder / "files").exists())
         self.assertFalse((self.folder / "world.sdf").exists())
         self.assertEqual(self.run_tool(*copy).returncode, 0)
-        for name in ("usda", "gltf"):
+        for name in ("usda", "gltf", "obj"):
             done = self.run_tool("s.smurfs", "--format", name, "--limit", "scene-bytes=5000")
             self.assertEqual((done.returncode, done.stdout), (1, ""))
             self.assertIn("SML5022", done.stderr)
@@ -805,7 +805,7 @@ physics: {{gravity: {{x: {gravity}, y: {gravity}, z: 0}}, stepsize: {step}}}
     IN_URDF = ("xyz", "rpy", "size", "mass", "axis", "limit")
     IN_SCENE = ("place", "angle", "extent", "gravity", "step")
     RUNS = [("--format", name) for name in ("json", "tsv", "svg", "dot", "smurfs", "sdf", "sdf1.6", "mjcf", "urdf", "dmd",
-                                            "gltf", "usda")]
+                                            "gltf", "usda", "obj")]
     RUNS += [("--links",), ("--dialect", "mars"), ("--dialect", "phobos"), ("--explain", "B"), ("--compare-dialects",)]
 
     def test_no_result_has_one(self):

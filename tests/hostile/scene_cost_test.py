@@ -11,7 +11,7 @@ import tempfile
 from hostile_cli_test import MEGABYTES, SECONDS, Run
 from inputs import repeat
 
-FORMATS = ("json", "tsv", "svg", "dot", "smurfs", "sdf", "sdf1.6", "mjcf", "urdf", "dmd", "gltf", "usda")
+FORMATS = ("json", "tsv", "svg", "dot", "smurfs", "sdf", "sdf1.6", "mjcf", "urdf", "dmd", "gltf", "usda", "obj")
 MEGABYTE = 1_000_000
 ROBOT = '<robot name="r"><link name="b"/></robot>'
 MODEL = "modelname: r\nfiles: [r.urdf, p.yml]\n"

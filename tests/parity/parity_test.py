@@ -17,7 +17,7 @@ from builds import BUILDS, Native, sum_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 FIXTURES = ROOT / "fixtures"
-SCENE_FORMATS = ("json", "tsv", "dot", "svg", "sdf", "mjcf", "urdf", "dmd", "gltf", "usda")
+SCENE_FORMATS = ("json", "tsv", "dot", "svg", "sdf", "mjcf", "urdf", "dmd", "gltf", "usda", "obj")
 PRESETS = ("ros2", "gazebo", "mujoco", "drake")
 MOST_SHOWN = 20
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""gltf and usda: what they show, read by the validator of glTF and by a small reader of USD; meshes in mjcf."""
+"""gltf, usda and obj: what they show, read by the validator of glTF, a small reader of USD and assimp; meshes in mjcf."""
 import base64
 import json
 import math
@@ -316,6 +316,71 @@ class Usda(PreviewTest):
         self.assertEqual(prims["World"]["type"], "Xform")
         kinds = {prim["type"] for prim in prims.values()}
         self.assertLessEqual({"Cube", "Sphere", "Cylinder"}, kinds)
+
+
+class Obj(PreviewTest):
+    def objects(self, scene):
+        """The corners of the triangles of each object."""
+        points, found = [], {}
+        for line in self.write_scene(scene, "obj").read_text().splitlines():
+            kind, *fields = line.split(" ")
+            if kind == "v":
+                points.append([float(field) for field in fields[:3]])
+            elif kind == "o":
+                (name,) = fields
+                found[name] = []
+            elif kind == "f":
+                self.assertEqual(len(fields), 3)
+                found[name].append([points[int(field) - 1] for field in fields])
+        return found
+
+    def test_meshes_fill_the_box_of_their_files(self):
+        visuals = self.write_meshes()
+        objects = self.objects("meshes.smurfs")
+        self.assertEqual(set(objects), {"a::l", "b::l"})
+        for name, triangles in objects.items():
+            self.assertEqual(len(triangles), len(visuals) * len(FACES))
+            for index, (_, scale) in enumerate(visuals):
+                part = triangles[index * len(FACES):(index + 1) * len(FACES)]
+                found = bounds([corner for triangle in part for corner in triangle])
+                for side, other in zip(found, self.expected_bounds(name[0], index, scale)):
+                    self.assertLess(math.dist(side, other), 1e-6)
+
+    def test_triangles_face_outwards(self):
+        """Also those of a mirrored mesh."""
+        self.write("meshes/wedge.stl", binary_stl())
+        for scale, volume in (("1 1 1", 0.375), ("1 -2 1", 0.75), ("-1 -1 -1", 0.375)):
+            self.write("one.urdf", "<robot name='r'><link name='l'><visual><geometry><mesh filename='meshes/wedge.stl' "
+                       f"scale='{scale}'/></geometry></visual></link></robot>")
+            self.write("one.smurfs", "entities:\n- {name: a, file: one.urdf}\n"
+                       "- {name: b, type: primitive, geometry: {type: box}, position: [5, 0, 0]}\n")
+            for name, expected in (("a::l", volume), ("b", 1)):
+                found = sum(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                            a[2] * (b[0] * c[1] - b[1] * c[0]) for a, b, c in self.objects("one.smurfs")[name]) / 6
+                self.assertAlmostEqual(found, expected, places=6)
+
+    def test_names(self):
+        self.write("odd.smurfs", "entities:\n- {name: \"two words \\\\\", type: primitive, geometry: {type: box}}\n"
+                   "- {name: \"::error::x\", type: primitive, geometry: {type: box}}\n")
+        self.assertEqual(set(self.objects("odd.smurfs")), {"two_words__", "_:error::x"})
+
+    @reader.needs_program("assimp")
+    def test_another_reader_sees_what_the_preview_shows(self):
+        """The same triangles within the same box; the y axis of glTF is up."""
+        self.write_meshes()
+        for scene in [*reader.SCENES.values(), "meshes.smurfs"]:
+            facts = {}
+            for form in ("obj", "gltf"):
+                text = self.read_with("assimp", "info", self.write_scene(scene, form), "-ptv", "-tri")
+                sides = re.findall(r"^(?:Minimum|Maximum) point\s+\((\S+) (\S+) (\S+)\)", text, re.M)
+                low, high = [[float(one) for one in side] for side in sides]
+                if form == "gltf":
+                    low, high = [low[0], -high[2], low[1]], [high[0], -low[2], high[1]]
+                facts[form] = int(re.search(r"^Faces:\s+(\d+)", text, re.M)[1]), low, high
+            self.assertGreater(facts["obj"][0], 10)
+            self.assertEqual(facts["obj"][0], facts["gltf"][0])
+            for side in (1, 2):
+                self.assertLess(math.dist(facts["obj"][side], facts["gltf"][side]), 1e-4, scene)
 
 
 class Mjcf(PreviewTest):
