@@ -41,6 +41,7 @@ from ._smurf import (
     Joint,
     JointAnnotation,
     JointPoseSet,
+    JointTask,
     Light,
     Limit,
     Link,
@@ -73,8 +74,8 @@ from ._smurf import (
 __all__ = [
     "Box", "Capsule", "Collision", "CollisionAnnotation", "Controller", "Cylinder", "Dynamics", "Error",
     "Exoskeleton", "Finding", "FlatInstance", "FlatModel", "FlatScene", "Graphics", "Inertial",
-    "Instance", "Interface", "Joint", "JointAnnotation", "JointPoseSet", "Light", "Limit", "Link",
-    "LinkAnnotation", "Material", "MaterialAnnotation", "Mesh", "Mimic", "Model", "Motor",
+    "Instance", "Interface", "Joint", "JointAnnotation", "JointPoseSet", "JointTask", "Light", "Limit",
+    "Link", "LinkAnnotation", "Material", "MaterialAnnotation", "Mesh", "Mimic", "Model", "Motor",
     "NodeAnnotation", "Place", "Report", "Scene", "Sensor", "Session", "Sphere", "Submechanism",
     "Submodel", "TargetVerdict", "Visual", "VisualAnnotation", "__version__", "check", "explain",
     "load_model", "load_scene",

@@ -81,6 +81,10 @@ void bind_elements(py::module_& module) {
       .field("low_stop", &JointAnnotation::low_stop, "Lower stop of axis 1, rad or m.")
       .field("high_stop", &JointAnnotation::high_stop, "Upper stop of axis 1, rad or m.")
       .field("axis", &JointAnnotation::axis, "Array of shape (3,).");
+  entry<JointTask>(module, "JointTask", "An entry of `joint_tasks`; `name` is the joint.")
+      .field("provider", &JointTask::provider, "Task that provides the pose of the child link.")
+      .field("port", &JointTask::port, "Port of that task.")
+      .field("driver", &JointTask::driver, "Task that drives the joint.");
 }
 
 void bind_mechanisms(py::module_& module) {

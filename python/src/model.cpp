@@ -320,6 +320,7 @@ void bind_elements(py::class_<Model>& model) {
               "A new list of smurf.NodeAnnotation.");
   add_section(model, "joint_annotations", &Annotations::joints,
               "A new list of smurf.JointAnnotation.");
+  add_section(model, "joint_tasks", &Annotations::joint_tasks, "A new list of smurf.JointTask.");
   add_section(model, "lights", &Annotations::lights, "A new list of smurf.Light.");
   add_section(model, "graphics", &Annotations::graphics, "A new list of smurf.Graphics.");
   add_section(model, "poses", &Annotations::poses, "A new list of smurf.JointPoseSet.");

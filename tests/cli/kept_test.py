@@ -60,6 +60,8 @@ collision:
 - {name: bumper, link: base, bitmask: 6, cfriction1: 0.5, cerp: 0.3}
 joint:
 - {name: shoulder, springDamping: 3}
+joint_tasks:
+- {name: shoulder, provider: frames, port: shoulder, driver: arm}
 link:
 - {name: arm, density: 3}
 visuals:
@@ -131,6 +133,7 @@ CHANGES = {
     "material setting": (" shininess: 2,", ""),
     "collision setting": (", cerp: 0.3", ""),
     "joint setting": ("joint:\n- {name: shoulder, springDamping: 3}\n", ""),
+    "joint task": ("joint_tasks:\n.*?}\n", ""),
     "link setting": ("link:\n- {name: arm, density: 3}\n", ""),
     "visual setting": ("visuals:\n.*?}\n", ""),
     "node": ("nodes:\n.*?}\n", ""),

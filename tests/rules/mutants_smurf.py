@@ -113,6 +113,11 @@ nodes:
 """,
     JOINTS: """joint:
   - {name: swing, spring_const_constraint_axis1: 4.0, damping_const_constraint_axis1: 0.4, springStiffness: 4.0, springDamping: 0.4, anchorpos: node2}
+joint_tasks:
+  - {name: slew, provider: frames, port: slew, driver: crane}
+  - {name: travel, provider: frames, port: travel, driver: crane}
+  - {name: swing, provider: frames, port: swing, driver: unnamed}
+  - {name: spin, provider: frames, port: spin, driver: unnamed}
 """,
     CONTROL: """controllers:
   - {name: pilot, rate: 20, sensors: [angles, speeds, weight], motors: [slew, travel]}
@@ -484,6 +489,10 @@ MUTANTS = [
     ("joint-bool", JOINTS, "anchorpos: node2", "invertAxis: yes"),
     ("joint-cfm-negative", JOINTS, "anchorpos: node2", "jointCFM: -1.0"),
     ("joint-twice", JOINTS, "joint:\n", "joint:\n  - {name: swing, anchorpos: node1}\n"),
+    ("task-joint", JOINTS, "{name: spin, provider", "{name: boom, provider"),
+    ("task-no-port", JOINTS, "provider: frames, port: spin,", "provider: frames,"),
+    ("task-key", JOINTS, "driver: unnamed}\n  - {name: spin", "drivr: unnamed}\n  - {name: spin"),
+    ("task-driver-null", JOINTS, "port: spin, driver: unnamed", "port: spin, driver: ~"),
     # Controllers, poses, submechanisms, interfaces.
     ("controller-sensor", CONTROL, "sensors: [angles,", "sensors: [angels,"),
     ("controller-sensor-text", CONTROL, "sensors: [angles, speeds, weight]", "sensors: angles"),

@@ -104,6 +104,7 @@ TEST_CASE("every section is found by its names") {
 TEST_CASE("values are kept with their places") {
   const Read read("joints: [{name: j, axis1: {z: 1}, parent: p}]\n"
                   "collision: [{name: c, bitmask: 7, ccfm: 0.1}]\n"
+                  "joint_tasks: [{name: j, provider: frames, port: j_pose, driver: arm}]\n"
                   "sensors: [{name: s, type: NodeIMU, id: [a, 2]}]\n"
                   "interfaces: [{name: i, parent: l, position: [1, 2, 3]}]\n");
   const Annotations& all = read.annotations;
@@ -111,6 +112,7 @@ TEST_CASE("values are kept with their places") {
   CHECK(read.reading.sources.text(all.joints[0].section) == "joints");
   CHECK(all.joints[0].axis->at(2) == 1);
   CHECK(*all.joints[0].parent == "p");
+  CHECK(*all.joint_tasks.at(0).port == "j_pose");
   CHECK(*all.collisions.at(0).bitmask == 7);
   REQUIRE(all.sensors.at(0).id->size() == 2);
   CHECK(all.sensors[0].id->at(1).value == "2");

@@ -76,7 +76,7 @@ TEST_CASE("model: every section of every file is merged") {
       "materials: [{name: x}]\nmotors: [" + motor("x") +
       "]\nsensors: [{name: x, type: NodeIMU}]\ncontrollers: [{name: x}]\n"
       "collision: [{name: x, bitmask: 1}]\nvisuals: [{name: x}]\nlink: [{name: x}]\n"
-      "nodes: [{name: x}]\njoint: [{name: x}]\nlights: [{name: x}]\ngraphics: {clearColor: {r: 0}}\n"
+      "nodes: [{name: x}]\njoint: [{name: x}]\njoint_tasks: [{name: x}]\nlights: [{name: x}]\ngraphics: {clearColor: {r: 0}}\n"
       "poses: [{name: x, joints: {j: 1}}]\nsubmechanisms: [{name: x}]\nexoskeletons: [{name: x}]\n"
       "interfaces: [{name: x}]\nsubmodels: {x: {start: a}}\nmine: [1]\n";
   const LoadedFiles loaded({{"r.smurf", "files: [r.urdf, a.yml, b.yml]\n"},
@@ -94,6 +94,7 @@ TEST_CASE("model: every section of every file is merged") {
   CHECK(all.links.size() == 2);
   CHECK(all.nodes.size() == 2);
   CHECK(all.joints.size() == 2);
+  CHECK(all.joint_tasks.size() == 2);
   CHECK(all.lights.size() == 2);
   CHECK(all.graphics.size() == 2);
   CHECK(all.poses.size() == 2);

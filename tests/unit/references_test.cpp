@@ -74,6 +74,8 @@ submodels:
 my_own:
   joints: {elbow: {grease: 1}}
   words: elbow
+joint_tasks:
+- {name: elbow, provider: elbow, port: elbow, driver: elbow}
 )";
 
 constexpr const char* kMain = "modelname: r\nfiles: [r.urdf, r_all.yml]\n";
@@ -125,8 +127,8 @@ TEST_CASE("every place that names a thing is in the table") {
   const OneModel one;
   CHECK(one.places(NameKind::joint, "elbow") ==
         Places{"r_all.yml:2", "r_all.yml:6", "r_all.yml:23", "r_all.yml:30", "r_all.yml:31",
-               "r_all.yml:31", "r_all.yml:37", "r.urdf:9", "r.urdf:11", "r.urdf:13", "r.urdf:16",
-               "r.urdf:19"});
+               "r_all.yml:31", "r_all.yml:37", "r_all.yml:40", "r.urdf:9", "r.urdf:11", "r.urdf:13",
+               "r.urdf:16", "r.urdf:19"});
   CHECK(one.places(NameKind::motor, "elbow") ==
         Places{"r_all.yml:2", "r_all.yml:3", "r_all.yml:10", "r_all.yml:23", "r_all.yml:28"});
   CHECK(one.places(NameKind::joint, "wrist") ==

@@ -130,6 +130,11 @@ struct Exoskeleton : Annotation {
   Field<NameList> joint_names, joint_names_spanning_tree, joint_names_dependent;
 };
 
+/// The tasks of Rock that provide the position of a joint and drive it. `name` is the joint.
+struct JointTask : Annotation {
+  Field<std::string> provider, port, driver;
+};
+
 /// Where another model can be attached.
 struct Interface : Annotation {
   Field<std::string> parent, type, direction;
@@ -160,6 +165,7 @@ struct Annotations {
   std::vector<LinkAnnotation> links;
   std::vector<NodeAnnotation> nodes;
   std::vector<JointAnnotation> joints;
+  std::vector<JointTask> joint_tasks;
   std::vector<Light> lights;
   std::vector<Graphics> graphics;
   std::vector<JointPoseSet> poses;

@@ -38,6 +38,7 @@ class LossReport {
     for (const Sensor& sensor : all.sensors) of_sensor(sensor);
     whole_entries(all.controllers, "controller");
     if (!options_.has_srdf) whole_entries(all.poses, "joint pose set");
+    whole_entries(all.joint_tasks, "joint task");
     whole_entries(all.lights, "light");
     whole_entries(all.graphics, "graphics entry");
     whole_entries(all.nodes, "node");

@@ -18,6 +18,7 @@ void for_each_section(Annotations& a, Annotations& b, const Visit& visit) {
   visit(a.links, b.links);
   visit(a.nodes, b.nodes);
   visit(a.joints, b.joints);
+  visit(a.joint_tasks, b.joint_tasks);
   visit(a.lights, b.lights);
   visit(a.graphics, b.graphics);
   visit(a.poses, b.poses);
