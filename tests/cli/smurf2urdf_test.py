@@ -329,11 +329,12 @@ class Told(ExportTest):
     def test_what_was_written_and_what_is_not_in_it(self):
         done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/o.urdf")
         self.assertRegex(done.stderr, r"\Asmurf2urdf: wrote arm/o.urdf: 10 links, 9 joints; not in it: "
-                                      r"collision \(\d+\), .*motors \(\d+\), .*, see --loss-report\n\Z")
+                                      r"\d+ annotations, \d+ in collision, .*\d+ in motors, .*, see --loss-report\n\Z")
         done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/o.urdf", "--loss-report", "lost.json")
-        told = dict(re.findall(r"([a-z_]+) \((\d+)\)", done.stderr))
+        told = {section: count for count, section in re.findall(r"(\d+) in ([a-z_]+)", done.stderr)}
         losses = [loss["pointer"].split("/")[1] for loss in json.loads(self.read("lost.json"))["losses"]]
         self.assertEqual(told, {section: str(losses.count(section)) for section in losses})
+        self.assertIn(f": {len(losses)} annotations,", done.stderr)
         self.assertNotIn("see --loss-report", done.stderr)
         for silent in (("-q", "-o", "arm/o.urdf"), ("-o", "-"), ("--dry-run", "-o", "arm/o.urdf")):
             self.assertEqual(self.run_with_messages(0, "arm/smurf/arm.smurf", *silent).stderr, "")

@@ -68,6 +68,12 @@ joint elbow: upper limit 1.75 -> 1.57 rad (-10.3 %)                  new.urdf:13
 2 differences: 2 changed
 """)
 
+    def test_the_model_of_a_folder(self):
+        self.copy("models/arm", "old", "new")
+        self.expect(0, "old", "new")
+        self.replace("new/urdf/arm.urdf", 'name="arm"', 'name="leg"')
+        self.assertIn("new/urdf/arm.urdf", self.expect(1, "old", "new/smurf/arm.smurf").stdout)
+
     def test_no_differences(self):
         for same in (ROBOT.replace("\n", "\n\n<!-- c -->"), ROBOT.replace('"', "'"), ROBOT.replace("0.35", "3.50e-1"),
                      f'<robot name="r">{JOINTS}{LINKS}</robot>', ROBOT.replace("<axis", '<dynamics damping="0"/><axis'),
@@ -208,6 +214,9 @@ class Models(Diff):
         self.expect_complaint("'t.txt' is not a model, scene, URDF or annotation file", "t.txt", "r.urdf")
         self.expect_complaint("'s.smurfs' is a scene and 'r.urdf' a model; a scene can only be compared with a scene", "r.urdf", "s.smurfs")
         self.expect_complaint("two inputs are compared, not 1; see --help", "r.urdf")
+        self.write("two/a.urdf", ROBOT)
+        self.write("two/b.urdf", ROBOT)
+        self.expect_complaint("'two' contains 2 files to choose from; name one, such as 'two/a.urdf'", "r.urdf", "two")
         self.expect_complaint("standard input can be one of them only", "-", "-")
         for broken, rule in (("broken.urdf", "SML1001"), ("m.smurf", "SML2001")):
             done = self.expect(2, "r.urdf", broken)

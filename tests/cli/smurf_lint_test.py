@@ -798,6 +798,10 @@ class Inputs(LintTest):
         self.assertEqual((done.stdout, done.stderr), (
             "", "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf file in 'robot'; 3 .xacro files "
                 "were not checked: expand them first (xacro FILE | smurf-lint -)\n"))
+        self.write("other/plain.urdf", URDF)
+        done = self.expect(0, "robot", "other")
+        self.assertEqual((done.stdout.splitlines()[-1], done.stderr), (
+            "3 .xacro files were not checked: expand them first (xacro FILE | smurf-lint -)", ""))
         self.write("robot/plain.urdf", URDF)
         self.write("robot/.smurf-lintignore", "deep\nd.*\n")
         done = self.expect(0, "robot")
@@ -807,6 +811,16 @@ class Inputs(LintTest):
         self.assertEqual(report["summary"]["xacro"], 1)
         (self.folder / "robot" / "a.urdf.xacro").unlink()
         self.assertNotIn("xacro", self.expect(0, "robot", "--format", "json").stdout)
+
+    def test_links_that_lead_out_are_not_followed(self):
+        self.write("robot/plain.urdf", URDF)
+        (self.folder / "links").mkdir()
+        for target in ("../robot", "../nowhere"):  # which of them exists, nobody is told
+            (self.folder / "links/robot").unlink(missing_ok=True)
+            (self.folder / "links/robot").symlink_to(target)
+            self.assertEqual(self.expect(2, "links").stderr,
+                             "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf file in 'links'; links that lead out of the "
+                             "folder are not followed: name what they lead to\n")
 
     def test_unreadable_inputs(self):
         self.write_model(motors=BROKEN_MOTORS)

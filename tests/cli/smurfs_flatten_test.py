@@ -232,8 +232,17 @@ class Explain(FlattenTest):
         self.assertTrue(lines[-1].endswith("xyz 1 2 3.1  rpy 0 0 90 deg"), lines[-1])
 
     def test_unknown_instance(self):
+        outer = cli.FIXTURES / "scenes/nested/outer.smurfs"
+        self.expect_complaint("'cell' is an included scene; name one of its entities, such as 'cell/Table'",
+                              outer, "--quiet", "--explain-pose", "cell")
         self.expect_complaint("the scene has no instance 'BB'; did you mean 'B'?",
                               "scene.smurfs", "--explain", "BB")
+
+
+    def test_a_reader_in_place_of_its_format(self):
+        for reader, form in (("gazebo", "sdf"), ("MuJoCo", "mjcf"), ("isaac", "usda"), ("drake", "dmd")):
+            done = self.expect(2, "scene.smurfs", "--format", reader)
+            self.assertTrue(done.stderr.endswith(f"; did you mean '{form}'?\n"), done.stderr)
 
 
 class Dialects(FlattenTest):

@@ -32,7 +32,8 @@ struct Option {
   std::string_view metavar{};  ///< "FILE"; "": a flag
   bool may_omit_value = false;
   std::string_view help{};
-  std::vector<std::string_view> values{};  ///< the only ones allowed; empty: any
+  std::vector<std::string_view> values{};                 ///< the only ones allowed; empty: any
+  std::string (*hint)(std::string_view value) = nullptr;  ///< about another value
   std::vector<std::string_view> (*suggestions)() =
       nullptr;                             ///< for completions, when any is allowed
   std::vector<std::string_view> levels{};  ///< for completions of ID=LEVEL: what follows the "="

@@ -154,7 +154,8 @@ class CommandLine {
     const auto& allowed = option.values;
     if (!allowed.empty() && !is_left_out &&
         std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
-      return long_name(option) + ": " + none_of(value, allowed);
+      const std::string hint = option.hint ? option.hint(value) : "";
+      return long_name(option) + ": " + none_of(value, allowed) + hint;
     }
     if (!option.set) return std::nullopt;
     auto wrong = is_path(option) ? option.set(sys::from_user(value)) : option.set(value);

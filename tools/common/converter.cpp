@@ -44,24 +44,6 @@ Conversion::Conversion(std::string_view tool, const ConverterOptions& options,
                        std::vector<InputKind> kinds)
     : tool_(tool), options_(options), kinds_(std::move(kinds)) {}
 
-/// The only file of the first of these kinds that the folder has.
-std::optional<std::string> Conversion::find_in(const std::string& folder) const {
-  const Found found = find_inputs(folder, options_.limits);
-  for (const std::string& problem : found.unreadable) complain(tool_, "cannot read " + problem);
-  if (!found.unreadable.empty()) return std::nullopt;
-  for (const InputKind kind : kinds_) {
-    std::vector<std::string> files = found.files;
-    std::erase_if(files, [&](const std::string& file) { return input_kind(file) != kind; });
-    if (files.size() == 1) return files.front();
-    if (files.empty()) continue;
-    complain(tool_, "'" + folder + "' contains " + std::to_string(files.size()) +
-                        " files to choose from; name one, such as '" + files.front() + "'");
-    return std::nullopt;
-  }
-  complain(tool_, why_nothing(found, folder));
-  return std::nullopt;
-}
-
 bool Conversion::is_accepted(const std::string& path) const {
   const InputKind kind = input_kind(path);
   const auto takes = [&](InputKind one) {
@@ -100,7 +82,7 @@ std::optional<std::string> Conversion::open(const std::string& path) {
   }
   path_ = path;
   if (path != "-" && places::is_folder(path)) {
-    const auto found = find_in(path);
+    const auto found = find_only_input(tool_, path, kinds_, options_.limits);
     if (!found) return std::nullopt;
     path_ = *found;
   }
@@ -170,18 +152,21 @@ std::string count_rest(std::span<const Diagnostic> rest, const std::string& path
   return text.empty() ? text : text + ": see smurf-lint " + path;
 }
 
-/// Findings in a URDF have an XPath, which begins with the robot.
+/// "3 annotations, 2 in motors, 1 in sensors". Findings in a URDF have an XPath, which begins with
+/// the robot, and do not count.
 std::string count_by_section(std::span<const Diagnostic> losses) {
   std::map<std::string_view, std::size_t> counts;
   for (const Diagnostic& loss : losses) {
     const std::string_view section = section_of(loss);
     if (section != "robot") ++counts[section];
   }
+  std::size_t all = 0;
   std::string text;
   for (const auto& [section, number] : counts) {
-    text += (text.empty() ? "" : ", ") + std::string(section) + " (" + std::to_string(number) + ")";
+    all += number;
+    text += ", " + std::to_string(number) + " in " + std::string(section);
   }
-  return text;
+  return all == 0 ? "" : counted(all, "annotation") + text;
 }
 
 }  // namespace

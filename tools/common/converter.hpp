@@ -75,7 +75,8 @@ class Conversion {
   /// and `are_refused`; then it lists them.
   bool report_losses(const LoadedModel& loaded, std::vector<Diagnostic> losses,
                      const std::string& file, bool are_refused);
-  /// How many losses there are in each section of the annotations: "motors (42), sensors (10)".
+  /// How many losses there are in each section of the annotations: "3 annotations, 2 in motors, 1
+  /// in sensors".
   const std::string& lost() const { return lost_; }
 
   /// "smurf2urdf: PATH reason"; kFindings.
@@ -91,7 +92,6 @@ class Conversion {
  private:
   CheckSettings settings() const;
   std::optional<std::string> open(const std::string& path);
-  std::optional<std::string> find_in(const std::string& folder) const;
   bool is_accepted(const std::string& path) const;
   ExitCode write_reports(Report report, const LossOf& loss_of);
   std::string render_for_people(const Report& report, const LossOf& loss_of);

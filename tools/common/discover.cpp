@@ -16,7 +16,7 @@
 #include "base/places.hpp"
 #include "base/system.hpp"
 #include "common/input.hpp"
-#include "smurf/check.hpp"
+#include "common/output.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/render.hpp"
 
@@ -112,7 +112,11 @@ class Search {
   void follow(const std::string& link) {
     sys::Status status{};
     if (inside_.is_denied(link)) {
-      if (is_sought(link) && sys::lstat(link.c_str(), &status) == 0) add(link, status);
+      if (!is_sought(link)) {
+        ++found_.links_outside;
+      } else if (sys::lstat(link.c_str(), &status) == 0) {
+        add(link, status);
+      }
     } else if (sys::stat(link.c_str(), &status) != 0) {
       if (is_sought(link)) fail(link, errno);
     } else if (S_ISDIR(status.st_mode)) {
@@ -150,8 +154,29 @@ Found find_inputs(const std::string& folder, const Limits& limits, const LeftOut
 std::string why_nothing(const Found& found, const std::string& folder) {
   std::string text = "no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'";
   if (found.left_out > 0) text += " (" + std::to_string(found.left_out) + " left out)";
+  if (found.links_outside > 0) {
+    text += "; links that lead out of the folder are not followed: name what they lead to";
+  }
   if (found.xacro > 0) text += "; " + xacro_remark(found.xacro);
   return text;
+}
+
+std::optional<std::string> find_only_input(std::string_view tool, const std::string& folder,
+                                           std::span<const InputKind> kinds, const Limits& limits) {
+  const Found found = find_inputs(folder, limits);
+  for (const std::string& problem : found.unreadable) complain(tool, "cannot read " + problem);
+  if (!found.unreadable.empty()) return std::nullopt;
+  for (const InputKind kind : kinds) {
+    std::vector<std::string> files = found.files;
+    std::erase_if(files, [&](const std::string& file) { return input_kind(file) != kind; });
+    if (files.size() == 1) return files.front();
+    if (files.empty()) continue;
+    complain(tool, "'" + folder + "' contains " + std::to_string(files.size()) +
+                       " files to choose from; name one, such as '" + files.front() + "'");
+    return std::nullopt;
+  }
+  complain(tool, why_nothing(found, folder));
+  return std::nullopt;
 }
 
 }  // namespace smurf::tools

@@ -4,10 +4,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "smurf/check.hpp"
 #include "smurf/limits.hpp"
 
 namespace smurf::tools {
@@ -16,6 +19,7 @@ struct Found {
   std::vector<std::string> files;       ///< sorted
   std::vector<std::string> unreadable;  ///< "'robots/old': Permission denied", sorted
   std::size_t left_out = 0;             ///< files and folders
+  std::size_t links_outside = 0;        ///< links that lead out of the folder
   std::size_t xacro = 0;                ///< .xacro files, which have to be expanded first
 };
 
@@ -31,5 +35,10 @@ Found find_inputs(const std::string& folder, const Limits& limits,
 
 /// "no .smurf, .smurfs, .smurfa or .urdf file in 'robots' (2 left out)", and what else is there.
 std::string why_nothing(const Found& found, const std::string& folder);
+
+/// The only file of the first of these kinds in a folder. Complains and returns none when there are
+/// several, or no file of any of them.
+std::optional<std::string> find_only_input(std::string_view tool, const std::string& folder,
+                                           std::span<const InputKind> kinds, const Limits& limits);
 
 }  // namespace smurf::tools

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/places.hpp"
+#include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"
 #include "common/process.hpp"
@@ -61,6 +63,18 @@ std::string render(const Compared& compared, const Session& session, const Optio
   return render_diff(differences, sources, style);
 }
 
+/// Replaces folders by the model in them. False if one has none, or several.
+bool find_models(Options& options) {
+  constexpr InputKind kKinds[] = {InputKind::model, InputKind::urdf, InputKind::scene};
+  for (std::string& operand : options.operands) {
+    if (operand == "-" || !places::is_folder(operand)) continue;
+    const auto found = find_only_input(kTool, operand, kKinds, options.limits);
+    if (!found) return false;
+    operand = *found;
+  }
+  return true;
+}
+
 ExitCode compare_operands(const Options& options) {
   ConfinedFiles disk;
   std::vector<std::string> inputs = options.operands;
@@ -114,5 +128,6 @@ int main(int argc, char** argv) {
     complain(kTool, problem);
     return kFailed;
   }
-  return options.for_git ? compare_for_git(options) : compare_operands(options);
+  if (options.for_git) return compare_for_git(options);
+  return find_models(options) ? compare_operands(options) : kFailed;
 }

@@ -103,6 +103,9 @@ class Planner {
         add_named(path);
       }
     }
+    if (is_empty()) {
+      for (const std::string& why : nothing_but_xacro_) fail(why);
+    }
     if (ignore_files_.is_exhausted()) {
       fail("cannot tell what is left out: there are more than " +
            std::to_string(options_.limits.ignore_checks) + " comparisons of files with patterns; " +
@@ -119,6 +122,10 @@ class Planner {
   std::optional<std::string> why_no_config() const {
     if (options_.config.empty()) return std::nullopt;
     return why_unreadable(options_.config, files_);
+  }
+
+  bool is_empty() const {
+    return plan_.scenes.empty() && plan_.models.empty() && plan_.strays.empty();
   }
 
   void fail(const std::string& message) {
@@ -206,7 +213,12 @@ class Planner {
         });
     for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
     if (found.files.empty() && found.unreadable.empty() && !ignore_files_.is_exhausted()) {
-      fail(why_nothing(found, folder));
+      const std::string why = why_nothing(found, folder);
+      if (found.xacro > 0) {
+        nothing_but_xacro_.push_back(why);
+      } else {
+        fail(why);
+      }
     }
     plan_.xacro += found.xacro;
     for (const std::string& file : found.files) {
@@ -266,6 +278,7 @@ class Planner {
   std::deque<Exclusions> exclusions_;  ///< of each configuration
   IgnoreFiles ignore_files_;
   ModelsAround models_;
+  std::vector<std::string> nothing_but_xacro_;  ///< why folders have nothing to check
 };
 
 }  // namespace

@@ -57,6 +57,17 @@ std::string format_help() {
   return help;
 }
 
+/// For the name of a reader instead of its format.
+std::string format_hint(std::string_view value) {
+  constexpr std::size_t kShortest = 3;
+  if (value.size() < kShortest) return {};
+  for (const SceneFormat* format : scene_formats()) {
+    if (path::to_lower(format->help).find(path::to_lower(value)) == std::string::npos) continue;
+    return "; did you mean '" + std::string(format->name) + "'?";
+  }
+  return {};
+}
+
 std::vector<std::string_view> dialect_names() {
   std::vector<std::string_view> names;
   for (const Dialect* dialect : dialects()) names.push_back(dialect->name);
@@ -83,6 +94,7 @@ void add_options(Command& command, Options& options) {
        .metavar = "FORMAT",
        .help = options.format_help,
        .values = format_names(),
+       .hint = format_hint,
        .set = set_text(options.format)});
   add({.name = "form",
        .metavar = "FORM",
@@ -181,6 +193,14 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
   if (!instance) {
     std::vector<std::string_view> known;
     for (const Instance& each : scene.instances) known.push_back(each.path);
+    const auto inner = std::ranges::find_if(
+        known, [&](std::string_view path) { return path.starts_with(options.explained + "/"); });
+    if (inner != known.end()) {
+      complain(kTool, "'" + options.explained +
+                          "' is an included scene; name one of its entities, such as '" +
+                          std::string(*inner) + "'");
+      return kFailed;
+    }
     complain(kTool, "the scene has no instance '" + options.explained + "'" +
                         did_you_mean(options.explained, known));
     return kFailed;
