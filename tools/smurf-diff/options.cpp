@@ -73,8 +73,9 @@ Command make_command(Options& options) {
   command.operands = "OLD NEW";
   command.details =
       "OLD and NEW are two models (.smurf, .urdf), two annotation files (.yml) or two scenes "
-      "(.smurfs, .smurfa, .svg), or archives of them; '-' is standard input. Things are compared "
-      "by their names: links, joints, visuals, collisions, inertias, materials, motors, sensors "
+      "(.smurfs, .smurfa, .svg), archives of them, or folders with one of them; '-' is standard "
+      "input. Things are compared by their names: links, joints, visuals, collisions, inertias, "
+      "materials, motors, sensors "
       "and all other entries of annotations, entities of scenes. Renamed things are recognised by "
       "their contents. Formatting, order, comments and values that equal the default are ignored; "
       "inertias are compared in the frame of the link, rotations by their angle, meshes by the "
