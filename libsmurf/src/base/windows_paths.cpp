@@ -158,8 +158,8 @@ std::string_view why_no_name(std::string_view name) {
   return is_device(name) ? "its name is that of a device of Windows" : "";
 }
 
-/// Replaces names that differ from those on disk only in case by those on disk. A path from the root
-/// of the current drive gets that drive, so that it can be compared with the current folder.
+/// Replaces names that differ from those on disk only in case by those on disk. A path from the
+/// root of the current drive gets that drive, so that it can be compared with the current folder.
 std::string from_user(std::string_view path) {
   std::string text = with_slashes(path);
   if (text.starts_with('/') && drive_of(text).empty()) {
