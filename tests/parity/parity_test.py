@@ -48,22 +48,26 @@ def files_in(roots, suffix):
 
 
 def conversion_jobs(roots, scratch):
-    for path in files_in(roots, ".smurfs"):
-        yield from (("smurfs-flatten", [f"--format={kind}", str(path)], scratch) for kind in SCENE_FORMATS)
-        yield "smurfs-flatten", ["--dialect=mars", "--links", "-o", "scene.json", str(path)], scratch
-    for path in files_in(roots, ".smurf") + files_in(roots, ".urdf"):
-        yield "smurf2urdf", ["--prove", "--force", str(path)], scratch
-        yield "smurf2urdf", ["--canonical", "--collapse-fixed", "--force", "-o", "robot.urdf", str(path)], scratch
-    for path in files_in(roots, ".smurf"):
-        yield from (("smurf2urdf", [f"--preset={preset}", "--force", str(path)], scratch) for preset in PRESETS)
-    for path in files_in(roots, ".urdf"):
-        yield "urdf2smurf", ["--force", "--overwrite", "-o", "robot", str(path)], scratch
+    """Paths are relative: absolute ones have a drive in Windows."""
+    def from_scratch(suffix):
+        return [os.path.relpath(path, scratch) for path in files_in(roots, suffix)]
+
+    for path in from_scratch(".smurfs"):
+        yield from (("smurfs-flatten", [f"--format={kind}", path], scratch) for kind in SCENE_FORMATS)
+        yield "smurfs-flatten", ["--dialect=mars", "--links", "-o", "scene.json", path], scratch
+    for path in from_scratch(".smurf") + from_scratch(".urdf"):
+        yield "smurf2urdf", ["--prove", "--force", path], scratch
+        yield "smurf2urdf", ["--canonical", "--collapse-fixed", "--force", "-o", "robot.urdf", path], scratch
+    for path in from_scratch(".smurf"):
+        yield from (("smurf2urdf", [f"--preset={preset}", "--force", path], scratch) for preset in PRESETS)
+    for path in from_scratch(".urdf"):
+        yield "urdf2smurf", ["--force", "--overwrite", "-o", "robot", path], scratch
 
 
 def comparison_jobs(roots):
     for root in roots:
-        paths = files_in([root], ".urdf")
-        yield from (("smurf-diff", ["--format=json", str(old), str(new)], root) for old, new in zip(paths, paths[1:]))
+        paths = [str(path.relative_to(root)) for path in files_in([root], ".urdf")]
+        yield from (("smurf-diff", ["--format=json", old, new], root) for old, new in zip(paths, paths[1:]))
 
 
 def written(folder, build):

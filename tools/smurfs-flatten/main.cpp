@@ -193,8 +193,9 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
   if (!instance) {
     std::vector<std::string_view> known;
     for (const Instance& each : scene.instances) known.push_back(each.path);
-    const auto inner = std::ranges::find_if(
-        known, [&](std::string_view path) { return path.starts_with(options.explained + "/"); });
+    const auto inner = std::find_if(known.begin(), known.end(), [&](std::string_view path) {
+      return path.starts_with(options.explained + "/");
+    });
     if (inner != known.end()) {
       complain(kTool, "'" + options.explained +
                           "' is an included scene; name one of its entities, such as '" +

@@ -52,8 +52,8 @@ class Attribute {
   Span name_span() const { return {source_, begin_, begin_ + name_size_}; }
   /// Between the quotes.
   Span value_span() const { return {source_, value_begin_, value_end_}; }
-  /// From the name to the closing quote.
-  Span span() const { return {source_, begin_, value_end_ + 1}; }
+  /// From the name to the closing quote, or to the end of a value without quotes.
+  Span span() const { return {source_, begin_, value_end_ + (has_quotes() ? 1U : 0U)}; }
 
   /// `decoded` must outlive this, and its name be that of the attribute.
   void set_value(const DecodedValue& decoded) {
@@ -62,6 +62,13 @@ class Attribute {
   }
 
  private:
+  /// Values without quotes are never decoded.
+  bool has_quotes() const {
+    if (is_decoded_) return true;
+    const char after = source_name[value_end_ - begin_];
+    return after == '"' || after == '\'';
+  }
+
   union {
     const char* source_name;
     const DecodedValue* decoded_value;

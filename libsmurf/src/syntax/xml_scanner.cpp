@@ -205,10 +205,8 @@ class Scanner {
       return;
     }
     if (is_prolog_) return;
-    malformed(
-        span(begin, at_),
-        "this processing instruction is not at the start of the file; sdformat, MuJoCo and Bullet "
-        "(tinyxml2) refuse it");
+    sink_.report(rules::sml1015_xml_late_instruction, span(begin, at_),
+                 "this processing instruction is not at the start of the file");
   }
 
   void end_tag() {
@@ -350,14 +348,12 @@ class Scanner {
     }
     ++at_;
     skip_space();
-    if (at_ >= size() || (text_[at_] != '"' && text_[at_] != '\'')) {
-      malformed(name, "the value of the attribute " + quoted(name) + " has no quotes");
-      return false;
-    }
+    is_coded_ = false;
+    if (at_ >= size() || !is_quote(text_[at_])) return attribute_without_quotes(element, name);
     const char quote = text_[at_++];
     const std::uint32_t begin = at_;
-    is_coded_ = false;
     skip_to(quote, '<');
+    if (at_ < size() && text_[at_] == '<') skip_less_than(begin, quote);
     if (at_ >= size() || text_[at_] == '<') {
       malformed(span(begin - 1, begin),
                 "the value of the attribute " + quoted(name) + " is never closed");
@@ -366,6 +362,52 @@ class Scanner {
     const Span value = span(begin, at_);
     ++at_;
     return add_attribute(element, Attribute(text_, name, value));
+  }
+
+  static bool is_quote(char c) { return c == '"' || c == '\''; }
+
+  /// Reads the value as TinyXML does: up to a blank or the end of the tag.
+  bool attribute_without_quotes(const Element& element, Span name) {
+    const std::uint32_t begin = at_;
+    while (at_ < size() && !is(text_[at_], blank) && !is_quote(text_[at_]) && text_[at_] != '/' &&
+           text_[at_] != '<' && text_[at_] != '>' && text_[at_] != '&') {
+      ++at_;
+    }
+    const bool is_ended =
+        at_ < size() && (is(text_[at_], blank) || text_[at_] == '>' || looking_at("/>"));
+    const bool is_plain = at_ > begin && text_[begin] > 0;  // no typographic quote
+    if (!is_plain || !is_ended) {
+      malformed(name, "the value of the attribute " + quoted(name) + " has no quotes");
+      return false;
+    }
+    const Span value = span(begin, at_);
+    sink_
+        .report(rules::sml1016_xml_missing_quotes, value,
+                "the value of the attribute " + quoted(name) + " has no quotes")
+        .fixes.push_back(
+            {Applicability::safe, {{span(begin, begin), "\""}, {span(at_, at_), "\""}}});
+    return add_attribute(element, Attribute(text_, name, value));
+  }
+
+  /// At a `<` in a value: goes on to the closing quote if that comes before the end of the line or
+  /// of a tag. Otherwise the closing quote is missing.
+  void skip_less_than(std::uint32_t begin, char quote) {
+    const std::size_t end = text_.find_first_of(std::string{quote, '>', '\n'}, begin);
+    if (end == std::string_view::npos || text_[end] != quote) return;
+    while (at_ < end) {
+      if (text_[at_] == '<') {
+        const Span place = span(at_, at_ + 1);
+        sink_
+            .report(rules::sml1017_xml_less_than_in_value, place,
+                    "this `<` is in the value of an attribute")
+            .fixes.push_back({Applicability::safe, {{place, "&lt;"}}});
+        ++at_;
+      } else if (is(text_[at_], special)) {
+        special_byte();
+      } else {
+        ++at_;
+      }
+    }
   }
 
   bool add_attribute(const Element& element, const Attribute& attribute) {

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the file", "tinyxml2, run"},
+    {&readers::urdfdom, Effect::takes, "skips it", "TinyXML, run"},
+    {&readers::gazebo, Effect::refuses, "refuses the file", "tinyxml2, run"},
+    {&readers::phobos, Effect::takes, "skips it", "expat, run; lxml"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1015_xml_late_instruction{
+    .id = "SML1015",
+    .name = "xml-late-instruction",
+    .severity = Severity::error,
+    .summary = "A processing instruction comes after the start of the root element.",
+    .why =
+        "This is XML, but one of the two parsers that URDF readers in C++ use does not read on after it.",
+    .remedy = "Delete it, or move it to the start of the file.",
+    .sources = "XML 1.0 section 2.6; tinyxml2 XMLNode::ParseDeep.",
+    .facts = kFacts,
+    .blocks_building = true};
+
+}  // namespace smurf::rules

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the file", "tinyxml2, run"},
+    {&readers::urdfdom, Effect::takes, "reads the value up to a space, `/` or `>`", "TinyXML, run"},
+    {&readers::gazebo, Effect::refuses, "refuses the file", "tinyxml2, run"},
+    {&readers::phobos, Effect::refuses, "refuses the file", "expat, run; lxml"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1016_xml_missing_quotes{
+    .id = "SML1016",
+    .name = "xml-missing-quotes",
+    .severity = Severity::error,
+    .summary = "The value of an attribute has no quotes.",
+    .why = "Only one of the parsers that URDF readers use accepts such a value.",
+    .remedy = "Put the value in quotes.",
+    .sources = "XML 1.0 section 3.1; TinyXML TiXmlAttribute::Parse.",
+    .facts = kFacts,
+    .blocks_building = true};
+
+}  // namespace smurf::rules
