@@ -318,7 +318,7 @@ class Folders(LspTest):
 
     def test_the_end_cancels(self):
         request = self.begin()
-        waiting = self.client.begin("workspace/symbol", {"query": "l1"})
+        waiting = self.begin()
         self.assertEqual(self.client.stop(), 0)
         while (message := self.client.inbox.get(timeout=60)) is not None:
             self.client.answers[message.get("id")] = message

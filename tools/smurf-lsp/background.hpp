@@ -1,31 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Requests about whole folders, answered in a thread of their own: typing never waits for them.
+// Requests that look at whole folders, answered in other threads: typing never waits for them.
 #pragma once
 
+#include <set>
+#include <string>
+#include <string_view>
 #include <thread>
+#include <vector>
 
 #include "smurf-lsp/messages.hpp"
 #include "smurf-lsp/server.hpp"
 
 namespace smurf::lsp {
 
-/// A second server, with its own copies of the documents, so that the threads share no data. Both
+/// Another server, with its own copies of the documents, so that the threads share no data. All
 /// send messages and write the log.
 class Background {
  public:
-  Background(Send send, Log log);
+  /// `name` begins the ids of its own requests; `methods` are what it answers.
+  Background(Send send, Log log, std::string name, std::vector<std::string_view> methods);
   /// Cancels the requests that have no answer yet, and waits for these answers.
   ~Background();
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
 
   /// Whether the message is a request that is answered here. Others are for the first server; what
-  /// they tell about the documents and the client is noted here, too.
-  bool take(const Json& message);
+  /// they tell about the client and the documents is noted here, too. `current` has the documents
+  /// with all changes before this message.
+  bool take(const Json& message, const Workspace& current);
 
  private:
+  bool is_own(const Json& message) const;
   void run();
 
+  const std::vector<std::string_view> methods_;
+  std::set<std::string> changed_;  ///< documents whose new text this server does not have yet
   Messages messages_;
   Server server_;
   std::thread thread_;

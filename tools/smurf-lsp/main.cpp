@@ -66,14 +66,17 @@ int serve(std::ostream* log) {
     if (log != nullptr) *log << line << std::endl;
   };
   Server server(send, note);
-  Background background(send, note);
+  Background checks(send, note, "checks", {"workspace/diagnostic"});
+  Background names(send, note, "names", {"workspace/symbol", "textDocument/rename"});
   Inbox inbox(std::cin);
   Messages& messages = inbox.messages();
   while (!server.exit_code()) {
     if (messages.is_empty()) server.rest();
     const std::optional<Json> message = messages.next();
     if (!message) return kFailed;  // the editor is gone
-    if (!background.take(*message)) server.handle(*message);
+    const bool is_check = checks.take(*message, server.workspace());
+    const bool is_of_names = names.take(*message, server.workspace());
+    if (!is_check && !is_of_names) server.handle(*message);
   }
   return *server.exit_code();
 }
