@@ -101,4 +101,23 @@ void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink) 
   check_encoding(text, id, begin, sink);
 }
 
+bool check_declarations(Span doctype, std::string_view subset, DiagnosticSink& sink) {
+  Diagnostic& diagnostic =
+      sink.report(rules::sml1013_dtd_or_xinclude, doctype,
+                  "urdfdom finds no robot after the declarations of this document type");
+  diagnostic.severity = Severity::error;
+  diagnostic.construct = "declarations";
+  diagnostic.note("sdformat, which uses urdfdom, finds none either; MuJoCo reads the robot");
+  diagnostic.help("delete the document type, and write out what it declares");
+  for (std::size_t at = subset.find('<'); at != std::string_view::npos;) {
+    const std::size_t next = subset.find('<', at + 1);
+    const std::string_view one = subset.substr(at, next - at);
+    const bool is_declaration = one.size() > 2 && one.starts_with("<!") && one[2] != '-' &&
+                                one[2] != '[' && one.find('>') != std::string_view::npos;
+    if (!is_declaration) return false;
+    at = next;
+  }
+  return true;
+}
+
 }  // namespace smurf

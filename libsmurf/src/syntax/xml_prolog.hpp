@@ -18,4 +18,9 @@ void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink);
 /// attributes; none for a sound one and for every other instruction.
 std::optional<std::size_t> find_unsound(std::string_view instruction);
 
+/// Reports declarations within a document type, which TinyXML and tinyxml2 take for closed at the
+/// first '>' within. False if more than declarations is there: an element for tinyxml2, or a
+/// comment that may hold the robot.
+bool check_declarations(Span doctype, std::string_view subset, DiagnosticSink& sink);
+
 }  // namespace smurf

@@ -15,6 +15,7 @@
 #include "syntax/text_check.hpp"
 #include "syntax/xml_builder.hpp"
 #include "syntax/xml_bytes.hpp"
+#include "syntax/xml_lenient.hpp"
 #include "syntax/xml_prefixes.hpp"
 #include "syntax/xml_prolog.hpp"
 #include "syntax/xml_references.hpp"
@@ -151,30 +152,11 @@ class Scanner {
       malformed(place, "this document type is never closed");
       return;
     }
-    if (first_close < close) declarations(place, text_.substr(subset, close + 1 - subset));
-    at_ = static_cast<std::uint32_t>(close + 1);
-  }
-
-  /// TinyXML and tinyxml2 take the document type for closed at the first '>' within.
-  void declarations(Span doctype, std::string_view subset) {
-    Diagnostic& diagnostic =
-        sink_.report(rules::sml1013_dtd_or_xinclude, doctype,
-                     "urdfdom finds no robot after the declarations of this document type");
-    diagnostic.severity = Severity::error;
-    diagnostic.construct = "declarations";
-    diagnostic.note("sdformat, which uses urdfdom, finds none either; MuJoCo reads the robot");
-    diagnostic.help("delete the document type, and write out what it declares");
-    for (std::size_t at = subset.find('<'); at != std::string_view::npos;) {
-      const std::size_t next = subset.find('<', at + 1);
-      const std::string_view one = subset.substr(at, next - at);
-      const bool is_declaration = one.size() > 2 && one.starts_with("<!") && one[2] != '-' &&
-                                  one[2] != '[' && one.find('>') != std::string_view::npos;
-      if (!is_declaration) {  // but an element for tinyxml2, or a comment that may hold the robot
-        well_formed_ = false;
-        return;
-      }
-      at = next;
+    if (first_close < close &&
+        !check_declarations(place, text_.substr(subset, close + 1 - subset), sink_)) {
+      well_formed_ = false;
     }
+    at_ = static_cast<std::uint32_t>(close + 1);
   }
 
   void instruction() {
@@ -322,16 +304,10 @@ class Scanner {
       }
       const std::uint32_t begin = at_;
       if (!attribute(element)) return false;
-      if (begin == before) report_missing_blank(tree_.attributes().back().name_span());
+      if (begin != before) continue;
+      const Span name = tree_.attributes().back().name_span();
+      report_missing_blank(name, slice(name), sink_);
     }
-  }
-
-  /// Reports a missing space between two attributes. URDF readers in C++ do not need the space.
-  void report_missing_blank(Span name) {
-    sink_
-        .report(rules::sml1014_xml_missing_blank, name,
-                "a space is missing before the attribute " + quoted(name))
-        .fixes.push_back({Applicability::safe, {{span(name.begin, name.begin), " "}}});
   }
 
   bool attribute(const Element& element) {
@@ -349,7 +325,9 @@ class Scanner {
     ++at_;
     skip_space();
     is_coded_ = false;
-    if (at_ >= size() || !is_quote(text_[at_])) return attribute_without_quotes(element, name);
+    if (at_ >= size() || (text_[at_] != '"' && text_[at_] != '\'')) {
+      return attribute_without_quotes(element, name);
+    }
     const char quote = text_[at_++];
     const std::uint32_t begin = at_;
     skip_to(quote, '<');
@@ -364,45 +342,23 @@ class Scanner {
     return add_attribute(element, Attribute(text_, name, value));
   }
 
-  static bool is_quote(char c) { return c == '"' || c == '\''; }
-
-  /// Reads the value as TinyXML does: up to a blank or the end of the tag.
   bool attribute_without_quotes(const Element& element, Span name) {
     const std::uint32_t begin = at_;
-    while (at_ < size() && !is(text_[at_], blank) && !is_quote(text_[at_]) && text_[at_] != '/' &&
-           text_[at_] != '<' && text_[at_] != '>' && text_[at_] != '&') {
-      ++at_;
-    }
-    const bool is_ended =
-        at_ < size() && (is(text_[at_], blank) || text_[at_] == '>' || looking_at("/>"));
-    const bool is_plain = at_ > begin && text_[begin] > 0;  // no typographic quote
-    if (!is_plain || !is_ended) {
+    const auto end = end_of_bare_value(text_, begin);
+    if (!end) {
       malformed(name, "the value of the attribute " + quoted(name) + " has no quotes");
       return false;
     }
-    const Span value = span(begin, at_);
-    sink_
-        .report(rules::sml1016_xml_missing_quotes, value,
-                "the value of the attribute " + quoted(name) + " has no quotes")
-        .fixes.push_back(
-            {Applicability::safe, {{span(begin, begin), "\""}, {span(at_, at_), "\""}}});
-    return add_attribute(element, Attribute(text_, name, value));
+    at_ = static_cast<std::uint32_t>(*end);
+    report_missing_quotes(span(begin, at_), slice(name), sink_);
+    return add_attribute(element, Attribute(text_, name, span(begin, at_)));
   }
 
-  /// At a `<` in a value: goes on to the closing quote if that comes before the end of the line or
-  /// of a tag. Otherwise the closing quote is missing.
   void skip_less_than(std::uint32_t begin, char quote) {
-    const std::size_t end = text_.find_first_of(std::string{quote, '>', '\n'}, begin);
-    if (end == std::string_view::npos || text_[end] != quote) return;
-    while (at_ < end) {
-      if (text_[at_] == '<') {
-        const Span place = span(at_, at_ + 1);
-        sink_
-            .report(rules::sml1017_xml_less_than_in_value, place,
-                    "this `<` is in the value of an attribute")
-            .fixes.push_back({Applicability::safe, {{place, "&lt;"}}});
-        ++at_;
-      } else if (is(text_[at_], special)) {
+    const auto end = end_of_value_with_less_than(text_, begin, quote);
+    while (end && at_ < *end) {
+      if (text_[at_] == '<') report_less_than(span(at_, at_ + 1), sink_);
+      if (text_[at_] != '<' && is(text_[at_], special)) {
         special_byte();
       } else {
         ++at_;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "syntax/xml_lenient.hpp"
+
+#include <string>
+
+#include "base/quoted.hpp"
+#include "base/rules.hpp"
+#include "syntax/xml_bytes.hpp"
+
+namespace smurf {
+
+std::optional<std::size_t> end_of_bare_value(std::string_view text, std::size_t begin) {
+  const std::size_t end = text.find_first_of(" \t\n\r\"'/<>&", begin);
+  if (end == std::string_view::npos || end == begin) return std::nullopt;
+  const bool is_ended =
+      is(text[end], blank) || text[end] == '>' || text.substr(end).starts_with("/>");
+  const bool is_plain = static_cast<unsigned char>(text[begin]) < 0x80;
+  return is_ended && is_plain ? std::optional(end) : std::nullopt;
+}
+
+std::optional<std::size_t> end_of_value_with_less_than(std::string_view text, std::size_t begin,
+                                                       char quote) {
+  const std::size_t end = text.find_first_of(std::string{quote, '>', '\n'}, begin);
+  const bool is_closed = end != std::string_view::npos && text[end] == quote;
+  return is_closed ? std::optional(end) : std::nullopt;
+}
+
+void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink) {
+  sink.report(rules::sml1014_xml_missing_blank, place,
+              "a space is missing before the attribute " + quoted(name))
+      .fixes.push_back({Applicability::safe, {{{place.source, place.begin, place.begin}, " "}}});
+}
+
+void report_missing_quotes(Span value, std::string_view name, DiagnosticSink& sink) {
+  sink.report(rules::sml1016_xml_missing_quotes, value,
+              "the value of the attribute " + quoted(name) + " has no quotes")
+      .fixes.push_back({Applicability::safe,
+                        {{{value.source, value.begin, value.begin}, "\""},
+                         {{value.source, value.end, value.end}, "\""}}});
+}
+
+void report_less_than(Span place, DiagnosticSink& sink) {
+  sink.report(rules::sml1017_xml_less_than_in_value, place,
+              "this `<` is in the value of an attribute")
+      .fixes.push_back({Applicability::safe, {{place, "&lt;"}}});
+}
+
+}  // namespace smurf

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Attributes that are not XML, and that some readers accept all the same.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "smurf/diagnostic.hpp"
+
+namespace smurf {
+
+/// The end of a value without quotes, as TinyXML reads it: at a blank or at the end of the tag.
+/// None if TinyXML does not read it either, or if the value begins with a typographic quote.
+std::optional<std::size_t> end_of_bare_value(std::string_view text, std::size_t begin);
+/// The closing quote of a value that contains `<`. None if a line or a tag ends before it, because
+/// then the closing quote is missing.
+std::optional<std::size_t> end_of_value_with_less_than(std::string_view text, std::size_t begin,
+                                                       char quote);
+
+/// Nothing separates the attribute from the one before it.
+void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink);
+void report_missing_quotes(Span value, std::string_view name, DiagnosticSink& sink);
+void report_less_than(Span place, DiagnosticSink& sink);
+
+}  // namespace smurf
