@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Our reader of XML against tinyxml2: what we take for XML, both read to the same tree, byte for
-// byte, and tinyxml2 refuses none of it.
+// byte, and tinyxml2 refuses none of it, but for what only TinyXML forgives.
 #include <doctest/doctest.h>
 
 #include <iterator>
@@ -18,12 +18,23 @@ namespace {
 constexpr std::string_view kExtensions[] = {".urdf", ".srdf", ".xml",  ".scn",
                                             ".svg",  ".sdf",  ".xacro"};
 
+/// Whether we report an instruction behind the start, or a value without quotes.
+bool is_for_tinyxml_alone(const std::string& described) {
+  return described.find("SML1015 ") != std::string::npos ||
+         described.find("SML1016 ") != std::string::npos;
+}
+
 /// True when we took the text for XML.
 bool compare(const std::string& text) {
   const std::string ours = described_xml(XmlReader::ours, text);
   if (ours.ends_with("refused")) return false;
   INFO(text);
-  CHECK(ours == described_xml(XmlReader::tinyxml2, text));
+  const std::string theirs = described_xml(XmlReader::tinyxml2, text);
+  if (is_for_tinyxml_alone(ours)) {
+    CHECK(theirs.ends_with("refused"));
+  } else {
+    CHECK(ours == theirs);
+  }
   return true;
 }
 
@@ -107,6 +118,11 @@ TEST_CASE("both read every construct alike") {
     CAPTURE(text);
     CHECK(compare(text));
   }
+  for (const char* text : {"<a b=c/>", "<a/><?p?>", "<a b=c d = e>f</a>", "<a><?p?></a>",
+                           "<!-- a --><?xml version='1.0'?><a/>"}) {
+    CAPTURE(text);
+    CHECK(compare(text));
+  }
   // tinyxml2 garbles values with a wrong reference; those are not compared.
   for (const char* text : {"<a b='&lt;&c;'/>", "<a>&lt; & c</a>", "<a b='c&#0;d'/>",
                            "<a b='&#xD800;'/>", "<a b='&#99999999999;'/>", "<a b='&#;&#x;&;&'/>"}) {
@@ -114,9 +130,9 @@ TEST_CASE("both read every construct alike") {
     CHECK(compare(text));
   }
   for (const char* text :
-       {"<a>", "<a/><b/>", "a", "<a b=c/>", "<a/>b", "<!DOCTYPE a [<!ENTITY b '<c/><d/>'>]><a/>",
+       {"<a>", "<a/><b/>", "a", "<a/>b", "<!DOCTYPE a [<!ENTITY b '<c/><d/>'>]><a/>",
         "<!DOCTYPE a [<!-- > --> <b/>]><a/>", "<!DOCTYPE a [<!b>] <c>]><a/>",
-        "<a><!DOCTYPE b>c</a>", "<a/><!DOCTYPE a>", "<a/><?p?>"}) {
+        "<a><!DOCTYPE b>c</a>", "<a/><!DOCTYPE a>"}) {
     CAPTURE(text);
     CHECK_FALSE(compare(text));
   }
