@@ -105,8 +105,12 @@ class CommandLine {
     for (int at = 1;; at = optind) {
       optarg = nullptr;
       const int code = getopt_long(argc, arguments.data(), letters.c_str(), table.data(), nullptr);
-      if (code == -1) break;
-      if (code == kOperand) {
+      if (code == -1 && optind == at && at < argc && given[to_size(at)] == "-") {
+        operands_.emplace_back("-");  // at which the C library of WebAssembly stops
+        ++optind;
+      } else if (code == -1) {
+        break;
+      } else if (code == kOperand) {
         operands_.emplace_back(optarg);
       } else {
         const bool is_next = optarg != nullptr && optarg == arguments[to_size(at) + 1];
