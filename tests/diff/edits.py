@@ -265,6 +265,8 @@ def numbers_in(node, path):
                 return
             yield path, node
     elif isinstance(node, yaml.MappingNode):
+        if path.split(".")[-1] == "rotation" and sum(value.value.strip("+-0.") != "" for _, value in node.value) < 2:
+            return  # with one component, a quaternion stays the same rotation at any length
         for key, value in node.value:
             yield from numbers_in(value, f"{path}.{key.value}" if path else key.value)
     else:
