@@ -82,6 +82,9 @@ class Windows(Native):
         self.environment = ENVIRONMENT | {"WINEPREFIX": self.home.name, "WINEDEBUG": "-all", "HOME": self.home.name, "LC_ALL": "C.UTF-8",
                                           "WINEDLLOVERRIDES": "mscoree,mshtml="}
         self.run_alone(("smurf-lint", ["--version"], "/"))  # on its first run, wine makes its folders and prints that
+        # While one program waits, wine keeps its services; it would start them anew for each run, which takes seconds.
+        self.waiting = subprocess.Popen([WINE, "cmd"], env=self.environment, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                                        stderr=subprocess.DEVNULL)
 
     def command(self, tool):
         return [WINE, self.folder / f"{tool}.exe"]
