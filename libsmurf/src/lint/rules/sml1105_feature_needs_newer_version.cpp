@@ -9,16 +9,20 @@
 namespace smurf::rules {
 namespace {
 
-constexpr std::string_view kNewer[] = {"quat_xyzw", "acceleration", "deceleration", "jerk"};
+constexpr std::string_view kRotation = "quat_xyzw";
+constexpr std::string_view kLimits[] = {"acceleration", "deceleration", "jerk"};
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   for (const xml::Attribute& attribute : model.robot->document.attributes) {
     const std::string_view name = attribute.name();
-    const bool is_newer = std::any_of(std::begin(kNewer), std::end(kNewer),
+    const bool is_limit = std::any_of(std::begin(kLimits), std::end(kLimits),
                                       [&](std::string_view one) { return is_same(name, one); });
-    if (!is_newer) continue;
-    findings.report(attribute.name_span(), quoted(name) + " is ignored by readers of URDF 1.0");
+    if (!is_limit && !is_same(name, kRotation)) continue;
+    Diagnostic& diagnostic =
+        findings.report(attribute.name_span(), quoted(name) + " is ignored by readers of URDF 1.0");
+    // The robot without such a limit is the same; without the rotation it is another one.
+    if (is_limit) diagnostic.severity = Severity::info;
   }
 }
 
