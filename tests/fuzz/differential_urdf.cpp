@@ -147,7 +147,10 @@ bool compare_xml(const std::string& text, Broken& broken) {
   } else if (is_read && !is_documented(found, &Refusal::by_tinyxml2)) {
     broken.push_back("tinyxml2 reads what we refuse: " + first_error(found));
   }
-  if (!ours && !is_documented(found, &Refusal::by_urdfdom) && ask_urdfdom(text).accepts) {
+  // TinyXML takes the control character DEL for a letter, as it does all bytes behind it.
+  const bool has_delete = text.find('\x7f') != std::string::npos;
+  if (!ours && !has_delete && !is_documented(found, &Refusal::by_urdfdom) &&
+      ask_urdfdom(text).accepts) {
     broken.push_back("urdfdom reads what we refuse: " + first_error(found));
   }
   return ours.has_value();

@@ -102,6 +102,15 @@ class WindowsTest(unittest.TestCase):
         done = self.run_tool("--mesh-uri=file", "--force", "arm.urdf", tool="smurf2urdf")
         self.assertIn(f'"file:///Z:{self.folder}/meshes/arm.stl"'.encode(), done.stdout)
 
+    def test_names_without_drive(self):
+        """A name that begins with a slash is on the drive of the model."""
+        self.write("../../../../usr/share/arm.stl")
+        self.run_tool("--force", "--overwrite", "-o", "robot", "arm.urdf", tool="urdf2smurf", build=self.native)
+        expected = (self.folder / "robot/urdf/arm.urdf").read_bytes()
+        self.run_tool("--force", "--overwrite", "-o", "robot", "arm.urdf", tool="urdf2smurf")
+        self.assertEqual((self.folder / "robot/urdf/arm.urdf").read_bytes(), expected)
+        self.assertIn(b"/usr/share/arm.stl", expected)
+
 
 Windows.skip_without(TOOLS, PROGRAMS)
 unittest.main(argv=sys.argv[:1])

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/system.hpp"
+
 namespace smurf::path {
 namespace {
 
@@ -20,6 +22,16 @@ bool is_final(std::string_view path) {
     if (begins_oddly(path.substr(at + 1))) return false;
   }
   return true;
+}
+
+/// A path that names no drive is on that of the other.
+bool are_on_two_drives(std::string_view path, std::string_view other) {
+  const auto drive_of = [](std::string_view one) {
+    return sys::without_drive(one) == one ? std::string() : to_lower(one.substr(0, one.find(':')));
+  };
+  const std::string drive = drive_of(path);
+  const std::string other_drive = drive_of(other);
+  return !drive.empty() && !other_drive.empty() && drive != other_drive;
 }
 
 }  // namespace
@@ -90,8 +102,9 @@ std::string relative(std::string_view path, std::string_view folder) {
   const std::string whole = normalize(path);
   const std::string base = normalize(folder.empty() ? "." : folder);
   if (is_absolute(whole) != is_absolute(base) || whole.size() > kLongest) return whole;
-  std::vector<std::string_view> to = names(whole);
-  std::vector<std::string_view> from = names(base);
+  if (are_on_two_drives(whole, base)) return whole;
+  std::vector<std::string_view> to = names(sys::without_drive(whole));
+  std::vector<std::string_view> from = names(sys::without_drive(base));
   if (whole == ".") to.clear();
   if (base == ".") from.clear();
   std::size_t common = 0;
