@@ -27,14 +27,3 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentati
 install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
 install(FILES python/examples/plot_scene.ipynb
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/python/examples COMPONENT documentation)
-
-# `cpack` in the build folder writes a .deb and a .tar.gz.
-set(CPACK_GENERATOR DEB TGZ)
-set(CPACK_PACKAGE_CONTACT "The smurf developers <maintainers@smurf-tools.org>")
-set(CPACK_PACKAGE_VENDOR "The smurf developers")
-set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
-set(CPACK_STRIP_FILES ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-include(CPack)
