@@ -25,17 +25,20 @@ def homepage():
     return _fact("CMakeLists.txt", r'\n  HOMEPAGE_URL "([^"]+)"')
 
 
+def summary():
+    return _fact("CMakeLists.txt", r'\n  DESCRIPTION "([^"]+)"')
+
+
 def stem():
     """What the names of a wheel, of its folders and of an sdist start with."""
     return f"{name().replace('-', '_')}-{version()}"
 
 
 def metadata():
-    summary = _fact("CMakeLists.txt", r'\n  DESCRIPTION "([^"]+)"')
     return f"""Metadata-Version: 2.1
 Name: {name()}
 Version: {version()}
-Summary: {summary}
+Summary: {summary()}
 Project-URL: Homepage, {homepage()}
 License: BSD-3-Clause
 Requires-Python: >=3.9

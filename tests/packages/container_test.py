@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -83,20 +84,25 @@ class Container(unittest.TestCase):
         self.assertIn("the program needs lib", done.stderr)
         self.assertFalse((self.folder / "git.tar").exists())
 
-    def test_findings_in_a_mounted_folder(self):
-        """The same as those of the program outside, among them one on a file beside the folder of the URDF."""
-        robots = self.folder / "robots"
-        shutil.copytree(ROOT / "fixtures/models/arm", robots)
-        (robots / "meshes/forearm.obj").unlink()
+    def test_the_line_of_the_readme(self):
+        """With buildah in place of podman, which cannot be run everywhere. The findings are those of the program outside, among them
+        one on a file beside the folder of the URDF."""
+        line = re.search(r"\n    podman (run .*)\n", (ROOT / "README.md").read_text())[1]
+        work = self.folder / "work"
+        shutil.copytree(ROOT / "fixtures/models/arm", work / "arm")
+        (work / "arm/meshes/forearm.obj").unlink()
+        shutil.copy(self.archive, work / f"smurf-lint-{VERSION}-linux-x86_64.oci.tar")
+        run, remove, option, mount, image, *arguments = shlex.split(line.replace("$PWD", str(work)))
+        self.assertEqual((run, remove, option), ("run", "--rm", "-v"))
         buildah = ["buildah", "--root", self.folder / "store", "--runroot", self.folder / "run", "--storage-driver", "vfs"]
-        made = subprocess.run([*buildah, "from", "--quiet", f"oci-archive:{self.archive}"], capture_output=True, text=True, check=True)
-        command = [*buildah, "run", "--isolation", "chroot", "-v", f"{robots}:/smurf/work:ro", made.stdout.strip(), "--", "/bin/program"]
+        made = subprocess.run([*buildah, "from", "--quiet", image], cwd=work, capture_output=True, text=True, check=True)
+        command = [*buildah, "run", "--isolation", "chroot", "-v", f"{mount}:ro", made.stdout.strip(), "--", "/bin/program"]
         tried = subprocess.run([*command, "--version"], capture_output=True, text=True, check=False)
         if re.search("operation not permitted|permission denied", tried.stderr, re.IGNORECASE):
             self.skipTest(f"containers cannot be run here: {tried.stderr.strip()}")
         self.assertIn(VERSION, tried.stdout, tried.stderr)
-        inside = subprocess.run([*command, "--format=json", "."], capture_output=True, text=True, check=False)
-        outside = subprocess.run([TOOLS / "smurf-lint", "--format=json", "."], cwd=robots, capture_output=True, text=True, check=False)
+        inside = subprocess.run([*command, "--format=json", *arguments], capture_output=True, text=True, check=False)
+        outside = subprocess.run([TOOLS / "smurf-lint", "--format=json", *arguments], cwd=work, capture_output=True, text=True, check=False)
         self.assertEqual(inside.returncode, 1, inside.stdout + inside.stderr)
         self.assertEqual(inside.stdout, outside.stdout)
         self.assertIn("SML1604", inside.stdout)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""package.xml names what CMake looks for, and scripts/setup installs what package.xml names.
+"""package.xml names what CMake looks for; scripts/setup, Debian's packages and the recipes name what package.xml names.
 
 usage: package_xml_test.py            compares
        package_xml_test.py --debian   prints the Debian packages of all names in package.xml, for tests/packages/colcon_build
@@ -61,6 +61,23 @@ class PackageXml(unittest.TestCase):
         text = (ROOT / "scripts/setup").read_text().partition("build_packages=(")[2].partition("\n)")[0]
         installed = {word for line in text.splitlines() for word in line.partition("#")[0].split()}
         self.assertLessEqual(debian_packages(), installed)
+
+    def test_debian_packages_are_built_with_it(self):
+        text = (ROOT / "packaging/debian/control").read_text()
+        fields = re.search(r"^Build-Depends: (.*?)\n(?=\S)", text, re.S | re.M)[1]
+        needed = debian_packages() - {DEBIAN.get(name, name) for name in named("test_depend")}
+        self.assertLessEqual(needed, {word.split()[0] for word in fields.split(",")} | {"python3"})
+
+    def test_recipes_name_it(self):
+        """What is required, in the words of each."""
+        required = {name for file in BUILT for looked in looked_for(file, False) for name in NAMES[looked]}
+        self.assertGreater(len(required), 7)
+        for recipe in (ROOT / "packaging/recipes").iterdir():
+            text = re.sub("[-_]", "", recipe.read_text())
+            for name in required:
+                word = re.sub("^lib|-dev$|[-_]", "", name)
+                with self.subTest(recipe=recipe.name, name=name):
+                    self.assertIn({"pkgconfig": "pkg"}.get(word, word), text)
 
     def test_version(self):
         version = re.search(r"\n  VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text())[1]

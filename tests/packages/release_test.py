@@ -66,7 +66,12 @@ class Release(unittest.TestCase):
         self.assertIn("nothing was committed or tagged", done.stdout)
         out = self.folder / "out"
         sums = dict(reversed(line.split()) for line in (out / "SHA256SUMS").read_text().splitlines())
-        self.assertEqual({*sums, "SHA256SUMS", "notes.md"}, {file.name for file in out.iterdir()})
+        self.assertEqual({*sums, "SHA256SUMS", "notes.md"},
+                         {str(file.relative_to(out)) for file in out.rglob("*") if file.is_file()})
+        for recipe in (out / "recipes").iterdir():
+            text = recipe.read_text()
+            self.assertNotRegex(text, r"@\w+@")
+            self.assertIn(sums[f"smurf_tools-{VERSION}.tar.gz"], text)
         for name, digest in sums.items():
             self.assertEqual(hashlib.sha256((out / name).read_bytes()).hexdigest(), digest)
         self.assertRegex(" ".join(sorted(sums)), r"smurf-tools-\S+-linux-\w+.tar.gz smurf_tools-\S+-py3-none-manylinux\S+.whl "
@@ -88,8 +93,10 @@ class Release(unittest.TestCase):
         (project / "scripts").mkdir(parents=True)
         copy_of_project(project)
         shutil.copy(ROOT / "scripts/release", project / "scripts")
+        shutil.copytree(ROOT / "packaging/recipes", project / "packaging/recipes")
         for name, text in (("setup", "exit 0"), ("static-libraries", "exit 0"), ("viewer", "exit 0"), ("test", f"cmake -S '{self.folder}/source' -B build/release"),
-                           ("container", 'echo image >"$2"'), ("arm64", f"cmake -S '{self.folder}/arm64-source' -B build/arm64"),
+                           ("container", 'echo image >"$2"'), ("licences", 'mkdir -p "$1"'),
+                           ("debian", "mkdir -p build/debian && cd build/debian && touch a.deb a.dsc a.tar.xz"), ("arm64", f"cmake -S '{self.folder}/arm64-source' -B build/arm64"),
                            ("windows", f"cmake -S '{self.folder}/windows-source' -B build/windows"),
                            ("wasm", "mkdir -p build/wasm && echo packed >build/wasm/smurf-tools.tgz")):
             (project / "scripts" / name).write_text(f"#!/bin/sh\n{text}\n")
@@ -105,6 +112,7 @@ class Release(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         out = project / "build/dist"
         self.assertEqual((out / "notes.md").read_text(), "- all\n")
+        self.assertTrue((out / "a.deb").exists())
         self.assertEqual(subprocess.run([*git, "status", "--porcelain"], check=True, capture_output=True).stdout, b"")
         table = subprocess.run([*git, "show", f"v{VERSION}:python/backend/releases.sha256"], check=True, capture_output=True)
         self.assertEqual({file.name for file in out.glob("*.oci.tar")},
@@ -130,7 +138,8 @@ class Release(unittest.TestCase):
         for output in ("first", "second"):
             self.assertEqual(self.release(VERSION, "--dry-run", output=output).returncode, 0)
         for file in (self.folder / "first").iterdir():
-            self.assertEqual(file.read_bytes(), (self.folder / "second" / file.name).read_bytes(), file.name)
+            if file.is_file():
+                self.assertEqual(file.read_bytes(), (self.folder / "second" / file.name).read_bytes(), file.name)
 
     def test_a_program_that_needs_a_physics_engine(self):
         """Here git, which needs libraries that not every Linux has."""

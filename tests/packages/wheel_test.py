@@ -7,6 +7,7 @@ import importlib.util
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -284,10 +285,10 @@ class Pip(Case):
     def test_the_line_of_the_readme(self):
         """With a folder in place of the Python index."""
         self.assertEqual(self.build(SMURF_PREBUILT=str(self.small)).returncode, 0)
-        command = re.search(r"\n    pip (install .*)\n", (ROOT / "README.md").read_text())[1].split()
+        command = re.search(r"\n    pip (install .*)\n", (ROOT / "README.md").read_text())[1]
         environment = self.folder / "environment"
         self.assertEqual(self.call(sys.executable, "-m", "venv", environment).returncode, 0)
-        done = self.call(environment / "bin/pip", *command, PIP_FIND_LINKS=str(self.folder / "out"))
+        done = self.call(environment / "bin/pip", *shlex.split(command, comments=True), PIP_FIND_LINKS=str(self.folder / "out"))
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertEqual(self.call(environment / "bin/smurf-lint").returncode, 0)
 

@@ -9,6 +9,7 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -88,13 +89,15 @@ class Package(unittest.TestCase):
             self.assertEqual(self.call("npx", command, "--version").stdout, f"{command} {version}\n")
 
     def test_from_a_registry(self):
+        """The line of the README, with a server in place of the registry of npm."""
+        line = re.search(r"\n    npx (.*)\n", (ROOT / "README.md").read_text())[1]
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Registry)
         self.addCleanup(server.server_close)
         self.addCleanup(server.shutdown)
         threading.Thread(target=server.serve_forever).start()
         folder = self.folder / "empty"
         shutil.copytree(ARM, folder / "arm")
-        done = subprocess.run(["npx", "--yes", "smurf-lint", "arm"], cwd=folder, capture_output=True, text=True, check=False,
+        done = subprocess.run(["npx", "--yes", *shlex.split(line, comments=True)], cwd=folder, capture_output=True, text=True, check=False,
                               env={**self.environment, "npm_config_offline": "false", "HOME": str(folder),
                                    "npm_config_registry": "http://{}:{}".format(*server.server_address)})
         self.assertEqual((done.returncode, done.stdout), (0, "no findings in 16 files (1 model)\n"), done.stderr)

@@ -1,0 +1,43 @@
+# For nixpkgs. Not tested here: it was written from the list of packages that CMakeLists.txt looks for.
+{
+  lib,
+  stdenv,
+  fetchurl,
+  cmake,
+  ninja,
+  pkg-config,
+  eigen,
+  libpng,
+  minizip,
+  nlohmann_json,
+  ode,
+  tinyxml-2,
+  urdfdom,
+  urdfdom-headers,
+  valijson,
+  yaml-cpp,
+}:
+
+stdenv.mkDerivation rec {
+  pname = "smurf-tools";
+  version = "@VERSION@";
+
+  src = fetchurl {
+    url = "@SOURCE@";
+    sha256 = "@SHA256@";
+  };
+
+  nativeBuildInputs = [ cmake ninja pkg-config ];
+  buildInputs = [
+    eigen libpng minizip nlohmann_json ode tinyxml-2 urdfdom urdfdom-headers valijson yaml-cpp
+  ];
+  cmakeFlags = [ "-DSMURF_BUILD_TESTS=OFF" "-DSMURF_BUILD_PYTHON=OFF" ];
+
+  meta = {
+    description = "@SUMMARY@";
+    homepage = "@HOMEPAGE@";
+    license = lib.licenses.bsd3;
+    mainProgram = "smurf-lint";
+    platforms = lib.platforms.unix;
+  };
+}
