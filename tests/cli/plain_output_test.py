@@ -258,6 +258,13 @@ class Meanings(PlainOutputTest):
         for message in messages:
             self.assertNotRegex(message, r"[^\\]\]\(")
 
+    def test_the_largest_angles_are_numbers_in_other_units(self):
+        self.write("a.urdf", '<robot name="a"><link name="b"><inertial><origin rpy="1.7e308 0 0"/><mass value="1"/><inertia '
+                             'ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>')
+        report = self.run_tool("smurf-lint", "--all", "a.urdf").stdout.decode()
+        self.assertIn("[SML1441]", report)
+        self.assertNotRegex(report, r"\b(inf|nan)\b")
+
     def test_counts_stay_at_the_largest(self):
         largest = 2**64 - 1
         for name in ("a", "b"):

@@ -61,23 +61,37 @@ std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) co
   const std::string_view names = std::string_view(path).substr(start.size());
   // The files of one folder come one after the other.
   const std::string_view way = names.substr(0, names.rfind('/') + 1);
-  at = walk(*std::move(at), way, links, nullptr);
+  OpenFolder open = opened(*at);
+  at = walk(*std::move(at), open, way, links, nullptr);
   if (at && !folder.empty()) remember(folder, *at);
-  if (at) at = walk(*std::move(at), names.substr(way.size()), links, nullptr);
+  if (at) at = walk(*std::move(at), open, names.substr(way.size()), links, nullptr);
   if (!at) return places::whole(path);
   // The names of the system, not those that were asked for.
   return sys::kIgnoresCase ? places::weakly_canonical(*at) : at;
 }
 
-/// Name by name from a canonical folder: what ".." means is seen from where the links before it
-/// lead. `link_in` is the folder of the link that is followed.
-std::optional<std::string> CanonicalPaths::walk(std::string at, std::string_view names, int& links,
+/// A canonical folder. The last one is kept, because the next paths often begin in it as well.
+OpenFolder CanonicalPaths::opened(const std::string& folder) const {
+  const std::lock_guard lock(mutex_);
+  if (!last_ || last_folder_ != folder) {
+    last_.emplace(folder);
+    last_folder_ = folder;
+  }
+  OpenFolder same = last_->again();
+  if (same.is_open()) return same;
+  last_.reset();
+  return OpenFolder(folder);
+}
+
+/// Name by name from a canonical folder, which is open: what ".." means is seen from where the
+/// links before it lead. `link_in` is the folder of the link that is followed.
+std::optional<std::string> CanonicalPaths::walk(std::string at, OpenFolder& folder,
+                                                std::string_view names, int& links,
                                                 const std::string* link_in) const {
   constexpr int kMostLinks = 40;  // as Linux follows
   const auto may_pass = [&](const std::string& place) {
     return link_in == nullptr || !may_pass_ || may_pass_(*link_in, place);
   };
-  OpenFolder folder(at);
   while (!names.empty()) {
     const std::size_t end = std::min(names.find('/'), names.size());
     const std::string name(names.substr(0, end));
@@ -88,7 +102,8 @@ std::optional<std::string> CanonicalPaths::walk(std::string at, std::string_view
     const auto target = name == ".." ? std::nullopt : folder.target_of(name);
     if (target) {
       if (++links > kMostLinks) return std::nullopt;
-      auto place = walk(target->starts_with('/') ? "/" : at, *target, links, &at);
+      if (target->starts_with('/')) folder.open("/");
+      auto place = walk(target->starts_with('/') ? "/" : at, folder, *target, links, &at);
       if (!place || !may_pass(*place)) return place;
       at = *std::move(place);
       folder.open(at);

@@ -20,7 +20,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                         format_rounded(angle / (2 * std::numbers::pi), 3) +
                                         " turns; is it in degrees?")
           .help(format_number(angle) + " degrees are " +
-                format_rounded(angle * std::numbers::pi / 180, 6) + " rad");
+                format_rounded(angle / 180 * std::numbers::pi, 6) + " rad");
       break;
     }
   });
