@@ -217,7 +217,7 @@ class NumberReader {
 
   static std::string kind_of_hex_or_suffix(std::string_view text) {
     const std::optional<double> value = parse_hexadecimal(text);
-    if (!value) return path::to_lower(text).find("0x") < 2 ? "hex" : "suffix";
+    if (!value) return path::to_lower(text).find("0x") < 2 ? "hex#broken" : "suffix";
     return *value > 0 ? "hex" : "hex#not-positive";
   }
 

@@ -190,10 +190,15 @@ class ModelLoader {
       const std::string path = path::join(folder, entry.value);
       const auto [first, is_new] = read.emplace(listed_key(path), entry.span);
       if (!is_new) {
-        context_.sink
-            .report(rules::sml2009_file_listed_twice, entry.span,
-                    "MARS reads " + quoted(entry.value) + " twice")
-            .label(first->second, "listed here before");
+        Diagnostic& diagnostic =
+            context_.sink.report(rules::sml2009_file_listed_twice, entry.span,
+                                 "MARS reads " + quoted(entry.value) + " twice");
+        diagnostic.label(first->second, "listed here before");
+        // Phobos leaves out what is directly behind its URDF.
+        const bool is_behind = read.size() == 1 && &entry == &(*model_.main.files)[1];
+        if (!is_behind && path::to_lower(path::extension(path)) == ".urdf") {
+          diagnostic.construct = "urdf";
+        }
         continue;
       }
       if (entry.value.starts_with('/')) {

@@ -29,6 +29,8 @@ bool is_slip(yaml::View mapping, std::string_view key, Findings& findings);
 
 /// Reports `name: 5` and `name: yes` of an entry, which Phobos reads as values of Python.
 void report_name_read_as_value(yaml::View entry, Findings& findings);
+/// Reports keys that Phobos reads as numbers, which stop it in entries.
+void report_number_keys(yaml::View entry, Findings& findings);
 
 /// A top-level key of the main file or of an annotation file.
 struct TopLevelKey {

@@ -10,6 +10,7 @@
 #include "base/quoted.hpp"
 #include "base/readers.hpp"
 #include "link/mujoco_compiler.hpp"
+#include "lint/rigid_bodies.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf {
@@ -86,15 +87,24 @@ bool is_carried(const LinkedModel& model, const urdf::Link& link) {
   return !above || model.joint(*above).type == urdf::JointType::fixed;
 }
 
-/// What readers make of inertials depends on what moves, and of the parts of a joint on its type:
-/// "#in-fixed/limit/@lower/".
+/// What readers make of inertials depends on what moves, "#carried" or by itself,
+/// "#alone/inertia/@ixx/", and of the parts of a joint on its type: "#in-fixed/limit/@lower/".
 void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
+  std::vector<bool> alone;
   for (Diagnostic* diagnostic : found) {
     constexpr std::string_view kJoint = "/robot/joint/";
+    constexpr std::string_view kInertial = "/robot/link/inertial/";
     const std::string path = fact_path(*diagnostic);
-    if (path.starts_with("/robot/link/inertial/")) {
+    if (path.starts_with(kInertial)) {
       const urdf::Link* link = part_at(model.robot->links, diagnostic->span);
-      if (link != nullptr && is_carried(model, *link)) diagnostic->construct += "#carried";
+      if (link == nullptr) continue;
+      const auto index = static_cast<std::size_t>(link - model.robot->links.data());
+      if (is_carried(model, *link)) {
+        diagnostic->construct += "#carried";
+      } else if (alone.empty() ? (alone = alone_in_motion(model))[index] : alone[index]) {
+        const std::size_t end = std::min(path.find('#'), path.size());
+        diagnostic->construct += "#alone/" + path.substr(kInertial.size(), end - kInertial.size());
+      }
     } else if (path.starts_with(kJoint)) {
       const urdf::Joint* joint = part_at(model.robot->joints, diagnostic->span);
       if (joint == nullptr || joint->type == urdf::JointType::unknown) continue;
@@ -144,7 +154,8 @@ std::vector<Diagnostic*> locate_in(const xml::Document& document, BySource& all)
 void locate_in(const LinkedModel& model, BySource& all) {
   for (const ModelFile& file : model.files) {
     if (file.kind == ModelFile::Kind::urdf) continue;
-    locate_in(file.document, file.source, file.kind == ModelFile::Kind::main ? "main" : "", all);
+    locate_in(file.document, file.source,
+              file.kind == ModelFile::Kind::main ? "main" : "in-annotations", all);
   }
   if (!model.robot) return;
   const std::vector<Diagnostic*> found = locate_in(model.robot->document, all);

@@ -70,11 +70,13 @@ bool check_text(const SourceMap& sources, SourceId id, TextFormat format, Diagno
   }
   if (const std::size_t control = find_control_character(text, format); control < text.size()) {
     const auto at = static_cast<std::uint32_t>(control);
-    sink.report(rules::sml0004_control_character, {id, at, at + 1},
-                "the control character U+00" + hex(text[control]) +
-                    " is not allowed in a text file")
-        .help("delete it");
-    return false;
+    Diagnostic& diagnostic = sink.report(rules::sml0004_control_character, {id, at, at + 1},
+                                         "the control character U+00" + hex(text[control]) +
+                                             " is not allowed in a text file");
+    diagnostic.help("delete it");
+    // Readers of XML stop at a NUL only.
+    if (format == TextFormat::yaml || text.find('\0') != std::string_view::npos) return false;
+    diagnostic.construct = "in-urdf";
   }
   if (const std::optional<std::size_t> at = utf8::find_invalid(text)) {
     const auto begin = static_cast<std::uint32_t>(*at);

@@ -72,6 +72,15 @@ XmlReference read_reference(std::string_view text) {
   return {XmlReference::Kind::unknown_entity, end + 1, 0};
 }
 
+bool is_broken_character(std::string_view text) {
+  if (!text.starts_with("&#")) return false;
+  const bool is_hexadecimal = text.substr(2).starts_with('x');
+  const std::string_view digits = is_hexadecimal ? "0123456789abcdefABCDEF" : "0123456789";
+  const std::size_t begin = is_hexadecimal ? 3 : 2;
+  const std::size_t end = text.find_first_not_of(digits, begin);
+  return end == std::string_view::npos || end == begin || text[end] != ';';
+}
+
 bool has_wrong_reference(std::string_view written) {
   for (std::size_t at = written.find('&'); at != std::string_view::npos;
        at = written.find('&', at + 1)) {

@@ -20,6 +20,9 @@ struct XmlReference {
 /// to a character that XML does not allow, such as `&#0;`, has Kind::none.
 XmlReference read_reference(std::string_view text);
 
+/// `&#` without a number and a semicolon, which TinyXML refuses.
+bool is_broken_character(std::string_view text);
+
 /// True for a reference that readers take for something else: tinyxml2 9 copies an unknown entity
 /// from a wrong place, and cuts a value off at `&#0;`.
 bool has_wrong_reference(std::string_view written);

@@ -90,7 +90,7 @@ class Scanner {
     if (looking_at("<!--")) return comment();
     if (looking_at("<![CDATA[")) return character_section();
     if (looking_at("<!DOCTYPE")) return doctype();
-    start_tag();
+    declaration();
   }
 
   void skip_section(std::string_view end, std::string_view message) {
@@ -159,15 +159,27 @@ class Scanner {
     at_ = static_cast<std::uint32_t>(close + 1);
   }
 
+  /// `<!ELEMENT ...>`, or a comment that begins with one dash: URDF readers skip it.
+  void declaration() {
+    const std::uint32_t begin = at_;
+    const std::size_t close = text_.find('>', begin);
+    if (close == std::string_view::npos) return start_tag();
+    is_prolog_ = false;
+    at_ = static_cast<std::uint32_t>(close + 1);
+    sink_
+        .report(rules::sml1001_xml_malformed, span(begin, begin + 2), "`<!` begins no comment here")
+        .construct = "declaration";
+  }
+
   void instruction() {
     const std::uint32_t begin = at_;
     const bool is_declaration = looking_at("<?xml ");
     skip_section("?>", "this processing instruction is never closed");
     if (well_formed_ && is_prolog_ && is_declaration && has_declaration_) {
-      sink_
-          .report(rules::sml1005_xml_junk_before_prolog, span(begin, at_),
-                  "a second XML declaration")
-          .fixes.push_back({Applicability::safe, {{span(begin, at_), ""}}});
+      Diagnostic& diagnostic = sink_.report(rules::sml1005_xml_junk_before_prolog, span(begin, at_),
+                                            "a second XML declaration");
+      diagnostic.construct = "second";
+      diagnostic.fixes.push_back({Applicability::safe, {{span(begin, at_), ""}}});
     }
     has_declaration_ = has_declaration_ || is_declaration;
     if (!well_formed_) return;
@@ -201,10 +213,7 @@ class Scanner {
       return;
     }
     ++at_;
-    if (tree_.depth() == 0) {
-      malformed(span(begin, at_), "the end tag " + quoted(name) + " closes nothing");
-      return;
-    }
+    if (tree_.depth() == 0) return end_tag_outside(span(begin, at_), name);
     const Element& element = tree_.innermost();
     if (slice(name) != element.name()) {
       Diagnostic& diagnostic =
@@ -215,6 +224,17 @@ class Scanner {
       return;
     }
     close_element();
+  }
+
+  /// Behind the root, all URDF readers stop there.
+  void end_tag_outside(Span tag, Span name) {
+    const bool is_behind = !tree_.elements().empty();
+    Diagnostic& diagnostic = sink_.report(rules::sml1001_xml_malformed, tag,
+                                          "the end tag " + quoted(name) + " closes nothing");
+    well_formed_ = is_behind;
+    if (!is_behind) return;
+    diagnostic.construct = "end-tag-behind";
+    at_ = size();
   }
 
   void suspect_end(Diagnostic& diagnostic) const {
@@ -430,10 +450,11 @@ class Scanner {
     const XmlReference reference = read_reference(text_.substr(begin));
     at_ += static_cast<std::uint32_t>(reference.size);
     if (reference.kind == XmlReference::Kind::none) {
-      sink_
-          .report(rules::sml1003_xml_bare_ampersand, span(begin, begin + 1),
-                  "`&` does not begin a character reference")
-          .fixes.push_back({Applicability::safe, {{span(begin, begin + 1), "&amp;"}}});
+      Diagnostic& diagnostic =
+          sink_.report(rules::sml1003_xml_bare_ampersand, span(begin, begin + 1),
+                       "`&` does not begin a character reference");
+      if (is_broken_character(text_.substr(begin))) diagnostic.construct = "character";
+      diagnostic.fixes.push_back({Applicability::safe, {{span(begin, begin + 1), "&amp;"}}});
     } else if (reference.kind == XmlReference::Kind::unknown_entity) {
       sink_
           .report(rules::sml1013_dtd_or_xinclude, span(begin, at_),

@@ -9,6 +9,8 @@ constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses bytes that are not UTF-8, or shows other characters",
      "urdf-loader, run", "/robot/"},
     {&readers::mars, Effect::changes, "passes the bytes on", "yaml-cpp 0.7, run"},
+    {&readers::phobos, Effect::loses, "logs the error and continues without the annotations", kRun,
+     "#in-annotations"},
     {&readers::phobos, Effect::refuses, "refuses the file", "PyYAML 6.0, run"},
 };
 

@@ -6,10 +6,14 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::takes, "keeps the byte inside names and values",
+     "urdfdom, sdformat, DART, MuJoCo, run", "#in-urdf"},
     {&readers::urdf, Effect::refuses, "refuses the file, or reads no further", "urdfdom, run"},
     {&readers::mars, Effect::changes, "keeps the byte inside names and values",
      "yaml-cpp 0.7, run"},
-    {&readers::phobos, Effect::refuses, "refuses the file", "PyYAML 6.0, run"},
+    {&readers::phobos, Effect::loses, "logs the error and continues without the annotations", kRun,
+     "#in-annotations"},
+    {&readers::phobos, Effect::refuses, "refuses the file", "PyYAML 6.0 and expat, run"},
 };
 
 }  // namespace

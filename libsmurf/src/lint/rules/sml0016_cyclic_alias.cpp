@@ -8,6 +8,7 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes, "recurses until its stack overflows",
      "configmaps copies aliases"},
+    {&readers::phobos, Effect::takes, "reads the value", kRun},
 };
 
 }  // namespace

@@ -35,6 +35,7 @@ constexpr Fact kFacts[] = {
      "configmaps ConfigItem.cpp, run"},
     {&readers::envire, Effect::crashes, "ends with an uncaught exception",
      "configmaps ConfigItem.cpp, run"},
+    {&readers::phobos, Effect::takes, "keeps the empty item", kRun},
 };
 
 }  // namespace

@@ -6,6 +6,11 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::refuses, "refuses the file", "expat, run"},
+    {&readers::urdf, Effect::takes, "skips the declaration", "urdfdom, sdformat, MuJoCo, run",
+     "#declaration"},
+    {&readers::urdf, Effect::takes, "reads no further", "urdfdom, sdformat, MuJoCo, run",
+     "#end-tag-behind"},
     {&readers::urdf, Effect::refuses, "refuses the file, or reads no further than the fault",
      "urdfdom, sdformat, MuJoCo, run"},
 };

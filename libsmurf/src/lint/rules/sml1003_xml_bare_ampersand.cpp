@@ -6,6 +6,8 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::refuses, "refuses the file", kRun, "#character"},
+    {&readers::dart, Effect::refuses, "refuses the file", kRun, "#character"},
     {&readers::urdf, Effect::takes, "reads on", "urdfdom, sdformat, MuJoCo and Bullet, run"},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
 };

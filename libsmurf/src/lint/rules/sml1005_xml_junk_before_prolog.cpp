@@ -6,6 +6,8 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::takes, "reads the first declaration only",
+     "urdfdom, sdformat, DART, MuJoCo, run", "#second"},
     {&readers::urdfdom, Effect::takes, "skips blanks", kRun, "#blanks"},
     {&readers::mujoco, Effect::takes, "skips blanks", kRun, "#blanks"},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},

@@ -32,6 +32,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@link/"},
     {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@name/"},
     {&readers::mujoco, Effect::refuses, "refuses the number", kRun},
+    {&readers::phobos, Effect::takes, "keeps the text", kRun},
 };
 
 }  // namespace

@@ -17,6 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::refuses, "refuses every version but 1.0",
      "urdfdom model.cpp:126-137, run"},
+    {&readers::phobos, Effect::ignores, "does not look at the version", kRun},
 };
 
 }  // namespace

@@ -66,6 +66,7 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::takes, "knows the shape", "Drake detail_urdf_geometry.cc:337-346",
      "#drake-shape"},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc:315-352"},
+    {&readers::phobos, Effect::loses, "keeps a shape without geometry", kRun},
 };
 
 }  // namespace

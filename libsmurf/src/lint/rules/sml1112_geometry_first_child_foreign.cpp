@@ -34,6 +34,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::takes, "looks for the shape by its name", kRun},
     {&readers::drake, Effect::takes, "looks for the shape by its name",
      "Drake detail_urdf_geometry.cc:318-346"},
+    {&readers::phobos, Effect::takes, "looks for the shape by its name", kRun},
 };
 
 }  // namespace

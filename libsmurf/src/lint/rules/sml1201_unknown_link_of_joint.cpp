@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "base/readers.hpp"
 #include "lint/name_queries.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
+
+bool has_motor(const LinkedModel& model, xml::View joint) {
+  const xml::Attribute* name = joint.attribute("name");
+  const std::vector<Motor>& motors = model.annotations.motors;
+  return name != nullptr && std::any_of(motors.begin(), motors.end(), [&](const Motor& motor) {
+           return motor.joint.value_or("") == name->value();
+         });
+}
 
 void check(const LinkedModel& model, Findings& findings) {
   const urdf::Link* unnamed = link_without_name(model);
@@ -14,8 +24,9 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic* diagnostic =
         check_link_of_joint(model, one, subject_of(end.parent()), unnamed, findings);
     withhold_fix(diagnostic, other_link(end));
+    if (diagnostic != nullptr && has_motor(model, end.parent())) diagnostic->construct = "driven";
     if (diagnostic != nullptr && end.name() == "parent" && one.name == "world") {
-      diagnostic->construct = "drake-world";
+      diagnostic->construct += "#drake-world";
       diagnostic->note(
           "only Drake has a link `world` without a declaration; check files for Drake with "
           "`--target drake`");
@@ -25,6 +36,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::refuses, "stops with an UnboundLocalError at the motor of the joint",
+     "Phobos io/smurfrobot.py:211-215, run", "/parent/@link/#driven"},
     {&readers::phobos, Effect::breaks, "keeps a joint without a parent", kRun, "/parent/"},
     {&readers::urdf, Effect::refuses, "refuses the file",
      "urdfdom model.h:128; MuJoCo, Bullet, run"},

@@ -26,6 +26,10 @@ bool is_apart(const LinkedModel& model, std::string_view link) {
          });
 }
 
+bool is_only_root(const LinkedModel& model, std::string_view link) {
+  return model.tree.roots.size() == 1 && model.link(model.tree.roots[0]).name.value_or("") == link;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.parent || !joint.child || *joint.parent != *joint.child) return;
@@ -35,6 +39,7 @@ void check(const LinkedModel& model, Findings& findings) {
                         title(joint) + " connects the link " + quoted(*joint.child) + " to itself");
     diagnostic.label(joint.parent.span, "the same link as parent");
     if (is_apart(model, *joint.child)) diagnostic.construct = "apart";
+    if (is_only_root(model, *joint.child)) diagnostic.construct = "only-root";
     // The link that it should lead to is a root then, which is not reported for itself.
     if (has_other_roots(model, *joint.child)) {
       diagnostic.consequences.push_back(&rules::sml1204_several_roots);
@@ -43,6 +48,12 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::refuses, "finds no root link, and refuses the file", kRun,
+     "#only-root"},
+    {&readers::gazebo, Effect::refuses, "finds no root link, and refuses the file", kRun,
+     "#only-root"},
+    {&readers::dart, Effect::refuses, "finds no root link, and refuses the file", kRun,
+     "#only-root"},
     {&readers::urdfdom, Effect::changes, "accepts it; programs that walk the tree never terminate",
      "urdfdom issue 154; check_urdf 3.0.1, run"},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},

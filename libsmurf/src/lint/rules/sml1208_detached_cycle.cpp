@@ -54,6 +54,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "does not find the bodies of the ring", kRun},
     {&readers::drake, Effect::refuses, "refuses the model when it is finalised",
      "Drake issue 19034"},
+    {&readers::phobos, Effect::changes, "accepts the ring", kRun},
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file: bodies float in the world only", kRun},
     {&readers::urdfdom, Effect::takes, "accepts a floating joint anywhere", kRun},
+    {&readers::phobos, Effect::takes, "accepts a floating joint anywhere", kRun},
 };
 
 }  // namespace

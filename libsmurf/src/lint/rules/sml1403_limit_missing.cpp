@@ -36,6 +36,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes, "lets the joint move without limit", kRun},
     {&readers::drake, Effect::changes, "lets the joint move without limit",
      "Drake detail_urdf_parser.cc"},
+    {&readers::phobos, Effect::changes, "keeps a joint without limits", kRun},
 };
 
 }  // namespace

@@ -30,6 +30,7 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::refuses, "refuses the file when a transmission drives the joint",
      "Drake detail_urdf_parser.cc:930-1001", "/@effort/"},
     {&readers::drake, Effect::refuses, "throws an exception", "Drake joint.h:435"},
+    {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };
 constexpr std::string_view kFormer[] = {"SML1417", "effort-negative", "velocity-negative"};
 

@@ -26,6 +26,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses an axis of length 0", kRun},
     {&readers::drake, Effect::refuses, "refuses an axis of length 0",
      "Drake detail_urdf_parser.cc"},
+    {&readers::phobos, Effect::changes, "accepts it: the joint has no direction", kRun},
 };
 
 }  // namespace

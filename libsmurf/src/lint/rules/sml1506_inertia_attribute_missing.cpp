@@ -55,6 +55,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "reads the three others as 0 where a product is missing",
      kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+    {&readers::phobos, Effect::changes, "reads 0", kRun},
 };
 
 }  // namespace

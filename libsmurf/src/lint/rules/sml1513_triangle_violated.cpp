@@ -48,6 +48,7 @@ constexpr Fact kFacts[] = {
      "MuJoCo user_objects.cc:2762-2770, run"},
     {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",
      "Drake detail_common.cc:446-515"},
+    {&readers::phobos, Effect::takes, "keeps the numbers", kRun},
 };
 
 }  // namespace

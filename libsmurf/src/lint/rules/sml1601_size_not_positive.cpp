@@ -50,6 +50,7 @@ constexpr Fact kFacts[] = {
      "Drake shape_specification.cc:284", "/sphere/@radius/#zero"},
     {&readers::drake, Effect::refuses, "refuses a size that is not positive",
      "Drake shape_specification.h"},
+    {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
      "/mesh/"},
+    {&readers::phobos, Effect::loses, "keeps a mesh without a file", kRun},
 };
 
 }  // namespace

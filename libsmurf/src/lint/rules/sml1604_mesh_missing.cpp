@@ -109,6 +109,7 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses,
      "looks in the folder above urdf/ only, and stops with an exception", "Phobos a613e31, run",
      "#package"},
+    {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun, "#mesh"},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",
      "Bullet UrdfFindMeshFile.h, run", "#mesh"},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",

@@ -42,6 +42,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc"},
+    {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
 };
 
 }  // namespace

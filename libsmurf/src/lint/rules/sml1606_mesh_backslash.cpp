@@ -29,6 +29,7 @@ constexpr Fact kFacts[] = {
     gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+    {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
 };
 
 }  // namespace

@@ -38,6 +38,7 @@ constexpr Fact kFacts[] = {
     ros_without_mesh(),
     {&readers::gazebo, Effect::loses, "does not look for the file; the link may have no such shape",
      "sdformat parser_urdf.cc:2416-2431"},
+    {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
 };
 
 }  // namespace

@@ -95,6 +95,7 @@ constexpr Fact kFacts[] = {
      "assimp STLLoader.cpp"},
     {&readers::mujoco, Effect::refuses, "refuses the file", "MuJoCo stl_decoder.cc"},
     gazebo_without_mesh(),
+    {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
 };
 
 }  // namespace

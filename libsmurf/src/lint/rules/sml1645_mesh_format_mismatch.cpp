@@ -27,6 +27,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
     {&readers::dart, Effect::loses, "finds no triangle in it", kRun, "#obj"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
+    {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes, "clips it", kRun},
     {&readers::drake, Effect::refuses, "refuses a visual of such a colour",
      "Drake geometry_properties.h:262, rgba.h:44"},
+    {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };
 
 }  // namespace

@@ -12,6 +12,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::takes, "skips white space", "Bullet UrdfParser.cpp (atof), run"},
     {&readers::mujoco, Effect::takes, "skips white space", kRun},
     {&readers::drake, Effect::takes, "skips white space", "Drake detail_tinyxml.h:60-73"},
+    {&readers::phobos, Effect::takes, "skips white space", kRun},
 };
 constexpr std::string_view kFormer[] = {"SML1808", "trailing-space", "vector-tab-newline"};
 

@@ -16,10 +16,13 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
      "/inertial/origin/@rpy/"},
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such a mass", kRun, "/mass/"},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body without inertia", kRun,
+     "#alone/inertia/"},
     {&readers::mujoco, Effect::refuses, "refuses the size", kRun, "/sphere/"},
     {&readers::mujoco, Effect::refuses, "refuses the size", kRun, "/cylinder/"},
     {&readers::mujoco, Effect::refuses, "refuses the size", kRun, "/box/"},
     {&readers::mujoco, Effect::changes, "reads it, and computes with it", kRun},
+    {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };
 
 constexpr std::string_view kFormer[] = {"nan"};

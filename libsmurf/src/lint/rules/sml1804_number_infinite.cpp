@@ -24,6 +24,7 @@ constexpr Fact kFacts[] = {
      "/mass/@value/#not-positive"},
     {&readers::mujoco, Effect::changes, "reads infinity", kRun},
     {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
+    {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };
 
 constexpr std::string_view kFormer[] = {"inf"};

@@ -16,6 +16,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@size/#hex#not-positive"},
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@radius/#hex#not-positive"},
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@length/#hex#not-positive"},
+    {&readers::mujoco, Effect::refuses, "refuses the number", kRun, "#hex#broken"},
     {&readers::mujoco, Effect::changes, "reads a hexadecimal number", kRun, "#hex"},
     {&readers::drake, Effect::changes, "reads the leading digits", "Drake detail_tinyxml.h:60-73"},
 };

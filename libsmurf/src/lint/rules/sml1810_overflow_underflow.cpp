@@ -36,6 +36,9 @@ constexpr Fact kFacts[] = {
      "#underflow"},
     {&readers::pybullet, Effect::changes, "reads infinity", "Bullet UrdfParser.cpp (atof), run"},
     {&readers::drake, Effect::changes, "reads 0", "Drake detail_tinyxml.h:60-73", "#underflow"},
+    {&readers::phobos, Effect::changes, "reads 0", kRun, "#underflow"},
+    {&readers::phobos, Effect::takes, "reads the number", kRun, "#subnormal"},
+    {&readers::phobos, Effect::changes, "reads infinity", kRun},
 };
 
 }  // namespace

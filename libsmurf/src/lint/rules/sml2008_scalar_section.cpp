@@ -27,6 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes, "ends with an uncaught exception",
      "smurf_parser SMURFParser.cpp:63-65, run"},
+    {&readers::phobos, Effect::ignores, "does not look at it", kRun},
 };
 
 }  // namespace

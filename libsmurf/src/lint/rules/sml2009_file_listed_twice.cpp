@@ -9,6 +9,8 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
      "merges it twice: every motor, sensor and light exists twice, under one name",
      "smurf_parser SMURFParser.cpp:43-69, run"},
+    {&readers::phobos, Effect::refuses, "accepts one URDF only", kRun, "#urdf"},
+    {&readers::phobos, Effect::takes, "reads the second one over the first", kRun},
 };
 
 }  // namespace

@@ -33,6 +33,9 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run",
      "/sensors/"},
     {&readers::phobos, Effect::ignores, "keeps the link of the URDF", kRun, "#known-collision"},
+    {&readers::phobos, Effect::ignores, "keeps the link of the URDF", kRun, "/visuals/"},
+    {&readers::phobos, Effect::loses, "leaves the entry out", kRun, "/link/name/"},
+    {&readers::phobos, Effect::loses, "leaves the entry out", kRun, "/links/name/"},
     {&readers::phobos, Effect::refuses, "stops with an assertion", kRun, "/collision/link/"},
     {&readers::phobos, Effect::refuses, "stops with an assertion", kRun, "/collisions/link/"},
 };

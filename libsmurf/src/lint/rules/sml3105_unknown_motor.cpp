@@ -13,6 +13,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses,
      "drops the target from the sensor or controller; for an unknown leader of a mimic it adds the offset in every step",
      "MARS smurf.cpp:155-181, 465-480; MotorManager.cpp:537-544; SimMotor.cpp:356"},
+    {&readers::phobos, Effect::loses, "finds no such motor, and goes on", kRun},
 };
 
 }  // namespace

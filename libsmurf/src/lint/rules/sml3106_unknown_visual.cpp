@@ -12,6 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses, "prints a message and ignores the entry",
      "MARS smurf.cpp:404-426"},
+    {&readers::phobos, Effect::loses, "leaves the entry out", kRun},
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
      "measures the joint that leads to the link, and dereferences a null pointer",
      "MARS smurf.cpp:277-283, run"},
+    {&readers::phobos, Effect::changes, "keeps a sensor that measures no joint", kRun},
 };
 
 }  // namespace

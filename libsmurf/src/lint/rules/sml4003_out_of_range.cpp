@@ -7,6 +7,7 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes, "uses the number as it is", "MARS MotorData.cpp and others"},
+    {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };
 
 }  // namespace

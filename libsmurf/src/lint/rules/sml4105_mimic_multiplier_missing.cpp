@@ -27,6 +27,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
      "enables the mimic by `mimic_motor` and reads the absent multiplier as 0: the motor stays at `mimic_offset`",
      "MARS MotorManager.cpp:104-109"},
+    {&readers::phobos, Effect::takes, "keeps the motor", kRun},
 };
 
 }  // namespace

@@ -8,6 +8,8 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes, "places the entity in the world frame with a message",
      "MARS SimEntity.cpp:371-390"},
+    {&readers::phobos, Effect::loses, "keeps the name, and stops when it assembles the scene",
+     kRun},
 };
 
 }  // namespace

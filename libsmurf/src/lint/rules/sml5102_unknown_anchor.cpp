@@ -10,6 +10,8 @@ constexpr Fact kFacts[] = {
      "MARS SimEntity.cpp:447-481"},
     {&readers::mars2, Effect::changes, "fixes the entity to a frame of that name",
      "MarsSceneLoader.cpp:361-397"},
+    {&readers::phobos, Effect::loses, "keeps the name, and stops when it assembles the scene",
+     kRun},
 };
 
 }  // namespace

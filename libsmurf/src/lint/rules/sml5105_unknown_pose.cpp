@@ -9,6 +9,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes, "leaves all joints at zero", "MARS SimEntity.cpp:505-511"},
     {&readers::mars2, Effect::breaks, "reports an error and leaves all joints at zero",
      "MarsSceneLoader.cpp:338-346"},
+    {&readers::phobos, Effect::ignores, "does not look at poses", kRun},
 };
 
 }  // namespace

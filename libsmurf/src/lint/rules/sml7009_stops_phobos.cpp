@@ -75,6 +75,7 @@ void check_entries(yaml::View section, Findings& findings) {
   for (const yaml::View entry : section) {
     const bool has_names = key == "motors" || key == "sensors" || key == "poses";
     if (has_names) report_name_read_as_value(entry, findings);
+    if (is_section_name(key) && key != "poses") report_number_keys(entry, findings);
     const bool is_link = key == "link" || key == "links";
     if (is_link && entry.is_mapping() && !entry.find("name")) {
       findings.report(entry.place(), "Phobos stops at an entry without `name`");

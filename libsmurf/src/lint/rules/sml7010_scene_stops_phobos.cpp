@@ -26,6 +26,7 @@ void check_entities(yaml::View entities, Findings& findings) {
     if (!entity.is_mapping()) continue;
     check_position(entity.find("position"), findings);
     report_name_read_as_value(entity, findings);
+    report_number_keys(entity, findings);
   }
 }
 
