@@ -36,6 +36,7 @@ class Redirection {
     std::set<std::string> sources;
     for (const FlatModel& model : flat.models) {
       for (const auto& [written, file] : model.resources) sources.insert(absolute(file));
+      for (const auto& [written, file] : model.annotated_textures) sources.insert(absolute(file));
     }
     return sources;
   }
@@ -53,6 +54,9 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
   Redirection redirection(folder, options, files, limits, flat);
   for (FlatModel& model : flat.models) {
     for (auto& [written, file] : model.resources) file = redirection.redirect(file, model.id);
+    for (auto& [written, file] : model.annotated_textures) {
+      file = redirection.redirect(file, model.id);
+    }
   }
   for (FlatInstance& instance : flat.instances) {
     for (FlatShape& shape : instance.shapes) {

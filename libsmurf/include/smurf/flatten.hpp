@@ -46,6 +46,8 @@ struct FlatModel {
   ModelIndex source{};
   /// Mesh and texture files relative to the output's folder, by what the URDF writes.
   std::map<std::string, std::string, std::less<>> resources;
+  /// Same, by the `diffuseTexture` of a material of the annotations.
+  std::map<std::string, std::string, std::less<>> annotated_textures;
 };
 
 /// The thing that an instance is attached to.

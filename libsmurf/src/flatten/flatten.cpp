@@ -51,9 +51,15 @@ class Flattener {
                    relative(model.path),
                    relative(model.urdf_path),
                    ModelIndex{static_cast<std::uint32_t>(index)},
+                   {},
                    {}};
     for (const MeshReference& mesh : model.meshes) {
       if (!mesh.path.empty()) flat.resources.emplace(mesh.filename, relative(mesh.path));
+    }
+    for (const MaterialAnnotation& material : model.annotations.materials) {
+      if (!material.diffuse_texture || material.diffuse_texture->empty()) continue;
+      const std::string file = path::join(path::parent(model.path), *material.diffuse_texture);
+      flat.annotated_textures.emplace(*material.diffuse_texture, relative(file));
     }
     flat_.models.push_back(std::move(flat));
   }

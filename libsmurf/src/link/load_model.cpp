@@ -326,13 +326,22 @@ class ModelLoader {
       const auto index = static_cast<std::uint32_t>(i);
       for (const urdf::Visual& visual : robot.links[i].visuals) {
         if (visual.name) model_.visual_names.add(*visual.name, index);
-        // A material may be defined inside the visual that uses it.
-        if (visual.material && visual.material->name) {
+        // A material may be defined inside a visual, for all visuals that come later.
+        if (visual.material && visual.material->name &&
+            (visual.material->rgba || visual.material->texture)) {
           model_.material_names.add(*visual.material->name, index);
         }
       }
       for (const urdf::Collision& collision : robot.links[i].collisions) {
         if (collision.name) model_.collision_names.add(*collision.name, index);
+      }
+    }
+    for (const urdf::Link& link : robot.links) {
+      for (const urdf::Visual& visual : link.visuals) {
+        if (visual.material && visual.material->name) {
+          const auto index = static_cast<std::uint32_t>(&link - robot.links.data());
+          model_.material_names.add(*visual.material->name, index);
+        }
       }
     }
     model_.tree = build_tree(model_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours of visuals with those of the annotations, for writers that go through all instances.
+// The colours and textures of visuals with those of the annotations, for writers that go through all instances.
 #pragma once
 
 #include <map>
@@ -15,10 +15,13 @@ class AnnotatedColors {
   /// The colour of a visual of a model, which outlives this.
   std::optional<Rgba> of(const urdf::Visual& visual, const LinkedModel& model,
                          const FlatModel& flat);
+  /// Same with its texture, a file relative to the output's folder.
+  AnnotatedLooks::Look look_of(const urdf::Visual& visual, const LinkedModel& model,
+                               const FlatModel& flat);
 
  private:
   std::map<const LinkedModel*, AnnotatedLooks> looks_;
-  std::unordered_map<const urdf::Visual*, std::optional<Rgba>> known_;
+  std::unordered_map<const urdf::Visual*, AnnotatedLooks::Look> known_;
 };
 
 }  // namespace smurf

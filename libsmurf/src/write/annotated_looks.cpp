@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "base/path.hpp"
-
 namespace smurf {
 
 AnnotatedLooks::AnnotatedLooks(const LinkedModel& model, const FlatModel& flat)
@@ -39,8 +37,10 @@ AnnotatedLooks::Look AnnotatedLooks::of(const urdf::Visual& visual) const {
     if (annotation.transparency && look.color) {
       (*look.color)[3] *= 1 - std::clamp(*annotation.transparency, 0.0, 1.0);
     }
-    if (annotation.diffuse_texture) {
-      look.texture = path::join(path::parent(flat_.file), *annotation.diffuse_texture);
+    if (!annotation.diffuse_texture) continue;
+    if (const auto known = flat_.annotated_textures.find(*annotation.diffuse_texture);
+        known != flat_.annotated_textures.end()) {
+      look.texture = known->second;
     }
   }
   return look;

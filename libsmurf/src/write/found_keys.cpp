@@ -44,7 +44,7 @@ Found material_keys(const LinkedModel& model, SceneColumn column) {
   for (const MaterialAnnotation& entry : model.annotations.materials) {
     if (!values.defines(entry)) continue;
     std::vector<std::string_view> said{"name", "diffuseColor", "transparency"};
-    if (column == SceneColumn::html) said.push_back("diffuseTexture");
+    if (column == SceneColumn::html || column == SceneColumn::sdf) said.push_back("diffuseTexture");
     append(found, other_keys(model, entry, said));
   }
   return found;

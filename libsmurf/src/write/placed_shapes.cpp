@@ -42,15 +42,22 @@ class GeometryReader {
   const FlatModel& model_;
 };
 
-/// The robot's material of the name that a visual gives; null when there is none.
+/// The material of the name that a visual gives, of the robot or of another visual, as in urdfdom;
+/// null when there is none.
 const urdf::Material* definition_of(const urdf::Visual& visual, const LinkedModel& model) {
   if (!visual.material->name) return nullptr;
-  const auto index = model.material_names.find(*visual.material->name);
+  const std::string& name = *visual.material->name;
+  const auto index = model.material_names.find(name);
+  if (!index) return nullptr;
   const std::vector<urdf::Material>& materials = model.robot->materials;
+  if (*index < materials.size() && materials[*index].name && *materials[*index].name == name) {
+    return &materials[*index];
+  }
   // The table holds the names of the materials of visuals as well, with the number of their link.
-  if (!index || *index >= materials.size()) return nullptr;
-  const urdf::Material& material = materials[*index];
-  return material.name && *material.name == *visual.material->name ? &material : nullptr;
+  for (const urdf::Visual& one : model.robot->links[*index].visuals) {
+    if (one.material && one.material->name && *one.material->name == name) return &*one.material;
+  }
+  return nullptr;
 }
 
 }  // namespace

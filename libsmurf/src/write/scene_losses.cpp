@@ -204,6 +204,7 @@ std::vector<std::string> SceneLosses::archived_files(std::size_t index) const {
       add(model.urdf);
     } else {
       for (const auto& [written, file] : model.resources) add(file);
+      for (const auto& [written, file] : model.annotated_textures) add(file);
     }
   }
   for (const FlatShape& shape : instance.shapes) {

@@ -277,10 +277,10 @@ class SdfWriter {
       open_shape("visual", names.add(shape_name(visual.name, link_name, "_visual", index)),
                  X_BL * urdf::to_pose(visual.origin), *geometry);
       if (!gazebo.has_own_material(link_name)) {
-        add_sdf_material(xml_,
-                         {.color = colors_.of(visual, model, flat_model),
-                          .texture = is_old_ ? std::nullopt : texture_of(visual, model, flat_model),
-                          .script = gazebo.material(link_name)});
+        AnnotatedLooks::Look look = colors_.look_of(visual, model, flat_model);
+        if (look.color) look.color = as_libsdformat_has(*look.color);
+        if (is_old_) look.texture.reset();
+        add_sdf_material(xml_, {look.color, look.texture, gazebo.material(link_name)});
       }
       if (!gazebo.empty()) gazebo.add_to_visual(xml_, link_name);
       xml_.close();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/sdf_parts.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include "base/numbers.hpp"
@@ -120,6 +121,12 @@ void add_sdf_light(XmlText& xml, const Light& light, const std::string& name, bo
     xml.close();
   }
   xml.close();
+}
+
+Rgba as_libsdformat_has(const Rgba& color) {
+  constexpr double kLight = 0.8;
+  const auto brighter = [](double value) { return std::clamp(value / kLight, 0.0, 1.0); };
+  return {brighter(color[0]), brighter(color[1]), brighter(color[2]), color[3]};
 }
 
 void add_sdf_material(XmlText& xml, const SdfMaterial& material) {

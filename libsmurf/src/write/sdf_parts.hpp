@@ -24,6 +24,9 @@ struct SdfMaterial {
   std::optional<std::string> texture;  ///< a file
   std::string_view script;             ///< of Gazebo Classic: "Gazebo/Red"
 };
+/// The colour that Gazebo gives to one of a URDF, whose light is darker than that of RViz: as
+/// libsdformat converts it (parser_urdf.cc, CreateVisual).
+Rgba as_libsdformat_has(const Rgba& color);
 void add_sdf_material(XmlText& xml, const SdfMaterial& material);
 
 /// <surface>, when there is anything in it. `gazebo` may be null; it knows more of `link`.
