@@ -329,12 +329,17 @@ class Told(ExportTest):
     def test_what_was_written_and_what_is_not_in_it(self):
         done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/o.urdf")
         self.assertRegex(done.stderr, r"\Asmurf2urdf: wrote arm/o.urdf: 10 links, 9 joints; not in it: "
-                                      r"\d+ annotations, \d+ in collision, .*\d+ in motors, .*, see --loss-report\n\Z")
+                                      r"\d+ entries \(2 in controllers, .*\) and \d+ values of other entries \(\d+ in collision, "
+                                      r".*\d+ in motors, .*\), see --loss-report\n\Z")
         done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/o.urdf", "--loss-report", "lost.json")
-        told = {section: count for count, section in re.findall(r"(\d+) in ([a-z_]+)", done.stderr)}
-        losses = [loss["pointer"].split("/")[1] for loss in json.loads(self.read("lost.json"))["losses"]]
-        self.assertEqual(told, {section: str(losses.count(section)) for section in losses})
-        self.assertIn(f": {len(losses)} annotations,", done.stderr)
+        pointers = [loss["pointer"].split("/")[1:] for loss in json.loads(self.read("lost.json"))["losses"]]
+        entries = [pointer[0] for pointer in pointers if len(pointer) <= 2]
+        values = [pointer[0] for pointer in pointers if len(pointer) > 2]
+        for lost, told in zip((entries, values), done.stderr.split(" and ")):
+            self.assertEqual({section: int(count) for count, section in re.findall(r"(\d+) in ([a-z_]+)", told)},
+                             {section: lost.count(section) for section in lost})
+        self.assertIn(f": {len(entries)} entries (", done.stderr)
+        self.assertIn(f" and {len(values)} values of other entries (", done.stderr)
         self.assertNotIn("see --loss-report", done.stderr)
         for silent in (("-q", "-o", "arm/o.urdf"), ("-o", "-"), ("--dry-run", "-o", "arm/o.urdf")):
             self.assertEqual(self.run_with_messages(0, "arm/smurf/arm.smurf", *silent).stderr, "")

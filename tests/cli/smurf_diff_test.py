@@ -162,6 +162,19 @@ joint elbow: upper limit 1.75 -> 1.57 rad (-10.3 %)                  new.urdf:13
         self.assertEqual(self.told(old, new), ["visual arm_visual of link arm: mesh filename a.stl -> b.stl"])
         self.assertEqual(len(self.told(old, ROBOT.replace('<box size="0.1 0.1 0.2"/>', mesh % "c.stl"))), 1)
 
+    def test_a_file_of_the_same_name(self):
+        robot = ROBOT.replace('<box size="0.1 0.1 0.2"/>', '<mesh filename="a.stl"/>')
+        for folder in ("one", "two"):
+            self.write(folder + "/arm.urdf", robot)
+        change = "visual arm_visual of link arm: mesh filename a.stl -> a.stl, "
+        self.write("one/a.stl", "solid a\n")
+        for why in ("the new file cannot be read", "the contents differ"):
+            done = self.expect(1, "one/arm.urdf", "two/arm.urdf")
+            self.assertIn(change + why, " ".join(done.stdout.split()))
+            self.write("two/a.stl", "solid b\n")
+        done = self.run_tool("-", "two/arm.urdf", stdin=robot)
+        self.assertIn(change + "the old file cannot be read", " ".join(done.stdout.split()))
+
 
 class Models(Diff):
     def test_annotations(self):

@@ -819,8 +819,21 @@ class Inputs(LintTest):
             (self.folder / "links/robot").unlink(missing_ok=True)
             (self.folder / "links/robot").symlink_to(target)
             self.assertEqual(self.expect(2, "links").stderr,
-                             "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf file in 'links'; links that lead out of the "
-                             "folder are not followed: name what they lead to\n")
+                             "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf file in 'links'; symbolic links that lead out "
+                             "of the folder are not followed: name what to check there\n")
+
+    def test_links_that_lead_out_are_counted(self):
+        self.write("robot/plain.urdf", URDF)
+        self.write("elsewhere/other.urdf", URDF)
+        self.assertNotIn("links", self.expect(0, "robot", "--format", "json").stdout)
+        for number, told in enumerate(("1 symbolic link that leads out of the folder was not followed",
+                                       "2 symbolic links that lead out of the folder were not followed")):
+            (self.folder / f"robot/link{number}").symlink_to("../elsewhere")
+            self.assertEqual(self.expect(0, "robot").stdout.splitlines()[-1], told + "; name what to check there")
+            report = json.loads(self.expect(0, "robot", "--format", "json").stdout)
+            self.assertEqual(report["summary"]["links"], number + 1)
+        self.write("robot/.smurf-lintignore", "link0\n")
+        self.assertEqual(json.loads(self.expect(0, "robot", "--format", "json").stdout)["summary"]["links"], 1)
 
     def test_unreadable_inputs(self):
         self.write_model(motors=BROKEN_MOTORS)

@@ -197,6 +197,24 @@ class Output(FlattenTest):
         self.assertEqual(self.run_tool("scene.smurfs", "-o", "flat.json", "--quiet").stderr, "")
         self.assertEqual(self.run_tool("scene.smurfs").stderr, "")
 
+    def test_a_floor_on_request(self):
+        self.write("free.smurfs", "entities:\n- {name: A, file: models/box.urdf}\n")
+        for name, floors in (("w.sdf", ('<model name="ground">', "<plane>")),
+                             ("w.mjcf", ('<geom class="solid" type="plane" size="50 50 1"/>',))):
+            done = self.run_tool("free.smurfs", "-o", name)
+            self.assertTrue(done.stderr.endswith("1 instance of 1 model; robots fall, see --ground\n"), done.stderr)
+            for floor in floors:
+                self.assertNotIn(floor, self.read(name))
+            done = self.run_tool("free.smurfs", "-o", name, "--ground")
+            self.assertTrue(done.stderr.endswith("1 instance of 1 model\n"), done.stderr)
+            for floor in floors:
+                self.assertEqual(self.read(name).count(floor), 2 if floor == "<plane>" else 1)
+        self.write("fixed.smurfs", "entities:\n- {name: A, file: models/box.urdf, anchor: world}\n")
+        self.assertNotIn("--ground", self.run_tool("fixed.smurfs", "-o", "w.sdf").stderr)
+        for options in (("--format", "json"), ("--format", "sdf", "--form", "reference")):
+            self.expect_complaint("--ground needs --format sdf, sdf1.6 or mjcf, and --form expand",
+                                  "free.smurfs", "--ground", *options)
+
     def test_a_folder_with_one_scene(self):
         self.write("world/deep/only.smurfs", SCENE.replace("models/", "../../models/"))
         self.assertEqual(len(self.flat("world")["instances"]), 2)
@@ -265,7 +283,7 @@ class Dialects(FlattenTest):
     def test_table(self):
         table = self.compare("differ.smurfs")
         self.assertLessEqual(max(map(len, table.splitlines())), 80)
-        self.assertIn("2 of 3 entities are not the same to all readers (m, deg, in the world)", table)
+        self.assertIn("2 of 3 entities differ between dialects (m, deg, in the world)", table)
         self.assertRegex(table, r"A\n  spec, mars, mars2 +1 +2 +3 +0 +0 +0\.7\n"
                                 r"  phobos +1 +2 +3 +0 +0 +40\.107\n"
                                 r"      39\.4 deg away: reads the angles as radians\n")
@@ -274,7 +292,7 @@ class Dialects(FlattenTest):
     def test_the_same_to_all(self):
         self.write("same.smurfs", "entities:\n- {name: A, file: models/box.smurf}\n")
         self.assertEqual(self.compare("same.smurfs"),
-                         "0 of 1 entity is not the same to all readers\n")
+                         "all dialects give every entity the same pose\n")
 
     def test_json(self):
         report = json.loads(self.compare("differ.smurfs", "--format", "json"))

@@ -2,6 +2,7 @@
 #include "common/converter.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "base/counted.hpp"
@@ -152,21 +153,38 @@ std::string count_rest(std::span<const Diagnostic> rest, const std::string& path
   return text.empty() ? text : text + ": see smurf-lint " + path;
 }
 
-/// "3 annotations, 2 in motors, 1 in sensors". Findings in a URDF have an XPath, which begins with
-/// the robot, and do not count.
-std::string count_by_section(std::span<const Diagnostic> losses) {
-  std::map<std::string_view, std::size_t> counts;
-  for (const Diagnostic& loss : losses) {
-    const std::string_view section = section_of(loss);
-    if (section != "robot") ++counts[section];
-  }
+/// "3 entries (2 in poses, 1 in sensors)", or "" when there are none.
+std::string by_section(const std::map<std::string_view, std::size_t>& counts,
+                       std::string_view singular, std::string_view plural) {
   std::size_t all = 0;
   std::string text;
   for (const auto& [section, number] : counts) {
+    text += (all == 0 ? " (" : ", ") + std::to_string(number) + " in " + std::string(section);
     all += number;
-    text += ", " + std::to_string(number) + " in " + std::string(section);
   }
-  return all == 0 ? "" : counted(all, "annotation") + text;
+  if (all == 0) return "";
+  return std::to_string(all) + " " + std::string(all == 1 ? singular : plural) + text + ")";
+}
+
+/// "3 entries (2 in poses, 1 in sensors) and 4 values of other entries (4 in "
+"motors)".Findings in a
+    /// URDF have an XPath, which begins with the robot, and are not counted.
+    std::string
+    count_by_section(std::span<const Diagnostic> losses) {
+  std::map<std::string_view, std::size_t> entries;
+  std::map<std::string_view, std::size_t> values;
+  for (const Diagnostic& loss : losses) {
+    const std::string_view section = section_of(loss);
+    if (section == "robot") continue;
+    // "/sensors/0" is an entry, "/maintenance" a section, and "/motors/0/p" a value of an entry.
+    const bool is_value = std::count(loss.pointer.begin(), loss.pointer.end(), '/') > 2;
+    ++(is_value ? values : entries)[section];
+  }
+  const std::string lost = by_section(entries, "entry", "entries");
+  if (lost.empty()) return by_section(values, "value", "values");
+  const std::string partly =
+      by_section(values, "value of other entries", "values of other entries");
+  return partly.empty() ? lost : lost + " and " + partly;
 }
 
 }  // namespace

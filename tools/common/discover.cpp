@@ -113,7 +113,7 @@ class Search {
     sys::Status status{};
     if (inside_.is_denied(link)) {
       if (!is_sought(link)) {
-        ++found_.links_outside;
+        if (!is_left_out(link, false)) ++found_.links_outside;
       } else if (sys::lstat(link.c_str(), &status) == 0) {
         add(link, status);
       }
@@ -155,7 +155,8 @@ std::string why_nothing(const Found& found, const std::string& folder) {
   std::string text = "no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'";
   if (found.left_out > 0) text += " (" + std::to_string(found.left_out) + " left out)";
   if (found.links_outside > 0) {
-    text += "; links that lead out of the folder are not followed: name what they lead to";
+    text += "; symbolic links that lead out of the folder are not followed: name what to check "
+            "there";
   }
   if (found.xacro > 0) text += "; " + xacro_remark(found.xacro);
   return text;

@@ -31,10 +31,10 @@ using namespace smurf::tools;
 namespace {
 
 constexpr std::string_view kTool = "smurf-lint";
-/// Where --generate-baseline writes when neither the command line nor --config names a file.
+/// The baseline of --generate-baseline when neither the command line nor --config names one.
 constexpr std::string_view kBaselineName = ".smurf-lint-baseline.yaml";
 
-/// For a command that a user may copy.
+/// Quotes a word of a command that a user may copy.
 std::string shell_word(std::string_view text) {
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
@@ -65,7 +65,7 @@ ExitCode list_rules(const LintOptions& options) {
   return write_text(options, render_rule_list(all_rules(), style_of(options, options.output)));
 }
 
-/// Settings of a report for a person: infos only when they were asked for.
+/// Settings of a report for people: infos are shown only on request.
 OverviewOptions overview(const LintOptions& options, const Threshold& threshold) {
   const bool is_asked_for =
       options.shows_all || !options.selection.select.empty() || threshold.fail_on == Severity::info;
@@ -73,7 +73,7 @@ OverviewOptions overview(const LintOptions& options, const Threshold& threshold)
   return {options.min_severity.value_or(least), options.shows_all};
 }
 
-/// A report, and what it points into.
+/// A report, and the session whose sources it refers to.
 struct Checked {
   const Report& report;
   Session& session;
@@ -111,7 +111,7 @@ ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const s
 
 ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked& checked,
                 std::size_t fixed) {
-  // Standard output holds the fixed text then.
+  // Standard output is then used for the fixed text.
   const bool is_changing = options.fix || !options.renames.empty();
   const bool is_taken = is_changing && !plan.standard_input.empty() && options.output.empty();
   const std::string place = is_taken ? "/dev/stderr" : options.output;
@@ -177,8 +177,8 @@ ExitCode rename(const LintOptions& options, const LintPlan& plan, Session& sessi
   return report(options, plan, {found, session}, 0);
 }
 
-/// Where the baseline is written. A configuration that came with the files does not decide that;
-/// none, and a message, when it names another place.
+/// The path of the baseline to write. A configuration beside the files cannot choose it; none, and
+/// a message, when it names another path.
 std::optional<std::string> baseline_to_write(const LintOptions& options, const std::string& known) {
   const bool is_chosen = !options.baseline.empty() || (!options.config.empty() && !known.empty());
   if (is_chosen) return known;
@@ -281,6 +281,7 @@ Report run_check(const LintOptions& options, const LintPlan& plan, Session& sess
   };
   Report report = session.check(plan, settings);
   report.summary.xacro = plan.xacro;
+  report.summary.links = plan.links;
   if (options.min_severity) {
     std::erase_if(report.diagnostics,
                   [&](const Diagnostic& one) { return one.severity < *options.min_severity; });

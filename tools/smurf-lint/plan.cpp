@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::string_view kTool = "smurf-lint";
 
-/// The files that a configuration leaves out.
+/// The files that a configuration excludes.
 struct Exclusions {
   struct Patterns {
     std::string folder;  ///< absolute
@@ -112,8 +112,8 @@ class Planner {
            raise_limit("ignore-checks"));
     }
     if (models_.is_exhausted()) {
-      fail(
-          "so much lies around the named files that not all models were looked at; name the models");
+      fail("so much lies around the named files that not all models were looked at; name the "
+           "models");
     }
     return std::move(plan_);
   }
@@ -221,6 +221,7 @@ class Planner {
       }
     }
     plan_.xacro += found.xacro;
+    if (!found.files.empty()) plan_.links += found.links_outside;
     for (const std::string& file : found.files) {
       switch (input_kind(file)) {
       case InputKind::scene: add(plan_.scenes, file); break;
@@ -278,14 +279,14 @@ class Planner {
   std::deque<Exclusions> exclusions_;  ///< of each configuration
   IgnoreFiles ignore_files_;
   ModelsAround models_;
-  std::vector<std::string> nothing_but_xacro_;  ///< why folders have nothing to check
+  std::vector<std::string> nothing_but_xacro_;  ///< reasons why folders have nothing to check
 };
 
 }  // namespace
 
 void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files) {
   if (shard.count <= 1) return;
-  if (shard.number != 1) plan.xacro = 0;  // each part has found all of them
+  if (shard.number != 1) plan.xacro = plan.links = 0;  // each part has found all of them
   std::set<std::string> models;
   for (const PlannedFile& model : plan.models) models.insert(identity(model.path));
   ModelsAround around(files);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which files are loaded, as what, and by which configuration.
+// The files to load, with their kinds and configurations.
 #pragma once
 
 #include <string>
@@ -11,27 +11,28 @@
 
 namespace smurf::tools {
 
-/// `problems` have been said.
+/// `problems` have been reported.
 struct LintPlan : Plan {
   std::string standard_input;  ///< its name in `files`; "": it was not read
   std::size_t xacro = 0;       ///< .xacro files of the folders, which are not checked
+  std::size_t links = 0;       ///< links that lead out of the folders, which are not followed
 };
 
-/// Lets be read what the command line names and what belongs to it, which is what planning needs:
+/// Allows reading the files of the command line and of their projects, which planning needs:
 /// smurf/confine.hpp.
 void confine_to_inputs(ConfinedFiles& files, const LintOptions& options);
-/// Lets be read what belongs to the planned files and their configurations: a model may read the
-/// same whether it is named or found in a folder.
+/// Allows reading the projects of the planned files and of their configurations, so that a model
+/// may read the same files whether it is named or found in a folder.
 void confine_to_found(ConfinedFiles& files, const LintOptions& options, const LintPlan& plan);
 
-/// Lets be changed what is in the projects of the named and the found files; with --allow-outside,
-/// everything.
+/// Allows changing files in the projects of the named and the found files; with --allow-outside,
+/// all files.
 void confine_to_changeable(ConfinedFiles& files, const LintOptions& options, const LintPlan& plan);
 
-/// Standard input, if it is read, goes to `files`.
+/// When standard input is an operand, its text is put into `files`.
 LintPlan make_plan(const LintOptions& options, MemoryFiles& files);
 
-/// Leaves one part of the files. A URDF that a planned model lists goes with the model.
+/// Keeps one part of the files. A URDF that a planned model lists stays with the model.
 void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files);
 
 /// The configuration for a file or folder: the one that the options name, else the nearest upward.

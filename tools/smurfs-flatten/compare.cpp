@@ -21,7 +21,7 @@ std::string cell(std::string text, std::size_t width) {
   return text;
 }
 
-/// Four digits behind the point where they fit; the note tells how far apart things are.
+/// Four decimal places, as far as there is room; the note tells the distance between the poses.
 std::string short_number(double value) {
   if (std::fabs(value) >= 1e5) return format_rounded(value, 4);
   const double rounded = std::round(value * 1e4) / 1e4;
@@ -35,7 +35,7 @@ std::string row(const std::string& label, const std::optional<Pose>& pose) {
   if (!pose) return text + "  not loaded\n";
   for (const double component : pose->position) text += cell(short_number(component), 11);
   for (const double angle : to_rpy(pose->orientation)) {
-    // More digits of an angle would not fit, and have no use.
+    // There is no room for more digits of an angle.
     const double degrees = std::round(angle * 180 / std::numbers::pi * 1e3) / 1e3;
     text += cell(format_rounded(degrees == 0 ? 0 : degrees, 9), 9);
   }
@@ -71,10 +71,11 @@ class Comparison {
       text += "\n";
     }
     for (const std::size_t i : different_) add_rows(text, i);
-    text += std::to_string(different_.size()) + " of " + std::to_string(scene_.instances.size()) +
-            (scene_.instances.size() == 1 ? " entity is" : " entities are") +
-            " not the same to all readers";
-    return text + (different_.empty() ? "\n" : " (m, deg, in the world)\n");
+    const std::size_t all = scene_.instances.size();
+    if (different_.empty()) return "all dialects give every entity the same pose\n";
+    return text + std::to_string(different_.size()) + " of " + std::to_string(all) +
+           (all == 1 ? " entity differs" : " entities differ") +
+           " between dialects (m, deg, in the world)\n";
   }
 
   std::string json() const {

@@ -38,6 +38,7 @@ struct Options {
   std::string explained;
   std::string assets;  ///< folder
   std::string loss_report;
+  bool ground = false;
   bool overwrite = false;
   bool links = false;
   bool strict = false;
@@ -57,7 +58,7 @@ std::string format_help() {
   return help;
 }
 
-/// For the name of a reader instead of its format.
+/// Suggests a format for the name of a reader.
 std::string format_hint(std::string_view value) {
   constexpr std::size_t kShortest = 3;
   if (value.size() < kShortest) return {};
@@ -103,6 +104,9 @@ void add_options(Command& command, Options& options) {
            "support both expand by default, which loses less.",
        .values = {"reference", "expand"},
        .set = set_text(options.form)});
+  add({.name = "ground",
+       .help = "Add a floor at z = 0 that is not in the scene (sdf, sdf1.6, mjcf).",
+       .set = set_flag(options.ground)});
   add({.name = "links",
        .help = "Write the world pose of every link as well.",
        .set = set_flag(options.links)});
@@ -225,7 +229,7 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
   return write_output(kTool, options.common.output, *text) ? kDone : kFailed;
 }
 
-/// Whether the options fit together; a misfit has been said.
+/// Reports options that exclude each other, and returns false.
 bool check_options(const Options& options) {
   const bool is_reference = options.form == "reference" || options.format == "smurfs";
   if (!options.assets.empty() && is_reference) {
@@ -237,7 +241,7 @@ bool check_options(const Options& options) {
   return false;
 }
 
-/// Findings of reading the scene that leave no pose to write.
+/// The first finding that makes it impossible to compute a pose.
 std::optional<std::string> first_loss(const LoadedScene& loaded) {
   for (const Diagnostic& finding : loaded.found.diagnostics()) {
     if (auto loss = loss_in_scene(finding, *loaded.sources)) return loss;
@@ -245,7 +249,7 @@ std::optional<std::string> first_loss(const LoadedScene& loaded) {
   return std::nullopt;
 }
 
-/// A value that the result has and nobody wrote is no loss.
+/// Values that the result has in addition to the scene are not losses.
 bool is_loss(const Diagnostic& finding) {
   return finding.rule->reported_by == Tool::converters && finding.rule->id != "SML8212";
 }
@@ -269,12 +273,25 @@ struct Result {
   std::string text;
   AssetCopies copies;
   bool is_complete = true;  ///< nothing was lost
+  bool has_falling_robots = false;
 };
+
+/// True when a robot is free to move and nothing in the scene could be a floor.
+bool has_falling_robots(const FlatScene& flat) {
+  const auto is_fixed_thing = [](const FlatInstance& instance) {
+    return !instance.model && !instance.shapes.empty();
+  };
+  const auto is_free = [](const FlatInstance& instance) {
+    return instance.model && instance.anchor.kind == Attachment::Kind::none;
+  };
+  return std::any_of(flat.instances.begin(), flat.instances.end(), is_free) &&
+         std::none_of(flat.instances.begin(), flat.instances.end(), is_fixed_thing);
+}
 
 Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options& options,
                      const SceneFormat& format, SceneForm form, const std::string& current) {
   LinkedScene& scene = loaded.scene;
-  // The rules, which run later, judge the scene as documented, which is the first dialect.
+  // The rules run later, and judge the scene in the first dialect, as documented.
   const Dialect* dialect = find_dialect(options.dialect);
   const bool is_documented = dialect == dialects().front();
   std::vector<Instance> documented;
@@ -305,6 +322,7 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
        .losses = loaded.found,
        .links = options.links,
        .form = form,
+       .ground = options.ground,
        .names_copies = !options.assets.empty(),
        .meshes = mesh_source(flattening, result.copies, conversion.files(), options.common.limits),
        .most_bytes = options.common.limits.scene_bytes});
@@ -318,6 +336,7 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
     return {};
   }
   result.is_complete = !has_losses(loaded.found);
+  result.has_falling_robots = format.has_ground && !options.ground && has_falling_robots(flat);
   if (!is_documented) {
     scene.instances = std::move(documented);
     scene.joint_poses = std::move(documented_poses);
@@ -334,7 +353,7 @@ bool write_losses(const Options& options, std::span<const Diagnostic> findings,
                       render_losses_json(losses, sources, {kTool, kVersion}));
 }
 
-/// The result, and what its reader needs beside it.
+/// Writes the result, and a companion file that its reader needs.
 bool write_result(const SceneFormat& format, const Options& options, const std::string& text) {
   const std::string& output = options.common.output;
   const auto& [name, content] = format.companion;
@@ -374,6 +393,10 @@ int main(int argc, char** argv) {
   }
   const std::optional<SceneForm> form = choose_form(format, options.form);
   if (!form) return kFailed;
+  if (options.ground && (!format.has_ground || *form != SceneForm::expand)) {
+    complain(kTool, "--ground needs --format sdf, sdf1.6 or mjcf, and --form expand");
+    return kFailed;
+  }
   const auto current = current_folder(kTool);
   if (!current) return kFailed;
   Conversion conversion(kTool, options.common,
@@ -412,6 +435,7 @@ int main(int argc, char** argv) {
   const std::string& output = options.common.output;
   if (output.empty() || output == "-" || options.compare_dialects) return kDone;
   conversion.tell_written(output + ": " + counted(loaded->scene.instances.size(), "instance") +
-                          " of " + counted(loaded->scene.models.size(), "model"));
+                          " of " + counted(loaded->scene.models.size(), "model") +
+                          (result.has_falling_robots ? "; robots fall, see --ground" : ""));
   return kDone;
 }

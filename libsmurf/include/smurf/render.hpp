@@ -25,6 +25,7 @@ struct Summary {
   std::size_t models = 0;
   std::size_t scenes = 0;
   std::size_t xacro = 0;  ///< .xacro files, which were not checked
+  std::size_t links = 0;  ///< symbolic links that lead out of a folder, which were not followed
 };
 /// Counts findings by severity; the caller sets the other counts.
 Summary summarize(std::span<const Diagnostic> diagnostics);

@@ -41,6 +41,7 @@ struct SceneExport {
   DiagnosticSink& losses;    ///< receives what the format cannot express (SML82xx)
   bool links = false;  ///< write the world poses of all links, where there is a place for them
   SceneForm form = SceneForm::expand;
+  bool ground = false;        ///< add a floor at z = 0; SceneFormat::has_ground
   bool names_copies = false;  ///< the files of models in `flat` are copies that will be made
   MeshSource meshes = {};     ///< for previews; when there is none, meshes are lost
   /// Limit of the text. A longer text is of no use and may end anywhere.
@@ -58,6 +59,7 @@ struct SceneFormat {
   std::pair<std::string_view, std::string_view> companion = {};
   bool has_reference_form = false;
   bool has_expanded_form = true;
+  bool has_ground = false;      ///< can add a floor to the expanded form
   bool repeats_models = false;  ///< writes the model of each instance out
   /// What check_scene_size() counts before anything is written; null when nothing is repeated.
   RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;

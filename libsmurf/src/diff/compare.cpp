@@ -189,6 +189,10 @@ class PropertyComparer {
     difference.after = value_of(after);
     difference.old_place = before.span;
     difference.new_place = after.span;
+    if (before.form == Property::Form::file && after.form == Property::Form::file &&
+        options_.files != nullptr && before.text == after.text) {
+      difference.detail = contents_.difference(std::string(before.path), std::string(after.path));
+    }
   }
 
   const Renames& renames_;
@@ -354,7 +358,13 @@ bool FileContents::are_same(const std::string& a, const std::string& b) {
   return first == second;
 }
 
-/// Not cryptographic: nobody gains anything from two meshes that compare as equal.
+std::string_view FileContents::difference(const std::string& a, const std::string& b) {
+  if (a.empty() || digest(a).empty()) return "the old file cannot be read";
+  if (b.empty() || digest(b).empty()) return "the new file cannot be read";
+  return "the contents differ";
+}
+
+/// Not cryptographic: nobody can gain anything from a collision.
 const std::string& FileContents::digest(const std::string& path) {
   const auto [place, is_new] = digests_.try_emplace(path);
   if (!is_new) return place->second;

@@ -18,6 +18,8 @@ class FileContents {
  public:
   explicit FileContents(const DiffOptions& options) : options_(options) {}
   bool are_same(const std::string& a, const std::string& b);
+  /// Why two files are not the same.
+  std::string_view difference(const std::string& a, const std::string& b);
 
  private:
   const std::string& digest(const std::string& path);

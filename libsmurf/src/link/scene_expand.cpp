@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The include graph: every scene and model file is read once, every entity becomes one instance per
 // use of its scene.
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -315,7 +316,7 @@ class SceneExpander {
     return true;
   }
 
-  /// What every kind needs: a file of the right sort. One finding at most.
+  /// Checks the file that every kind of entity needs. Reports one finding at most.
   bool check_kind(UseIndex use, const Entity& entity, const std::string& type,
                   const std::string& path) {
     const EntityKind kind = kind_of(type);
@@ -365,8 +366,13 @@ class SceneExpander {
   /// The place is then a misspelt key (`fiel`).
   void suggest_file(UseIndex use, const Entity& entity, Diagnostic& diagnostic) const {
     constexpr std::string_view kFile[] = {"file"};
+    constexpr std::string_view kOtherWords[] = {"path",     "model", "uri",
+                                                "filename", "urdf",  "smurf"};
     for (const CustomSection& key : entity.extra) {
-      if (!nearest(key.name.value, kFile)) continue;
+      if (!nearest(key.name.value, kFile) &&
+          std::ranges::find(kOtherWords, key.name.value) == std::end(kOtherWords)) {
+        continue;
+      }
       diagnostic.span = key.name.span;
       diagnostic.help("did you mean `file` instead of `" + key.name.value + "`?");
       const yaml::Document& document = *scene_.file(scene_.uses[to_size(use)]).document;

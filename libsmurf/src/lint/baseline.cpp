@@ -12,7 +12,7 @@ namespace smurf {
 namespace {
 
 constexpr std::string_view kFirstLine =
-    "# Findings that smurf-lint lets pass: file, rule, place. Written by\n";
+    "# Findings that smurf-lint suppresses: file, rule, place. Written by\n";
 
 void malformed(Span span, std::string message, DiagnosticSink& sink) {
   sink.report(rules::sml9104_malformed_baseline, span, std::move(message))

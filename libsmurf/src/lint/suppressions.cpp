@@ -22,7 +22,7 @@ std::uint32_t offset(std::size_t size) { return static_cast<std::uint32_t>(size)
 
 bool is_known(std::string_view name) { return !rules_matching(name).empty(); }
 
-/// A line without its line end, and the text on it without the blanks around it.
+/// A line without its line end, and its text without the blanks around it.
 struct Line {
   std::size_t begin = 0, end = 0;
   std::size_t text_begin = 0, text_end = 0;
@@ -149,7 +149,7 @@ class Suppressions::Reader {
     return node.kind() == yaml::Kind::scalar && node.span.contains(at);
   }
 
-  /// The outermost entry, which is not the whole file, that begins behind the comment.
+  /// The outermost entry that begins behind the comment and is not the whole file.
   static Range next_entry(const yaml::Document& document, std::uint32_t end) {
     const auto begin_of = [](const yaml::Node& node) {
       return node.key_span().empty() ? node.span.begin : node.key_span().begin;
@@ -236,8 +236,7 @@ class Suppressions::Reader {
     }
     const std::size_t close = words.find(']');
     if (open == words.size() || words[open] != '[' || close == std::string_view::npos) {
-      comment.problem =
-          "the rules are missing: `" + std::string(verb) + "[" + comment.rule_named + "]`";
+      comment.problem = "no rules in brackets follow " + quoted(verb);
       return;
     }
     if (verb == "ignore-file") {
@@ -275,8 +274,8 @@ class Suppressions::Reader {
   Lines lines_;
 };
 
-/// A file is read once; what is missing where one model uses it may be found where another does,
-/// so that it is complete only where every one of them is.
+/// A file is read once, but several models may use it. It counts as complete only when it is
+/// complete in each of them.
 template <class Document>
 void Suppressions::add(const Document& document, bool is_complete, const SourceMap& sources) {
   const auto [file, is_new] = files_.try_emplace(sources.path(document.source));

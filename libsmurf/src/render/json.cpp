@@ -90,6 +90,7 @@ Json report_json(const SourceMap& sources, const Summary& summary, const ToolNam
                        {"files", summary.files},  {"models", summary.models},
                        {"scenes", summary.scenes}};
   if (summary.xacro > 0) report["summary"]["xacro"] = summary.xacro;
+  if (summary.links > 0) report["summary"]["links"] = summary.links;
   report["diagnostics"] = Json::array();
   for (const TargetVerdict& target : targets) {
     report["targets"][std::string(target.reader->name)] = to_json(target, sources);

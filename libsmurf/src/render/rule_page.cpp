@@ -27,7 +27,7 @@ std::string tolerance_of(const Rule& rule) {
   std::string text = number;
   if (!tolerance.unit.empty()) text.append(" ").append(tolerance.unit);
   return text + ": " + std::string(tolerance.meaning) +
-         ". To set another, write it in the configuration: " + "`tolerances: {" +
+         ". To change it, write in the configuration: " + "`tolerances: {" +
          std::string(rule.id) + ": " + number + "}`.";
 }
 

@@ -194,6 +194,12 @@ std::string render_summary(const Summary& summary, const TextStyle& style) {
   out += "\n";
   if (summary.suppressed > 0) out += std::to_string(summary.suppressed) + " suppressed\n";
   if (summary.xacro > 0) out += xacro_remark(summary.xacro) + "\n";
+  if (summary.links > 0) {
+    const bool is_one = summary.links == 1;
+    out += counted(summary.links, "symbolic link") + (is_one ? " that leads" : " that lead") +
+           " out of the folder " + (is_one ? "was" : "were") +
+           " not followed; name what to check there\n";
+  }
   return out;
 }
 

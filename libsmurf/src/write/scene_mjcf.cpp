@@ -25,6 +25,11 @@ class MjcfWriter : MjcfSensors {
     add_assets();
     xml_.open("worldbody");
     add_lights();
+    if (scene_.ground) {
+      const double half = kGroundSize / 2;
+      xml_.empty("geom",
+                 {{"class", "solid"}, {"type", "plane"}, {"size", join_numbers({half, half, 1})}});
+    }
     for (std::size_t i = 0; i < count(); ++i) {
       if (is_top_level_[i] && flat(i).X_WE) add_top_level(i);
     }
@@ -332,6 +337,7 @@ extern constinit const SceneFormat scene_mjcf{
           return scene.form == SceneForm::expand ? MjcfWriter(scene).run() : write_attached(scene);
         },
     .has_reference_form = true,
+    .has_ground = true,
     .repeats_models = true,
     .repeated_parts = repeated_parts};
 

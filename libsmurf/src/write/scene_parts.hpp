@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the writers for simulators have in common: safe names, groups, bodies, inertia, lights.
+// Common parts of the writers for simulators: safe names, groups, bodies, inertia, lights.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,9 @@
 
 namespace smurf {
 
-/// [A-Za-z_][A-Za-z0-9_]*: what a name becomes where names are restricted; `/` becomes two
-/// underscores.
+/// [A-Za-z_][A-Za-z0-9_]*: a name for formats that restrict names; `/` becomes two underscores.
 std::string safe_name(std::string_view name);
-/// By instance: [A-Za-z_][A-Za-z0-9_]*, unique; what its path becomes where names are restricted.
+/// By instance: its path as a unique name for formats that restrict names, [A-Za-z_][A-Za-z0-9_]*.
 std::vector<std::string> safe_names(const FlatScene& scene);
 
 /// The model of an instance when it has links; null otherwise.
@@ -61,6 +60,7 @@ double start_position(const LinkedModel& model, const urdf::Joint& joint,
 /// scenes stand still as a whole.
 bool is_movable(const FlatInstance& instance);
 double mass_of(const FlatInstance& instance);
+constexpr double kGroundSize = 100;  ///< sides of the floor of SceneExport::ground, m
 
 /// The lights of the world, in the order of the flat scene.
 std::vector<const Light*> world_lights(const SceneExport& scene);

@@ -31,6 +31,7 @@ class SdfWriter {
     xml_.open("world", {{"name", "scene"}});
     add_physics();
     add_lights();
+    if (scene_.ground) add_ground();
     add_groups();
     losses_.table();
     losses_.files_in_archives();
@@ -86,6 +87,20 @@ class SdfWriter {
     for (const Light* light : world_lights(scene_)) {
       add_sdf_light(xml_, *light, unique.add(light->name.value_or("light")), is_old_);
     }
+  }
+
+  void add_ground() {
+    UniqueNames unique;
+    for (const std::string& name : names_) unique.take(name);
+    xml_.open("model", {{"name", unique.add("ground")}});
+    xml_.leaf("static", "true");
+    xml_.open("link", {{"name", "link"}});
+    for (const std::string_view element : {"visual", "collision"}) {
+      open_shape(element, std::string(element), Pose(), FlatPlane{kGroundSize, kGroundSize});
+      xml_.close();
+    }
+    xml_.close();
+    xml_.close();
   }
 
   void add_groups() {
@@ -450,6 +465,7 @@ extern constinit const SceneFormat scene_sdf{
     .help = "an SDFormat 1.9 world, for Gazebo",
     .write = [](const SceneExport& scene) { return SdfWriter(scene, false).run(); },
     .has_reference_form = true,
+    .has_ground = true,
     .repeats_models = true,
     .repeated_parts = sdf_parts};
 
@@ -457,6 +473,7 @@ extern constinit const SceneFormat scene_sdf16{
     .name = "sdf1.6",
     .help = "an SDFormat 1.6 world, for older readers",
     .write = [](const SceneExport& scene) { return SdfWriter(scene, true).run(); },
+    .has_ground = true,
     .repeats_models = true,
     .repeated_parts = sdf_parts};
 

@@ -19,7 +19,7 @@ extern constinit const Rule sml0011_duplicate_key{
     .name = "duplicate-key",
     .severity = Severity::error,
     .summary = "A mapping contains the same key twice.",
-    .why = "Readers make two different robots of the same file.",
+    .why = "Readers build different robots from the same file.",
     .remedy = "Delete one of the two, or rename it.",
     .facts = kFacts};
 

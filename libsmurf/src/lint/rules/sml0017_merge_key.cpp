@@ -43,7 +43,7 @@ extern constinit const Rule sml0017_merge_key{
     .name = "merge-key",
     .severity = Severity::warning,
     .summary = "A mapping uses the YAML merge key `<<`.",
-    .why = "Readers make two different models of the same file.",
+    .why = "Readers build different models from the same file.",
     .remedy = "Write the keys in each mapping.",
     .check_model = check_model_files,
     .check_scene = check_scene_files,

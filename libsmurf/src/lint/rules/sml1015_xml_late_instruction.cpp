@@ -19,8 +19,8 @@ extern constinit const Rule sml1015_xml_late_instruction{
     .name = "xml-late-instruction",
     .severity = Severity::error,
     .summary = "A processing instruction comes after the start of the root element.",
-    .why =
-        "This is XML, but one of the two parsers that URDF readers in C++ use does not read on after it.",
+    .why = "This is valid XML, but one of the two parsers behind URDF readers in C++ stops reading "
+           "there.",
     .remedy = "Delete it, or move it to the start of the file.",
     .sources = "XML 1.0 section 2.6; tinyxml2 XMLNode::ParseDeep.",
     .facts = kFacts,

@@ -31,9 +31,9 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "stops with an AssertionError", "Phobos a613e31, run"},
     {&readers::mujoco, Effect::refuses, "refuses a repeated element", kRun, "#same"},
     {&readers::mujoco, Effect::changes,
-     "takes a box before a cylinder before a sphere before a mesh", "MuJoCo xml_urdf.cc, run"},
+     "uses the box, else the cylinder, else the sphere, else the mesh", "MuJoCo xml_urdf.cc, run"},
     {&readers::drake, Effect::changes,
-     "takes a box before a sphere before a cylinder before a mesh",
+     "uses the box, else the sphere, else the cylinder, else the mesh",
      "Drake detail_urdf_geometry.cc:318-346"},
 };
 

@@ -32,7 +32,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes, "does not look for the joint; it is left free", kRun,
      "/mimic/"},
     {&readers::urdfdom, Effect::takes, "keeps the space in the name", kRun, "/joint/@name/"},
-    {&readers::gazebo, Effect::takes, "makes one link of two, and no joint", kRun,
+    {&readers::gazebo, Effect::takes, "merges the two into one link without a joint", kRun,
      "/joint/@name/#nothing-else#in-fixed/"},
     {&readers::gazebo, Effect::refuses, "refuses a joint without a name", kRun,
      "/joint/@name/#nothing-else"},

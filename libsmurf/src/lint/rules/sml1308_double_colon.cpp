@@ -15,7 +15,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::changes,
-     "looks such a link or joint up in a nested model that does not exist",
+     "looks for such a link or joint in a nested model, which does not exist",
      "SDFormat specification, frame semantics: names and scopes"},
 };
 

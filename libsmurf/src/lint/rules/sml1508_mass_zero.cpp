@@ -43,7 +43,7 @@ constexpr Fact kFacts[] = {
      "MARS smurf.cpp:719"},
     {&readers::pybullet, Effect::changes, "fixes a base without mass to the world",
      "URDF2Bullet.cpp:382"},
-    {&readers::gazebo, Effect::takes, "adds it to what it is fixed to", kRun, "#merged"},
+    {&readers::gazebo, Effect::takes, "adds it to the body that it is fixed to", kRun, "#merged"},
     {&readers::gazebo, Effect::refuses,
      "drops the root with everything below it: a model without links", kRun, "#root"},
     {&readers::gazebo, Effect::loses, "drops the link with everything below it",

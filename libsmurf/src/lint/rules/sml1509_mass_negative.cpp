@@ -22,13 +22,13 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
-    {&readers::mars, Effect::breaks, "hands ODE a mass that it reports as wrong",
+    {&readers::mars, Effect::breaks, "passes a mass to ODE that ODE reports as wrong",
      "ODE dMassCheck, run"},
     {&readers::pybullet, Effect::takes, "keeps the number", kRun},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "warns and goes on", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the mass", kRun, "#alone"},
-    {&readers::mujoco, Effect::changes, "adds it to what it is fixed to", kRun},
+    {&readers::mujoco, Effect::changes, "adds it to the body that it is fixed to", kRun},
     {&readers::drake, Effect::changes, "replaces the body by a sphere of water of 1 kg",
      "Drake detail_common.cc:446-515"},
 };

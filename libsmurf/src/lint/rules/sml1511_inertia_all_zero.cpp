@@ -31,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the zeros", kRun},
-    {&readers::mars, Effect::breaks, "hands ODE an inertia that it reports as wrong",
+    {&readers::mars, Effect::breaks, "passes an inertia to ODE that ODE reports as wrong",
      "ODE dMassCheck, run"},
     {&readers::phobos, Effect::takes, "keeps the numbers", kRun},
     {&readers::pybullet, Effect::ignores, "computes the inertia from the collisions",
@@ -39,7 +39,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::changes, "goes on with a mass matrix that is singular", kRun,
      "#moving"},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without inertia", kRun, "#alone"},
-    {&readers::mujoco, Effect::takes, "adds it to what it is fixed to", kRun},
+    {&readers::mujoco, Effect::takes, "adds it to the body that it is fixed to", kRun},
     {&readers::drake, Effect::changes, "computes with a mass matrix that is singular",
      "Drake, read", "#moving"},
 };

@@ -52,7 +52,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the numbers", kRun},
-    {&readers::mars, Effect::breaks, "hands ODE an inertia that it reports as wrong",
+    {&readers::mars, Effect::breaks, "passes an inertia to ODE that ODE reports as wrong",
      "ODE dMassCheck, run"},
     {&readers::phobos, Effect::takes, "keeps the numbers", kRun},
     {&readers::pybullet, Effect::ignores,

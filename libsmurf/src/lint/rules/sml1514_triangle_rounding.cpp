@@ -97,7 +97,8 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia",
      "gz-math MassMatrix3.hh, run", "#sdformat"},
     {&readers::gazebo, Effect::refuses,
-     "adds it to what it is fixed to, and reports error E18, an invalid inertia", kRun, "#lost"},
+     "adds it to the body that it is fixed to, and reports error E18, an invalid inertia", kRun,
+     "#lost"},
     {&readers::mujoco, Effect::takes, "keeps the moments", kRun, "#lost"},
     {&readers::mujoco, Effect::changes, "balances the moments, because the file tells it to", kRun,
      kBalanced},
@@ -115,8 +116,8 @@ extern constinit const Rule sml1514_triangle_rounding{
     .severity = Severity::warning,
     .summary = "An inertia breaks the triangle inequality by rounding.",
     .why =
-        "Flat parts reach equality: with few digits the largest moment ends above the sum of the "
-        "others.",
+        "The largest moment of a flat part equals the sum of the other two; rounding to few digits "
+        "can push it above.",
     .remedy = "Print more digits, or lower the largest moment by the difference.",
     .check_model = check,
     .facts = kFacts};

@@ -32,9 +32,9 @@ extern constinit const Rule sml1519_inertia_too_small_for_geometry{
     .severity = Severity::info,
     .summary = "An inertia is far smaller than the shapes of the link suggest.",
     .why =
-        "The link then turns as if its mass sat in one point: simulation jitters or needs tiny "
-        "steps, and what works there fails on the robot. Inertias written for g and mm are 1e-9 of "
-        "the value in kg m2.",
+        "The link then turns as if its mass sat in one point: the simulation jitters or needs tiny "
+        "steps, and controllers that work there fail on the robot. Inertias written for g and mm "
+        "are 1e-9 of the value in kg m2.",
     .remedy = "Compute the inertia from the geometry and the mass, in kg m2.",
     .sources =
         "Distribution over 5512 inertials of the Tola/Corke dataset: half lie between 0.9 and 1.7 "

@@ -44,9 +44,9 @@ extern constinit const Rule sml1521_center_of_mass_outside_geometry{
     .severity = Severity::warning,
     .summary = "The centre of mass of a link lies outside its shapes.",
     .why =
-        "No part has its centre of mass outside the box around it: the origin of the inertial is "
-        "in another unit or frame, or was forgotten. The simulated robot then falls over, or "
-        "swings differently from the real one.",
+        "The centre of mass of a part is always inside the box around it. Here, the origin of the "
+        "inertial is in another unit or frame, or was forgotten. The simulated robot then falls "
+        "over, or swings differently from the real one.",
     .remedy = "Write the origin of the inertial in metres, in the frame of the link.",
     .sources = "24 of 322 files of the Tola/Corke dataset.",
     .check_model = check,

@@ -19,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!moments || mass < kNegligibleMass) return;
     const double radius = std::sqrt((*moments)[2] / mass);
     if (radius >= kShortest && radius <= kLongest) return;
-    // Where the size of the link is known, the inertia is compared with that.
+    // When the size of the link is known, another rule compares the inertia with it.
     if (extent_of(model, link) || !body_of(*link.inertial)) return;
     findings
         .report(inertia_place(model, *link.inertial),
@@ -36,10 +36,9 @@ extern constinit const Rule sml1523_radius_of_gyration{
     .name = "radius-of-gyration",
     .severity = Severity::warning,
     .summary = "An inertia belongs to a body of unlikely size.",
-    .why =
-        "The root of inertia over mass is the distance at which the mass would have to turn: less "
-        "than a millimetre or more than two metres usually means a wrong unit (kg mm2, g mm2). "
-        "Joints then jitter or hardly move.",
+    .why = "The square root of inertia divided by mass is the distance of the mass from the axis: "
+           "less than a millimetre or more than two metres usually means a wrong unit (kg mm2, g "
+           "mm2). Joints then jitter or hardly move.",
     .remedy = "Write the inertia in kg m2.",
     .sources = "38 of 322 files of the Tola/Corke dataset.",
     .check_model = check};

@@ -40,8 +40,9 @@ extern constinit const Rule sml1525_mass_ratio{
     .summary = "A link is a thousand times heavier or lighter than the link it carries.",
     .why = "The iterative solvers of ODE (MARS, Gazebo) and Bullet converge slowly at such ratios: "
            "joints drift apart.",
-    .remedy = "Check the units of both masses; small parts can be merged into what they are fixed "
-              "to.",
+    .remedy =
+        "Check the units of both masses; small parts can be merged into the link that they are "
+        "fixed to.",
     .sources = "ODE manual, stability; Bullet user manual, mass ratios.",
     .check_model = check,
     .tolerance = {.value = 1000, .meaning = "how many times as heavy a link may be"}};

@@ -47,7 +47,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks,
-     "stops loading here: what follows, the pose and the anchor are missing",
+     "stops loading here: everything after it, the pose and the anchor are missing",
      "MARS NodePhysics.cpp:626-634", "#zero"},
     {&readers::dart, Effect::takes, "keeps the scale", kRun, "#tiny"},
     {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
@@ -65,7 +65,7 @@ extern constinit const Rule sml1627_scale_zero{
     .id = "SML1627",
     .name = "scale-zero",
     .severity = Severity::error,
-    .summary = "A mesh scale has a component of 0, or leaves next to nothing of the mesh.",
+    .summary = "A mesh scale has a component of 0, or makes the mesh tiny.",
     .why = "The mesh is flat, or smaller than any part of a robot.",
     .remedy = "Write the factor that was meant.",
     .check_model = check,

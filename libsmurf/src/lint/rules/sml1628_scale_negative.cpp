@@ -23,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks,
-     "stops loading here: what follows, the pose and the anchor are missing",
+     "stops loading here: everything after it, the pose and the anchor are missing",
      "MARS NodePhysics.cpp:626-634"},
     {&readers::pybullet, Effect::changes, "mirrors the mesh and leaves its faces inside out",
      "BulletUrdfImporter.cpp"},

@@ -39,7 +39,7 @@ bool lies_outside(const MeshFile& file) {
          file.reason.find("--allow-outside") != std::string::npos;
 }
 
-/// They may be as they should; all of them have one cause.
+/// These files may be sound, and all of them have the same cause.
 void report_outside(const std::vector<Span>& places, Findings& findings) {
   if (places.empty()) return;
   const std::string message =
@@ -105,7 +105,8 @@ extern constinit const Rule sml1644_mesh_broken{
     .name = "mesh-broken",
     .severity = Severity::error,
     .summary =
-        "A mesh file is cut short, damaged or empty, or a buffer of a glTF is missing or too short.",
+        "A mesh file is cut short, damaged or empty, or a buffer of a glTF is missing or too "
+        "short.",
     .remedy = "Restore the file, or export it again.",
     .sources = "Bullet LoadMeshFromSTL.h and assimp STLLoader.cpp compare the size with the count.",
     .check_model = check,

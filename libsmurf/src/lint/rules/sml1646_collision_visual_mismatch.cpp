@@ -106,6 +106,6 @@ extern constinit const Rule sml1646_collision_visual_mismatch{
     .remedy = "Compare `scale` and `origin` of both.",
     .sources = "Bounding boxes of shapes and meshes.",
     .check_model = check,
-    .tolerance = {.value = 20, .meaning = "how many times as large one of the two may be"}};
+    .tolerance = {.value = 20, .meaning = "the largest ratio of their sizes that is not reported"}};
 
 }  // namespace smurf::rules

@@ -35,10 +35,9 @@ extern constinit const Rule sml1648_mars_obj_turned{
     .name = "mars-obj-turned",
     .severity = Severity::warning,
     .summary = "A mesh of a SMURF model is an OBJ file without a .bobj beside it.",
-    .why = "The mesh points another way in the simulation than everywhere else.",
-    .remedy =
-        "Add .bobj files. A mesh that is y up for MARS alone is called NAME.mars.obj, as Phobos "
-        "writes it.",
+    .why = "In the simulation, the mesh is turned relative to all other programs.",
+    .remedy = "Add .bobj files. A mesh with the y axis up, which only MARS reads, is called "
+              "NAME.mars.obj, as in Phobos.",
     .check_model = check,
     .facts = kFacts};
 

@@ -29,7 +29,8 @@ extern constinit const Rule sml1807_vector_count{
     .name = "vector-count",
     .severity = Severity::error,
     .summary = "An attribute contains the wrong number of numbers.",
-    .why = "Of a scale of one number, urdf-loader makes no scale, and yourdfpy one for all axes.",
+    .why = "When `scale` has only one number, urdf-loader ignores it, and yourdfpy uses it for all "
+           "axes.",
     .remedy = "Write as many numbers as the attribute takes: one factor for each axis in a scale; "
               "red, green, blue and alpha, each from 0 to 1, in a colour.",
     .sources = "urdf-loader 0.13, executed.",

@@ -38,7 +38,8 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses,
      "uses the folder above urdf/ for every package, and stops when the file is not there",
      "Phobos xml.py:89-98, run"},
-    {&readers::mujoco, Effect::takes, "looks where its element `compiler` says", kRun, kElsewhere},
+    {&readers::mujoco, Effect::takes, "looks in the folder that its element `compiler` names", kRun,
+     kElsewhere},
     {&readers::mujoco, Effect::refuses, "treats `package://` as a part of the path", kRun},
     {&readers::dart, Effect::refuses, "finds only packages whose folders it was given", kRun},
 };

@@ -29,7 +29,8 @@ extern constinit const Rule sml3108_misspelt_mechanism_name{
     .summary =
         "A submechanism or exoskeleton has a name that resembles a joint or link of the URDF.",
     .why =
-        "Names that are altogether unknown are left alone: the joints of a floating base need not be in the URDF.",
+        "Names that resemble nothing are not reported: the joints of a floating base need not be "
+        "in the URDF.",
     .remedy = "Correct the name.",
     .check_model = check,
     .facts = kFacts};

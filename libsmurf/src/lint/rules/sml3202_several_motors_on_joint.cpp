@@ -24,7 +24,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "lets each motor set the velocity and force limit of the joint in every step, so the last one decides alone",
+     "sets the velocity and force limit of the joint from each motor in every step, so only the "
+     "last one has an effect",
      "MARS SimMotor.cpp:352-444"},
 };
 

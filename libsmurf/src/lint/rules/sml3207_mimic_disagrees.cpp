@@ -67,7 +67,7 @@ extern constinit const Rule sml3207_mimic_disagrees{
     .id = "SML3207",
     .name = "mimic-disagrees",
     .severity = Severity::warning,
-    .summary = "A motor mimics differently than its joint in the URDF.",
+    .summary = "A motor follows its leader differently than its joint does in the URDF.",
     .why = "Readers of the URDF follow the mimic element.",
     .remedy = "Make the two agree.",
     .check_model = check,

@@ -57,7 +57,7 @@ extern constinit const Rule sml3213_joint_entry_disagrees{
     .name = "joint-entry-disagrees",
     .severity = Severity::warning,
     .summary = "An entry of `joint` contradicts the URDF.",
-    .why = "Readers of the URDF build the joint of the URDF.",
+    .why = "Readers of the URDF ignore the entry.",
     .remedy = "Make the two agree.",
     .check_model = check,
     .facts = kFacts};

@@ -50,7 +50,7 @@ extern constinit const Rule sml3215_joint_without_task{
     .id = "SML3215",
     .name = "joint-without-task",
     .severity = Severity::error,
-    .summary = "A model has `joint_tasks`, but none for one of its movable joints.",
+    .summary = "A model has `joint_tasks`, but no entry for one of its movable joints.",
     .why = "A reader of this section looks for the task of every movable joint.",
     .remedy = "Add an entry with `name`, `provider`, `port` and `driver`, or delete the section.",
     .check_model = check,

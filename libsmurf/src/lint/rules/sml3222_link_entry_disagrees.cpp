@@ -29,7 +29,7 @@ extern constinit const Rule sml3222_link_entry_disagrees{
     .name = "link-entry-disagrees",
     .severity = Severity::warning,
     .summary = "An entry of `link` names two links.",
-    .why = "The entry changes another link in each.",
+    .why = "Each reader changes a different link.",
     .remedy = "Write the same name under both keys.",
     .check_model = check,
     .facts = kFacts};

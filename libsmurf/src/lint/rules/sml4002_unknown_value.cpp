@@ -18,7 +18,7 @@ extern constinit const Rule sml4002_unknown_value{
     .id = "SML4002",
     .name = "unknown-value",
     .severity = Severity::error,
-    .summary = "A key has a word that is not one of its values.",
+    .summary = "The value of a key is not one of the known words.",
     .remedy = "Use one of the known values; they are case-sensitive.",
     .facts = kFacts};
 

@@ -37,8 +37,8 @@ extern constinit const Rule sml4301_section_against_schema{
     .name = "section-against-schema",
     .severity = Severity::error,
     .summary = "A section breaks the schema that was registered for it.",
-    .why = "The program that reads the section describes by its schema what it understands; what "
-           "it makes of anything else is unknown.",
+    .why = "The program that reads the section describes by its schema what it understands; the "
+           "effect of other values is unknown.",
     .remedy = "Change the value, or the schema when it is too strict.",
     .sources = "The schema that the label names.",
     .check_model = check_model,

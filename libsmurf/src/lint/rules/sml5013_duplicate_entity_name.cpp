@@ -32,9 +32,9 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "creates both, and every reference means the first",
+    {&readers::mars, Effect::changes, "creates both, and every reference refers to the first",
      "MARS EntityManager.cpp:229-239"},
-    {&readers::mars2, Effect::changes, "has one frame for the two", "MarsSceneLoader.cpp"},
+    {&readers::mars2, Effect::changes, "creates one frame for both", "MarsSceneLoader.cpp"},
     {&readers::phobos, Effect::refuses, "stops with an assertion", "Phobos multiple.py"},
 };
 
@@ -45,7 +45,7 @@ extern constinit const Rule sml5013_duplicate_entity_name{
     .name = "duplicate-entity-name",
     .severity = Severity::error,
     .summary = "Two entities of one scene have the same name.",
-    .remedy = "Rename one of them, and what refers to it.",
+    .remedy = "Rename one of them, and all references to it.",
     .check_scene = check,
     .facts = kFacts};
 

@@ -25,7 +25,7 @@ void report_shape(yaml::View shape, Findings& findings) {
   }
 }
 
-/// How many components of `extend` a shape takes its size from, x first.
+/// The number of components of `extend` that set the size of a shape, x first.
 std::size_t size_components(std::string_view shape) {
   if (shape == "box") return 3;
   if (shape == "plane" || shape == "cylinder" || shape == "capsule") return 2;
@@ -38,7 +38,7 @@ void check_size(yaml::View extend, std::string_view shape, Findings& findings) {
   for (std::size_t i = 0; i < size_components(shape); ++i) {
     const yaml::View size = extend.find(kNames[i]);
     const std::optional<double> number = size ? size.number() : 0;
-    if (!number || *number > 0) continue;  // what is no number is another finding
+    if (!number || *number > 0) continue;  // another rule reports values that are not numbers
     findings.report(size ? size.span() : extend.span(), "`extend` gives the " + std::string(shape) +
                                                             " the size " + format_number(*number) +
                                                             " along " + std::string(kNames[i]));
@@ -77,7 +77,8 @@ void check(const LinkedScene& scene, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
-     "ends with an uncaught exception: it takes the shape from `geometry: {type: ...}`, and has sizes for plane, box and sphere only",
+     "ends with an uncaught exception: it takes the shape from `geometry: {type: ...}`, and has "
+     "sizes for plane, box and sphere only",
      "MARS primitives.cpp:115-153 and 212, run"},
 };
 

@@ -51,8 +51,9 @@ extern constinit const Rule sml5030_implausible_pose{
     .name = "implausible-pose",
     .severity = Severity::warning,
     .summary = "An entity is implausibly far away, or rotated by many turns.",
-    .why =
-        "Scenes take metres and degrees. Single precision loses centimetres at a hundred kilometres, and a rotation of many turns is in another unit.",
+    .why = "Scenes take metres and degrees. In single precision, positions at a hundred kilometres "
+           "are only accurate to centimetres, and a rotation of many turns is probably in another "
+           "unit.",
     .remedy = "Write metres and degrees.",
     .sources = "IEEE 754 single precision.",
     .check_scene = check};

@@ -18,7 +18,7 @@ extern constinit const Rule sml5043_nested_drawing_group{
     .severity = Severity::warning,
     .summary = "A group of a drawn scene contains other groups.",
     .why = "smurfs-flatten follows the picture: it does not treat a layer as an entity.",
-    .remedy = "Draw without layers and ungroup.",
+    .remedy = "Ungroup, and draw without layers.",
     .facts = kFacts};
 
 }  // namespace smurf::rules

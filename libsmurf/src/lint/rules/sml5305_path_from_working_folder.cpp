@@ -17,9 +17,10 @@ extern constinit const Rule sml5305_path_from_working_folder{
     .name = "path-from-working-folder",
     .severity = Severity::warning,
     .summary = "A path of `environment` is relative to the folder where the simulation is started.",
-    .why = "What is found depends on the folder in which the program was started.",
+    .why = "The files that are found depend on the folder in which the program was started.",
     .remedy =
-        "Put the sky box beside the scene. For the other paths, use absolute paths or always start in the same folder.",
+        "Put the sky box beside the scene. For the other paths, use absolute paths or always start "
+        "in the same folder.",
     .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -10,7 +10,7 @@
 namespace smurf::rules {
 namespace {
 
-/// What is no position or rotation at all is reported where the scene is read.
+/// The reader of the scene reports values that are not a position or rotation at all.
 bool is_reported(const Entity& entity, const Diagnostic& diagnostic) {
   const bool is_position = entity.position.written && !entity.position;
   const bool is_rotation = entity.rotation.form == RotationForm::invalid;
@@ -41,8 +41,9 @@ extern constinit const Rule sml5401_entity_against_schema{
     .name = "entity-against-schema",
     .severity = Severity::error,
     .summary = "An entity breaks the schema that was registered for its type.",
-    .why = "The plug-in that makes entities of this type describes by its schema what it "
-           "understands; what it makes of anything else is unknown.",
+    .why =
+        "The plug-in that makes entities of this type describes by its schema what it understands; "
+        "the effect of other values is unknown.",
     .remedy = "Change the value, or the schema when it is too strict.",
     .sources = "The schema that the label names.",
     .check_scene = check};

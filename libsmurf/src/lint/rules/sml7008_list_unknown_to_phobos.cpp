@@ -49,7 +49,7 @@ extern constinit const Rule sml7008_list_unknown_to_phobos{
     .name = "list-unknown-to-phobos",
     .severity = Severity::error,
     .summary = "A list has a name that Phobos 2 does not know.",
-    .remedy = "Leave the file out of what Phobos loads, or make the section a mapping.",
+    .remedy = "Make the section a mapping, or do not load the file with Phobos.",
     .check_model = check,
     .needs_target = true,
     .facts = kFacts};

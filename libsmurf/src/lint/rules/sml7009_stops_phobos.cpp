@@ -162,7 +162,7 @@ extern constinit const Rule sml7009_stops_phobos{
     .name = "stops-phobos",
     .severity = Severity::error,
     .summary = "A model is written in a way that stops Phobos 2.",
-    .remedy = "Write it as the message says, or keep it out of what Phobos loads.",
+    .remedy = "Write it as the message says, or do not load it with Phobos.",
     .check_model = check,
     .needs_target = true,
     .facts = kFacts};

@@ -66,7 +66,7 @@ extern constinit const Rule sml7010_scene_stops_phobos{
     .name = "scene-stops-phobos",
     .severity = Severity::error,
     .summary = "A scene is written in a way that stops Phobos 2.",
-    .remedy = "Write it as the message says, or keep it out of what Phobos loads.",
+    .remedy = "Write it as the message says, or do not load it with Phobos.",
     .check_scene = check,
     .needs_target = true,
     .facts = kFacts};

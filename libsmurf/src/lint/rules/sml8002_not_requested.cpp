@@ -7,7 +7,7 @@ extern constinit const Rule sml8002_not_requested{
     .id = "SML8002",
     .name = "not-requested",
     .severity = Severity::info,
-    .summary = "An annotation differs from the URDF, and the export keeps what the URDF says.",
+    .summary = "An annotation differs from the URDF, and the export keeps the value of the URDF.",
     .why =
         "MARS simulates with the annotation, a reader of the exported URDF with the other value: "
         "the same robot behaves differently.",
