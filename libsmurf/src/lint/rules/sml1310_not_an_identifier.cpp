@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/utf8.hpp"
 #include "lint/habit.hpp"
 #include "lint/name_queries.hpp"
 
@@ -13,6 +14,8 @@ void check(const LinkedModel& model, Findings& findings) {
   std::string renamed;
   for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
     if (name_fault(*name) != NameFault::irregular) return;
+    // SML0004 reports control characters.
+    if (!utf8::is_printable(*name)) return;
     if (name->find(' ') != std::string::npos) {
       with_blank.add(name.span, "the name " + quoted(*name) + " contains a space");
       return;
