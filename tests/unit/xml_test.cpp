@@ -135,7 +135,7 @@ TEST_CASE("xml: broken structure is reported at its cause") {
       {"plain", {"SML1001 1:1 [plain]"}},
       {"<r>", {"SML1001 1:4 []"}},
       {"<r>\n<a>\n</r>", {"SML1001 3:3 [r]"}},
-      {"<r></r></r>", {"SML1001 1:8 [</r>]"}},
+      {"<r></r></r>", {"SML1001 1:8 [</r>]"}, true},
       {"<r></R>", {"SML1001 1:6 [R]"}},
       {"<r><a</r>", {"SML1001 1:6 [<]"}},
       {"<r a=/>", {"SML1001 1:4 [a]"}},

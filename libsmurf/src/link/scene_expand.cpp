@@ -11,6 +11,7 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
+#include "base/ranges.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "link/drawn_scene.hpp"
@@ -369,8 +370,7 @@ class SceneExpander {
     constexpr std::string_view kOtherWords[] = {"path",     "model", "uri",
                                                 "filename", "urdf",  "smurf"};
     for (const CustomSection& key : entity.extra) {
-      if (!nearest(key.name.value, kFile) &&
-          std::ranges::find(kOtherWords, key.name.value) == std::end(kOtherWords)) {
+      if (!nearest(key.name.value, kFile) && !ranges::contains(kOtherWords, key.name.value)) {
         continue;
       }
       diagnostic.span = key.name.span;

@@ -40,7 +40,7 @@ void XmlBuilder::open(Element element) {
   element.attribute_count =
       static_cast<std::uint32_t>(document_.attributes.size()) - element.first_attribute;
   document_.elements.push_back(element);
-  open_.push_back({id, kNoElement});
+  open_.push_back({.element = id});
 }
 
 void XmlBuilder::close(std::uint32_t end) {
@@ -74,8 +74,9 @@ bool XmlBuilder::take_text(Span text, bool is_section) {
   if (visible.empty()) return false;
   const auto begin = static_cast<std::uint32_t>(visible.data() - text_.data());
   at(open.element).text = static_cast<std::uint32_t>(document_.texts.size());
+  const bool is_first = open.last_child == kNoElement && !open.has_declaration;
   document_.texts.push_back(
-      {open.last_child == kNoElement ? written : std::string_view(),
+      {is_first ? written : std::string_view(),
        {text.source, begin, begin + static_cast<std::uint32_t>(visible.size())}});
   return true;
 }

@@ -34,6 +34,8 @@ class XmlBuilder {
   /// Readers take the first piece of text of an element that is not blank, or the first CDATA
   /// section, if it stands before its children.
   void add_text(Span text);
+  /// Text behind a declaration is not read. Precondition: depth() > 0.
+  void add_declaration() { open_.back().has_declaration = true; }
   /// `text` is what stands in its brackets.
   void add_character_section(Span text);
 
@@ -46,6 +48,7 @@ class XmlBuilder {
     xml::ElementId element = xml::kNoElement;
     xml::ElementId last_child = xml::kNoElement;
     bool has_text = false;
+    bool has_declaration = false;
   };
 
   /// As written. False when no reader takes this piece of text.

@@ -6,6 +6,7 @@
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "syntax/xml_bytes.hpp"
+#include "syntax/xml_references.hpp"
 
 namespace smurf {
 
@@ -43,6 +44,13 @@ void report_less_than(Span place, DiagnosticSink& sink) {
   sink.report(rules::sml1017_xml_less_than_in_value, place,
               "this `<` is in the value of an attribute")
       .fixes.push_back({Applicability::safe, {{place, "&lt;"}}});
+}
+
+void report_bare_ampersand(Span place, std::string_view text, DiagnosticSink& sink) {
+  Diagnostic& diagnostic = sink.report(rules::sml1003_xml_bare_ampersand, place,
+                                       "`&` does not begin a character reference");
+  if (is_broken_character(text)) diagnostic.construct = "character";
+  diagnostic.fixes.push_back({Applicability::safe, {{place, "&amp;"}}});
 }
 
 }  // namespace smurf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Attributes that are not XML, and that some readers accept all the same.
+// Text and attributes that are not XML, but that some readers accept.
 #pragma once
 
 #include <cstddef>
@@ -22,5 +22,7 @@ std::optional<std::size_t> end_of_value_with_less_than(std::string_view text, st
 void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink);
 void report_missing_quotes(Span value, std::string_view name, DiagnosticSink& sink);
 void report_less_than(Span place, DiagnosticSink& sink);
+/// `text` begins with the `&`.
+void report_bare_ampersand(Span place, std::string_view text, DiagnosticSink& sink);
 
 }  // namespace smurf

@@ -65,6 +65,26 @@ void check_encoding(std::string_view text, SourceId id, std::size_t begin, Diagn
   diagnostic.note("urdfdom and browsers decode names accordingly, tinyxml2 ignores it");
 }
 
+/// False if `subset` contains more than declarations.
+bool check_declarations(Span doctype, std::string_view subset, DiagnosticSink& sink) {
+  Diagnostic& diagnostic =
+      sink.report(rules::sml1013_dtd_or_xinclude, doctype,
+                  "urdfdom finds no robot after the declarations of this document type");
+  diagnostic.severity = Severity::error;
+  diagnostic.construct = "declarations";
+  diagnostic.note("sdformat, which uses urdfdom, finds none either; MuJoCo reads the robot");
+  diagnostic.help("delete the document type, and write out what it declares");
+  for (std::size_t at = subset.find('<'); at != std::string_view::npos;) {
+    const std::size_t next = subset.find('<', at + 1);
+    const std::string_view one = subset.substr(at, next - at);
+    const bool is_declaration = one.size() > 2 && one.starts_with("<!") && one[2] != '-' &&
+                                one[2] != '[' && one.find('>') != std::string_view::npos;
+    if (!is_declaration) return false;
+    at = next;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<std::size_t> find_unsound(std::string_view instruction) {
@@ -101,23 +121,22 @@ void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink) 
   check_encoding(text, id, begin, sink);
 }
 
-bool check_declarations(Span doctype, std::string_view subset, DiagnosticSink& sink) {
-  Diagnostic& diagnostic =
-      sink.report(rules::sml1013_dtd_or_xinclude, doctype,
-                  "urdfdom finds no robot after the declarations of this document type");
-  diagnostic.severity = Severity::error;
-  diagnostic.construct = "declarations";
-  diagnostic.note("sdformat, which uses urdfdom, finds none either; MuJoCo reads the robot");
-  diagnostic.help("delete the document type, and write out what it declares");
-  for (std::size_t at = subset.find('<'); at != std::string_view::npos;) {
-    const std::size_t next = subset.find('<', at + 1);
-    const std::string_view one = subset.substr(at, next - at);
-    const bool is_declaration = one.size() > 2 && one.starts_with("<!") && one[2] != '-' &&
-                                one[2] != '[' && one.find('>') != std::string_view::npos;
-    if (!is_declaration) return false;
-    at = next;
+std::optional<std::uint32_t> read_doctype(std::string_view text, Span start, DiagnosticSink& sink) {
+  const std::size_t first_close = text.find('>', start.begin);
+  const std::size_t subset = text.find('[', start.begin);
+  std::size_t close = first_close;
+  if (subset < first_close) {
+    close = text.find('>', std::min(text.find(']', subset), text.size()));
   }
-  return true;
+  if (close == std::string_view::npos) {
+    sink.report(rules::sml1001_xml_malformed, start, "this document type is never closed");
+    return std::nullopt;
+  }
+  if (first_close < close &&
+      !check_declarations(start, text.substr(subset, close + 1 - subset), sink)) {
+    return std::nullopt;
+  }
+  return static_cast<std::uint32_t>(close + 1);
 }
 
 }  // namespace smurf

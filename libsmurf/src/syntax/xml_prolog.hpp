@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -18,9 +19,10 @@ void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink);
 /// attributes; none for a sound one and for every other instruction.
 std::optional<std::size_t> find_unsound(std::string_view instruction);
 
-/// Reports declarations within a document type, which TinyXML and tinyxml2 take for closed at the
-/// first '>' within. False if more than declarations is there: an element for tinyxml2, or a
-/// comment that may hold the robot.
-bool check_declarations(Span doctype, std::string_view subset, DiagnosticSink& sink);
+/// The offset behind the document type that begins at `start`, which is `<!DOCTYPE`. Reports
+/// declarations within it: TinyXML and tinyxml2 end it at the first '>'. None, with a report, if it
+/// is never closed, or contains more than declarations: an element for tinyxml2, or a comment that
+/// may contain the robot.
+std::optional<std::uint32_t> read_doctype(std::string_view text, Span start, DiagnosticSink& sink);
 
 }  // namespace smurf

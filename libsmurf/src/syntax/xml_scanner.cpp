@@ -135,37 +135,25 @@ class Scanner {
   }
 
   void doctype() {
-    const std::uint32_t begin = at_;
-    const Span place = span(begin, begin + 9);
+    const Span place = span(at_, at_ + 9);
     if (!tree_.elements().empty()) {
       malformed(place, "a document type must come before the root element");
       return;
     }
     is_prolog_ = false;
-    const std::size_t first_close = text_.find('>', begin);
-    const std::size_t subset = text_.find('[', begin);
-    std::size_t close = first_close;
-    if (subset < first_close) {
-      close = text_.find('>', std::min(text_.find(']', subset), text_.size()));
-    }
-    if (close == std::string_view::npos) {
-      malformed(place, "this document type is never closed");
-      return;
-    }
-    if (first_close < close &&
-        !check_declarations(place, text_.substr(subset, close + 1 - subset), sink_)) {
-      well_formed_ = false;
-    }
-    at_ = static_cast<std::uint32_t>(close + 1);
+    const std::optional<std::uint32_t> end = read_doctype(text_, place, sink_);
+    well_formed_ = end.has_value();
+    at_ = end.value_or(at_);
   }
 
-  /// `<!ELEMENT ...>`, or a comment that begins with one dash: URDF readers skip it.
+  /// `<!ELEMENT ...>`, or a comment that begins with one dash: readers skip it.
   void declaration() {
     const std::uint32_t begin = at_;
     const std::size_t close = text_.find('>', begin);
     if (close == std::string_view::npos) return start_tag();
     is_prolog_ = false;
     at_ = static_cast<std::uint32_t>(close + 1);
+    if (tree_.depth() > 0) tree_.add_declaration();
     sink_
         .report(rules::sml1001_xml_malformed, span(begin, begin + 2), "`<!` begins no comment here")
         .construct = "declaration";
@@ -228,11 +216,9 @@ class Scanner {
 
   /// Behind the root, all URDF readers stop there.
   void end_tag_outside(Span tag, Span name) {
-    const bool is_behind = !tree_.elements().empty();
-    Diagnostic& diagnostic = sink_.report(rules::sml1001_xml_malformed, tag,
-                                          "the end tag " + quoted(name) + " closes nothing");
-    well_formed_ = is_behind;
-    if (!is_behind) return;
+    Diagnostic& diagnostic = malformed(tag, "the end tag " + quoted(name) + " closes nothing");
+    well_formed_ = !tree_.elements().empty();
+    if (!well_formed_) return;
     diagnostic.construct = "end-tag-behind";
     at_ = size();
   }
@@ -450,11 +436,7 @@ class Scanner {
     const XmlReference reference = read_reference(text_.substr(begin));
     at_ += static_cast<std::uint32_t>(reference.size);
     if (reference.kind == XmlReference::Kind::none) {
-      Diagnostic& diagnostic =
-          sink_.report(rules::sml1003_xml_bare_ampersand, span(begin, begin + 1),
-                       "`&` does not begin a character reference");
-      if (is_broken_character(text_.substr(begin))) diagnostic.construct = "character";
-      diagnostic.fixes.push_back({Applicability::safe, {{span(begin, begin + 1), "&amp;"}}});
+      report_bare_ampersand(span(begin, begin + 1), text_.substr(begin), sink_);
     } else if (reference.kind == XmlReference::Kind::unknown_entity) {
       sink_
           .report(rules::sml1013_dtd_or_xinclude, span(begin, at_),
