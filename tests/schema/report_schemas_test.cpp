@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The schemas that are written by hand say yes to what the tools write and no to near misses.
+#include <algorithm>
 #include <filesystem>
 #include <initializer_list>
+#include <span>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -54,9 +56,13 @@ TEST_CASE("the report of diagnostics") {
   diagnostics[0].label(diagnostics[1].span, "see here");
   diagnostics[0].note("a note");
   diagnostics[0].pointer = "/motors/0/p";
+  const std::span<const Fact> facts = find_rule("SML1012")->facts;
+  const auto refusal = std::find_if(facts.begin(), facts.end(), [](const Fact& fact) {
+    return fact.effect == Effect::refuses;
+  });
   const TargetVerdict refused{.reader = find_target("mars"),
                               .refusals = 1,
-                              .fact = &find_rule("SML1012")->facts.back(),
+                              .fact = &*refusal,
                               .rule = diagnostics[0].rule,
                               .span = diagnostics[0].span};
   const TargetVerdict taken{
