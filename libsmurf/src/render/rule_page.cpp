@@ -27,8 +27,8 @@ std::string tolerance_of(const Rule& rule) {
   std::string text = number;
   if (!tolerance.unit.empty()) text.append(" ").append(tolerance.unit);
   return text + ": " + std::string(tolerance.meaning) +
-         ". To change it, write in the configuration: " + "`tolerances: {" +
-         std::string(rule.id) + ": " + number + "}`.";
+         ". To change it, write in the configuration: " + "`tolerances: {" + std::string(rule.id) +
+         ": " + number + "}`.";
 }
 
 }  // namespace
