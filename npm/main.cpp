@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All tools as one program: its first argument says which of them it is.
+// All tools as one program: the first argument selects the tool.
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The stages of libsmurf: who may include whom, and what stays out of the library.
+"""The stages of libsmurf: which may include which, and what must not be in the library.
 
-Prints one line a violation, `file:line: what`, and ends with exit code 1 if there is any.
+Prints one line per violation, `file:line: what`; the exit code is 1 if there is any.
 """
 import pathlib
 import re
@@ -56,7 +56,7 @@ PRINTING = re.compile(
 )
 # The only file that prints into a text, which the test of base/floating.hpp compares with the standard library.
 PRINTS_INTO_TEXT = SOURCE / "base/portable_floating.cpp"
-# What the libc++ of Emscripten lacks, or what C libraries round differently, and what is used instead.
+# Features that the libc++ of Emscripten lacks, or that C libraries round differently, and their replacements.
 UNPORTABLE = {
     re.compile(r"\bstd::ranges::"): "base/ranges.hpp",
     re.compile(r"\bstd::bit_cast\b"): "base/bits.hpp",
@@ -65,19 +65,19 @@ UNPORTABLE = {
     re.compile(r"\bstd::chars_format\b"): "base/floating.hpp",
 }
 REPLACEMENTS = {"base/ranges.hpp", "base/bits.hpp", "base/exact_math.hpp", "base/exact_math.cpp", "base/floating.cpp"}
-# Headers of a system, and the only files that include them. What std::filesystem does on Windows is not what base/places.hpp says.
+# Headers of a system, and the only files that include them. std::filesystem behaves differently on Windows than
+# base/places.hpp.
 SYSTEM_HEADERS = re.compile(r"(dirent|fcntl|io|poll|shellapi|unistd|windows|winioctl)\.h|sys/.*\.h|filesystem")
 SYSTEM_FILES = re.compile(r"src/base/(places_posix\.cpp|system(_posix|_windows)?\.[ch]pp|windows_paths\.cpp)|"
                           r"tools/common/process_(posix|windows)\.cpp|tools/smurf-load-check/")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 LONGEST_FILE = 500
 
-# The rules are run, places named and comments heeded in one place: whoever goes another way judges
-# a model otherwise.
+# Rules are run, places named and comments applied in one place, so that all tools judge a model in the same way.
 PIPELINE = re.compile(r"\b(lint_model|lint_scene|locate|apply_targets)\s*\(|\b(Suppressions|Baseline)\b")
 PIPELINE_FOLDERS = [SOURCE / "check", SOURCE / "lint"]
-# Private headers that tools still include: what they offer is to become public, or the tool to do
-# without. The list gets shorter, never longer.
+# Private headers that tools still include. Make their contents public, or change the tool to do without. The list
+# should get shorter, never longer.
 PRIVATE_HEADERS_OF_TOOLS = {
     "base/canonical_paths.hpp",
     "base/counted.hpp",
@@ -86,7 +86,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/numbers.hpp",
     "base/path.hpp",
     "base/path_patterns.hpp",
-    "base/places.hpp",  # what differs between systems is there
+    "base/places.hpp",  # differences between systems are in this file
     "base/quoted.hpp",
     "base/rules.hpp",
     "base/sanitizer.hpp",
@@ -122,7 +122,7 @@ def is_standard(header):
 
 
 def check_include(path, stage, bracket, header):
-    """What is wrong with an include of a file in a stage; empty when nothing is."""
+    """An error message about an include of a file in a stage; empty if there is none."""
     first = header.split("/")[0]
     if bracket == '"' or first in STAGES:
         if first in STAGES:
@@ -139,7 +139,7 @@ def check_include(path, stage, bracket, header):
 
 
 def check_private_headers():
-    """Libraries that stay inside a stage do not reach another one through its headers."""
+    """Headers of libraries that belong to one stage must not be included by another stage through its headers."""
     holders = {}
     for path in sources(SOURCE):
         for number, line in code_lines(path):
@@ -180,7 +180,7 @@ def check_portable():
 
 
 def check_systems():
-    """What differs between systems is in few files."""
+    """Differences between systems are in few files."""
     for path in [*sources(SOURCE), *sources(ROOT / "tools")]:
         for number, line in code_lines(path):
             include = INCLUDE.match(line)
@@ -220,7 +220,7 @@ def check_pipeline():
 
 
 def check_tools():
-    """They use what everybody can use."""
+    """Tools include public headers only."""
     unused = set(PRIVATE_HEADERS_OF_TOOLS)
     for path in sources(ROOT / "tools"):
         for number, line in code_lines(path):

@@ -17,10 +17,10 @@ FIXTURES = HERE.parent / "fixtures"
 FOUND = 99
 VALGRIND = ["valgrind", "--quiet", f"--suppressions={HERE / 'memcheck.supp'}", f"--error-exitcode={FOUND}",
             "--leak-check=full", "--errors-for-leak-kinds=definite", "--show-leak-kinds=definite", "--num-callers=30"]
-# Reads every file cut at every byte, which takes hours here; it runs with AddressSanitizer. The other one asks
-# for data that may be absent.
+# Reads every file truncated at every byte, which takes hours here; it runs with AddressSanitizer. The other one
+# requests data that may be absent.
 LEFT_OUT = ("hostile_test", "consumers_test")
-# Whose children end badly on purpose; what they do in earnest, the tool does too.
+# Their children crash on purpose; the tool covers the same code.
 SILENT_CHILDREN = {"load_check_test": ["--child-silent-after-fork=yes"]}
 # Programs that repeat themselves with random input.
 FEWER = {"SMURF_TEST_CASES": "200"}
@@ -47,7 +47,7 @@ def runs(binaries, out):
     bad = sorted(path for path in (FIXTURES / "rules").glob("*/bad/*") if path.suffix in (".smurf", ".smurfs", ".urdf"))
     for tool, words in TOOLS.items():
         kinds = KINDS.get(tool, (".smurf", ".smurfs", ".smurfa", ".urdf"))
-        # A rule's fixture in ten for the tools that take them one by one; the linter takes all at once.
+        # A tenth of the rules' fixtures for the tools that read one file; the linter reads all at once.
         for path in entries + ([] if tool == "smurf-lint" else bad[::10]):
             if path.suffix in kinds:
                 yield f"{tool} {path.relative_to(FIXTURES)}", [binaries / tool, *words(path, out / f"{tool}.out")]
@@ -61,7 +61,7 @@ def main():
     with tempfile.TemporaryDirectory() as out:
         def check(run):
             title, command = run
-            # In a folder that goes away, with whatever a program leaves where it runs.
+            # In a temporary folder, with all files that a program leaves in its current folder.
             return title, subprocess.run([*VALGRIND, *SILENT_CHILDREN.get(title, []), *command], capture_output=True,
                                          text=True, errors="replace", cwd=out, env={**os.environ, **FEWER}, check=False)
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What all parts of the module share: objects that keep alive what they point into, texts, places.
+// Code that all parts of the module share: objects that keep their owners alive, texts, places.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What models and scenes have in common.
+// Code that models and scenes share.
 #pragma once
 
 #include <functional>

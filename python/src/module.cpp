@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// smurf._smurf: the library as Python has it. What users see is named in python/smurf/__init__.py.
+// smurf._smurf: the Python binding of the library. python/smurf/__init__.py lists the public names.
 #include "common.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Classes whose attributes are fields of a file: a row for each says where its value is, and where
-// that is written.
+// Classes whose attributes are fields of a file: one row per attribute names the value and its
+// place.
 #pragma once
 
 #include <functional>

@@ -144,7 +144,7 @@ Flat flatten_scene(const Scene& self, const py::object& dialect, bool links,
   }
   auto flat = std::make_shared<FlatScene>(flatten(loaded.scene, self.owner->sources(), options));
   if (!check_flat_numbers(*flat, loaded.scene, found)) {
-    raise_found(self, "has numbers that cannot be computed with", std::move(found));
+    raise_found(self, "has numbers that are too large for computations", std::move(found));
   }
   return {std::move(flat), links};
 }

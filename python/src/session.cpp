@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checking and loading. A function with a session of its own lets other threads of Python run.
+// Checking and loading. A function with a separate session lets other Python threads run.
 #include <algorithm>
 #include <chrono>
 #include <thread>

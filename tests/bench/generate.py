@@ -45,7 +45,7 @@ def link(i: int) -> str:
 
 
 def joint(i: int, shape: str) -> str:
-    # Children of one link stand around it, so that no two collisions coincide.
+    # Children of one link are placed around it, so that no two collisions coincide.
     angle = 2 * math.pi * i / 3
     x, y, z = (0.0, 0.0, 0.12) if shape == "chain" else (0.2 * math.cos(angle), 0.2 * math.sin(angle), 0.12)
     if shape == "star":

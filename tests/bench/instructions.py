@@ -21,7 +21,7 @@ TOLERANCE = 1.03
 
 
 def conditions(binaries: pathlib.Path) -> dict:
-    """What the counts belong to."""
+    """The configuration to which the counts belong."""
     cache = binaries.parent / "CMakeCache.txt"
     found = [line.split("=", 1)[1] for line in cache.read_text().splitlines()
              if line.startswith("CMAKE_CXX_COMPILER:")] if cache.exists() else ["c++"]

@@ -20,7 +20,7 @@ TARGETS = {42: 10, 4200: 100}  # links: ms
 
 
 def processor_time(process):
-    """Of all threads, ms."""
+    """Processor time of all threads, ms."""
     total = 0
     for task in pathlib.Path(f"/proc/{process.pid}/task").iterdir():
         total += int((task / "schedstat").read_text().split()[0])
@@ -36,7 +36,7 @@ def memory(process):
 
 
 def strokes(text, rng):
-    """A digit typed behind a number somewhere, and taken away again."""
+    """Types a digit after a random number, and deletes it again."""
     while True:
         at = rng.randrange(len(text))
         while not (text[at].isdigit() and text[at - 1] == "."):
@@ -46,7 +46,7 @@ def strokes(text, rng):
 
 
 def measure(tool, links, edits, folder):
-    """Sorted times in ms of key strokes in the URDF; memory in MB at a tenth of them and at the end."""
+    """Sorted times in ms of key strokes in the URDF; memory in MB after a tenth of them and at the end."""
     subprocess.run([sys.executable, HERE / "generate.py", "model", str(links), folder], check=True)
     urdf = folder / "urdf/m.urdf"
     server = client.Client(tool, [folder])

@@ -16,16 +16,16 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 MODULES = ROOT / "build/readers/node_modules"
-# Draws a picture. Reading a pixel waits until it is there.
+# Draws a picture. Reading a pixel waits until it is finished.
 DRAW = """const { stage, motion } = smurfViewer;
   const context = stage.renderer.getContext();
   const draw = () => {
     stage.renderer.render(stage.scene, stage.camera);
     context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4));
   };"""
-# Milliseconds since the page was asked for.
+# Milliseconds since the page was requested.
 FIRST = f"(() => {{ {DRAW} draw(); return performance.now(); }})()"
-# Calls `step` and draws a picture, again and again for three seconds. Returns the pictures per second.
+# Repeatedly calls `step` and draws a picture, for three seconds. Returns the pictures per second.
 RATE = DRAW + """
   const rate = (step) => {
     const start = performance.now();

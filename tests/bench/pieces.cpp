@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pieces of a run beside what does the same elsewhere, in one process. The folder of
+// Compares the parts of a run with other programs for the same task, in one process. The folder of
 // SMURF_BENCH_MODEL holds a model of generate.py; scripts/bench makes it.
 #include <benchmark/benchmark.h>
 #include <urdf_model/model.h>

@@ -46,8 +46,8 @@ class Run:
 
 
 def best(commands: list, rounds: int) -> list:
-    """The fastest run of each command, the commands taking turns. The shorter its runs, the more there are of them:
-    a long peer leaves caches and memory to the next process as no user finds them."""
+    """The fastest run of each command, with the commands taking turns. Short commands are run more often, because a
+    long run of another command changes caches and memory."""
     fastest = [Run(command) for command in commands]
     longest = max(run.cpu for run in fastest)
     for _ in range(rounds):
@@ -58,7 +58,7 @@ def best(commands: list, rounds: int) -> list:
 
 
 def instructions(command: list):
-    """Instructions of the whole process, counted by callgrind; none where valgrind is absent."""
+    """Instructions of the whole process, counted by callgrind; none if valgrind is not installed."""
     try:
         done = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *command],
                               capture_output=True, text=True)
@@ -90,7 +90,7 @@ class Bench:
         return str(self.generate("model", links, *shape) / "smurf/m.smurf")
 
     def row(self, name: str, what: str, figure, floor, goal, at_least: bool = True, digits: int = 2):
-        """`figure` may be a reason, in words, why there is none."""
+        """`figure` may be a text with the reason why there is none."""
         if isinstance(figure, str):
             self.rows.append((name, what, figure, floor, goal, "-"))
             return
@@ -157,8 +157,8 @@ class Bench:
         self.row("T8", "--version / a hello with iostream", ours.cpu / peer.cpu, 2, 1.5, at_least=False)
 
     def measure_memory(self):
-        # What each further byte costs: the peak of a small process would be that of this script, which it is
-        # started from and which the kernel counts with it. Pages of 2 MB make single runs differ.
+        # The cost of each further byte: the kernel includes this script, the parent, in the peak of a small process.
+        # Pages of 2 MB make single runs differ.
         sizes = (4200, 16800)
         models = [self.model(size) for size in sizes]
         peaks = [min(Run([self.lint, "-j", "1", model]).memory for _ in range(5)) for model in models]

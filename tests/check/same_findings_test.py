@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""smurf-lint, the converters and the example of the README find the same in every fixture.
+"""smurf-lint, the converters and the example of the README report the same findings for every fixture.
 
 same_findings_test.py BIN README_EXAMPLE FIXTURES
 """
@@ -14,7 +14,7 @@ SCENES = {".smurfs", ".smurfa", ".svg"}
 
 
 def entries(fixtures: pathlib.Path):
-    """One file a fixture, as rule_fixtures_test takes it, and all models and scenes."""
+    """One file per fixture, as in rule_fixtures_test, and all models and scenes."""
     for folder in sorted(fixtures.glob("rules/*/*/")):
         for name in ("scene.svg", "scene.smurfs", "model.smurf", "robot.urdf"):
             if (folder / name).exists():
@@ -25,7 +25,7 @@ def entries(fixtures: pathlib.Path):
 
 
 def findings(command: list) -> list:
-    """Those of a program, in its order; other lines are left out."""
+    """The findings of a program, in its order; other lines are ignored."""
     done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
     if done.returncode < 0:
         raise SystemExit(f"{command} ended with signal {-done.returncode}")
@@ -38,7 +38,7 @@ def main() -> int:
     for entry in entries(fixtures):
         expected = findings([binaries / "smurf-lint", "--format", "concise", entry])
         converter = ["smurfs-flatten"] if entry.suffix in SCENES else ["smurf2urdf", "--dry-run"]
-        # Losses, which have no part in the check, are the converters' own.
+        # Losses belong to the converters, not to the check.
         converted = [line for line in findings([binaries / converter[0], *converter[1:], "--report", "concise", entry])
                      if "[SML8" not in line]
         compared += 1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sessions: what they find, what a second check finds, and what it reads for that.
+// Sessions: the findings of a first and a second check, and the files that the second one reads.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void write(const fs::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-/// Counts what is read of other files.
+/// Counts reads of another file reader.
 class CountingFiles final : public FileReader {
  public:
   explicit CountingFiles(const FileReader& files) : files_(files) {}
@@ -55,7 +55,7 @@ class CountingFiles final : public FileReader {
   mutable std::vector<std::string> read_;
 };
 
-/// All that a report says.
+/// All contents of a report.
 std::string text_of(const Report& report, const SourceMap& sources) {
   std::string text;
   for (const Diagnostic& one : report.diagnostics) text += render_full(one, sources, {});
@@ -77,7 +77,7 @@ std::string check(Session& session, const Plan& plan, const CheckSettings& setti
   return text_of(report, session.sources());
 }
 
-/// Texts as people break them: a line that is gone, doubled or cut, a digit, a name.
+/// Typical mistakes in a text: a deleted, doubled or truncated line, a digit, a name.
 std::string edited(std::string text, Random& random) {
   if (text.empty()) return "a: 1\n";
   const std::size_t at = random.below(text.size());
@@ -274,7 +274,7 @@ TEST_CASE("a second check reads only what has changed") {
   }
   const DiskFiles disk;
   CountingFiles files(disk);
-  // The files are as new as the test; that they change once more would be seen by their size.
+  // The files are as new as the test, so only their size shows a further change.
   Session session(files, {}, [](const std::string& path) {
     return FileStamp{stamp_on_disk(path).text, true};
   });

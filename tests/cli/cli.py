@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a tool as its users do: in a folder of its own, with given files, looking at every stream.
+"""Runs a tool as its users do: in a separate folder, with given files, checking every stream.
 
 A test program is called with the tool first: NAME_test.py TOOL [unittest option]...
 """
@@ -36,10 +36,10 @@ FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
 
 
 def is_sanitized(program):
-    """Whether it was built with AddressSanitizer, which takes a multiple of the memory."""
+    """Whether the tool was built with AddressSanitizer, which needs several times as much memory."""
     word = b"__asan_init"
     before = b""
-    # Read in parts: what takes memory here would count as that of the tools.
+    # Reads in parts, because memory used here would be included in that of the tools.
     with open(program, "rb") as file:
         while part := file.read(1 << 20):
             if word in before + part:
@@ -77,8 +77,8 @@ class CliTest(unittest.TestCase):
             check=False, **keywords)
 
     def expect(self, code, *arguments, **keywords):
-        """Runs and insists on the exit code (None: 0 or 1); with 0 and 1, nothing is on standard error but what
-        a converter has written."""
+        """Runs and checks the exit code (None: 0 or 1); with 0 and 1, standard error contains only the messages of
+        converters."""
         done = self.run_tool(*arguments, **keywords)
         self.assertIn(done.returncode, (0, 1) if code is None else (code,),
                       f"{arguments}\nstdout:\n{done.stdout}\nstderr:\n{done.stderr}")
@@ -88,7 +88,7 @@ class CliTest(unittest.TestCase):
         return done
 
     def expect_complaint(self, text, *arguments, **keywords):
-        """Exit code 2, nothing on standard output, and this one line on standard error."""
+        """Exit code 2, nothing on standard output, and this line on standard error."""
         done = self.expect(2, *arguments, **keywords)
         self.assertEqual(done.stdout, "")
         self.assertEqual(done.stderr, f"{pathlib.Path(TOOL).name}: {text}\n")

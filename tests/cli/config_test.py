@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The configuration of smurf-lint: which file is read, what it says, and its schema."""
+"""The configuration of smurf-lint: which file is read, its settings, and its schema."""
 import json
 import pathlib
 import sys
@@ -20,7 +20,7 @@ class ConfigTest(cli.CliTest):
         self.write("robots/box.urdf", URDF)
 
     def findings(self, *arguments, code=None, **keywords):
-        """(file, id, severity) of what the JSON report lists."""
+        """(file, id, severity) of each finding in the JSON report."""
         report = json.loads(self.expect(code, "--format", "json", *arguments, **keywords).stdout)
         return [(d["file"], d["id"], d["severity"]) for d in report["diagnostics"]]
 
@@ -46,7 +46,7 @@ class Search(ConfigTest):
         self.assertEqual(self.findings("--config", "other.yaml", "robots"),
                          [(*self.UNNAMED[:2], "info")])
         self.assertEqual(self.findings("--isolated", "robots"), [self.UNNAMED])
-        self.expect_complaint("--isolated reads no configuration, --config names one",
+        self.expect_complaint("--isolated and --config exclude each other",
                               "--isolated", "--config", "other.yaml", "robots")
 
     def test_missing(self):
@@ -65,7 +65,7 @@ class Search(ConfigTest):
 
 
     def test_nearest_for_each_file(self):
-        """A file is judged by the configuration nearest to it, whichever the first path is."""
+        """The configuration nearest to a file applies, independently of the first path."""
         for name, level in (("a", "error"), ("b", "info")):
             self.write(f"{name}/scene.smurfs", SCENE.replace("box.urdf", "../robots/box.urdf"))
             self.write(f"{name}/.smurf-lint.yaml", f"severity: {{SML5012: {level}}}\n")
@@ -97,7 +97,7 @@ class Extends(ConfigTest):
         self.assertEqual([line.split(" (")[0] for line in done.stdout.splitlines() if "SML90" in line], [
             ".smurf-lint.yaml:1:21: error[SML9002] cannot read `absent.yaml`: No such file or directory",
             ".smurf-lint.yaml:1:34: error[SML9002] an item takes a text, not a mapping",
-            "a/b.yaml:1:10: error[SML9002] the configuration extends itself by way of others",
+            "a/b.yaml:1:10: error[SML9002] the configuration extends itself through other configurations",
             "a/b.yaml:2:1: error[SML9001] there is no setting `selct`"])
         self.write(".smurf-lint.yaml", "extends: .smurf-lint.yaml\n")
         self.assertIn("the configuration extends itself\n", self.expect(1, "--format", "concise", "robots").stdout)
@@ -218,7 +218,7 @@ class Content(ConfigTest):
         done = self.expect(1, "--select", "SML54", "scene.smurfs", cwd=self.folder / "robots")
         self.assertIn("error[SML5401]: `radius` takes a number, not the text `wide`\n"
                       " --> scene.smurfs:3:38\n", done.stdout)
-        self.assertIn("note: the schema asks for it here\n --> ../schemas/rainbow.json:1:28\n",
+        self.assertIn("note: required here by the schema\n --> ../schemas/rainbow.json:1:28\n",
                       done.stdout)
         self.assertIn("  = help: In metres.\n", done.stdout)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A model makes nothing be read that lies outside of its project."""
+"""A model cannot cause reading of files outside of its project."""
 import itertools
 import json
 import os
@@ -97,7 +97,7 @@ class Confine(cli.CliTest):
 
 
     def test_what_lies_outside_is_not_told_apart(self):
-        """Neither by what is said of it, nor through a link, nor for any way to name a file."""
+        """Nothing is revealed by messages, through a link, or for any way to name a file."""
         self.write("away.yml", SECRET)
         self.write("away.stl", "solid a\nendsolid a\n")
         self.write("away.png", "")
@@ -178,7 +178,7 @@ class Confine(cli.CliTest):
             self.assertIn("TOP", done.stderr)
 
     def test_the_history_of_a_repository_is_not_read(self):
-        """A CI keeps its tokens in .git/config."""
+        """CI servers keep tokens in .git/config."""
         self.write("a/b/project/.git/config", "[http]\n  the_token\n")
         self.write("a/b/project/.git/info/exclude", "left_out.urdf\n")
         self.write("a/b/project/left_out.urdf", URDF)
@@ -209,7 +209,7 @@ class Confine(cli.CliTest):
         self.assertEqual(found, "r.urdf\nsmurf/r.smurf\n")
 
     def test_what_folders_outside_are_links_to_is_not_told(self):
-        """Two links lead outside: whether they end at one place or at two makes no difference."""
+        """For two links that lead outside, it makes no difference whether they have the same target."""
         (self.project / ".git").mkdir()
         for kind in ("smurf", "smurfs", "urdf"):
             (self.project / f"1.{kind}").symlink_to(f"../../../private/x/f.{kind}")
@@ -234,7 +234,7 @@ class Confine(cli.CliTest):
             self.assertEqual(first, second)
 
     def test_named_links_out_of_a_repository_open_nothing(self):
-        """A hook names what a pull request brought."""
+        """A hook names files of a pull request."""
         (self.project / ".git").mkdir()
         self.write("a/other/x.yml", SECRET)
         self.write("a/other/r.urdf", URDF)
@@ -281,7 +281,7 @@ class Confine(cli.CliTest):
             thread.join()
 
     def test_pipes_are_not_opened(self):
-        """Opened for reading, even for a moment, a pipe would let its writer go on."""
+        """If a pipe were opened for reading, even for a moment, its writer would continue."""
         (self.project / "smurf").mkdir()
         pipe = self.project / "smurf/motors.yml"
         os.mkfifo(pipe)

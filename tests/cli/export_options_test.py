@@ -23,7 +23,7 @@ OPTIONS = [
     ["--vendor", "strip", "--comments", "strip"],
     ["--collapse-fixed", "--vendor", "strip", "--comments", "strip", "--canonical"],
 ]
-ONCE = [["--prefix", "p_"]]  # add up when they are repeated
+ONCE = [["--prefix", "p_"]]  # these options add up if they are repeated
 
 
 TOLERANCE = 1e-12  # relative, or m and rad
@@ -37,7 +37,7 @@ def note_proof(text):
 
 
 def export(tool, source, target, options):
-    """None, or what went wrong."""
+    """None, or the reason of a failure."""
     done = subprocess.run([tool, str(source), "-o", str(target), "--force", "--quiet", "--prove",
                            *options], capture_output=True, text=True, timeout=60, check=False)
     if done.returncode == 0:
@@ -46,7 +46,7 @@ def export(tool, source, target, options):
 
 
 def note_masses(source, collapsed):
-    """Where Python's strict reader and plain numbers will do."""
+    """Only for files that Python's strict reader accepts and that contain plain numbers."""
     try:
         before, after = mass_properties.total(source), mass_properties.total(collapsed)
     except (ElementTree.ParseError, ValueError, AttributeError, RecursionError, KeyError):
@@ -67,7 +67,7 @@ def main():
         first, second = pathlib.Path(name, "first.urdf"), pathlib.Path(name, "second.urdf")
         for source in sorted(root.rglob("*.urdf")):
             if export(tool, source, first, []) is not None:
-                continue  # it cannot be read
+                continue  # the model cannot be read
             count += 1
             for options in OPTIONS + ONCE:
                 failure = export(tool, source, first, options)
@@ -83,7 +83,7 @@ def main():
     print(f"  masses of {compared} robots were computed here as well")
     for what, figure in largest.items():
         print(f"  {what:28s}{figure:.2g}")
-        # Places far from the origin are compared relative to their distance, by the tool.
+        # The tool compares places far from the origin relative to their distance.
         if figure > TOLERANCE and "distance" not in what:
             failures.append(f"{what}: {figure} is more than {TOLERANCE}")
     if count == 0:

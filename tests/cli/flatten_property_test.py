@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random nested scenes against an independent computation with plain 4x4 matrices.
+"""Compares random nested scenes with an independent computation with plain 4x4 matrices.
 
-flatten(flatten(x)) == flatten(x), the same bytes on every run, and what 1,000 robots of 40 links
-cost.
+Also checks that flatten(flatten(x)) == flatten(x), that every run gives the same bytes, and the cost
+of 1,000 robots of 40 links.
 """
 import json
 import math
@@ -111,7 +111,7 @@ def words(numbers):
 
 
 class World:
-    """One random scene: its files, and where everything stands."""
+    """One random scene: its files, and the expected poses."""
 
     def __init__(self, seed):
         self.dice = random.Random(seed)
@@ -126,7 +126,7 @@ class World:
         self.scene("", identity(), 0)
 
     def rotation(self):
-        """How it may be written, and what it means."""
+        """Possible notations, and their meaning."""
         dice = self.dice
         kind = dice.randrange(5)
         if kind == 0:
@@ -144,7 +144,7 @@ class World:
         return numbers if kind == 3 else mapping, quaternion(*numbers)
 
     def place(self, local):
-        """An entity in this scene, or in one around it, whose link can be a parent."""
+        """An entity in this scene, or in an enclosing one, whose link can be a parent."""
         path, (pose, positions, robot) = self.dice.choice(local)
         link = self.dice.randrange(JOINTS + 1)
         return (f"{path.split('/')[-1]}::l{link}",
@@ -182,7 +182,7 @@ class World:
             entities.append(entity)
         dice.shuffle(entities)  # the order of entities does not matter
         self.files[file] = json.dumps({"entities": entities}, indent=1)
-        self.files["main.smurfs"] = self.files[file]  # the outermost comes last
+        self.files["main.smurfs"] = self.files[file]  # the outermost scene comes last
         return file
 
 
@@ -213,7 +213,7 @@ class Properties(cli.CliTest):
         self.assertGreater(instances, 3 * SCENES)
 
     def check_fixed_point(self, flat):
-        """What was flattened is flat, and says the same."""
+        """A flattened scene is flat, and flattening it again gives the same result."""
         self.write("once.smurfs", self.flat("main.smurfs", "--format", "smurfs"))
         self.write("twice.smurfs", self.flat("once.smurfs", "--format", "smurfs"))
         self.assertEqual(self.read("once.smurfs"), self.read("twice.smurfs"))
@@ -246,7 +246,7 @@ class Properties(cli.CliTest):
 
         one, many = seconds(1), seconds(1000)
         print(f"1 robot: {one * 1e3:.0f} ms; 1,000 robots: {many * 1e3:.0f} ms", file=sys.stderr)
-        self.assertLess(many - one, 2)  # generous: a loaded machine, an unoptimised build
+        self.assertLess(many - one, 2)  # generous, for a loaded machine and an unoptimised build
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a search leaves out: .gitignore, .smurf-lintignore and `exclude`; compared with git itself."""
+"""Files that a search skips: .gitignore, .smurf-lintignore and `exclude`; compared with git itself."""
 import pathlib
 import random
 import shutil
@@ -61,7 +61,7 @@ class Files(IgnoreTest):
         self.assertEqual(self.listed(), ["old/b.urdf", "robots/c.urdf"])
         self.assertEqual(self.listed("--isolated"), ["a.urdf", "old/b.urdf", "robots/c.urdf", "robots/old/d.urdf"])
         self.assertEqual(self.listed(cwd=self.folder / "robots"), ["c.urdf"])
-        # A configuration nearer to a file takes the place of this one.
+        # A configuration nearer to a file replaces this one.
         self.write("robots/.smurf-lint.yaml", "ignore: SML19\n")
         self.assertEqual(self.listed("robots"), ["robots/c.urdf", "robots/old/d.urdf"])
 
@@ -83,7 +83,7 @@ class Files(IgnoreTest):
 
 @unittest.skipUnless(shutil.which("git"), "git is not installed")
 class LikeGit(IgnoreTest):
-    """Made-up patterns over made-up trees: what is searched is what git does not ignore."""
+    """Random patterns and trees: smurf-lint searches exactly the files that git does not ignore."""
 
     NAMES = ["a", "b", "ab", "a b", "#c", "build"]
     PIECES = ["a", "b", "ab", "a*", "*b", "?", "[ab]", "[!a]", "**", "*", "a b", "\\#c", "build", "*.urdf", "a.urdf"]

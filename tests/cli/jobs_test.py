@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whatever the number of threads, a report is the same byte for byte."""
+"""A report does not depend on the number of threads."""
 import pathlib
 import shutil
 import sys
@@ -15,7 +15,7 @@ class Jobs(cli.CliTest):
         super().setUp()
         shutil.copytree(cli.FIXTURES / "rules", self.folder / "rules")
         shutil.copytree(cli.FIXTURES / "models", self.folder / "models")
-        # Two configurations: their files are judged apart and reported together.
+        # The files of two configurations are judged separately and reported together.
         self.write("rules/.smurf-lint.yaml", "ignore: [SML19]\nseverity: {SML3: warning}\n")
 
     def test_same_report_on_every_run(self):

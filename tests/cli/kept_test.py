@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whatever a model or a scene holds is in what smurfs-flatten writes, or it says that it is not.
+"""smurfs-flatten writes everything in a model or a scene, or reports the loss.
 
-Each thing of a rich scene is changed or removed, and each format has to change its result or its
+Each thing of a rich scene is changed or removed, and each format must change its result or its
 warnings. The things are those of docs/scene-formats.md, every one of which has a change here.
 
 Usage: kept_test.py SMURFS-FLATTEN
@@ -159,7 +159,7 @@ CHANGES = {
 }
 CHANGES["gravity when none is set"] = CHANGES["gravity"]
 CHANGES["step size when none is set"] = CHANGES["step size"]
-# What only some formats keep, beside the entry that it is a part of.
+# Things that only some formats keep, beside the entry that contains them.
 PARTS = {
     "bitmask of a collision": ("bitmask: 6", "bitmask: 4", ("sdf", "mjcf")),
     "friction of a collision": ("cfriction1: 0.5", "cfriction1: 0.25", ("sdf", "mjcf", "usda")),
@@ -167,7 +167,7 @@ PARTS = {
     "friction of a primitive": ("cfriction2: 0.25", "cfriction2: 0.5", ("sdf",)),
     "gain of a motor": ("p: 20", "p: 10", ("mjcf", "usda")),
 }
-# A format that keeps everything else has nothing to say of these.
+# A format that keeps everything else does not report these.
 ASIDES = {"masses of moving links that have none", "inertias that simulators refuse", "motor setting",
           "sensor setting", "material setting", "gravity when none is set", "step size when none is set",
           "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives"}
@@ -175,11 +175,11 @@ OF_URDF = set(list(CHANGES)[:list(CHANGES).index("motor")])
 
 
 def is_told(thing, form, cell):
-    """Previews tell the kinds of things that they do not have, and directives name the URDF."""
+    """Previews report the kinds of things that they do not have, and directives name the URDF."""
     if cell == "shapes only" or (form == "dmd" and thing in OF_URDF):
         return False
     if thing == "collision setting" and cell == "lost":
-        return False  # the entry is, with all of its keys
+        return False  # the entry is reported, with all of its keys
     return not (cell == "kept" and thing in ASIDES)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--limit, which every tool has: a limit is told at its place, and raised by its name.
+"""--limit of every tool: an exceeded limit is reported at its place, and can be raised by its name.
 
 Usage: limits_test.py FOLDER_OF_TOOLS
 """
@@ -59,7 +59,7 @@ class LimitsTest(unittest.TestCase):
         for tool, words in COMMANDS.items():
             with self.subTest(tool):
                 told = self.run_tool(tool, *words, "--limit", "xml-depth=10")
-                # In smurf-diff, 1 says that something differs.
+                # In smurf-diff, 1 means that something differs.
                 self.assertEqual(told.returncode, 2 if tool == "smurf-diff" else 1)
                 self.assertIn("SML0014", told.stdout + told.stderr)
                 self.assertIn("raise the limit with `--limit xml-depth=N`", told.stdout + told.stderr)

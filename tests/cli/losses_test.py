@@ -26,11 +26,11 @@ CLASSES = {"not-expressible", "not-requested", "ambiguous"}
 OPTIONS = {"default": [],
            "everything": ["--apply", "all", "--sensors", "gazebo", "--actuation", "ros2_control",
                           "--srdf", "out.srdf"]}
-# They say what an entry is about; whether they fit together is the linter's affair.
+# These keys name the subject of an entry; the linter checks whether they agree.
 REFERENCES = {"name", "link", "joint", "parent", "child", "joint_type", "motor", "mimic_motor"}
-# Which links collide, an SRDF says without bits; and a quaternion of one component is normalised.
+# An SRDF states which links collide without bits; and a quaternion of one component is normalised.
 SAID_OTHERWISE = {"bitmask", "orientation_offset/w"}
-# About the files, not about the robot.
+# Data about the files, not about the robot.
 OF_THE_MAIN_FILE = {"modelname", "files", "date", "SMURF version", "version", "description"}
 
 
@@ -58,7 +58,7 @@ class Model:
         self.tool, self.folder, self.options = tool, folder, options
 
     def export(self):
-        """What was written, and the losses."""
+        """The result, and the losses."""
         command = [self.tool, "smurf/arm.smurf", "-o", "out.urdf", "--loss-report", "lost.json",
                    "--force", "--quiet", *self.options]
         subprocess.run(command, cwd=self.folder, check=True, capture_output=True, timeout=60)
@@ -68,7 +68,7 @@ class Model:
 
 
 def is_named(losses, file, pointer):
-    """The value itself, or something it is part of."""
+    """The value itself, or its parent."""
     return any(loss["file"].endswith(file) and f"{pointer}/".startswith(f"{loss['pointer']}/")
                for loss in losses)
 
@@ -91,7 +91,7 @@ def says_something(path, pointer):
 
 
 def check(tool, source, options, failures):
-    """How many values were changed."""
+    """The number of changed values."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch) / "model"
         shutil.copytree(source, folder)

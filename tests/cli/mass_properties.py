@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Mass, centre of mass and inertia of a whole URDF with its joints at zero, computed here and not by
-the tools that are tested."""
+"""Mass, centre of mass and inertia of a whole URDF with its joints at zero, computed without the
+tested tools."""
 import math
 import xml.etree.ElementTree as ElementTree
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Manual pages and completions: made by every tool, taken by man and bash without a complaint."""
+"""Manual pages and completions: every tool makes them, and man and bash accept them without messages."""
 import pathlib
 import shutil
 import subprocess
@@ -40,7 +40,7 @@ class Pages(cli.CliTest):
             self.assertIn(f"\n{heading}\n", done.stdout)
 
     def complete(self, *words):
-        """What bash offers for the last word."""
+        """The words that bash offers for the last word."""
         name = pathlib.Path(cli.TOOL).name
         self.write("completion.bash", self.generate("bash"))
         script = ('source completion.bash; compopt() { :; }; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); '

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whatever names hold: text for people moves no cursor and commands no workflow, and formats for programs stay valid.
+"""With any names, text for people contains no terminal sequences and workflow commands, and other formats stay valid.
 
 Usage: plain_output_test.py FOLDER_OF_TOOLS [unittest option]...
 """
@@ -15,14 +15,14 @@ import unittest
 import xml.etree.ElementTree
 
 TOOLS = None
-# Terminal sequences, line ends, marks that turn the direction of writing, what ends parts of XML, no characters.
+# Terminal sequences, line ends, marks that change the text direction, ends of XML parts, invalid characters.
 NASTY = "x\x01\x1b[31m\x07\b\r\n\t]]>-->\x7f\u0085\u009b2J\u202e\u2028\ufeff\ufffe\uffff<&\"'\\"
 # GitHub's runner skips white space of all kinds before a command.
 COMMANDS = ["::error file=a::b", "a ::error::b", "##[error]c", "##vso[task]d", "\u00a0::error::b", "\u3000::stop-commands::b",
             "a\u2003::error::b", "##teamcity[e]"]
 FORMULA = "=HYPERLINK(1)"
 LINK = "[click](http://evil.example)"
-# As XML can hold them; what is copied as it is has no control character then.
+# Only characters that XML allows; text that is copied unchanged then contains no control characters.
 IN_XML = "x&#9;&#10;&#13;]]&gt;-->&#127;&#x85;&#x9b;2J\u202e\u2028&lt;&amp;&quot;'"
 FORBIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 LAYOUT = re.compile("[\u200e\u200f\u061c\u2028-\u202e\u2066-\u2069\ufeff]")
@@ -60,8 +60,8 @@ class PlainOutputTest(unittest.TestCase):
             file.write(text.encode())
 
     def scene(self, stem="r"):
-        """A model and a scene of it in which everything that has a name has a nasty one. YAML cannot name files that
-        are not UTF-8: those are there, but called otherwise in the scene."""
+        """A model and a scene of it in which all names are hostile. YAML cannot name files that are not UTF-8: these
+        exist, but have other names in the scene."""
         is_text = "\udcff" not in stem
         inner = stem if is_text else "r"
         for name in {stem, inner}:
@@ -101,7 +101,7 @@ class PlainOutputTest(unittest.TestCase):
         return done
 
     def data(self, tool, *arguments):
-        """A result that is no text for people; what is said beside it is."""
+        """The result is not text for people; only the messages are checked."""
         done = self.run_tool(tool, *arguments)
         self.check_people(done.stderr, arguments)
         text = done.stdout.decode()
@@ -111,7 +111,7 @@ class PlainOutputTest(unittest.TestCase):
 
 
 def page_data(text):
-    """Nobody but people reads a page: no character in it is hidden, but in the data of the viewer."""
+    """Only people read a page: it contains no hidden characters, except for the data of the viewer."""
     data = json.loads(text.split('type="application/json">')[1].split("</script>")[0])
     data.pop("picture", None)
     assert LAYOUT.search(json.dumps(data, ensure_ascii=False)) is None
@@ -183,7 +183,7 @@ class Names(PlainOutputTest):
                 json.loads((self.folder / "lost").read_bytes().decode())
 
     def check_differences(self, *names):
-        """Of each file and one in which everything is called differently, in both directions."""
+        """Compares each file with a copy in which all names differ, in both directions."""
         self.write("other.urdf", urdf("y " + IN_XML))
         self.write("other.smurf", f"modelname: {yaml_text('y' + NASTY)}\nfiles: [other.urdf]\n")
         self.write("other.smurfs", f"entities:\n- {{name: {yaml_text('y ::error::b ' * 20)}, type: smurf, file: other.smurf}}\n")

@@ -49,7 +49,7 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 
 class Hooks:
-    """The hooks with a suffix; a class of each family adds how their programs are found."""
+    """The hooks with a suffix; a subclass for each family defines how their programs are found."""
 
     suffix = ""
 
@@ -151,7 +151,7 @@ class Hooks:
         self.assertNotIn("ci.yml", done.stdout)
 
     def test_a_mesh_that_is_deleted(self):
-        """What breaks is a model that is not in the commit."""
+        """The commit breaks a model that it does not contain."""
         (self.robots / "arm/meshes/forearm.obj").unlink()
         done = self.try_commit()
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
@@ -174,7 +174,7 @@ class Hooks:
         self.assertTrue(mount + unused in fixed, "deletes `<dynamics/>`; to delete the limit is no safe fix")
 
     def test_names_are_no_options(self):
-        """A folder of the repository that is called like an option, with a path outside in it."""
+        """A folder of the repository with a name like an option, which contains a path outside."""
         outside = self.folder / "outside"
         outside.mkdir()
         for option in ("--output=", "--config=", "--baseline=", "-o"):

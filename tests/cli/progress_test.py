@@ -19,7 +19,7 @@ BALL = """<robot name="ball"><link name="ball"><inertial><mass value="1"/>
 
 class ProgressTest(cli.CliTest):
     def long_run(self):
-        """Words of a run that takes some seconds, and how many files it is about."""
+        """The arguments of a run of some seconds, and its number of files."""
         if pathlib.Path(cli.TOOL).name == "smurf-load-check":
             self.write("a.urdf", BALL)
             self.write("b.urdf", BALL)
@@ -27,7 +27,7 @@ class ProgressTest(cli.CliTest):
         links = "".join(f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="l{i}"/>'
                         f'<child link="l{i + 1}"/></joint>' for i in range(15_000))
         words, count = ["-j", "1", "."], 0
-        while True:  # twice as many until this machine needs long enough
+        while True:  # twice as many until the run is long enough on this machine
             for number in range(count, max(16, 2 * count)):
                 self.write(f"{number}.urdf", f'<robot name="r">{links}<link name="l15000"/></robot>')
             count = max(16, 2 * count)
@@ -37,7 +37,7 @@ class ProgressTest(cli.CliTest):
                 return words, count
 
     def on_terminal(self, *words, **variables):
-        """What comes to standard error, a terminal."""
+        """The output on standard error, a terminal."""
         shown, terminal = pty.openpty()
         self.addCleanup(os.close, shown)
         environment = {k: v for k, v in os.environ.items() if k != "CI"}
@@ -48,7 +48,7 @@ class ProgressTest(cli.CliTest):
             try:
                 while part := os.read(shown, 4096):
                     text += part
-            except OSError:  # so ends a terminal on Linux
+            except OSError:  # the signal for the end of a terminal on Linux
                 pass
             run.wait()
         return text

@@ -22,7 +22,7 @@ SECONDS_FOR_SINGLE_ONES = 45
 
 
 def names_in_urdf(path):
-    """(kind, name) of what a URDF defines."""
+    """(kind, name) of everything that a URDF defines."""
     try:
         root = xml.etree.ElementTree.parse(path).getroot()
     except (xml.etree.ElementTree.ParseError, OSError, ValueError, LookupError):
@@ -30,12 +30,12 @@ def names_in_urdf(path):
     names = [(child.tag, child.get("name")) for child in root
              if child.tag in ("link", "joint", "material")]
     names += [("material", material.get("name")) for material in root.findall("link/visual/material")]
-    # The world is a link whose name says what it is.
+    # The link `world` has a meaning by its name.
     return [(kind, name) for kind, name in names if name and (kind, name) != ("link", "world")]
 
 
 def names_in_model(path):
-    """Those of the URDF that a .smurf lists, and the motors."""
+    """The names in the URDF that a .smurf lists, and the motors."""
     names = []
     for listed in re.findall(r"^\s*-\s*([^\s#]+)\s*$", path.read_text(errors="replace"), re.M):
         file = path.parent / listed.strip("'\"")
@@ -50,7 +50,7 @@ def names_in_model(path):
 
 
 def models_with(path):
-    """The model, and others beside it that list the same URDF: they are renamed together."""
+    """The model, and other models that list the same URDF, which are renamed together."""
     def urdfs(model):
         return set(re.findall(r"[^\s'\"/]+\.urdf", model.read_text(errors="replace")))
     if path.suffix != ".smurf":
@@ -71,7 +71,7 @@ class Corpus:
         return subprocess.run(command, cwd=self.folder, capture_output=True, text=True)
 
     def bytes_around(self, model):
-        """All texts that a rename could touch."""
+        """All texts that a rename could change."""
         folder = (self.folder / model).parent
         top = folder.parent if folder.name in ("smurf", "urdf") else folder
         return {path: path.read_bytes() for path in top.rglob("*")
@@ -80,7 +80,7 @@ class Corpus:
     @staticmethod
     def findings(result):
         report = json.loads(result.stdout)
-        # Whether a link and a joint have one name is about the names.
+        # Findings about equal names of a link and a joint depend on the names.
         return collections.Counter((one["id"], one["file"], one["line"])
                                    for one in report["diagnostics"] if one["id"] != "SML1303")
 
@@ -126,7 +126,7 @@ def main():
             corpus.check(model, names)
         every = [(model, name) for model, names in models for name in names]
         start, single, at = time.monotonic(), 0, 0
-        step = 7919  # a prime, so that all models come in turn
+        step = 7919  # a prime, so that all models are used in turn
         while time.monotonic() - start < SECONDS_FOR_SINGLE_ONES and single < len(every):
             model, name = every[at % len(every)]
             corpus.check(model, [name])

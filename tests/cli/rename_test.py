@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""smurf-lint --rename: which files it changes, and what it refuses."""
+"""smurf-lint --rename: which files it changes, and when it refuses."""
 import pathlib
 import sys
 
@@ -77,7 +77,7 @@ class Rename(cli.CliTest):
         self.refused("`elbow` is a motor and a joint", "--rename", "elbow=x", "arm")
         self.refused("there is a link `base` already", "--rename", "forearm=base", "arm")
         self.refused("is not KIND:NAME=NEW", "--rename", "elbow", "arm")
-        self.refused("--rename and --fix are two steps", "--rename", "a=b", "--fix", "arm")
+        self.refused("--rename and --fix cannot be combined", "--rename", "a=b", "--fix", "arm")
 
     def test_two_models(self):
         self.write("other/urdf/other.urdf", URDF)

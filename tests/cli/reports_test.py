@@ -25,13 +25,13 @@ URDF = '<robot name="a">\n  <link name="ä😀" vaule="1"/>\n</robot>\n'
 
 
 def entries(root):
-    """What there is to check in the fixtures of the rules, one path a rule."""
+    """The files to check in the fixtures of the rules, one path per rule."""
     for folder in sorted((root / "rules").glob("SML*/bad")):
         yield next(folder / name for name in ("scene.smurfs", "scene.svg", "model.smurf", "robot.urdf") if (folder / name).exists())
 
 
 def line_hashes(text):
-    """As fingerprints.ts of github/codeql-action computes them, with the window of 100 units written out."""
+    """As in fingerprints.ts of github/codeql-action, with an explicit window of 100 units."""
     units = []
     for unit in memoryview(text.replace("\r\n", "\r").encode("utf-16-le")).cast("H"):
         if unit not in (0x20, 0x09):
@@ -58,7 +58,7 @@ def copy_fixtures():
 
 
 class ReportTest(cli.CliTest):
-    """The tests of a class share one copy of the fixtures as their current folder, and leave the fixtures as they are."""
+    """The tests of a class share one copy of the fixtures as their current folder, and do not change it."""
 
     @classmethod
     def setUpClass(cls):
@@ -84,7 +84,7 @@ def offset(lines, line, column):
 
 
 def apply_fixes(folder, results):
-    """What a viewer of SARIF does with all fixes at once: the first wins where two touch. True when a file changed."""
+    """Applies all fixes like a viewer of SARIF: of two that touch, the first is applied. True if a file changed."""
     edits, texts = {}, {}
     for fix in (f for result in results for f in result.get("fixes", [])):
         wanted = []
@@ -165,7 +165,7 @@ class Sarif(ReportTest):
         self.assertEqual(self.sarif(model, code=0)["results"], [])
 
     def test_fixes_are_those_of_fix(self):
-        """Fixes taken from SARIF, round by round as --fix does it, give the same bytes."""
+        """Applying the fixes of SARIF in rounds gives the same bytes as --fix."""
         self.folder = copy_fixtures()
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
         compared = 0
@@ -205,7 +205,7 @@ class Sarif(ReportTest):
         self.assertNotEqual(self.multitool(log), [])
 
     def multitool(self, log):
-        """The errors and warnings; its exit code says nothing of them."""
+        """The errors and warnings; the exit code does not depend on them."""
         self.write("in.sarif", json.dumps(log))
         subprocess.run([MULTITOOL, "validate", "in.sarif", "--output", "out.sarif", "--log", "ForceOverwrite",
                         "--rule-kind", "Sarif;Ghas"], cwd=self.folder, check=True, stdout=subprocess.DEVNULL,

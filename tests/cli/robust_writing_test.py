@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What can go wrong while a tool writes, and what is left then: all of the old files or all of the
-new ones, and a line that says why.
+"""Failures while a tool writes: afterwards, all files are old or all are new, and a line gives the
+reason.
 
 Usage: robust_writing_test.py FOLDER_OF_TOOLS [unittest option]...
 """
@@ -30,7 +30,7 @@ FIXABLE = f"""<robot name="r">
 </robot>
 """
 BASELINE = "# Findings that smurf-lint lets pass: file, rule, place. Written by\n{}\n"
-# What each tool is asked to write into the folder `target`, and what is there before.
+# The command of each tool that writes into the folder `target`, and the files that exist before.
 JOBS = {
     "smurf2urdf": (["in/smurf/arm.smurf", "-o", "target/arm.urdf"], {"arm.urdf": "old"}),
     "smurf2urdf with an SRDF": (
@@ -63,7 +63,7 @@ def can_mount():
 
 
 def can_be_nameless(folder):
-    """Some file systems know no files without a name."""
+    """Some file systems do not support files without a name."""
     try:
         os.close(os.open(folder, os.O_TMPFILE | os.O_WRONLY, 0o600))
     except OSError:
@@ -154,7 +154,7 @@ class WritingTest(unittest.TestCase):
     @unittest.skipUnless(can_be_nameless(tempfile.gettempdir()), "every file has a name here")
     @for_each_job
     def test_killed_in_the_middle_of_a_write(self, job, files):
-        """kill -9 leaves no chance to clean up, so there must be nothing to clean up."""
+        """kill -9 prevents cleaning up, so there must be nothing to clean up."""
         done = self.run_job(job, "strace", "-f", "-qq", "-e", "trace=fsync", "-e", "inject=fsync:signal=KILL")
         self.assertEqual(done.returncode, -signal.SIGKILL, done.stderr)
         self.assertEqual(self.texts(self.target), files)
@@ -179,7 +179,7 @@ class WritingTest(unittest.TestCase):
     @for_each_job
     def test_existing_files_keep_their_mode_and_links_stay_links(self, job, files):
         real = self.folder / "real"
-        if job == "urdf2smurf":  # writes files with names that others chose: no link is followed
+        if job == "urdf2smurf":  # writes files with names that others chose, so links are not followed
             return
         first, *others = files
         shutil.rmtree(real, ignore_errors=True)
@@ -199,7 +199,7 @@ class WritingTest(unittest.TestCase):
 
     @for_each_job
     def test_left_overs_of_another_run_are_no_hindrance(self, job, files):
-        """A process that was killed may have had any number, this one's too."""
+        """A killed process may have had any number, including that of this process."""
         for folder in {(self.target / path).parent for path in files}:
             for number in range(2):
                 (folder / f".smurf-$$-{number}.tmp").write_text("left over")
@@ -212,7 +212,7 @@ class WritingTest(unittest.TestCase):
 
     @for_each_job
     def test_refused_result(self, job, files):
-        """A mesh is missing, which is as true of the result, and refused because the user says so."""
+        """A mesh is missing in the source and in the result, which is refused only because of an option."""
         if job.split()[0] not in ("smurf2urdf", "urdf2smurf"):
             return
         (self.folder / "in/meshes/forearm.obj").unlink(missing_ok=True)
@@ -238,7 +238,7 @@ class WritingTest(unittest.TestCase):
                                       check=False)
                 os.close(writing)
                 self.assertEqual(done.returncode, 2)
-                self.assertNotIn("cannot write", done.stderr)  # the reader has seen enough
+                self.assertNotIn("cannot write", done.stderr)  # the reader has stopped reading
 
     def test_full_device(self):
         for tool, arguments in {"smurf2urdf": ["in/smurf/arm.smurf"],

@@ -26,7 +26,7 @@ def run(*command):
 
 
 class RoundTrip:
-    """One URDF, copied into a folder of its own."""
+    """Copies one URDF into a separate folder."""
 
     def __init__(self, tools, source, folder):
         self.urdf2smurf, self.smurf2urdf, self.lint = tools
@@ -36,7 +36,7 @@ class RoundTrip:
         self.source.chmod(0o644)
         report = json.loads(run(self.lint, self.source, "--format", "json").stdout)
         self.is_sound = report["summary"]["error"] == 0
-        # Conversions of what cannot be read at all are refused with --force as well.
+        # Files that cannot be read are refused even with --force.
         self.is_readable = run(self.smurf2urdf, self.source, "--force").returncode == 0
 
     def convert(self, tool, *arguments):
@@ -47,11 +47,11 @@ class RoundTrip:
                                  f"{done.stderr[-600:]}")
 
     def findings(self, path):
-        """Errors outside the URDF: in a model, MARS looks for meshes in other places."""
+        """Errors outside of the URDF: for a model, MARS looks for meshes in other places."""
         report = json.loads(run(self.lint, path, "--format", "json").stdout)
         return sorted((f["id"], f["line"], f["message"]) for f in report["diagnostics"]
                       if f["severity"] == "error" and not f["file"].endswith(".urdf")
-                      # A motor takes the effort and speed of its joint, zero where that is zero.
+                      # A motor gets the effort and speed of its joint, which may be zero.
                       and f["id"] != "SML4103")
 
     def check_in_place(self):
@@ -70,9 +70,9 @@ class RoundTrip:
         self.convert(self.urdf2smurf, self.source, "-o", new)
         self.convert(self.smurf2urdf, main, "-o", self.folder / "back.urdf")
         one, other = parse(self.source), parse(self.folder / "back.urdf")
-        if one is not None:  # what Python's strict reader refuses is compared by bytes only
+        if one is not None:  # files that Python's strict reader refuses are only compared by bytes
             compare(one, other, self.folder)
-        # Paths in messages differ; what is wrong, and where, does not.
+        # Paths in messages differ, but the faults and their places do not.
         same("findings", [f[:2] for f in before], [f[:2] for f in self.findings(main)])
         texts = {path: path.read_bytes() for path in new.rglob("*") if path.is_file()}
         self.convert(self.urdf2smurf, self.source, "-o", new, "--overwrite")
@@ -119,7 +119,7 @@ def main():
         sys.exit(77)
     failures, unreadable, forced, count = [], 0, 0, 0
     for path in sorted(root.rglob("*.urdf")):
-        # An error only once there are annotations: MARS mixes up a link and a shape of one name.
+        # An error only in models with annotations: MARS confuses a link and a shape of the same name.
         if "SML3114" in str(path):
             continue
         with tempfile.TemporaryDirectory() as folder:

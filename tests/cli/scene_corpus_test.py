@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every scene of the corpus flattens, or the report says at the token why not. Models of the corpus,
-which count as scenes of one model, are written in every format; what does not come along is named.
+"""Every scene of the corpus is flattened, or the report gives the reason at its place. Models of the
+corpus, as scenes of one model, are written in every format, and losses are reported.
 
-Called as scene_corpus_test.py TOOL CORPUS; ends with 77, which CTest shows as skipped, when there is
-no corpus.
+Usage: scene_corpus_test.py TOOL CORPUS; the exit code is 77, which CTest shows as skipped, if there
+is no corpus.
 """
 import json
 import pathlib
@@ -23,7 +23,7 @@ def run(tool, *arguments):
 
 
 def judge(tool, scene, report):
-    """What is wrong with the tool's answer; none when nothing is."""
+    """Faults in the output of the tool; none if there are none."""
     done = run(tool, scene, "--report", f"json={report}", "--links")
     if done.returncode == 0:
         instances = json.loads(done.stdout)["instances"]
@@ -42,7 +42,7 @@ def judge(tool, scene, report):
 
 
 def compare(tool, scene):
-    """All readers have an answer, and a table that fits."""
+    """All readers have a result, and the table fits."""
     table = run(tool, scene, "--compare-dialects", "--quiet")
     if table.returncode != 0 or max(map(len, table.stdout.splitlines())) > 80:
         return f"--compare-dialects: exit code {table.returncode}\n{table.stdout}"
@@ -50,13 +50,13 @@ def compare(tool, scene):
 
 
 def write_all(tool, model, report):
-    """What is wrong with a model in any of the formats. Faults of the model itself are passed over."""
+    """Faults of a model in any of the formats. Ignores faults of the model itself."""
     for form in FORMATS:
         done = run(tool, model, "--format", form, "--force", "--allow-outside", "--report",
                    f"json={report}")
         found = json.loads(report.read_text())["diagnostics"]
         if done.returncode != 0:
-            # Only what cannot be understood keeps a scene from being written.
+            # A scene is refused only if something in it cannot be understood.
             if done.returncode == 1 and not done.stdout and any(
                     d["severity"] == "error" for d in found):
                 return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Parts of the files, checked apart and put together, give the report of all files."""
+"""Checking parts of the files separately and merging the reports gives the report of all files."""
 import json
 import pathlib
 import shlex
@@ -44,7 +44,7 @@ class Shards(cli.CliTest):
         parts = [line for k in range(1, 5)
                  for line in self.expect(0, "--list-files", "--shard", f"{k}/4", "models").stdout.split()]
         self.assertEqual(len(parts), len(set(parts)))
-        # A URDF goes with the model that lists it.
+        # A URDF belongs to the same part as the model that lists it.
         self.assertEqual(sorted(parts), [path for path in whole if not path.endswith(".urdf")])
 
     def test_gnu_parallel(self):

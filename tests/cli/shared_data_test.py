@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Real models, scenes and URDFs that nobody here wrote, and one-defect URDFs with a scorer.
+"""Real models, scenes and URDFs of other authors, and one-defect URDFs with a scorer.
 
 usage: shared_data_test.py SMURF-LINT SHARED-FOLDER; exits with 77 (skipped) without that folder.
 """
@@ -23,7 +23,7 @@ def lint(tool, path):
 
 
 def check_corpus(tool, corpus):
-    """Every file gets an answer: exit 0 or 1, a report, and places inside the files."""
+    """Every file gets a result: exit code 0 or 1, a report, and places inside the files."""
     failures, count, slowest = [], 0, 0.0
     for path in sorted(corpus.rglob("*")):
         if path.suffix not in (".smurf", ".smurfs", ".smurfa", ".urdf", ".URDF", ".yml"):

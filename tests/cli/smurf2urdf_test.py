@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line of smurf2urdf: bytes, re-based paths, refusals, files left alone."""
+"""The command line of smurf2urdf: bytes, re-based paths, refusals, unchanged files."""
 import json
 import pathlib
 import re
@@ -116,7 +116,7 @@ class Options(ExportTest):
         self.assertIn('version="1.1"', self.export("--urdf-version", "1.1"))
 
     def test_what_a_preset_keeps(self):
-        """MuJoCo reads its own settings from an extension; its folders are not those of new paths."""
+        """MuJoCo reads its settings from an extension; their folders do not fit new paths."""
         self.write("arm/urdf/arm.urdf", self.source().replace(
             "</robot>", '  <mujoco><compiler meshdir="../meshes" strippath="true" discardvisual="true"/>'
             "</mujoco>\n</robot>"))
@@ -139,7 +139,7 @@ class Options(ExportTest):
         done = self.run_with_messages(1, "arm/smurf/arm.smurf", "--collapse-fixed", "--keep",
                                       "lider")
         self.assertIn("has no link or joint `lider` to keep; did you mean 'lidar'?", done.stderr)
-        self.expect_complaint("--keep goes with --collapse-fixed", "arm/smurf/arm.smurf",
+        self.expect_complaint("--keep needs --collapse-fixed", "arm/smurf/arm.smurf",
                               "--keep", "lidar")
 
     def test_what_mujoco_refuses_is_no_preset_of_mujoco(self):
@@ -201,7 +201,7 @@ class Options(ExportTest):
         self.export("--srdf", "arm.srdf")
         self.assertIn('link2="hand" reason="Never"/>', self.read("arm.srdf").replace(
             'link1="hand" link2="', 'link2="hand" reason="Never"/> link2="'))
-        self.expect_complaint("--srdf needs a file of its own", "arm/smurf/arm.smurf", "--srdf",
+        self.expect_complaint("--srdf needs a separate file", "arm/smurf/arm.smurf", "--srdf",
                               "-")
 
     def test_dry_run(self):
@@ -236,7 +236,7 @@ class Refusal(ExportTest):
         self.assertEqual(self.read("o.urdf"), "the old file")
 
     def test_other_errors_are_counted(self):
-        """The limits of a joint are the same in the URDF, right or wrong."""
+        """The limits of a joint are the same in the URDF, whether they are correct or not."""
         self.break_limit()
         done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf", "--prove")
         self.assertEqual(self.read("arm/urdf/o.urdf"), self.source())
@@ -255,7 +255,7 @@ class Refusal(ExportTest):
         self.run_with_messages(0, "arm/smurf/arm.smurf", "--apply", "materials,dynamics")
         for options in (("--apply", "limits"), ("--actuation", "ros2_control")):
             done = self.run_with_messages(1, "arm/smurf/arm.smurf", *options)
-            self.assertIn("cannot be converted: the options ask for annotations that are not right; see --force",
+            self.assertIn("cannot be converted: the options need annotations that have errors; see --force",
                           done.stderr)
 
     def test_values_matter_when_they_are_computed_with(self):
@@ -301,9 +301,9 @@ class Refusal(ExportTest):
     def test_files_that_are_no_models(self):
         self.write("arm.urdf.xacro", "<robot/>")
         self.expect_complaint("'arm.urdf.xacro' has to be expanded first: xacro FILE | smurf2urdf -", "arm.urdf.xacro")
-        self.expect_complaint("'arm/smurf/arm_motors.yml' is no model; name the .smurf file that lists it",
+        self.expect_complaint("'arm/smurf/arm_motors.yml' is not a model; name the .smurf file that lists it",
                               "arm/smurf/arm_motors.yml")
-        self.expect_complaint("'arm/meshes/upper_arm.obj' is no model; name the .smurf or .urdf file that uses it",
+        self.expect_complaint("'arm/meshes/upper_arm.obj' is not a model; name the .smurf or .urdf file that uses it",
                               "arm/meshes/upper_arm.obj")
 
     def test_missing_annotations_do_not_lose_the_robot(self):
@@ -313,7 +313,7 @@ class Refusal(ExportTest):
         self.assertIn("smurf2urdf: 1 error: see smurf-lint m.smurf\n", done.stderr)
 
     def test_folders(self):
-        """Scenes do not count, and neither do URDFs where there is a model."""
+        """Scenes are ignored, and so are URDFs if there is a model."""
         self.write("arm/hall.smurfs", "entities: []\n")
         self.assertEqual(self.expect(0, "arm").stdout, self.expect(0, "arm/smurf/arm.smurf").stdout)
         self.assertEqual(self.expect(0, "arm/urdf/").stdout, self.expect(0, "arm/urdf/arm.urdf").stdout)

@@ -230,7 +230,7 @@ class Models(Diff):
         self.write("two/a.urdf", ROBOT)
         self.write("two/b.urdf", ROBOT)
         self.expect_complaint("'two' contains 2 files to choose from; name one, such as 'two/a.urdf'", "r.urdf", "two")
-        self.expect_complaint("standard input can be one of them only", "-", "-")
+        self.expect_complaint("only one of them can be standard input", "-", "-")
         for broken, rule in (("broken.urdf", "SML1001"), ("m.smurf", "SML2001")):
             done = self.expect(2, "r.urdf", broken)
             self.assertEqual(done.stdout, "")

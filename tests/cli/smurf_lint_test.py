@@ -39,7 +39,7 @@ MORE = ("\nsmurf-lint --explain SML3101, or "
 
 
 class CalmReports(LintTest):
-    """The report for people: the worst first, and no more than a person reads."""
+    """The report for people: the worst findings first, and not too many."""
 
     def write_robot(self, name, joints):
         """Every joint has no effort (an error) and an axis that is not of unit length (less)."""
@@ -264,7 +264,7 @@ class Fixes(LintTest):
         self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF)
 
     def test_fixes_that_take_too_much(self):
-        """Some are applied, which is said, and the next run goes on."""
+        """Some fixes are applied, a message states this, and the next run continues."""
         self.write_model(motors="motors:\n" + "- {nam: elbow, jont: elbow}\n" * 9)
         limits = "--limit", "rechecked-bytes=20000,findings=4"
         path = self.folder / "arm/smurf/arm_motors.yml"
@@ -274,8 +274,8 @@ class Fixes(LintTest):
             text = path.read_text()
             left.append(text.count("nam:") + text.count("jont:"))
             self.assertLess(left[-1], left[-2])
-            said = ("smurf-lint: these are not all fixes: the others take more than 20000 bytes that are checked; run it "
-                    "again when these are in the files, or raise the limit with `--limit rechecked-bytes=N`\n")
+            said = ("smurf-lint: not all fixes were applied: the others need more than 20000 bytes to be checked; run "
+                    "smurf-lint again after these are written, or raise the limit with `--limit rechecked-bytes=N`\n")
             self.assertEqual((done.returncode, done.stderr), (2, said) if left[-1] > 0 else (1, ""))
         self.assertGreater(len(left), 2)
         path.write_bytes(before)
@@ -306,7 +306,7 @@ class Fixes(LintTest):
         self.assertEqual(self.read("arm/smurf/arm_motors.yml"), MOTORS.rstrip("\n"))
 
     def test_no_fix_makes_another_mistake(self):
-        """The nearest name may be the one thing that cannot be meant."""
+        """The nearest name may be the only impossible one."""
         robot = ('<robot name="r"><link name="a"/><link name="xb"/><joint name="j" type="continuous"><parent link="{}"/>'
                  '<child link="{}"/>{}</joint></robot>\n')
         for name, ends in (("child", ("a", "aa", "")), ("parent", ("xbb", "xb", "")), ("mimic", ("a", "xb", '<mimic joint="jj"/>'))):
@@ -325,7 +325,7 @@ class Fixes(LintTest):
         self.assertEqual(self.read("r.smurf"), pose.replace("jj: 90, j: 1", "j: 90"))
 
     def test_diff_of_many_lines(self):
-        """Changes at the ends, beside each other, apart, and more than are looked at together."""
+        """Changes at the ends, adjacent, separate, and more than are compared at once."""
         plain, wrong = "<link name='a{}'/>\n", "<link name='a{}&'/>\n"
         for number, pattern in enumerate(["1" * 400, "10" * 300, "1" + "0" * 9 + "1", "100001100000001" * 40, "0" * 50 + "1"]):
             for equal in (False, True):
@@ -338,7 +338,7 @@ class Fixes(LintTest):
                 self.assertEqual(self.read(name), before.replace("&", "&amp;"))
 
     def test_diff_beside_a_byte_order_mark(self):
-        """A byte order mark in a line that stays, and in one that changes."""
+        """A byte order mark in an unchanged line, and in a changed one."""
         for name, line in (("same", "<robot name='r'>\n"), ("changed", "<!-- a -- b --><robot name='r&'>\n")):
             before = "\ufeff" + line + "<link name='a&'/>\n</robot>\n"
             self.write(f"{name}.urdf", before)
@@ -401,7 +401,7 @@ class WhatMayPass(LintTest):
 
     def test_what_could_not_be_found_is_not_unused(self):
         comment = "# smurf-lint: ignore[{}]\n"
-        for rules, arguments in (("SML31", ["--select", "SML3102"]),   # only one of the family ran
+        for rules, arguments in (("SML31", ["--select", "SML3102"]),   # only one rule of the family has run
                                  ("SML7", []),                         # readers that are no target
                                  ("SML6301", []), ("SML8001", [])):    # of other tools
             self.write_model(motors=comment.format(rules) + MOTORS)
@@ -409,7 +409,7 @@ class WhatMayPass(LintTest):
         # Without its model, an annotation file does not know any joint.
         self.write("alone.yml", comment.format("SML3101") + MOTORS)
         self.assertEqual(self.findings("alone.yml", code=0), [])
-        # Nor does a model one of whose files is missing.
+        # The same applies to a model with a missing file.
         self.write_model(motors=comment.format("SML3102") + MOTORS)
         self.write("arm/smurf/arm.smurf", SMURF + "- absent.yml\n")
         self.assertEqual(self.findings("arm"), [("arm/smurf/arm.smurf", "SML2001")])
@@ -472,7 +472,7 @@ class FixedJoint(LintTest):
 """
 
     def test_only_the_axis_is_deleted_safely(self):
-        """Who fixes a joint for an afternoon wants its limits back."""
+        """Authors who fix a joint temporarily want its limits back later."""
         self.write("a.urdf", self.URDF)
         self.expect(0, "--fix", "a.urdf")
         text = (self.folder / "a.urdf").read_text()
@@ -571,17 +571,17 @@ class Usage(LintTest):
                  ["--severity", "SML3101=warn"]),
                 ("two reports go to standard output; give one a file of its own: "
                  "--format json=FILE", ["--format", "full", "--format", "json"]),
-                ("two reports go to 'a'; give one a file of its own: --format json=FILE",
+                ("two reports go to 'a'; give one a separate file: --format json=FILE",
                  ["--format", "full=a", "--format", "json=a"]),
                 ("standard input can be read only once", ["-", "-"]),
                 ("--diff shows what --fix would change; leave out --fix", ["--diff", "--fix"]),
-                ("--unsafe-fixes goes with --fix, --fix-only or --diff", ["--unsafe-fixes"]),
+                ("--unsafe-fixes needs --fix, --fix-only or --diff", ["--unsafe-fixes"]),
                 ("cannot read '--x': No such file or directory", ["--", "--x"]),
                 ("cannot read 'a\\u001bb': No such file or directory", ["a\x1bb"]),
         ):
             with self.subTest(arguments):
                 done = self.expect(2, *arguments)
-                # A run that goes on after an unreadable path still reports.
+                # A run that continues after an unreadable path still reports.
                 self.assertIn(done.stdout, ("", "no findings in 0 files\n"))
                 self.assertEqual(done.stderr.count("\n"), 1)
                 self.assertTrue(done.stderr.startswith("smurf-lint: " + text), done.stderr)
@@ -602,7 +602,7 @@ class Usage(LintTest):
 
 class Rules(LintTest):
     def test_keys_are_explained(self):
-        """By the tables of the readers: keys of YAML files, settings, and attributes of URDF."""
+        """From the tables: keys of YAML files, settings, and attributes of URDF."""
         for name, parts in (("motors.maxEffort", ["`maxEffort` (motor)", "N m"]),
                             ("limit.effort", ["`effort` (limit)", "Largest torque or force", "N m or N"]),
                             ("entities.position", ["`position` (entity)", "in m", "Absent, it is"]),
@@ -815,7 +815,7 @@ class Inputs(LintTest):
     def test_links_that_lead_out_are_not_followed(self):
         self.write("robot/plain.urdf", URDF)
         (self.folder / "links").mkdir()
-        for target in ("../robot", "../nowhere"):  # which of them exists, nobody is told
+        for target in ("../robot", "../nowhere"):  # the message must not reveal which of them exists
             (self.folder / "links/robot").unlink(missing_ok=True)
             (self.folder / "links/robot").symlink_to(target)
             self.assertEqual(self.expect(2, "links").stderr,
@@ -854,7 +854,7 @@ class Inputs(LintTest):
         for part in ("arm/urdf/arm.urdf", "arm/smurf/arm_motors.yml"):
             with self.subTest(part):
                 self.assertEqual(self.findings(part), [("arm/smurf/arm_motors.yml", "SML3101")])
-        # Another model of the same URDF, in the folder above.
+        # Another model with the same URDF, in the parent folder.
         self.write("arm/second.smurf", "modelname: second\nfiles:\n- urdf/arm.urdf\n"
                                        "- second_motors.yml\n")
         self.write("arm/second_motors.yml", BROKEN_MOTORS)
@@ -871,7 +871,7 @@ class Inputs(LintTest):
         self.write("alone.yml", "motors: [\n")
         self.assertEqual(self.findings("alone.urdf"), [("alone.urdf", "SML1201")])
         self.assertEqual(self.findings("alone.yml"), [("alone.yml", "SML0010")])
-        # What only the model knows is not reported.
+        # Findings that need the model are not reported.
         self.write("motors.yml", BROKEN_MOTORS)
         self.assertEqual(self.findings("motors.yml", code=0), [])
 
@@ -909,7 +909,7 @@ class Inputs(LintTest):
 
 
 class Dumps(LintTest):
-    """--dump-model; what is in it, for all fixtures, is a matter of tests/schema and tests/python."""
+    """--dump-model; tests/schema and tests/python check its contents for all fixtures."""
 
     def dump(self, path, code=0, *options):
         done = self.run_tool("--dump-model", path, *options)
@@ -1007,7 +1007,7 @@ class Terminal(LintTest):
             while chunk := os.read(primary, 4096):
                 shown += chunk
         except OSError:
-            pass  # how Linux says that the other end is closed
+            pass  # the error on Linux when the other end is closed
         os.close(primary)
         self.assertEqual(process.wait(60), 1)
         line = next(part for part in shown.decode().splitlines() if "joint: elbwo" in part)

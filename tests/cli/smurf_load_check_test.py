@@ -112,7 +112,7 @@ class Verdicts(LoadCheckTest):
         self.assertIn("0.3", found["notes"][0])
 
     def test_what_moves_names_the_joint_outside_its_limits(self):
-        # The shoulder may be at 0.05 at most, so that the wrist cannot be at 0.5 or more.
+        # The shoulder may be at 0.05 at most, so the wrist cannot be at 0.5 or more.
         text = self.read("good.urdf").replace('upper="0"', 'upper="0.05"').replace(
             '<limit lower="-1" upper="1"', '<mimic joint="shoulder"/><limit lower="1.5" upper="2"')
         self.write("torn.urdf", text)
@@ -211,7 +211,7 @@ class Scenes(LoadCheckTest):
                 if row["stage"] == "ANCHOR" and row["link"].endswith("chassis")]
         self.assertEqual(len(rows), 501)
         heights = [float(row["z"]) for row in rows]
-        # On the terrace of 0.3 m; that of 0.1 m is where the image's rows would be upside down.
+        # On the terrace of 0.3 m; if the rows of the image were swapped, it would be at 0.1 m.
         self.assertAlmostEqual(heights[-1], 0.38, delta=2e-3)
         self.assertNotEqual(heights[0], heights[-1])
 
@@ -244,7 +244,7 @@ class Scenes(LoadCheckTest):
 
 
 class Engine(LoadCheckTest):
-    """What ODE says of its own troubles is no pass."""
+    """If ODE reports problems, the stage does not pass."""
 
     def gripper(self):
         """An arm with two fingers that start closed, exactly at a stop."""
@@ -350,7 +350,7 @@ class Options(LoadCheckTest):
         self.assertLess(abs(float(rows[-1]["z"]) + 0.001), 0.01)
 
     def test_a_trace_has_a_limit(self):
-        """A URDF of 60 kB had a trace of some 100 MB, and took four times as much memory."""
+        """A URDF of 60 kB caused a trace of some 100 MB, and needed four times as much memory."""
         links = "".join(f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="ball"/><child link="l{i}"/>'
                         "</joint>" for i in range(500))
         self.write("many.urdf", self.read("ball.urdf").replace("</robot>", links + "</robot>"))
@@ -367,7 +367,7 @@ class Options(LoadCheckTest):
             self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 300 * 1024)
 
     def test_the_traces_of_a_run_have_a_limit(self):
-        """Ten URDFs of 60 kB had traces of 450 MB, which took 1.4 GB of memory."""
+        """Ten URDFs of 60 kB caused traces of 450 MB, and needed 1.4 GB of memory."""
         for i in range(10):
             self.write(f"{i}.urdf", self.read("ball.urdf").replace('"ball"', '"' + "n" * 60_000 + '"'))
         models = [f"{i}.urdf" for i in range(10)]
@@ -396,7 +396,7 @@ class Options(LoadCheckTest):
         self.write("a/very/deep/folder/good.urdf", GOOD.read_bytes())
         self.expect(0, "a/very/deep/folder/good.urdf", "--plot", "plot.svg")
         self.assertIn(">good.urdf</text>", self.read("plot.svg"))
-        self.expect_complaint("--plot takes one model or scene, not 5", ".", "--plot", "p.svg")
+        self.expect_complaint("--plot needs one model or scene, not 5", ".", "--plot", "p.svg")
 
     def test_what_ode_gives_up_on_is_a_finding(self):
         self.write("huge.urdf", self.read("good.urdf").replace('"0.001"', '"1e300"'))
@@ -432,7 +432,7 @@ class Options(LoadCheckTest):
 
     def test_tables_fit_a_terminal(self):
         for line in self.expect(1, ".").stdout.splitlines():
-            if "|" not in line:  # lines of files are as long as they are
+            if "|" not in line:  # lines of files may be long
                 self.assertLessEqual(len(line), 80, line)
 
     def test_a_chain_that_takes_all_memory_is_no_calm_robot(self):

@@ -94,7 +94,7 @@ class Result(FlattenTest):
 
 
 class Output(FlattenTest):
-    REFUSED = "'broken.smurfs' cannot be converted: it is not known where everything stands; nothing was written"
+    REFUSED = "'broken.smurfs' cannot be converted: some poses are unknown; nothing was written"
 
     def test_paths_are_relative_to_the_output(self):
         (self.folder / "out").mkdir()
@@ -135,7 +135,7 @@ class Output(FlattenTest):
         self.assertIn(self.REFUSED, done.stderr)
 
     def test_what_only_mars_fails_on_is_written_for_others(self):
-        """MARS loads no primitive in an included scene; its pose is known all the same."""
+        """MARS does not load a primitive in an included scene, but its pose is known."""
         self.write("inner.smurfs", "entities:\n- {name: box, type: primitive, geometry: {type: box}, "
                    "extend: {x: 1, y: 1, z: 1}, mass: 2, position: {x: 3}}\n")
         done = self.run_tool("outer.smurfs")
@@ -154,11 +154,11 @@ class Output(FlattenTest):
     def test_files_that_are_no_scenes(self):
         self.write("box.obj", "v 0 0 0\n")
         self.write("box.xacro", "<robot/>")
-        self.expect_complaint("'box.obj' is no model; name the .smurf or .urdf file that uses it", "box.obj")
+        self.expect_complaint("'box.obj' is not a model; name the .smurf or .urdf file that uses it", "box.obj")
         self.expect_complaint("'box.xacro' has to be expanded first: xacro FILE | smurfs-flatten -", "box.xacro")
 
     def test_what_a_robot_loses_refuses_the_scene(self):
-        """A value that cannot be read, a robot without a tree, a named pose; not a motor."""
+        """An unreadable value, a robot without a tree, or a named pose makes the result wrong; a motor does not."""
         self.write("models/box.smurf", "modelname: box\nfiles: [box.urdf, box_poses.yml, box_motors.yml]\n")
         self.write("models/box_poses.yml", "poses:\n- {name: open, joints: {glue: 0}}\n")
         self.write("models/box_motors.yml", "motors:\n- {name: m, joint: glew}\n")
@@ -386,7 +386,7 @@ class OldScenes(FlattenTest):
         results = []
         for file in ("old.yml", "old.scene", "old.scn"):
             document, entity, (box, sphere) = self.nodes(file)
-            self.assertEqual(entity["translation"], [1, 0, 0])  # the node of index 1 is there
+            self.assertEqual(entity["translation"], [1, 0, 0])  # only the node of index 1 exists
             self.assertNotIn("translation", box)
             self.assertEqual(box["scale"], [1, 2, 3])
             self.assertEqual(sphere["translation"], [0, 0, 1])
@@ -414,7 +414,7 @@ class OldScenes(FlattenTest):
         self.assertTrue(light.findtext("pose").startswith("1 2 3"), light.findtext("pose"))
         done = self.run_tool("old.smurfs", "--format", "urdf")
         self.assertIn("1 light of `Old` is not in the URDF", done.stderr)
-        # Flattened once more, a light is still one light.
+        # Flattened again, a light is still one light.
         self.write("flat.smurfs", self.run_tool("old.smurfs", "--format", "smurfs").stdout)
         self.assertEqual(len(self.flat("flat.smurfs")["lights"]), 1)
 
@@ -425,7 +425,7 @@ class OldScenes(FlattenTest):
         self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
         done = self.run_tool("old.smurfs", "--format", "mjcf", "--report", "json")
         found = {(d["id"], d["message"]) for d in json.loads(done.stderr)["diagnostics"]}
-        for loss in [("SML8209", "what moves in `Old` stands still in the MJCF: `a`"),
+        for loss in [("SML8209", "moving parts of `Old` stand still in the MJCF: `a`"),
                      ("SML8205", "what `Old` has without a shape of its own, `c`, is not in the MJCF"),
                      ("SML8207", "more of `Old` is not in the MJCF: 2 joints, 1 motor")]:
             self.assertIn(loss, found)
@@ -464,7 +464,7 @@ class Archives(FlattenTest):
 
 
     def test_entities_in_archives(self):
-        """A model, a scene, and an archive in an archive, each read where it lies."""
+        """A model, a scene, and an archive in an archive, each read in place."""
         model = archive({"box.smurf": "modelname: box\nfiles: [urdf/box.urdf]\n",
                          "urdf/box.urdf": BOX})
         self.write("parts/box.zsmurf", model)
@@ -507,7 +507,7 @@ class Archives(FlattenTest):
         self.assertIn("there is no file `box.zsmurf`", self.run_tool("top.smurfs").stderr)
 
     def test_an_archive_of_itself_ends(self):
-        """Each level names the archive around it."""
+        """Each level names the enclosing archive."""
         self.write("a.zsmurfs", archive({"a.smurfs": "entities: [{name: A, file: ../a.zsmurfs}]\n"}))
         self.write("top.smurfs", "entities: [{name: T, file: a.zsmurfs}]\n")
         done = self.run_tool("top.smurfs")
@@ -551,11 +551,11 @@ class Assets(FlattenTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         for file in self.meshes("out/world.sdf"):
             self.assertEqual(self.read("out/" + file), self.MESH)
-        # Without copies a simulator finds nothing; what is read on the way needs none.
-        loss = ("SML8210", "what reads the SDF does not look into the archive for "
+        # Without copies, a simulator finds no files; for reading, no copies are needed.
+        loss = ("SML8210", "readers of the SDF do not look into the archive for "
                 "`r.zsmurf/m.stl`, `r.zsmurf/more/m.stl`")
         self.assertIn(loss, self.found("r.zsmurf", "--format", "sdf"))
-        self.assertIn(("SML8210", "what reads the SDF does not look into the archive for "
+        self.assertIn(("SML8210", "readers of the SDF do not look into the archive for "
                        "`r.zsmurf/r.urdf`"),
                       self.found("r.zsmurf", "--format", "sdf", "--form", "reference"))
         for arguments in (["sdf", "--copy-assets", "out/files", "-o", "out/world.sdf"], ["gltf"]):
@@ -581,7 +581,7 @@ class Assets(FlattenTest):
         self.assertEqual(self.files(), before)
 
     def test_all_is_written_or_nothing(self):
-        """What fails is the second copy, then the scene itself."""
+        """Writing fails at the second copy, then at the scene itself."""
         self.write("out/files/r/2/m.stl/in the way", "")
         self.assert_untouched("--overwrite", "-o", "out/world.sdf")
         shutil.rmtree(self.folder / "out")
@@ -625,7 +625,7 @@ class Assets(FlattenTest):
             done = self.run_tool("s.smurfs", "--format", name, "--limit", "scene-bytes=5000")
             self.assertEqual((done.returncode, done.stdout), (1, ""))
             self.assertIn("SML5022", done.stderr)
-            self.assertIn("with this mesh the meshes of the scene, written out, have more than 5000 bytes",
+            self.assertIn("with this mesh, the meshes written for the scene exceed 5000 bytes",
                           done.stderr)
 
     POINTS = struct.pack("<12f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1) + bytes([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3])
@@ -697,7 +697,7 @@ class Assets(FlattenTest):
             self.copy_neighbours()
 
     def test_no_copy_of_what_lies_outside(self):
-        """What a mesh names is copied only where a model may name files, and only images and buffers."""
+        """Files named by a mesh are only copied from places where a model may name files, and only images and buffers."""
         project = self.folder / "p/q/r"
         self.write("secret.png", "secret")
         self.write("p/q/r/r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.gltf"/></geometry>'
@@ -731,7 +731,7 @@ class Assets(FlattenTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_references_name_models_only(self):
-        self.expect_complaint("--copy-assets copies what models name, and needs --form expand",
+        self.expect_complaint("--copy-assets copies the files that models name, and needs --form expand",
                               "scene.smurfs", "--form", "reference", "--copy-assets", "d",
                               "--format", "sdf")
 
@@ -771,7 +771,7 @@ class ColorsOfAnnotations(FlattenTest):
 
 
 class MeshesWithNeighbours(FlattenTest):
-    """A glTF file may have its points in another file, which is read where the model may name files."""
+    """A glTF file may have its points in another file, which is only read where the model may name files."""
 
     def mesh(self, uri):
         self.write("a/b/project/meshes/m.gltf", json.dumps({
@@ -805,11 +805,11 @@ class MeshesWithNeighbours(FlattenTest):
             for options in ((), ("--allow-outside",)):
                 self.assertIn("which is no file beside it", self.flatten(*options))
         self.mesh("gone.bin")
-        self.assertIn("has its points in `gone.bin`, which is not there", self.flatten())
+        self.assertIn("has its points in `gone.bin`, which does not exist", self.flatten())
 
 
 class NotFinite(FlattenTest):
-    """Numbers that are finite, but from which poses, sizes or directions are computed that are not."""
+    """Finite numbers for which poses, sizes or directions overflow."""
     URDF = """<?xml version="1.0"?>
 <robot name="r">
   <link name="a">
@@ -855,7 +855,7 @@ physics: {{gravity: {{x: {gravity}, y: {gravity}, z: 0}}, stepsize: {step}}}
 
 
 class NumbersOfAnnotations(FlattenTest):
-    """Only URDFs and scenes were checked for numbers that cannot be computed with."""
+    """Only URDFs and scenes were checked for numbers that are too large for computations."""
     URDF = ('<robot name="r"><link name="a"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
             '</inertial><collision name="c"><geometry><box size="1 1 1"/></geometry></collision></link><link name="b"><inertial>'
             '<mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link><joint name="j" '
@@ -902,7 +902,7 @@ class NumbersOfAnnotations(FlattenTest):
                 self.assertIn(color, re.findall(pattern, done.stdout), (keys, form))
 
     def test_each_has_a_finding(self):
-        """Except limits, where the largest number means that there is none."""
+        """Except for limits, where the largest number means "no limit"."""
         self.write("r.urdf", self.URDF)
         self.write("r.smurf", "modelname: r\nfiles: [r.urdf, r.yml]\n")
         lint = [pathlib.Path(cli.TOOL).with_name("smurf-lint"), "r.smurf", "--select", "SML4003", "--format", "json"]
@@ -955,7 +955,7 @@ class OfGazebo(FlattenTest):
             done = self.written(elements, "sdf", reference)
             self.assertEqual(done.returncode, 0, done.stderr)
             own = done.stdout.replace(elements.replace("><", ">\n<"), "")
-            own = re.sub(r"<(mu1|mu2|kp|kd|[a-z]+[A-Z]\w*|fdir1)>[^<]*</\1>", "", own)  # of the model, as it was written
+            own = re.sub(r"<(mu1|mu2|kp|kd|[a-z]+[A-Z]\w*|fdir1)>[^<]*</\1>", "", own)  # of the model as written
             self.assertIsNone(re.search(r">[^<]*\b(nan|inf|Infinity|1e999|x)\b[^<]*<", own), own)
             losses = json.loads(self.read("lost.json"))["losses"]
             self.assertTrue(any(f"{count} elements in <gazebo>" in loss["message"] or "elements in <gazebo>" in

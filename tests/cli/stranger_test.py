@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What comes with the checked files (configuration, models, scenes, archives, names, links) chooses no place to write,
-is no option, and no output takes the place of an input.
+"""Checked files (configuration, models, scenes, archives, names, links) cannot choose a place to write or act as
+options, and outputs never replace inputs.
 
 Usage: stranger_test.py FOLDER_OF_TOOLS [unittest option]...
 """
@@ -136,11 +136,11 @@ class Configuration(StrangerTest):
         self.expect(2, "smurf-lint", "--fix", "l.urdf", "sound.urdf")
         self.assertEqual((self.victim / "mine").read_text(), text)
         self.assertNotEqual((self.project / "sound.urdf").read_text(), text)
-        self.expect(2, "smurf-lint", "--fix", "--allow-outside", "l.urdf", "sound.urdf")  # which is about reading
+        self.expect(2, "smurf-lint", "--fix", "--allow-outside", "l.urdf", "sound.urdf")  # this test is about reading
         self.assertEqual((self.victim / "mine").read_text(), text)
 
     def test_fixes_change_nothing_that_a_model_only_reads(self):
-        """An installed package and the current folder may be read. That a model lists a file of them is no order to fix it."""
+        """An installed package and the current folder may be read, but fixes must not change a file of them only because a model lists it."""
         text = '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed"><parent link="a"/>' \
                '<child link="b"/><dynamics/></joint></robot>\n'
         installed = self.victim / "pkg/r.urdf"
@@ -210,7 +210,7 @@ class Pipes(StrangerTest):
 
 
 class Names(StrangerTest):
-    """Names of models become names of folders."""
+    """Names of models are used as names of folders."""
 
     def copy(self, model, mesh="m.stl", folder="out/files", code=0):
         self.write(f"in/{model}", "modelname: r\nfiles: [r.urdf]\n")
@@ -258,7 +258,7 @@ class Names(StrangerTest):
 
 class Hooks(StrangerTest):
     def test_a_file_hides_behind_no_other(self):
-        """A list of files shows U+2028 by an escape, which may be the name of a sound file."""
+        """A list of files shows U+2028 as an escape; a sound file may have the escape as its name."""
         shutil.copytree(FIXTURES / "models/arm", self.project / "arm")
         shutil.copy(self.project / "arm/smurf/arm.smurf", self.project / "arm/smurf/a\\u2028b.smurf")
         self.write("arm/smurf/a\u2028b.smurf", "modelname: [\n")
@@ -266,14 +266,14 @@ class Hooks(StrangerTest):
         self.converts_not_all()
 
     def test_a_file_hides_behind_no_replacement(self):
-        """A list of files shows bytes that are no UTF-8 as U+FFFD, which the name of a sound file may contain."""
+        """A list of files shows invalid UTF-8 as U+FFFD, which the name of a sound file may contain."""
         shutil.copytree(FIXTURES / "models/arm", self.project / "arm")
         shutil.copy(self.project / "arm/smurf/arm.smurf", self.project / "arm/smurf/a\ufffdb.smurf")
         (self.project / "arm/smurf" / os.fsdecode(b"a\xffb.smurf")).write_text("modelname: [\n")
         self.converts_not_all()
 
     def test_endings_in_capitals(self):
-        """smurf-lint takes them for models and scenes too."""
+        """smurf-lint also treats them as models and scenes."""
         self.write("arm.SMURF", "modelname: [\n")
         self.assertEqual(self.try_all("smurf2urdf").returncode, 1)
         self.write("cell.Smurfs", "smurfs: [\n")
@@ -312,7 +312,7 @@ class Links(StrangerTest):
         (self.project / "assets/r").mkdir()
         (self.victim / "same.stl").write_text(MESH)
         before = self.texts(self.victim)
-        # The answer does not tell whether a file outside exists, or what it contains.
+        # The message does not reveal whether a file outside exists, or its contents.
         for target in (self.victim / "m.stl", self.victim / "same.stl", self.victim / "new"):
             (self.project / "assets/r/m.stl").symlink_to(target)
             done = self.expect(2, "smurfs-flatten", "--format", "sdf", "r.urdf", "--copy-assets", "assets", "-o", "w.sdf")
@@ -329,7 +329,7 @@ class Links(StrangerTest):
         self.assertFalse((self.project / "w.sdf").exists())
 
     def test_chain_of_material_libraries(self):
-        """A library names textures only, whatever it is called."""
+        """A material library may only name textures, whatever its name."""
         for i in range(3000):
             self.write(f"c{i}.obj", f"mtllib c{i + 1}.obj\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         self.write("r.urdf", urdf("c0.obj"))
@@ -337,7 +337,7 @@ class Links(StrangerTest):
         self.assertEqual(sorted(path.name for path in (self.project / "assets").rglob("*.obj")), ["c0.obj", "c1.obj"])
 
     def test_one_file_with_many_links(self):
-        """All of them are refused, before their bytes fill the memory."""
+        """All of them are refused before their bytes fill the memory."""
         libraries = "".join(f"mtllib l{i}.obj\n" for i in range(200))
         self.write("big.obj", libraries + "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 100_000)
         for i in range(200):
@@ -348,7 +348,7 @@ class Links(StrangerTest):
         self.assertIn("have more than 20000000 bytes", done.stderr)
 
     def test_names_of_files_and_folders(self):
-        """A neighbour has the name of another one's folder."""
+        """Another file has the name of a folder."""
         image = "![](x)"
         self.write("k/m.gltf", '{"asset": {"version": "2.0"}, "images": [{"uri": "../x.png"}, {"uri": "x.png/y.png"}]}')
         self.write("x.png", image)
@@ -369,7 +369,7 @@ class Links(StrangerTest):
         self.assertEqual(self.texts(self.project), before)
         self.expect(0, *flatten, "--overwrite", cwd=self.project / "user")
         self.assertEqual((self.project / "user/src/m.stl").read_text(), MESH)
-        self.expect(0, *flatten, cwd=self.project / "user")  # the same file may be there
+        self.expect(0, *flatten, cwd=self.project / "user")  # the same file may exist
 
     def test_copies_are_meshes_and_images(self):
         for name in ("main.py", "Makefile", "pre-commit", "m.stl.sh"):
@@ -396,7 +396,7 @@ class Links(StrangerTest):
             (self.project / "robot/smurf/r.smurf").unlink()
 
     def test_the_users_own_folder_and_file_may_be_links(self):
-        """Outside of a repository, and within it."""
+        """Outside and inside of a repository."""
         (self.folder / "elsewhere").mkdir()
         (self.folder / "robot").symlink_to(self.folder / "elsewhere")
         self.expect(0, "urdf2smurf", "r.urdf", "-o", "../robot")
@@ -421,7 +421,7 @@ class Links(StrangerTest):
             (self.project / kept).rmdir()
 
     def test_links_of_a_repository_that_lead_out_of_it(self):
-        """Under the name of a report that CI writes, say."""
+        """For example, under the name of a report that CI writes."""
         self.write(".git/hooks/pre-push", "#!/bin/sh\n")
         before = self.texts(self.project)
         for name, target in (("out", self.victim / "mine"), ("out", self.victim / "new"), ("out", "../victim/mine"),
@@ -442,7 +442,7 @@ class Links(StrangerTest):
 
 
 class Inputs(StrangerTest):
-    """No output takes the place of an input: every option that writes, on every input."""
+    """No output replaces an input: every option that writes, with every input."""
 
     MODEL = ["arm/smurf/arm.smurf", "arm/urdf/arm.urdf", "arm/smurf/arm_motors.yml", "arm/meshes/forearm.obj"]
 
@@ -516,7 +516,7 @@ class Inputs(StrangerTest):
         self.refuse("smurf-load-check", arguments, "--plot", self.MODEL[:2])
 
     def test_copies(self):
-        """The mesh of one model would take the place of another one's."""
+        """The mesh of one model would replace the mesh of another one."""
         self.write("a.urdf", urdf("a/m.stl", "a/b/m.stl"))
         self.write("a/m.stl", MESH)
         self.write("a/b/m.stl", MESH.replace("solid a", "solid b"))
@@ -524,7 +524,7 @@ class Inputs(StrangerTest):
         self.expect(0, "smurfs-flatten", "--format", "sdf", "a.urdf", "--copy-assets", ".", "-o", "w.sdf")
         self.assertEqual({p: t for p, t in self.texts(self.project).items() if p in before}, before)
         self.assertEqual((self.project / "a/2/m.stl").read_text(), MESH.replace("solid a", "solid b"))
-        # Something else of the run, by chance of that name.
+        # Another file of the run, which has this name by chance.
         self.write("b.smurf", "modelname: b\nfiles: [b.urdf, b/r.yml]\n")
         self.write("b.urdf", urdf("a/b/r.yml"))
         self.write("a/b/r.yml", MESH)
@@ -544,7 +544,7 @@ class Inputs(StrangerTest):
 
 
 class Fixes(StrangerTest):
-    """A name that a suggestion writes is chosen by the stranger, and must not become more than a name."""
+    """A stranger chooses the name in a suggestion, so it must stay a name."""
 
     def test_suggested_names(self):
         links = ("ba'se", "ba&quot;se", "ba]se", "*base", "ba#se", "ba: se", "ba&#10;se: {x", "ba&lt;se")
@@ -571,7 +571,7 @@ class Fixes(StrangerTest):
                     self.assertNotIn("SML001", done.stdout)
 
     def test_keys_that_are_there(self):
-        """No key is renamed to one that its mapping has, though without a value, or gets by another fix."""
+        """A key is never renamed to a key that exists in its mapping, even without a value, or that another fix creates."""
         urdf_of_one_joint = ('<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous">'
                              '<parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint></robot>')
         motor = "motors:\n- {{name: j, joint: j, type: PID, maxEffort: 1, {}}}\n"
@@ -604,7 +604,7 @@ class Fixes(StrangerTest):
                 self.assertNotIn("SML0011", done.stdout)
 
     def test_fixes_that_leave_yaml_and_xml(self):
-        """After all fixes of a file that could be read, it still can."""
+        """A readable file is still readable after all fixes."""
         robot = '<robot name="r"><link name="b"/>{}</robot>'
         for name, text in (
                 ("r.urdf", "<!-- smurf-lint: ignore[SML3101] -->" + robot.format("")),
@@ -664,7 +664,7 @@ class Exchanges(StrangerTest):
 
 
 class Searches(StrangerTest):
-    """A link in a folder that is searched tells nothing of what lies outside of it."""
+    """A link in a searched folder reveals nothing about files outside."""
 
     def setUp(self):
         super().setUp()
@@ -673,7 +673,7 @@ class Searches(StrangerTest):
         (self.project / "inside.urdf").symlink_to(".hidden/../r.urdf")
 
     def said(self):
-        """By each tool, when the folder outside is missing, and when it is there."""
+        """For each tool, both if the folder outside is missing and if it exists."""
         for arguments in (["smurf-lint", "."], ["smurf-lint", "--list-files", "."], ["smurf-load-check", "--time", "0.01", "."]):
             runs = [self.run_tool(*arguments)]
             (self.folder / "out/deep").mkdir(parents=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line of urdf2smurf: layouts, refusals, and all files or none."""
+"""The command line of urdf2smurf: layouts, refusals, and writing either all files or none."""
 import pathlib
 import shutil
 import sys
@@ -94,7 +94,7 @@ class Motors(ImportTest):
     def test_wheels_have_no_limits(self):
         self.write("cart.urdf", WHEELS)
         said = self.said("cart.urdf", "-o", "out")
-        self.assertIn("; 3 motor values missing, which MARS takes for 0 (SML4103): the joints have no", said)
+        self.assertIn("; 3 motor values missing, which MARS reads as 0 (SML4103): the joints have no", said)
         motors = self.read("out/smurf/cart_motors.yml")
         self.assertEqual((motors.count("maxSpeed: 0"), motors.count("maxEffort: 5")), (1, 1))
 
@@ -118,7 +118,7 @@ CONTACT = """<robot name="foot">
 
 
 class Readers(ImportTest):
-    """What the readers of the model open and understand."""
+    """The files that readers of the model open and understand."""
 
     def remark(self, *arguments):
         done = self.run_tool(*arguments)
@@ -133,7 +133,7 @@ class Readers(ImportTest):
         self.assertIn('filename="../../in/meshes/upper_arm.obj"', self.read("out/urdf/arm.urdf"))
         self.assertNotIn("URI", said)
         said = self.remark("in/urdf/arm.urdf", "--in-place", "--package", "in=in")
-        self.assertIn("; 1 mesh path stays a URI, which MARS does not open: --in-place changes no URDF", said)
+        self.assertIn("; 1 mesh path stays a URI, which MARS does not open: --in-place does not change the URDF", said)
 
     def test_packages_that_are_not_there_are_said(self):
         self.write("in/urdf/arm.urdf", self.read("in/urdf/arm.urdf").replace("../meshes/", "package://none/nowhere/"))
@@ -225,7 +225,7 @@ class Refusal(ImportTest):
                               "in/urdf/arm.urdf")
         self.expect_complaint("--flat and --in-place exclude each other", "in/urdf/arm.urdf",
                               "--flat", "--in-place")
-        self.expect_complaint("--name is the name of a file, without folder", "in/urdf/arm.urdf",
+        self.expect_complaint("--name is a file name without a folder", "in/urdf/arm.urdf",
                               "-o", "out", "--name", "../x")
         self.expect_complaint("a model consists of several files, so -o must name a folder", "in/urdf/arm.urdf",
                               "-o", "-")
@@ -234,9 +234,9 @@ class Refusal(ImportTest):
         self.expect_complaint("cannot read 'no.urdf': No such file or directory", "no.urdf", "-o",
                               "out")
         self.write("a.smurf", "modelname: a\nfiles: [in/urdf/arm.urdf]\n")
-        self.expect_complaint("'a.smurf' is no URDF", "a.smurf", "-o", "out")
+        self.expect_complaint("'a.smurf' is not a URDF", "a.smurf", "-o", "out")
         self.write("a.yml", "motors: []\n")
-        self.expect_complaint("'a.yml' is no URDF", "a.yml", "-o", "out")
+        self.expect_complaint("'a.yml' is not a URDF", "a.yml", "-o", "out")
         self.write("bad.srdf", "<robot>")
         self.expect_complaint("'bad.srdf' is not well-formed XML", "in/urdf/arm.urdf", "-o", "out",
                               "--srdf", "bad.srdf")

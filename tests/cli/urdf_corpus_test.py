@@ -26,7 +26,7 @@ def loaded_by_urdfdom(corpus):
 
 
 def export(tool, urdf):
-    """The reason of a refusal, or none; fails when neither is told."""
+    """The reason of a refusal, or none; fails if the tool gives no reason."""
     done = subprocess.run([tool, str(urdf), "--dry-run", "--prove"], capture_output=True, encoding="utf-8",
                           errors="replace", timeout=120, check=False)
     if done.returncode == 0:

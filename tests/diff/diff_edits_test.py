@@ -22,7 +22,7 @@ class Tester:
         self.failures, self.done = [], {"edits": 0, "same": 0}
 
     def diff(self, old, new, text=None):
-        """The differences; None when one of both cannot be read."""
+        """The differences; None if one of both cannot be read."""
         done = subprocess.run([self.smurf_diff, "--format", "json", old, *(["-", "--stdin-filename", old] if text is not None else [new])],
                               input=text, capture_output=True, timeout=60)
         if done.returncode == 2:
@@ -40,7 +40,7 @@ class Tester:
             self.failures.append(f"{title}: nothing has changed\n  told: {json.dumps(found)[:1500]}")
 
     def rename(self, path, rng):
-        """A link or joint in all places: smurf-lint knows them."""
+        """Renames a link or joint in all places with smurf-lint."""
         text = path.read_bytes()
         things = [(one.tag, one.attributes["name"]) for one in edits.elements_of(text)
                   if one.tag in ("link", "joint") and one.parent.tag == "robot" and one.attributes.get("name")]
@@ -62,7 +62,7 @@ class Tester:
 
 
 def is_sound(text):
-    """Not so broken that the edited element would be another one: names are unique."""
+    """Excludes files in which the edited element would be ambiguous: names must be unique."""
     try:
         elements = edits.elements_of(text)
     except Exception:
@@ -114,12 +114,12 @@ def try_yaml(tester, main, path, rng):
         (copies[1] / path.relative_to(root)).write_text(edits.shuffled_yaml(text, rng), encoding="utf-8")
         tester.expect_same(f"{path}, in another order", tester.diff(old, new))
     except edits.yaml.YAMLError:
-        pass  # PyYAML takes no lists as keys
+        pass  # PyYAML does not support lists as keys
     return True
 
 
 def files_of(folder):
-    """(main, file): what can be edited, and what it is a part of; None: it stands for itself."""
+    """(main, file): a file to edit, and the file that includes it; None: it is not included."""
     urdfs = sorted(folder.rglob("*.urdf"))
     parts = []
     for main in sorted(folder.rglob("*.smurf")):

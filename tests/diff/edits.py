@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Edits of robots and scenes that change one fact, and which one; and edits that change none."""
+"""Edits of robots and scenes that change exactly one fact, and edits that change none."""
 import random
 import re
 import xml.parsers.expat
@@ -11,7 +11,7 @@ except ImportError:
 
 
 class Edit:
-    """A text with one fact changed: `kind`, `name` and `owner` say whose, `path` which one."""
+    """A text with one changed fact: `kind`, `name` and `owner` identify the thing, `path` the property."""
 
     def __init__(self, text, kind, name, path, owner="", new=None, change="changed"):
         self.text, self.kind, self.name, self.path, self.owner, self.new = text, kind, name, path, owner, new
@@ -21,7 +21,7 @@ class Edit:
         return f"{self.kind} {self.name} of {self.owner or 'nothing'}: {self.change} {self.path} {self.new or ''}"
 
     def is_told_by(self, found):
-        """Whether a difference of the JSON report is this one: of a vector, the whole may be told."""
+        """Whether a difference of the JSON report is this one; of a vector, the whole may be reported."""
         if (found["change"], found["kind"], found["name"], found.get("of", "")) != (
                 self.change, self.kind, self.name, self.owner):
             return False
@@ -78,11 +78,11 @@ def attribute_span(text, element, name):
 
 
 def moved(number, rng):
-    """Another number, far enough from the old one to be seen."""
+    """Another number that differs enough to be visible."""
     return float(repr(number * rng.choice([1.1, 0.9, 1.5]) if abs(number) > 1e-4 else number + rng.choice([0.05, 0.3])))
 
 
-# Where a number stands: the names of an element and its attribute.
+# The place of a number: the names of its element and attribute.
 NUMBERS = {
     "limit": ("lower", "upper", "effort", "velocity"), "dynamics": ("damping", "friction"),
     "mimic": ("multiplier", "offset"), "safety_controller": ("k_velocity", "k_position", "soft_lower_limit"),
@@ -92,8 +92,8 @@ NUMBERS = {
 
 
 def owner_of(element):
-    """(kind, name, owner) of the thing that an element of a link or joint belongs to, and its name unless it is one
-    of several without."""
+    """(kind, name, owner) of the thing of an element of a link or joint, and its name unless it is one of several
+    without a name."""
     thing = element.up("joint", "visual", "collision", "link", "material")
     material = element.up("material")
     if thing is material and material.parent.tag != "robot":
@@ -121,12 +121,12 @@ def path_of(element, attribute):
     return f"{tag}.{attribute}"
 
 
-# The elements around it must be among these: others are unknown to URDF, or misspelt.
+# The parents must be among these, because others are unknown in URDF, or misspelt.
 PARENTS = {"robot", "link", "joint", "material", "visual", "collision", "inertial", "geometry"}
 
 
 def is_standard(element):
-    """In a place where URDF defines it, the first one there, and not in an element of a vendor."""
+    """Whether URDF defines the element there; only the first one, and not in an element of a vendor."""
     parents = {"limit": "joint", "dynamics": "joint", "mimic": "joint", "safety_controller": "joint", "axis": "joint",
                "mass": "inertial", "inertia": "inertial", "box": "geometry", "sphere": "geometry", "cylinder": "geometry",
                "mesh": "geometry", "color": "material"}
@@ -146,7 +146,7 @@ def is_standard(element):
 
 
 def tensor_turns(element):
-    """Whether a turned frame changes the inertia: not that of a ball."""
+    """Whether rotating the frame changes the inertia, unlike that of a ball."""
     tensor = element.parent.child("inertia")
     values = [float(tensor.attributes.get(key, "0")) for key in NUMBERS["inertia"]] if tensor else [0] * 6
     largest = max(map(abs, values))
@@ -191,7 +191,7 @@ def matrix(rpy):
 
 
 def turns_by(element, before=None, after=None):
-    """Whether another rpy of an inertial frame is another inertia in the frame of the link."""
+    """Whether a changed rpy of an inertial frame changes the inertia in the frame of the link."""
     if before is None:
         return tensor_turns(element)
     tensor = element.parent.child("inertia").attributes
@@ -207,7 +207,7 @@ def turns_by(element, before=None, after=None):
 
 
 def removals(text, rng):
-    """An element of a link or joint that is gone."""
+    """Deletes an element of a link or joint."""
     places = [one for one in elements_of(text) if one.parent is not None and (
         (one.tag in ("visual", "collision") and one.parent.tag == "link") or
         (one.tag in ("dynamics", "mimic") and one.parent.tag == "joint"))]
@@ -231,7 +231,7 @@ def removals(text, rng):
 
 
 def types(text, rng):
-    """The type of a joint."""
+    """Changes the type of a joint."""
     places = [one for one in elements_of(text) if one.tag == "joint" and one.parent.tag == "robot" and "type" in one.attributes]
     rng.shuffle(places)
     for element in places:
@@ -241,7 +241,7 @@ def types(text, rng):
 
 
 def urdf_edit(text, rng):
-    """One edit, or None where there is nothing to edit."""
+    """One edit, or None if there is nothing to edit."""
     makers = rng.choices([number_edits, removals, types], weights=[10, 2, 1], k=4) + [number_edits]
     return next((edit for maker in makers for edit in maker(text, rng)), None)
 
@@ -256,7 +256,7 @@ ENTRIES = {"motors": "motor", "sensors": "sensor", "controllers": "controller", 
 
 
 def numbers_in(node, path):
-    """(path, scalar) of the plain numbers below a node; an item of a list is told with the list."""
+    """(path, scalar) of the plain numbers below a node; items of a list are reported with the list."""
     if isinstance(node, yaml.ScalarNode):
         if node.tag in ("tag:yaml.org,2002:int", "tag:yaml.org,2002:float") and node.style is None:
             try:
@@ -266,12 +266,12 @@ def numbers_in(node, path):
             yield path, node
     elif isinstance(node, yaml.MappingNode):
         if path.split(".")[-1] == "rotation" and sum(value.value.strip("+-0.") != "" for _, value in node.value) < 2:
-            return  # with one component, a quaternion stays the same rotation at any length
+            return  # a quaternion of one component is the same rotation for any length
         for key, value in node.value:
             yield from numbers_in(value, f"{path}.{key.value}" if path else key.value)
     else:
         if path == "rotation" and len(node.value) not in (1, 3):
-            return  # a multiple of a quaternion is the same rotation, and others are none
+            return  # a multiple of a quaternion is the same rotation
         for number, value in enumerate(node.value):
             yield from numbers_in(value, f"{path}[{number}]")
 
@@ -284,13 +284,13 @@ def has_repeated_keys(node):
 
 
 def yaml_edit(text, rng, around=""):
-    """A number of an entry of a section or of an entity. With anchors, it may be a number of others as well;
-    PyYAML takes some words for booleans."""
+    """Changes a number of an entry of a section or of an entity. With anchors, other entries may share the number;
+    PyYAML reads some words as booleans."""
     if re.search(r"[&*]\w|<<:", text) or re.search(r"(?im)[:\-\[,{]\s*(yes|no|on|off)\s*($|[,}\]#])", text):
         return None
     root = yaml.compose(text)
     if has_repeated_keys(root):
-        return None  # MARS takes the first one, PyYAML the last one
+        return None  # MARS uses the first one, PyYAML the last one
     places = []
     for key, section in root.value if isinstance(root, yaml.MappingNode) else ():
         if key.value not in ENTRIES or not isinstance(section, yaml.SequenceNode):
@@ -302,7 +302,7 @@ def yaml_edit(text, rng, around=""):
                 places += [(ENTRIES[key.value], name, *place) for place in numbers_in(entry, "")]
     if not places:
         return None
-    # The rest of a rotation may be a multiple of w, and another name is another thing.
+    # The other numbers of a rotation may be a multiple of w, and a changed name is another thing.
     places = [place for place in places if not place[2].endswith("rotation.w") and place[2] != "name"]
     if not places:
         return None
@@ -351,7 +351,7 @@ def shuffled_urdf(text, rng):
         if element.tag in ("robot", "joint", "inertial") or (element.tag in ("visual", "collision")):
             children = rng.sample(children, len(children))
             seen, order = set(), []
-            for one in children:  # what stands there twice keeps its order
+            for one in children:  # repeated keys keep their order
                 if one.tag in ("link", "joint", "visual", "collision") and "name" in one.attributes:
                     order.append(one)
                 elif one.tag not in seen:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// docs/format/keys.md is made from the tables by which files are read; this test fails when it is
+// docs/format/keys.md is made from the tables that the readers use; this test fails when it is
 // stale. SMURF_UPDATE_SNAPSHOTS=1 writes it.
 #include <doctest/doctest.h>
 

@@ -20,7 +20,7 @@ std::string limits_page() {
          "The tools limit the size and the depth of their input. Exceeding a limit is a finding at "
          "its place, never a crash or a hang. This page is made from the table in "
          "`libsmurf/include/smurf/limits.hpp` by `limits_page_test`; do not edit.\n\n"
-         "Every tool takes `--limit NAME=N`, with several separated by commas:\n\n"
+         "Every tool has the option `--limit NAME=N`; separate several limits by commas:\n\n"
          "    smurf-lint --limit yaml-depth=150,xml-depth=95 model.smurf\n\n"
          "`--limit help` lists the limits. A configuration cannot raise them, because it comes with "
          "the files that the limits guard against. Configurations, schemas and COLLADA files always "

@@ -15,7 +15,7 @@
 
 namespace smurf::test {
 
-/// "" when there is no such file.
+/// "" if there is no such file.
 inline std::string read_page(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;

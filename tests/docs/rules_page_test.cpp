@@ -19,7 +19,7 @@ using namespace smurf;
 
 namespace {
 
-/// By the name of the page.
+/// Pages by name.
 const std::map<std::string, std::string>& page_titles() {
   static const std::map<std::string, std::string> kTitles = {
       {"sml0", "SML0xxx: files, YAML, encodings, limits"},
@@ -44,14 +44,14 @@ const std::map<std::string, std::string>& page_titles() {
   return kTitles;
 }
 
-/// "sml14": the page that the address of the rule leads to.
+/// "sml14": the page of the rule.
 std::string page_of(const Rule& rule) {
   const std::string address = rule_address(rule, "");
   const std::size_t begin = address.rfind('/') + 1;
   return address.substr(begin, address.find(".md") - begin);
 }
 
-/// Why it matters, and what readers make of it.
+/// The reason of the rule, and the facts about readers.
 std::string reasons(const Rule& rule) {
   std::string text;
   if (!rule.why.empty()) text += "**Why it matters.** " + std::string(rule.why) + "\n\n";
@@ -80,7 +80,7 @@ std::string file_of(const std::string& finding) {
   return finding.substr(begin, finding.find(':', begin) - begin);
 }
 
-/// The lines of `good` that `bad` does not have, with one line around them; "" when there are none
+/// The lines that are in `good` but not in `bad`, with one line around them; "" if there are none
 /// or many.
 std::string new_lines(const std::string& bad, const std::string& good) {
   const std::vector<std::string> before = lines_of(bad);
@@ -107,7 +107,7 @@ std::string new_lines(const std::string& bad, const std::string& good) {
   return text;
 }
 
-/// The first finding of the bad fixture, and how the good one is written in the same place.
+/// The first finding of the bad fixture, and the corresponding lines of the good one.
 std::string example_of(const Rule& rule) {
   const fs::path folder = fixture_of(rule);
   const std::string report = test::read_page(folder / "bad.expected.txt");
@@ -140,7 +140,7 @@ void write_rule(std::ostream& page, const Rule& rule) {
   page << "\n";
 }
 
-/// A row of the index. The anchors are those of the time when all rules were on one page.
+/// A row of the index. Its anchors are those of the former page with all rules.
 void write_row(std::ostream& page, const Rule& rule) {
   const std::string address = rule_address(rule, "");
   const std::string anchor = address.substr(address.find('#') + 1);

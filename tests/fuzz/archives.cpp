@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An archive, and the scene in it: names stay inside, sizes within the limits.
+// An archive and its scene: names stay inside, sizes stay within the limits.
 #include <algorithm>
 
 #include "archive/zip.hpp"

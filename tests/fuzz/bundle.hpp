@@ -13,7 +13,7 @@ namespace smurf::test {
 
 inline constexpr std::string_view kBundleMark = "%%% ";
 
-/// Files without a name of their own are `first`.
+/// Without a marker, the text is a file `first`.
 inline MemoryFiles unbundle(std::string_view bytes, const std::string& first) {
   MemoryFiles files;
   std::string name = first;
@@ -34,7 +34,7 @@ inline MemoryFiles unbundle(std::string_view bytes, const std::string& first) {
   return files;
 }
 
-/// Ends the process with the first broken promise, which libFuzzer takes for a crash.
+/// Ends the process at the first violated promise, so that libFuzzer records a crash.
 inline void require_kept(const Exercise& result) {
   if (result.broken.empty()) return;
   std::fprintf(stderr, "broken promise: %s\n", result.broken.front().c_str());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What other readers make of a URDF, against ours: tinyxml2 of the XML, urdfdom of the robot.
+// Compares our readers of URDF with others: the XML with tinyxml2, the robot with urdfdom.
 #include <console_bridge/console.h>
 #include <tinyxml2.h>
 #include <urdf_model/model.h>
@@ -21,11 +21,12 @@ namespace {
 
 using Broken = std::vector<std::string>;
 
-/// What we refuse as XML although another reader reads it. Everything else they read, we read.
+/// Texts that we refuse as XML although another reader accepts them. We accept all other texts that
+/// the readers accept.
 struct Refusal {
   std::string_view rule;
-  std::string_view message;  ///< what is in the message
-  bool by_tinyxml2;          ///< it reads such a text
+  std::string_view message;  ///< a part of the message
+  bool by_tinyxml2;          ///< whether it accepts such a text
   bool by_urdfdom;
   std::string_view reason;
 };
@@ -61,7 +62,7 @@ bool is_documented(std::span<const Diagnostic> diagnostics, bool Refusal::*reade
   });
 }
 
-/// What tinyxml2 refuses, and TinyXML, which urdfdom uses, reads.
+/// Texts that tinyxml2 refuses, and TinyXML, which urdfdom uses, accepts.
 bool is_refused_by_tinyxml2(std::span<const Diagnostic> diagnostics) {
   return std::ranges::any_of(diagnostics, [](const Diagnostic& one) {
     return one.rule->id == "SML1015" || one.rule->id == "SML1016";
@@ -100,13 +101,13 @@ class XmlComparison {
     broken_.push_back("tinyxml2 reads another " + what + " at byte " + std::to_string(place.begin));
   }
 
-  /// tinyxml2 corrupts a text with a wrong reference (its issue 1082); we leave it as it is
+  /// tinyxml2 corrupts a text with a wrong reference (its issue 1082); we keep it as
   /// written.
   bool is_compared(Span place) const { return !has_wrong_reference(sources_.text(place)); }
 
   void same_text(xml::View ours, const char* theirs) {
     const std::string_view text = theirs == nullptr ? "" : theirs;
-    // No reader of URDF looks at blanks alone.
+    // Readers of URDF ignore texts of spaces.
     const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string_view::npos;
     if (is_blank && ours.text().empty()) return;
     if (ours.text() != text && is_compared(ours.text_span())) note("text", ours.span());
@@ -129,7 +130,7 @@ class XmlComparison {
   Broken& broken_;
 };
 
-/// True when we read the text as XML.
+/// Whether we accept the text as XML.
 bool compare_xml(const std::string& text, Broken& broken) {
   SourceMap sources;
   DiagnosticSink sink;
@@ -147,7 +148,7 @@ bool compare_xml(const std::string& text, Broken& broken) {
   } else if (is_read && !is_documented(found, &Refusal::by_tinyxml2)) {
     broken.push_back("tinyxml2 reads what we refuse: " + first_error(found));
   }
-  // TinyXML takes the control character DEL for a letter, as it does all bytes behind it.
+  // TinyXML treats the control character DEL and the following bytes as letters.
   const bool has_delete = text.find('\x7f') != std::string::npos;
   if (!ours && !has_delete && !is_documented(found, &Refusal::by_urdfdom) &&
       ask_urdfdom(text).accepts) {
@@ -158,7 +159,7 @@ bool compare_xml(const std::string& text, Broken& broken) {
 
 // --- the robot -----------------------------------------------------------------------------------
 
-/// Findings that are no errors, of files in which urdfdom drops parts of a link all the same.
+/// Findings that are not errors, but at which urdfdom drops parts of a link.
 struct Exception {
   std::string_view rule;
   std::string_view reason;
@@ -174,7 +175,7 @@ bool is_compared(const Diagnostic& finding) {
          });
 }
 
-/// Every file is there, so that only the URDF decides about its errors.
+/// Every file exists, so only the URDF decides about its errors.
 class AloneFile final : public FileReader {
  public:
   explicit AloneFile(const std::string& text) { files_.add("r.urdf", text); }

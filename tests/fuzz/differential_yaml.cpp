@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What yaml-cpp's own reader, YAML::Load, makes of a text, against both engines of ours.
+// Compares both of our YAML engines with yaml-cpp's own reader, YAML::Load.
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -14,10 +14,11 @@ using namespace smurf::test;
 
 namespace {
 
-/// What we refuse although yaml-cpp reads it. Everything else that yaml-cpp reads, we read.
+/// Texts that we refuse although yaml-cpp accepts them. We accept all other texts that yaml-cpp
+/// accepts.
 struct Refusal {
   std::string_view rule;
-  std::string_view message;  ///< how the message begins
+  std::string_view message;  ///< the beginning of the message
   std::string_view reason;
 };
 constexpr Refusal kRefusals[] = {
@@ -77,7 +78,7 @@ class Comparison {
 
   void same_scalar(yaml::View ours, const YAML::Node& theirs) {
     if (!theirs.IsScalar() || theirs.Scalar() != ours.text()) return note("this text", ours);
-    // What yaml-cpp tags so is neither quoted nor a block.
+    // Nodes with this tag are neither quoted nor blocks.
     if (theirs.Tag() == "?" && ours.style() != yaml::Style::plain) note("a quoted text", ours);
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The language server: a stream of messages, or a document that is asked about everywhere and then
 // edited, as is another file of its model. Each request gets one answer, and after the edits the
-// same is found as in a server that sees the texts for the first time.
+// findings equal those of a new server.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -54,7 +54,7 @@ void require(bool is_kept, const char* promise) {
   std::abort();
 }
 
-/// A server, and what it has said.
+/// A server and its messages.
 struct Talk {
   std::size_t answers = 0;
   std::map<std::string, Json> found;  ///< by URI
@@ -103,7 +103,7 @@ void replay_stream(std::string_view bytes) {
   }
 }
 
-/// Mostly in the text.
+/// Usually within the text.
 Json place(std::minstd_rand& random, std::size_t lines) {
   if (random() % 20 == 0) return {{"line", -1}, {"character", 4294967296}};
   return {{"line", random() % (lines + 2)}, {"character", random() % 60}};
@@ -129,7 +129,7 @@ std::string text_of(const Talk& talk, std::string_view uri) {
   return talk.server.workspace().document(std::string(uri.substr(kFolder)))->text;
 }
 
-/// Deletes a part and puts another part of the text there, sometimes many times.
+/// Replaces a part of the text by another part, sometimes many times.
 void edit(Talk& talk, std::string_view uri, std::minstd_rand& random) {
   const std::string text = text_of(talk, uri);
   const std::size_t lines = count_lines(text);
@@ -167,7 +167,7 @@ void edit_document(std::string_view text) {
   talk.open(other, is_xml ? kSomeMotors : kSomeRobot);
   talk.server.rest();
   ask_everything(talk, uri, count_lines(text), random);
-  // What does not change is parsed for the last time in the second check after a change.
+  // Unchanged parts are parsed for the last time in the second check after a change.
   for (const std::string& edited : {other, other, uri}) edit(talk, edited, random);
   require_as_fresh(talk);
   for (const std::string& edited : {uri, other}) edit(talk, edited, random);

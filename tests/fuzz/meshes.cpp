@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A mesh file: its facts, and its triangles, which are all there or none.
+// A mesh file: its facts, and either all of its triangles or none.
 #include <cmath>
 #include <string_view>
 
@@ -46,7 +46,7 @@ std::vector<std::string> broken_promises(const MeshTriangles& mesh) {
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  // A glTF may name itself.
+  // A glTF may refer to itself.
   const auto neighbours = [&](const std::string& name) {
     return name.starts_with('m') ? FileContent{ReadStatus::ok, std::string(bytes), {}}
                                  : FileContent{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Our own readers tell where the parts of a file are; mutations are byte edits there. So a mutated
-// model is a model more often than not, and what is behind the readers has its turn. Bytes that no
-// reader takes, and every third mutation, are left to libFuzzer.
+// Our readers find the parts of a file; mutations are byte edits there. So most mutated models can
+// still be read, and the code after the readers is tested, too. libFuzzer mutates unreadable bytes,
+// and every third input.
 #include "fuzz/mutator.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace smurf::test {
 namespace {
 
-// What numbers, names, paths and values are replaced by.
+// Replacements for numbers, names, paths and values.
 constexpr std::string_view kNasty[] = {
     "nan",  "-inf",  ".nan", "1e400",      "-1e308",      "1e-400",     "-0",
     "0x10", "1,5",   "1.5.", "٣",          "−1",          "1e18",       "4294967296",
@@ -29,7 +29,7 @@ class Mutation {
   Mutation(const std::string& bundle, const std::string& other, Random& random)
       : text_(bundle), here_(bundle), there_(other), random_(random) {}
 
-  /// None when the drawn change does not fit the drawn part.
+  /// None if the random change does not fit the random part.
   std::optional<std::string> run() {
     if (here_.parts.empty()) return std::nullopt;
     using Change = bool (Mutation::*)();
@@ -46,7 +46,7 @@ class Mutation {
  private:
   using Test = std::function<bool(const Part&)>;
 
-  /// One of many that passes the test; null when none was drawn.
+  /// A random item that passes the test; null if none was found.
   const Part* draw(const Parts& from, const Test& test) {
     for (int tries = 0; tries < 30 && !from.parts.empty(); ++tries) {
       const Part& part = from.parts[random_.below(from.parts.size())];
@@ -64,7 +64,7 @@ class Mutation {
     text_.replace(range.begin, range.end - range.begin, by);
   }
 
-  /// A list or a mapping without a part: what separated it goes with it.
+  /// Removes a part from a list or mapping, with its separator.
   bool remove() {
     const Part& part = any();
     Range range = part.whole;
@@ -76,7 +76,7 @@ class Mutation {
     return true;
   }
 
-  /// A part as `Parts::dedented` gives it, but for its first line at a column.
+  /// Indents a part, as returned by `Parts::dedented`, to a column; not its first line.
   static std::string indented(std::string part, std::size_t column) {
     const std::string line = "\n" + std::string(column, ' ');
     for (std::size_t at = part.find('\n'); at != std::string::npos;
@@ -86,7 +86,7 @@ class Mutation {
     return part;
   }
 
-  /// Puts a part, as `Parts::dedented` gives it, behind one of the same kind.
+  /// Inserts a part, as returned by `Parts::dedented`, after a part of the same kind.
   bool put_behind(const Part& place, const std::string& part) {
     const bool has_lines = part.find('\n') != std::string::npos;
     if (place.is_flow && has_lines) return false;
@@ -175,7 +175,7 @@ class Mutation {
     return take(place, from, draw(from, [](const Part& part) { return !part.value.empty(); }));
   }
 
-  /// The name of one thing in the place of that of another, which refers to another kind perhaps.
+  /// Replaces a name by the name of another thing, possibly of another kind.
   bool take_name() {
     const Part* place = with_value();
     const Parts& from = anywhere();
@@ -185,7 +185,7 @@ class Mutation {
                 }));
   }
 
-  /// The name of a file of the bundle where one stands: files that name each other, or themselves.
+  /// Replaces a file name by one of the bundle, so that files name each other or themselves.
   bool take_file() {
     const Part* place = draw(here_, [&](const Part& part) {
       const std::string_view value = here_.at(part.value);
@@ -199,7 +199,7 @@ class Mutation {
     return true;
   }
 
-  /// Instead of a value, or of one number of it.
+  /// Replaces a value, or one number in it.
   bool put_nasty() {
     const Part* place = with_value();
     if (place == nullptr) return false;
@@ -216,7 +216,7 @@ class Mutation {
     return true;
   }
 
-  /// An anchor, and an alias behind it or in it.
+  /// Inserts an anchor, and an alias after it or in it.
   bool refer() {
     const Part* anchored = draw(here_, [](const Part& part) {
       return part.kind == PartKind::member && !part.value.empty();
@@ -234,7 +234,7 @@ class Mutation {
     return true;
   }
 
-  /// A value in a list or a mapping, an element in one of its own name.
+  /// Wraps a value in a list or a mapping, or an element in an element of the same name.
   bool wrap() {
     const Part& part = any();
     if (part.kind == PartKind::attribute) return false;
@@ -252,7 +252,7 @@ class Mutation {
     return true;
   }
 
-  /// Two files change their contents or their names, or one gets another name.
+  /// Two files exchange their contents or their names, or one file is renamed.
   bool change_files() {
     const std::size_t count = here_.files.size();
     if (count < 2) return false;
@@ -276,7 +276,7 @@ class Mutation {
   }
 
   std::string text_;
-  Parts here_;  ///< of the text before the change
+  Parts here_;  ///< from the text before the change
   Parts there_;
   Random& random_;
 };

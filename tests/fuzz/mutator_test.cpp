@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The mutator of the fuzz targets: the same of the same seed, within its bound, and mostly files
-// that can still be read.
+// The mutator of the fuzz targets: equal seeds give equal results, within the bound, and most files
+// can still be read.
 #include "fuzz/mutator.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of the files of a bundle, and where they are in it.
+// The parts of the files of a bundle, and their places.
 #pragma once
 
 #include <algorithm>
@@ -29,13 +29,13 @@ struct Part {
   PartKind kind = PartKind::element;
   Range whole;
   Range name;   ///< empty for entries of lists
-  Range value;  ///< of an element its text
+  Range value;  ///< for an element, its text
   bool is_flow = false;
   std::size_t file = 0;
 };
 
 struct File {
-  Range name;  ///< empty for what stands before the first mark
+  Range name;  ///< empty for the text before the first marker
   Range text;
 };
 
@@ -49,11 +49,11 @@ class Parts {
   std::string_view at(Range range) const {
     return text_.substr(range.begin, range.end - range.begin);
   }
-  /// Bytes from the begin of the line.
+  /// The bytes since the beginning of the line.
   std::size_t column(std::size_t offset) const {
     return offset == 0 ? 0 : offset - (text_.rfind('\n', offset - 1) + 1);
   }
-  /// As it would stand at the begin of a line.
+  /// The text without the indentation of its place.
   std::string dedented(const Part& part) const {
     const std::size_t indent = column(part.whole.begin);
     std::string result(at(part.whole));

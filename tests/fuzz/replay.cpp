@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs a fuzz target on the files of the folders given: replays what fuzzing once found, with any
-// compiler. Prints how many there were.
+// Runs a fuzz target on the files of the given folders: replays earlier fuzzing results, with any
+// compiler. Prints the number of files.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     if (!std::filesystem::exists(argv[i])) continue;  // nothing was found for this target
     for (const auto& entry : std::filesystem::recursive_directory_iterator(argv[i])) {
       if (!entry.is_regular_file()) continue;
-      std::fprintf(stderr, "%s\n", entry.path().c_str());  // the last one is the culprit
+      std::fprintf(stderr, "%s\n", entry.path().c_str());  // the last file is the cause
       std::ifstream file(entry.path(), std::ios::binary);
       const std::string bytes{std::istreambuf_iterator<char>(file), {}};
       LLVMFuzzerTestOneInput(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());

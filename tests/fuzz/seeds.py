@@ -12,7 +12,7 @@ import struct
 import sys
 import zipfile
 
-LARGEST = 20000  # bytes; libFuzzer gets nowhere with large inputs
+LARGEST = 20000  # bytes; libFuzzer makes no progress with large inputs
 MESHES = {".stl", ".obj", ".dae", ".bobj", ".gltf", ".glb"}
 YAML = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"}
 
@@ -83,7 +83,7 @@ def streams() -> list[bytes]:
 
 
 def gltfs() -> list[bytes]:
-    """A triangle as text and binary, in a file of its own, and with nodes."""
+    """A triangle as text and binary, in a separate file, and with nodes."""
     points = struct.pack("<9f3B", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 2) + b"\0"
     file = {
         "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
@@ -115,7 +115,7 @@ def archive(folder: pathlib.Path, method: int) -> bytes:
 
 
 def bundle(entry: pathlib.Path, folder: pathlib.Path, name: str) -> bytes:
-    """The entry under `name`, then the texts that lie beside, below and in ../urdf of it."""
+    """The entry under `name`, then the texts in its folder, below it, and in ../urdf."""
     texts = [b"%%%% %s\n" % name.encode() + entry.read_bytes()]
     beside = [*sorted(folder.rglob("*")), *sorted((folder.parent / "urdf").glob("*"))]
     for path in beside:

@@ -28,7 +28,7 @@ FOLDER_SECONDS = 2 * SECONDS
 
 
 def folder(*commands):
-    """A function that writes the files, and the commands to try in their folder."""
+    """A function that writes the files, and the commands to run in their folder."""
 
     def add(make):
         FOLDERS.append((make, commands))
@@ -154,7 +154,7 @@ DEEP = "d/" * 600
 @folder(LINT, ("smurf-lint", "-q", DEEP + "r0.urdf"), ("smurf2urdf", "-q", "-o", "o.urdf", DEEP + "r0.urdf"),
         ("smurf-load-check", "-q", "--time", "0.001", "."))
 def folders_in_folders(write):
-    """Each way down once was walked again for each folder on it."""
+    """Each path down was formerly searched again for each folder on it."""
     write(".git/HEAD", "")
     for i in range(20):
         write(f"{DEEP}r{i}.urdf", '<robot name="r"><link name="b"/></robot>')
@@ -175,7 +175,7 @@ def a_model_in_the_deepest_folder(write):
 
 @folder(("smurf-lint", "-q", "r.smurf"), ("smurf-lint", "--dump-model", "r.smurf"))
 def files_in_deep_folders(write):
-    """Of a path, each beginning was kept and looked up from the root."""
+    """Each prefix of a path was kept and looked up from the root."""
     write(".git/HEAD", "")
     names = [f"c{i}/" + "d/" * 1800 + "a.yml" for i in range(10)]
     for name in names:
@@ -194,7 +194,7 @@ def models_that_share_what_is_renamed(write):
 
 @folder(("smurf-lint", "--rename", "link:b=c", "--diff", "r.urdf"))
 def many_uses_of_what_is_renamed(write):
-    """The text was copied for each."""
+    """The text was copied for each of them."""
     write(".git/HEAD", "")
     write("r.urdf", '<robot name="r"><link name="b"/>' + repeat('<frame name="f{}" link="b"/>', 3 * MEGABYTE) + "</robot>")
 
@@ -252,7 +252,7 @@ def a_long_name_in_many_shapes(write):
 
 
 def make_folder(path):
-    """With all above it, of which there may be more than Python makes in reasonable time."""
+    """Including the folders above it, which may be too many for Python to make in reasonable time."""
     if not path.exists():
         subprocess.run(["mkdir", "-p", path], check=True)
 

@@ -18,11 +18,11 @@ class Case:
     make: typing.Callable
 
     def arguments(self, size: int) -> list:
-        """Those of the tool; a part of the command may be a function of the size."""
+        """The arguments of the tool; a part of the command may be a function of the size."""
         return [one for part in self.command[1:] for one in (part(size) if callable(part) else [part])]
 
     def variables(self, size: int) -> dict:
-        """Those of the environment, which may be functions of the size as well."""
+        """The environment variables, whose values may be functions of the size as well."""
         return {name: value(size) if callable(value) else value for name, value in self.environment.items()}
 
     def write(self, size: int, folder: pathlib.Path) -> None:
@@ -65,13 +65,13 @@ URDF = '<robot name="r"><link name="a"/></robot>'
 
 
 def link_spellings(n: int) -> list:
-    """Of this folder, where `l` and `m` are links to it."""
+    """In this folder, `l` and `m` are links to the folder itself."""
     return ["/".join("lm"[i >> bit & 1] for bit in range(13)) for i in range(n)]
 
 
 @grows(30, "smurf-lint", "-q", "a.smurf")
 def links_in_files(n, write):
-    """The file grows as the number of its names does: read for each name, it would be quadratic."""
+    """The file grows in proportion to its number of names: reading it for each name would be quadratic."""
     write.link("l", ".")
     write.link("m", ".")
     write("b.yml", "foo:\n" + "- 1\n" * 40 * n)
@@ -342,7 +342,7 @@ def entities_to_phobos(n, write):
 
 
 def mesh_of_many_names(n, write):
-    """The file grows as the number of its names does: written for each name, it would be quadratic."""
+    """The file grows in proportion to its number of names: writing it for each name would be quadratic."""
     write.link("l", ".")
     write.link("m", ".")
     facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
@@ -473,7 +473,7 @@ def sections_of_other_readers(n, write):
 # Drake's language.
 
 
-# More names than `suggestions` are compared with each other, so that this is not what grows.
+# More names than `suggestions` are compared with each other, so that this cost does not grow.
 @grows(300, "smurf-lint", "-q", "--target", "drake", "--limit", "suggestions=10000", "a.urdf")
 def drake_groups_of_unknown_members(n, write):
     group = ('<drake:collision_filter_group name="g{0}"><drake:member link="m{0}"/><drake:member_group name="h{0}"/>'

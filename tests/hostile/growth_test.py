@@ -30,7 +30,7 @@ def instructions(tools: pathlib.Path, case: growth_inputs.Case, folder: pathlib.
 
 
 def fault(tools: pathlib.Path, case: growth_inputs.Case) -> str:
-    """Empty when the case grows as its input does."""
+    """An error message; empty if the cost grows in proportion to the input."""
     with tempfile.TemporaryDirectory() as work:
         try:
             small, large = (instructions(tools, case, pathlib.Path(work) / str(size), size)

@@ -22,7 +22,7 @@ import cli  # noqa: E402
 
 SECONDS = 2
 MEGABYTES = 300
-# What each tool is asked for; {} is the input. What is written goes to `out`.
+# The arguments of each tool; {} is the input. Results go to `out`.
 COMMANDS = {
     "smurf-lint": ["{}"],
     "smurf2urdf": ["{}", "-o", "out/robot.urdf"],
@@ -34,7 +34,7 @@ COMMANDS = {
 
 
 class Run:
-    """A run of a tool in a folder of its own: how it ended, and what it took and wrote."""
+    """A run of a tool in a separate folder: its end, its cost, and its files."""
 
     def __init__(self, arguments, folder):
         said = folder / "said"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input that nobody means well with: the library reports it, in bounded time, and does nothing
+// Hostile input: the library reports it in bounded time, and does nothing
 // else.
 #include <doctest/doctest.h>
 
@@ -34,14 +34,14 @@ std::size_t check(const FileReader& files, const std::string& path, bool renders
   return result.findings;
 }
 
-/// Processor time, so that other work of the machine does not count.
+/// Processor time, which does not include other work of the machine.
 double seconds(const std::function<void()>& run) {
   const std::clock_t start = std::clock();
   run();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// A text under a name of its kind, alone or as a part of a model.
+/// A text in a file of its kind, alone or as a part of a model.
 std::size_t check_text(const std::string& name, const std::string& text, bool renders = true) {
   MemoryFiles files;
   files.add(name, text);
@@ -72,7 +72,7 @@ TEST_CASE("hostile: every file of a model cut short at every byte") {
       files.add(name, whole.substr(0, size));
       check(files, name, size % 64 == 0);
     }
-    // Now and then as a part of the whole model.
+    // Sometimes as a part of the whole model.
     for (std::size_t size = 0; size < whole.size(); size += 97) {
       MemoryFiles files(&disk);
       files.add(kArm + name, whole.substr(0, size));

@@ -18,7 +18,7 @@ MODEL = b"files: [r.urdf]\n"
 
 
 def repeat(text, size, number="{}"):
-    """`text` again and again, until there are `size` bytes. `number` stands for the number of the repetition."""
+    """Repeats `text` until there are `size` bytes. `number` stands for the number of the repetition."""
     parts = []
     while size > 0:
         parts.append(text.replace(number, str(len(parts))))
@@ -27,7 +27,7 @@ def repeat(text, size, number="{}"):
 
 
 class Special:
-    """What is no file with bytes: makes itself at a path."""
+    """An input that is not a file with bytes: creates itself at a path."""
 
     def __init__(self, make):
         self.make = make
@@ -247,7 +247,7 @@ FIFTY_MEGABYTES = {
     "empty transmissions": ("r.urdf", ROBOT, b"<transmission/>", b"</robot>"),
     "empty visuals": ("r.urdf", b'<robot name="r"><link name="a">', b"<visual/>", b"</link></robot>"),
 }
-# Fewer than the limits allow of what takes most to tell of.
+# Fewer findings than the limits allow, of the kinds with the longest messages.
 EIGHT_MEGABYTES = {
     "empty entities": ("s.smurfs", b"entities:\n", b"- {}\n", b""),
     "ampersands": ("r.urdf", b'<robot name="', b"&", b'"/>'),
@@ -339,7 +339,7 @@ DAE = (b'<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COL
 
 
 def placed_dae(nodes, corners=b"0 1 2"):
-    """A DAE of three points with these nodes in its library, of which the scene shows n0."""
+    """A DAE of three points with these nodes in its library; the scene shows n0."""
     return (DAE % (b"9", b"0 0 0 1 0 0 0 1 0", b"3", b"%d" % (len(corners.split()) // 3), corners)).replace(
         b"</COLLADA>", b'<library_nodes>%s</library_nodes><library_visual_scenes><visual_scene id="s"><node>'
         b'<instance_node url="#n0"/></node></visual_scene></library_visual_scenes><scene>'
@@ -434,7 +434,7 @@ def shapes():
 # --- archives ------------------------------------------------------------------------------------
 
 class Repeated:
-    """A megabyte so many times. What takes memory here would count as that of the tools."""
+    """This number of megabytes. Memory used here would be included in that of the tools."""
 
     def __init__(self, byte, megabytes):
         self.parts = [byte * (1 << 20)] * megabytes

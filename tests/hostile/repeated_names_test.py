@@ -112,7 +112,7 @@ class RepeatedNames(unittest.TestCase):
                 self.assertNotIn("<sensor>", written)
 
     def test_settings_of_a_sensor(self):
-        """Each ray of a scan is a sensor of MuJoCo; the lost settings are those of the one annotation."""
+        """Each ray of a scan is a sensor of MuJoCo; the lost settings are those of the annotation."""
         sensors = "sensors:\n- {name: s, type: RaySensor, link: b, width: 1000, a: 1, c: 2}\n"
         said, _ = self.flatten(with_annotations(sensors), "mjcf", "r.smurf", codes=(0,))
         self.assertRegex(said, r"\b2 sensor settings")

@@ -54,7 +54,7 @@ def pieces(piece: str, head: str = "", tail: str = "") -> str:
 
 
 def cases():
-    """Of a title, the files by name and the one to check."""
+    """For a title, the files by name and the file to check."""
     for section in SECTIONS:
         for item in ITEMS:
             yield f"{section}: {item}", {"a.urdf": URDF, "a.smurf": pieces(item, f"{MODEL}{section}:\n")}, "a.smurf"
@@ -81,7 +81,7 @@ def cases():
 
 
 def fault(tool: pathlib.Path, files: dict, main: str) -> str:
-    """Empty when the bounds are kept."""
+    """An error message; empty if the bounds are kept."""
     with tempfile.TemporaryDirectory() as work:
         folder = pathlib.Path(work)
         (folder / ".git").mkdir()

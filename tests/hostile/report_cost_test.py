@@ -15,7 +15,7 @@ import callgrind
 FORMATS = ("github", "gitlab", "sarif")
 FINDINGS = 1000
 DEPTH = 40  # folders
-MOST = 1.1  # times the instructions for a file with as long a path and without folders around it
+MOST = 1.1  # times the instructions for a file with a path of the same length and without parent folders
 
 
 def main() -> int:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot built in ODE from a few elements of URDF; what the tests of physics stand on.
+// A robot built in ODE from a few URDF elements, for the physics tests.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -25,7 +25,7 @@ inline void start_engine_once() {
   REQUIRE(is_started);
 }
 
-/// The elements in a `robot`, as a plan. `annotation` is an annotation file of the model.
+/// A plan of the elements in a `robot`. `annotation` is an annotation file of the model.
 struct Built {
   SourceMap sources;
   DiskFiles disk;
@@ -75,7 +75,7 @@ inline void run(World& world, double seconds) {
   for (long i = 0; i < steps; ++i) world.step();
 }
 
-/// Steps for ten seconds; the period is that of what passes through zero, by interpolation.
+/// Steps for ten seconds; the period is measured between zero crossings, by interpolation.
 template <class Position>
 double period_of(World& world, const Position& position) {
   constexpr double kWatched = 10;

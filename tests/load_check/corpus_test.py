@@ -16,12 +16,12 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 SUFFIXES = (".smurf", ".smurfs", ".smurfa", ".urdf")
-MOST_SECONDS = 10.5  # of processor time: 10 for the stages, and reading
+MOST_SECONDS = 10.5  # s of processor time: 10 for the stages, and some for reading
 MOVING = ("revolute", "continuous", "prismatic", "floating", "planar")
 NO_FIGURES = {"SML6001", "SML6002"}
-# Dropped, these three have no verdict: an assertion of ODE fails in dxLDLTRemove(), and 10 s are not enough.
+# In DROP, these three have no verdict: an assertion of ODE fails in dxLDLTRemove(), and 10 s are not enough.
 KNOWN = {("nao.urdf", "SML6001"), ("tiago.urdf", "SML6002"), ("tiago_dual.urdf", "SML6002")}
-# What a model may not raise whose links and limits are sound; overlaps are its own affair.
+# Rules that must not fire for a model with sound links and limits; overlaps are separate faults.
 OF_FAULTS = {"SML1501", "SML1502", "SML1504", "SML1508", "SML1509", "SML1511", "SML1512", "SML1513",
              "SML6301", "SML6302", "SML6401", "SML6402"}
 
@@ -56,8 +56,8 @@ def principal_moments(inertia):
 
 
 def faults(path):
-    """What is wrong with the masses and limits of a URDF, link by link; None when it is no robot
-    that can be judged here."""
+    """The faults of the masses and limits of a URDF, link by link; None if this test cannot judge
+    the robot."""
     try:
         robot = ElementTree.parse(path).getroot()
     except ElementTree.ParseError:
@@ -94,14 +94,14 @@ def faults(path):
 
 
 def judge(path, report):
-    """How the tool disagrees with faults()."""
+    """Disagreements of the tool with faults()."""
     found = {d["id"] for d in report["diagnostics"]}
     own = faults(path)
     if own is None or not all(c["stages"] for c in report["checks"]):
         return "unjudged", []
     wrong = [f"{rule}: no figures" for rule in sorted(found & NO_FIGURES) if (path.name, rule) not in KNOWN]
     if set(own) == {"limits"}:
-        # It starts at the nearest position that it may have, so that nothing jumps.
+        # It starts at the nearest allowed position, so that joints do not jump.
         wrong += [f"{s['stage']} {s['verdict']} though only zero is outside limits"
                   for c in report["checks"] for s in c["stages"]
                   if s["stage"] in ("STILL", "HANG") and s["verdict"] in ("fail", "skipped", "none")]

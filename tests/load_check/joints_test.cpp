@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Joints with more than one freedom against textbook physics.
+// Joints with several degrees of freedom, compared with textbook physics.
 #include <Eigen/Geometry>
 #include <numbers>
 
@@ -18,14 +18,14 @@ std::string hanging_arm(double mass, double length, double moment_x, double mome
          "\" iyz=\"0\" izz=\"0.05\"/></inertial></link>" + joint("continuous", "1 0 0");
 }
 
-/// Gravity that is turned about an axis, so that what hangs along -z swings about it.
+/// Gravity turned about an axis, so that a body hanging along -z swings about it.
 WorldSetup tilted(const Eigen::Vector3d& axis, double angle) {
   WorldSetup setup;
   setup.gravity = Eigen::AngleAxisd(angle, axis) * Eigen::Vector3d(0, 0, -kGravity);
   return setup;
 }
 
-/// Angle of the arm about an axis, from where gravity pulls it.
+/// Angle of the arm about an axis, relative to the direction of gravity.
 double angle_about(const World& world, const Plan& plan, const Eigen::Vector3d& axis, double rest) {
   const Vector3 down = rotate(world.link_pose(plan.links[1]).orientation, {0, 0, -1});
   const Eigen::Vector3d side = axis.cross(Eigen::Vector3d(0, 0, -1));

@@ -67,7 +67,7 @@ struct Case {
   }
 };
 
-/// By the third digit of the id; what the linter finds as well is found while building.
+/// The stage, by the third digit of the id; faults that the linter also finds are found in BUILD.
 std::string stage_of(const Rule& rule) {
   const std::string stages[] = {"", "BUILD", "POSE0", "STILL", "HANG", "DROP", "ANCHOR"};
   return stages[rule.id.starts_with("SML6") ? static_cast<std::size_t>(rule.id[4] - '0') : 1];
@@ -76,7 +76,7 @@ std::string stage_of(const Rule& rule) {
 }  // namespace
 
 TEST_CASE("each rule of the load check: in its stage, at its place, alone") {
-  // The command line's tests have those that take a limit, a scene or a tighter bound.
+  // Fixtures that need a limit, a scene or a tighter bound are in the tests of the command line.
   const std::set<std::string_view> elsewhere = {"SML6001", "SML6002", "SML6105",
                                                 "SML6302", "SML6402", "SML6601"};
   std::set<std::string_view> covered = elsewhere;

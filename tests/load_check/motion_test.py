@@ -23,11 +23,11 @@ import xml.etree.ElementTree as ElementTree
 import motion_urdf
 
 GRAVITY = 9.81
-EXACT = 1e-6    # m; DART's steps are of first order as ODE's are
+EXACT = 1e-6    # m; DART's steps are of first order, like those of ODE
 TIMES = (0.1, 0.25, 0.5, 1.0)
-PLACE = 1e-3    # m; the most on a hundred real robots was 1e-4
+PLACE = 1e-3    # m; the largest difference on a hundred real robots was 1e-4
 DROP_ENERGY = 1e-3  # m; measured: none
-DROP_HEIGHT = 0.25  # m; what collapses does so in other ways where contacts are soft: up to 0.2
+DROP_HEIGHT = 0.25  # m; a collapsing robot moves differently with soft contacts: up to 0.2
 FACTOR = 3
 CONTACT_STEPS = 2.5  # between the first contacts of two engines
 SECONDS = 120
@@ -39,7 +39,7 @@ class Refused(Exception):
 
 
 class Bench:
-    """Runs one robot in one engine, in a process of its own."""
+    """Runs one robot in one engine, in a separate process."""
 
     def __init__(self, build, step, scratch):
         self.build, self.step, self.scratch = pathlib.Path(build), step, pathlib.Path(scratch)
@@ -79,7 +79,7 @@ class Bench:
 
 
 def farthest(one, other):
-    """The distance of the links that both know."""
+    """The distance of the links that are in both."""
     return max((math.dist(one[link], other[link]) for link in one.keys() & other.keys()), default=0)
 
 
@@ -123,7 +123,7 @@ class Comparison:
 
 
 def distinct(folders):
-    """The URDFs, one of each content."""
+    """The URDFs, without copies of the same content."""
     seen = set()
     for path in sorted(p for folder in folders for p in pathlib.Path(folder).rglob("*.urdf")):
         digest = hashlib.sha256(path.read_bytes()).digest()

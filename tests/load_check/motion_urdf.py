@@ -13,7 +13,7 @@ DEPTH = 100     # m; of the ground
 
 
 class Unfit(Exception):
-    """Why a file is no robot that all three can move."""
+    """The reason why a file is not a robot that all three engines can move."""
 
 
 def joints_of(robot):
@@ -34,7 +34,7 @@ def root_of(robot):
 
 
 def read(path):
-    """The robot without what only some engines know."""
+    """The robot without elements that only some engines support."""
     try:
         robot = ElementTree.parse(path).getroot()
     except ElementTree.ParseError:
@@ -56,7 +56,7 @@ def read(path):
 
 
 def rename_world(robot):
-    """MuJoCo takes a link of that name for the world, which cannot fall."""
+    """MuJoCo treats a link of that name as the world, which cannot fall."""
     for element in robot.iter():
         for key in ("name", "link"):
             if element.tag in ("link", "parent", "child") and element.get(key) == "world":
@@ -96,7 +96,7 @@ def mass_of(robot):
 
 
 def has_possible_inertia(inertial):
-    """By the leading minors, of the inertia and of what the triangle inequality makes of it."""
+    """Uses the leading minors of the inertia, and of the tensor for the triangle inequality."""
     try:
         mass = float(inertial.find("mass").get("value"))
         xx, xy, xz, yy, yz, zz = (float(inertial.find("inertia").get(k))
@@ -109,12 +109,12 @@ def has_possible_inertia(inertial):
             a * (b * c - yz * yz) - xy * (xy * c - yz * xz) + xz * (xy * yz - b * xz) > 0)
 
     half = (xx + yy + zz) / 2
-    xy, xz, yz = -xy, -xz, -yz  # half the trace less the inertia is the second moment of mass
+    xy, xz, yz = -xy, -xz, -yz  # half the trace minus the inertia is the second moment of mass
     return mass > 0 and is_positive(half - xx, half - yy, half - zz)
 
 
 def put_ball(link, mass):
-    """The mass of a ball of water in place of the link's own inertial; 1 kg where it has none."""
+    """The mass of a ball of water that replaces the link's own inertial; 1 kg if there is none."""
     origin = link.find("inertial/origin")
     for inertial in link.findall("inertial"):
         link.remove(inertial)
@@ -128,7 +128,7 @@ def put_ball(link, mass):
 
 
 def mended(robot):
-    """The robot with masses that every engine takes, in place of those that a body cannot have."""
+    """Replaces impossible masses by masses that every engine accepts."""
     robot = copy.deepcopy(robot)
     links = {link.get("name"): link for link in robot.findall("link")}
     body_of = {root_of(robot): root_of(robot)}

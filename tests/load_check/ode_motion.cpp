@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A URDF as the load check lets it hang, fall and drop. Its own shapes do not touch each other.
+// Lets a URDF hang, fall and drop as the load check does. Its shapes do not collide with each
+// other.
 #include "readers/motion.hpp"
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The world against textbook physics.
+// Compares the world with textbook physics.
 #include "load_check/built.hpp"
 
 using namespace smurf;
@@ -69,7 +69,7 @@ TEST_CASE("a hinge turns about its axis by the right-hand rule, from the zero of
                       Base::Kind::world, positions);
     World world(built.plan, {});
     CHECK(world.joint_position(0) == doctest::Approx(0.3 * sign));
-    // About +y the arm along x sinks.
+    // About +y, an arm along x moves down.
     run(world, 0.1);
     MESSAGE("axis " << axis << ": from " << 0.3 * sign << " to " << world.joint_position(0));
     CHECK(world.joint_position(0) * sign > 0.31);
@@ -91,7 +91,7 @@ TEST_CASE("a stop counts from the zero of the URDF, wherever the joint starts") 
 }
 
 TEST_CASE("links that are fixed to each other are one body with the inertia of the whole") {
-  // Two cubes of 0.2 m side by side, the second one turned, are a bar of 0.4 m.
+  // Two cubes of 0.2 m side by side, the second one rotated, form a bar of 0.4 m.
   constexpr double kMass = 3;
   constexpr double kEdge = 0.2;
   const double cube = kMass * kEdge * kEdge / 6;

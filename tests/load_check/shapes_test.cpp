@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shapes that are read from files: meshes and heightfields, as what falls on them feels them.
+// Shapes that are read from files: bodies that fall on meshes and heightfields.
 #include <fstream>
 
 #include "load_check/built.hpp"
@@ -106,7 +106,7 @@ TEST_CASE("heights are the grey values of a PNG, from the top row on") {
   const HeightImage& terraces = std::get<HeightImage>(image);
   REQUIRE(terraces.columns == 33);
   REQUIRE(terraces.rows == 33);
-  // 16 bits: the middle values are not those of 8 bits.
+  // With 16 bits, the middle values differ from those with 8 bits.
   CHECK(terraces.heights[0] == doctest::Approx(0.2).epsilon(1e-4));
   CHECK(terraces.heights[32] == doctest::Approx(0.4).epsilon(1e-4));
   CHECK(terraces.heights[32 * 33] == doctest::Approx(0.6).epsilon(1e-4));

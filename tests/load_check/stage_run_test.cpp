@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What ODE's solver complains about is no verdict, unless it does not when joints start inside
-// their stops.
+// A stage in which ODE's solver complains is repeated with joints inside their stops. If ODE
+// complains again, the stage gets no verdict.
 #include "smurf-load-check/stage_run.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Results on their way out of a child: what was sent arrives, whatever the numbers are.
+// Results sent by a child arrive unchanged, for all numbers.
 #include "smurf-load-check/wire.hpp"
 
 #include <doctest/doctest.h>
@@ -70,7 +70,7 @@ TEST_CASE("a trace that the child could not finish is no result") {
 }
 
 TEST_CASE("all that a finding says arrives") {
-  // One more member does not compile here before the test looks at it.
+  // A new member does not compile here until the test compares it.
   const auto parts = [](const Diagnostic& diagnostic) {
     const auto& [rule, severity, span, message, caret, pointer, named_pointer, construct,
                  consequences, untargeted, labels, notes, help, fixes, left_out] = diagnostic;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A client of smurf-lsp over real standard streams: as small as can be, and strict."""
+"""A small and strict client of smurf-lsp over real standard streams."""
 import json
 import pathlib
 import queue
@@ -24,7 +24,7 @@ class RequestError(Exception):
 
 
 class Client:
-    """Starts a server. `capabilities` are what the client says it can do."""
+    """Starts a server. `capabilities` are those of the client."""
 
     def __init__(self, tool, folders=(), capabilities=None, options=None, arguments=(), cwd=None):
         self.process = subprocess.Popen([str(tool), *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
@@ -41,7 +41,7 @@ class Client:
         self.last_id = 0
         self.versions = {}
         self.texts = {}
-        self.diagnostics = {}  # by path, as published last
+        self.diagnostics = {}  # by path, as last published
         self.initialized = self.request("initialize", {
             "processId": None, "rootUri": uri(folders[0]) if folders else None,
             "workspaceFolders": [{"uri": uri(one), "name": pathlib.Path(one).name} for one in folders] or None,
@@ -126,7 +126,7 @@ class Client:
         self.change(path, [{"text": text}])
 
     def edit(self, path, begin, end, text):
-        """Replaces characters of the text that the server has."""
+        """Replaces characters of the server's text."""
         path = str(path)
         old = self.texts[path]
         self.texts[path] = old[:begin] + text + old[end:]
@@ -144,7 +144,7 @@ class Client:
         return self.request(method, {"textDocument": {"uri": uri(path)}, **more})
 
     def published(self, path, timeout=60):
-        """The findings of a document in the version that it has now."""
+        """The findings of the current version of a document."""
         path = str(path)
         while self.diagnostics.get(path, {}).get("version") != self.versions[path]:
             self._take(timeout)
@@ -167,7 +167,7 @@ class Client:
 
 
 def position(text, offset):
-    """In UTF-16, as the protocol has it unless something else was agreed on."""
+    """In UTF-16, the default of the protocol."""
     before = text[:offset].split("\n")
     return {"line": len(before) - 1, "character": len(before[-1].encode("utf-16-le")) // 2}
 
@@ -186,7 +186,7 @@ def text_in(text, span):
 
 
 def apply(text, edits):
-    """The text with edits of the protocol, which are all of the text as it was."""
+    """The text after edits of the protocol, all of which refer to the original text."""
     for edit in sorted(edits, key=lambda one: offset(text, one["range"]["start"]), reverse=True):
         begin, end = (offset(text, edit["range"][side]) for side in ("start", "end"))
         text = text[:begin] + edit["newText"] + text[end:]

@@ -22,7 +22,7 @@ SETTINGS = {"strict": True, "noEmit": True, "target": "es2022", "module": "noden
 
 
 def inputs(folder):
-    """Files of all kinds, spread over the folder."""
+    """Files of all kinds, evenly selected from the folder."""
     found = sorted(one for one in folder.rglob("*")
                    if one.suffix in KINDS and one.is_file() and one.stat().st_size < LARGEST)
     return found[::max(1, len(found) // MOST)][:MOST]

@@ -40,7 +40,7 @@ def of_linter(linter, path, position_of):
 
 
 def of_server(diagnostics, text):
-    """The same. A byte order mark is a character of the protocol; the columns of the linter do not count it."""
+    """The same for the linter. A byte order mark is a character in the protocol; the columns of the linter do not count it."""
     def position(place):
         is_behind_mark = text.startswith(MARK) and place["line"] == 0 and place["character"] > 0
         return place["line"], place["character"] - is_behind_mark
@@ -49,7 +49,7 @@ def of_server(diagnostics, text):
 
 
 def positions_in(text):
-    """From lines and characters, counted from 1, to those of the protocol."""
+    """Converts lines and characters, counted from 1, to those of the protocol."""
     lines = text.removeprefix(MARK).split("\n")
 
     def position_of(line, column):
@@ -59,7 +59,7 @@ def positions_in(text):
 
 
 def edit_of(text, rng):
-    """Begin, end and the new text of what people do: lines and characters that go, come and change."""
+    """Begin, end and the new text of typical edits: inserted, deleted and changed lines and characters."""
     if not text:
         return 0, 0, "a: 1\n"
     at = rng.randrange(len(text))
@@ -71,7 +71,7 @@ def edit_of(text, rng):
 
 
 def compare(server, linter, path, edits, rng):
-    """What differs, in words; "" when nothing does."""
+    """The differences, in words; "" if there are none."""
     server.open(path)
     for number in range(edits + 1):
         text = server.texts[str(path)]
@@ -82,7 +82,7 @@ def compare(server, linter, path, edits, rng):
             return (f"{path} after {number} edits:\n  only told: {[one for one in told if one not in found]}\n"
                     f"  only found: {[one for one in found if one not in told]}\n{problem}")
         if number < edits:
-            for _ in range(rng.randrange(1, 4)):  # several strokes between two checks
+            for _ in range(rng.randrange(1, 4)):  # several key strokes between two checks
                 text = server.texts[str(path)]
                 server.edit(path, *edit_of(text, rng))
     server.close(path)

@@ -20,7 +20,7 @@ from neovim_test import ROOT, snippet  # noqa: E402
 
 TOOL = None
 PROGRAMS = ["kate", "Xvfb", "xdotool", "dbus-run-session"]
-SECONDS = 60  # to wait for something
+SECONDS = 60  # s to wait for something
 
 
 class Kate(unittest.TestCase):
@@ -111,7 +111,7 @@ class Kate(unittest.TestCase):
         self.press("Return")
 
         def is_renamed():
-            # No window manager gives the keyboard back when the dialog is closed.
+            # Without a window manager, the focus does not return when the dialog is closed.
             self.xdotool("search", "--onlyvisible", "--name", "arm.urdf", "windowfocus")
             self.press("ctrl+l")  # saves all
             return '<joint name="waist"' in self.urdf.read_text()

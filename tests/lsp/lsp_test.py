@@ -68,11 +68,11 @@ class LspTest(unittest.TestCase):
         return self.client.published(path)
 
     def settle(self):
-        """Waits until all messages but those about folders are handled."""
+        """Waits until all messages except those about folders are handled."""
         self.client.of("textDocument/foldingRange", self.motors)
 
     def expect_soon(self, path, codes):
-        """Of a file that is not open, which has no version to wait for."""
+        """Findings of a file that is not open, which has no version to wait for."""
         end = time.monotonic() + 30
         while True:
             self.settle()
@@ -133,7 +133,7 @@ class Diagnostics(LspTest):
         self.assertEqual(self.client.published(self.motors), [])
 
     def test_in_files_that_are_not_open(self):
-        """A joint that gets another name breaks the motor of another file."""
+        """Renaming a joint breaks the motor in another file."""
         self.open(self.urdf)
         at = self.find(self.urdf, '<joint name="joint1_waist"') + len('<joint name="')
         self.client.edit(self.urdf, at, at + 6, "joynt1")
@@ -193,7 +193,7 @@ class Pulled(LspTest):
         self.assertEqual(self.client.diagnostics, {})
 
     def tags_of(self, rule):
-        """Of the findings of a rule in its fixture."""
+        """The actions for the findings of a rule in its fixture."""
         folder = next((FIXTURES / "rules").glob(f"{rule}-*")) / "bad"
         main = (sorted(folder.glob("*.smurf*")) + sorted(folder.glob("*.urdf")))[0]
         self.client.open(main)
@@ -204,10 +204,10 @@ class Pulled(LspTest):
         return {tuple(one.get("tags", ())) for one in found if one["code"] == rule}
 
     def test_tags(self):
-        """`unnecessary` is what every known reader ignores, and nothing that has an effect."""
+        """`unnecessary` marks elements that every known reader ignores, and nothing that has an effect."""
         for rule in ("SML3104", "SML5208", "SML5209"):
             self.assertEqual(self.tags_of(rule), {(1,)}, rule)
-        # An error; something else is built; ignored by some and refused by another; read by Drake alone.
+        # An error; a different result; ignored by some and refused by another reader; read by Drake only.
         for rule in ("SML3101", "SML1107", "SML2014", "SML1451"):
             self.assertEqual(self.tags_of(rule), {()}, rule)
 
@@ -225,7 +225,7 @@ class Pulled(LspTest):
         self.assertEqual({one["kind"] for one in again["items"]}, {"unchanged"})
 
     def test_closed_without_saving(self):
-        """The folder has the text of the disk again: in the findings and in the names."""
+        """After closing, the text on disk applies again: in the findings and in the names."""
         self.client.open(self.motors, self.motors.read_text().replace("joint1_waist", "no_joint"))
         self.assertEqual(self.found_in_folder(), {"SML3101"})
         self.assertEqual(len(self.client.request("workspace/symbol", {"query": "no_joint"})), 1)
@@ -240,7 +240,7 @@ class Pulled(LspTest):
                 for one in file["items"]}
 
     def test_memory_of_many_findings(self):
-        """A megabyte of 25,000 findings: they are printed one by one, as a tree of all takes 70 MB."""
+        """A megabyte with 25,000 findings: they are printed one by one, because a tree of all of them needs 70 MB."""
         entry = f"- {{name: {'n' * 40}, joint: {'n' * 40}q, mimic_motor: {'n' * 40}r, joitn: j}}\n"
         self.client.open(self.motors, "motors:\n" + entry * (1_000_000 // len(entry)))
         self.client.of("textDocument/diagnostic", self.motors)
@@ -249,7 +249,7 @@ class Pulled(LspTest):
 
 
 class Refreshed(LspTest):
-    """A client that asks is told when to ask again."""
+    """A client that requests findings is notified when to request them again."""
     capabilities = {**ALL, "workspace": {name: {"refreshSupport": True}
                                          for name in ("diagnostics", "inlayHint", "semanticTokens")},
                     "textDocument": {"diagnostic": {}}}
@@ -274,7 +274,7 @@ class Refreshed(LspTest):
 
 
 class Folders(LspTest):
-    """A folder that takes a second or more to check."""
+    """A folder whose check needs a second or more."""
     def setUp(self):
         super().setUp()
         star = "".join(f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="b"/><child link="l{i}"/></joint>'
@@ -302,7 +302,7 @@ class Folders(LspTest):
         self.assertEqual([one["code"] for one in self.client.published(self.motors)], ["SML3101"])
         self.client.at("textDocument/hover", self.motors, at + 1)
         self.assertFalse(request in self.client.answers)
-        # What was typed since then is in the next answer.
+        # The next answer contains what was typed since then.
         self.assertNotIn(str(self.motors), self.found(request))
         self.assertEqual(self.found(self.begin())[str(self.motors)], ["SML3101"])
 
@@ -310,7 +310,7 @@ class Folders(LspTest):
         whole = self.found(self.begin())
         self.assertGreaterEqual(len(whole), 200)
         for path in self.folder.glob("many/*.urdf"):
-            path.write_text(path.read_text().replace('name="r"', 'name="s"'))  # else all is known
+            path.write_text(path.read_text().replace('name="r"', 'name="s"'))  # otherwise, all files are known
         request = self.begin()
         self.client.notify("$/cancelRequest", {"id": request})
         self.assert_cancelled(request)
@@ -335,7 +335,7 @@ class Actions(LspTest):
         self.client.edit(self.motors, at, at + 6, "joynt1")
         self.client.published(self.motors)
         fix = self.actions(self.motors, at)[0]
-        self.assertEqual(fix["title"], "Replace `joynt1_waist` by `joint1_waist` (may change what the model means)")
+        self.assertEqual(fix["title"], "Replace `joynt1_waist` by `joint1_waist` (may change the meaning of the model)")
         self.assertFalse(fix["isPreferred"])
         self.assertEqual(self.applied(self.motors, fix["edit"]), before)
 
@@ -364,7 +364,7 @@ class Actions(LspTest):
         self.assertFalse([one for one in titles if one.startswith("Ignore")], titles)
 
     def test_safe_fixes(self):
-        """All at once, and each as a preferred one."""
+        """All of them at once, and each as a preferred one."""
         fixed = 0
         for folder in sorted((FIXTURES / "rules").glob("*/bad")):
             expected = folder / "expected.json"
@@ -455,7 +455,7 @@ class Names(LspTest):
         self.expect_soon(self.motors, [])
 
     def test_rename_in_models_that_share_a_file(self):
-        """When each has a joint of its own that one list of motors names, the reason says so."""
+        """If each has a joint of its own that the same list of motors names, the reason states this."""
         robot = ('<robot name="r"><link name="a"/><link name="b"/><joint name="JOINT" type="continuous">'
                  '<parent link="a"/><child link="b"/></joint></robot>\n')
         for model in "ab":
@@ -466,7 +466,7 @@ class Names(LspTest):
         with self.assertRaisesRegex(client.RequestError, "there are two: the joint `elbow` of .*/a.urdf:1:62 and that "
                                     "of .*/b.urdf:1:62$"):
             self.client.at("textDocument/rename", motors, self.find(motors, "elbow") + 1, newName="knee")
-        # A name of the shared file itself is one, and so is a joint of a shared robot.
+        # The name of the shared file is reported, and so is a joint of a shared robot.
         edit = self.client.at("textDocument/rename", motors, self.find(motors, "m, joint"), newName="drive")
         self.assertEqual(self.applied(motors, edit), "motors:\n- {name: drive, joint: elbow}\n")
         for model in "ab":
@@ -479,7 +479,7 @@ class Names(LspTest):
         self.assertEqual(changed, {"a.urdf", "a.yml", "b.yml"})
 
     def test_rename_in_a_package(self):
-        """What a model only reads is not changed: an editor would write to files that nobody opened."""
+        """Files that a model only reads are not changed: an editor would write to files that nobody opened."""
         robot = self.write("opt/pkg/r.urdf", '<robot name="r"><link name="a"/></robot>\n')
         (self.folder / "opt/pkg/.git").mkdir()
         (self.folder / "own/.git").mkdir(parents=True)
@@ -496,7 +496,7 @@ class Names(LspTest):
         self.assertEqual({path_of(one["textDocument"]["uri"]) for one in edit["documentChanges"]}, {str(robot), str(sensors)})
 
     def test_lines_that_an_editor_counts_differently(self):
-        """A carriage return alone ends a line in some editors: an edit of a file that they open for it would hit another line."""
+        """A carriage return alone ends a line in some editors, so an edit of a file that they open could hit another line."""
         self.write("cr/r.smurf", "modelname: r\nfiles: [r.urdf, m.yml]\n")
         robot = self.write("cr/r.urdf", '<robot name="r"><link name="a"/></robot>\n')
         (self.folder / "cr/m.yml").write_bytes(b"# a\rb\nsensors:\n- {name: s, type: NodeIMU, link: a}\n")
@@ -531,7 +531,7 @@ class Names(LspTest):
         self.assertEqual(sum(len(one["edits"]) for one in edit["documentChanges"]), 100_000)
 
     def test_memory_of_too_many_uses(self):
-        """A megabyte of one name. The first 100,000 places are shown, and an editor does not rename more."""
+        """A megabyte of one name. The first 100,000 places are shown; more cannot be renamed."""
         if cli.is_sanitized(TOOL):
             self.skipTest("sanitizers take a multiple of the memory and time")
         sensors, at = self.many_uses(330_000)
@@ -541,7 +541,7 @@ class Names(LspTest):
         self.assertLess(self.peak(), 300)
 
     def test_memory_of_many_symbols(self):
-        """A megabyte of keys: trees of all take 340 MB."""
+        """A megabyte of keys: trees for all of them need 340 MB."""
         if cli.is_sanitized(TOOL):
             self.skipTest("sanitizers take a multiple of the memory and time")
         keys = self.write("arm/smurf/arm_motors.yml", "".join(f"k{i}: [1, {{a: b}}]\n" for i in range(55_000)))
@@ -551,7 +551,7 @@ class Names(LspTest):
         self.assertLess(self.peak(), 200)
 
     def test_srdf(self):
-        """Alone in the editor: definition, references and another name."""
+        """Open alone in the editor: definition, references and rename."""
         srdf = self.write("arm/srdf/arm.srdf", '<robot name="arm">\n  <group name="all"><joint name="joint1_waist"/>'
                           '</group>\n  <disable_collisions link1="turret" link2="upper_arm" reason="Adjacent"/>\n'
                           '</robot>\n')
@@ -569,7 +569,7 @@ class Names(LspTest):
         self.assertEqual(self.applied(srdf, edit), self.client.texts[str(srdf)].replace("joint1_waist", "waist"))
         changed = {pathlib.Path(path_of(one["textDocument"]["uri"])).name for one in edit["documentChanges"]}
         self.assertLessEqual({srdf.name, "arm.urdf", "arm_motors.yml", "arm_sensors.yml"}, changed)
-        # And from the robot.
+        # The names in the URDF are renamed as well.
         self.client.close(srdf)
         self.open(self.urdf)
         at = self.find(self.urdf, '<joint name="joint1_waist') + len('<joint name="')
@@ -636,7 +636,7 @@ class Names(LspTest):
         edit = self.client.request("workspace/willRenameFiles", {"files": [{
             "oldUri": uri(self.folder / "arm/meshes"), "newUri": uri(self.folder / "arm/shapes")}]})
         self.assertEqual(self.applied(self.urdf, edit), self.urdf.read_text().replace("../meshes/", "../shapes/"))
-        # A file that moves finds its meshes again.
+        # A file that moves still finds its meshes.
         edit = self.client.request("workspace/willRenameFiles", {"files": [{
             "oldUri": uri(self.urdf), "newUri": uri(self.folder / "arm/a/b/arm.urdf")}]})
         self.assertEqual(self.applied(self.urdf, edit), self.urdf.read_text().replace("../meshes/", "../../meshes/"))
@@ -682,7 +682,7 @@ class Names(LspTest):
             "oldUri": uri(self.folder / "a.yml"), "newUri": uri(self.folder / "x\nmotors: []\n/a.yml")}]}))
 
     def test_a_new_folder_is_in_the_project_around_it(self):
-        """The folder of a new file does not exist yet. What lies beside the repository stays unread."""
+        """The folder of a new file does not exist yet. Files outside of the repository are not read."""
         self.write("v/secret.yml", "motors:\n- {name: TOPSECRET, joint: j}\n")
         (self.folder / "p/.git").mkdir(parents=True)
         self.write("p/r.smurf", "modelname: r\nfiles: [r.urdf, ../v/secret.yml]\n")
@@ -717,7 +717,7 @@ class Names(LspTest):
     def test_workspace_symbols(self):
         found = self.client.request("workspace/symbol", {"query": "jelbow"})
         self.assertIn(("joint3_elbow", "joint"), {(one["name"], one["containerName"]) for one in found})
-        self.client.close(self.motors)  # the folder still has it
+        self.client.close(self.motors)  # the text is still in the folder
         found = self.client.request("workspace/symbol", {"query": "joint3_elbow"})
         self.assertEqual(len({json.dumps(one) for one in found}), len(found))
         self.assertEqual({one["containerName"] for one in found}, {"joint", "motor"})
@@ -776,7 +776,7 @@ class Hover(LspTest):
         self.assertIn("no unit", text)
 
     def test_unit_of_a_mesh(self):
-        """The size is in metres, whatever the unit of the file."""
+        """The size is in metres, independently of the unit of the file."""
         self.write("m.dae", """<COLLADA version="1.4.1"><asset><unit meter="0.001"/><up_axis>Z_UP</up_axis></asset>
             <library_geometries><geometry id="g"><mesh><source id="p"><float_array id="f" count="9">0 0 0 500 0 0 0 250 0</float_array>
             <technique_common><accessor source="#f" count="3" stride="3"/></technique_common></source>
@@ -792,7 +792,7 @@ class Hover(LspTest):
         self.assertIn("unit 0.001 m", text)
 
     def test_gltf(self):
-        """The mesh is turned to z and is 1 m wide; its points are in a file beside it, which then is gone."""
+        """The mesh is rotated to z and is 1 m wide; its points are in another file, which is then deleted."""
         folder = self.folder / "glass"
         folder.mkdir()
         (folder / "m.bin").write_bytes(struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 2, 0))
@@ -870,7 +870,7 @@ class Completion(LspTest):
                               ("  id:\n  - ", "\n")):
             self.assertEqual(self.completed(sensors, start + before, "joint3_elbow", after),
                              start + before.removesuffix("joint2") + "joint3_elbow" + after)
-        # A bracket that is not closed yet ends with its entry.
+        # An unclosed bracket ends with its entry.
         self.assertEqual(self.completed(sensors, start + "  id: [a, b\n  link: ", "turret"),
                          start + "  id: [a, b\n  link: turret")
 
@@ -1115,7 +1115,7 @@ class Protocol(LspTest):
             {"range": {"start": {"line": 1, "character": 2}, "end": {"line": 99, "character": 99}}, "text": ""}, 5, {}])
         self.client.published(self.motors)
         symbols = self.client.of("textDocument/documentSymbol", self.motors)
-        self.assertEqual(symbols, [])  # {} puts an empty text in the place of all
+        self.assertEqual(symbols, [])  # {} replaces the whole text by an empty text
 
     def test_cancelled(self):
         self.open(self.urdf)
@@ -1131,13 +1131,13 @@ class Protocol(LspTest):
             self.assertEqual(error.code, -32800)
 
     def test_cancelled_by_a_request(self):
-        """It should be a notification. Every request has an answer, though."""
+        """It should be a notification, but every request gets an answer."""
         with self.assertRaises(client.RequestError) as caught:
             self.client.request("$/cancelRequest", {"id": 1}, timeout=10)
         self.assertEqual(caught.exception.code, -32601)
 
     def test_characters(self):
-        """Columns in the units that were agreed on."""
+        """Columns in the negotiated units."""
         text = '<robot name="r"><!-- \N{ROBOT FACE}\N{LATIN SMALL LETTER U WITH DIAERESIS} --><link name="a"/><link name="a"/></robot>\n'
         path = self.write("r.urdf", "")
         columns = {}
@@ -1200,7 +1200,7 @@ class Protocol(LspTest):
         self.assertGreater(len(self.client.published(path)), 0)
 
     def test_many_changes_at_once(self):
-        """Each costs the same wherever it is: thousands take no longer than to read the text a few times."""
+        """The cost of an edit does not depend on its place: thousands of edits need no longer than reading the text a few times."""
         seconds = lambda: sum(int(one) for one in pathlib.Path(  # noqa: E731
             f"/proc/{self.client.process.pid}/stat").read_text().rsplit(")", 1)[1].split()[11:13]) / 100
         texts = {"lines": "".join(f'<link name="l{i}"/>\n' for i in range(45000)), "line": '<link name="l"/>' * 60000}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangles of COLLADA and glTF, compared with those of assimp, which RViz reads meshes with.
-// assimp is asked to ignore <up_axis>, as RViz asks it. It leaves the y axis of glTF up, which RViz
-// turns after reading.
+// The triangles of COLLADA and glTF, compared with those of assimp, the mesh reader of RViz. assimp
+// is asked to ignore <up_axis>, as RViz asks it. It leaves the y axis of glTF up, which RViz turns
+// after reading.
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -113,8 +113,8 @@ TEST_CASE("assimp: places the triangles of glTF in the same way") {
   }
 }
 
-/// Not run by itself, because nobody's files lie here, and because assimp reads some in its own
-/// way.
+/// Not run automatically, because it needs files of the user, and because assimp reads some files
+/// differently.
 TEST_CASE("assimp: the files in the folder SMURF_TEST_MESHES" *
           doctest::skip(std::getenv("SMURF_TEST_MESHES") == nullptr)) {
   for (const auto& entry :

@@ -122,7 +122,7 @@ class Writer {
       }
       return "<tristrips" + count + lists + "</tristrips>\n";
     default:
-      // assimp makes polygons of fans, which it cuts in its own way, so that these are convex.
+      // assimp makes polygons of fans and cuts them in a different way, so these are convex.
       for (std::size_t i = 0; i < number; ++i) {
         lists += "<p>" + list(polygon(3 + 2 * random_.below(3))) + "</p>";
       }
@@ -179,13 +179,14 @@ class Writer {
     return out;
   }
 
-  /// An axis of unit length, because assimp makes no rotation of any other.
+  /// An axis of unit length, because assimp ignores rotations about other axes.
   std::string axis() {
     const Quaternion q = normalized({0, random_.between(-1, 1), random_.between(-1, 1), 0.1});
     return text(q.x) + text(q.y) + text(q.z);
   }
 
-  /// None that is nearly the identity, which assimp leaves out (aiProcess_PreTransformVertices).
+  /// A rotation that is far from the identity, because assimp drops nearly identical ones
+  /// (aiProcess_PreTransformVertices).
   std::string transform() {
     switch (random_.below(4)) {
     case 0: return "<translate>" + numbers(3, -9, 9) + "</translate>";
@@ -195,7 +196,7 @@ class Writer {
     }
   }
 
-  /// `shared` is the number of nodes of the library that it may name.
+  /// `shared` is the number of library nodes that it may refer to.
   std::string node(const std::string& id, std::size_t depth, std::size_t shared) {
     std::string out = "<node id=\"" + id + "\">";
     for (std::size_t i = random_.below(3); i > 0; --i) out += transform();

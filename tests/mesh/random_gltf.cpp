@@ -108,7 +108,7 @@ class Writer {
     const std::size_t size = std::size_t{1} << random_.below(3);
     std::string bytes;
     for (std::size_t i = 0; i < count; ++i) {
-      // Neighbours in a strip differ, or assimp would leave out triangles.
+      // Neighbours in a strip differ, because assimp leaves out degenerate triangles.
       const std::uint32_t index = static_cast<std::uint32_t>((i * 7 + i / points) % points);
       for (std::size_t k = 0; k < size; ++k) bytes += static_cast<char>(index >> (8 * k) & 0xffU);
     }
@@ -125,7 +125,7 @@ class Writer {
       const std::size_t triangles = 1 + random_.below(6);
       const std::size_t corners = mode == 4 ? 3 * triangles : triangles + 2;
       const bool is_indexed = !random_.one_in(3);
-      constexpr std::size_t kPoints = 11;  // with a step of 7 all are different
+      constexpr std::size_t kPoints = 11;  // with a step of 7, all indices are different
       const std::size_t count = is_indexed ? kPoints : corners;
       all += (i > 0 ? ",{" : "{");
       all += "\"attributes\":{\"POSITION\":" + std::to_string(points(count)) + "}";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// glTF files that say the same things in many ways.
+// glTF files that express the same things in many ways.
 #pragma once
 
 #include <map>

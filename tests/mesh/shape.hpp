@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What two readers of a mesh can be compared by: sums over the triangles, in whatever order.
+// Sums over the triangles of a mesh, independent of their order, for comparing two readers.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ struct ShapeSums {
   double area = 0;
   Vector3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   Vector3 moment{};       ///< of the area
-  Vector3 area_vector{};  ///< tells which way the triangles face
+  Vector3 area_vector{};  ///< its sign shows which way the triangles face
 
   void add(const Vector3& a, const Vector3& b, const Vector3& c) {
     ++triangles;

@@ -17,7 +17,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 VERSION = re.search(r"\n  VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text())[1]
-MOST_BYTES = 9_000_000  # of what is stored and transferred
+MOST_BYTES = 9_000_000  # bytes stored and transferred
 sys.path.insert(0, str(ROOT / "python"))
 from backend.elf import Elf  # noqa: E402
 
@@ -67,7 +67,7 @@ class Container(unittest.TestCase):
         self.assertLess(stored, MOST_BYTES)
 
     def test_arm64(self):
-        """The image names the machine of the program."""
+        """The image names the architecture of the program."""
         content = bytearray((self.folder / "bin/smurf-lint").read_bytes())
         content[18:20] = (183).to_bytes(2, "little")
         (self.folder / "bin/other").write_bytes(content)

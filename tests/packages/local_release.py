@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A copy of what pip needs of the project, and a release for it that lies on this disk."""
+"""A copy of the files that pip needs, and a release for it in a local folder."""
 import hashlib
 import pathlib
 import re
@@ -19,7 +19,7 @@ def copy_of_project(folder):
 
 
 def add_release(project, folder, programs, system=sysconfig.get_platform()):
-    """An archive in `folder` of the programs of another one, known to the project by its sum."""
+    """An archive in `folder` of the programs of another archive; the project contains its sum."""
     version = re.search(r"\n  VERSION (\S+)", (project / "CMakeLists.txt").read_text())[1]
     archive = folder / f"smurf-tools-{version}-{system}.tar.gz"
     with tarfile.open(archive, "w:gz", compresslevel=1) as files:

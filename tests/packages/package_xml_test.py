@@ -12,7 +12,7 @@ import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 BUILT = ("CMakeLists.txt", "libsmurf/CMakeLists.txt", "tools/CMakeLists.txt", "python/CMakeLists.txt")
-# Names of package.xml for what CMake looks for: the keys of rosdep where there are any.
+# Names in package.xml for the packages that CMake looks for: keys of rosdep if they exist.
 NAMES = {
     "yaml-cpp": {"yaml-cpp"}, "tinyxml2": {"tinyxml2"}, "Eigen3": {"eigen"}, "nlohmann_json": {"nlohmann-json-dev"},
     "urdfdom": {"liburdfdom-dev", "liburdfdom-headers-dev"}, "valijson/validator.hpp": {"libvalijson-dev"},
@@ -20,7 +20,7 @@ NAMES = {
     "pybind11": {"pybind11-dev", "python3-dev", "python3"}, "Threads": set(),
 }
 NAMES_OF_TESTS = {"doctest": {"doctest-dev"}, "assimp": {"assimp-dev"}, "Python3": {"python3", "python3-jsonschema"}}
-# Debian packages, where they are not called like the name.
+# Debian packages whose names differ from those.
 DEBIAN = {
     "yaml-cpp": "libyaml-cpp-dev", "tinyxml2": "libtinyxml2-dev", "eigen": "libeigen3-dev",
     "nlohmann-json-dev": "nlohmann-json3-dev", "opende": "libode-dev", "assimp-dev": "libassimp-dev",
@@ -29,7 +29,7 @@ KINDS = ("depend", "build_depend", "exec_depend")
 
 
 def looked_for(file, also_optional):
-    """What the find commands of a CMake file ask for."""
+    """The packages that the find commands of a CMake file look for."""
     text = (ROOT / file).read_text()
     found = re.findall(r"find_package\((\w[\w-]*)([^)]*)\)", text)
     found += re.findall(r"pkg_check_modules\(\w+([^)]*?) ([\w-]+)\)", text)
@@ -49,7 +49,7 @@ class PackageXml(unittest.TestCase):
         self.assertEqual(named(*KINDS), expected)
 
     def test_what_is_tested(self):
-        """What tests look for with QUIET makes more of them; they do not need it."""
+        """The tests look for some packages with QUIET; these are optional."""
         expected = {name for looked in looked_for("tests/CMakeLists.txt", False) for name in NAMES_OF_TESTS[looked]}
         self.assertEqual(named("test_depend"), expected)
 
@@ -69,7 +69,7 @@ class PackageXml(unittest.TestCase):
         self.assertLessEqual(needed, {word.split()[0] for word in fields.split(",")} | {"python3"})
 
     def test_recipes_name_it(self):
-        """What is required, in the words of each."""
+        """The required packages, by the names of each system."""
         required = {name for file in BUILT for looked in looked_for(file, False) for name in NAMES[looked]}
         self.assertGreater(len(required), 7)
         for recipe in (ROOT / "packaging/recipes").iterdir():

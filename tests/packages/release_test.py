@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A dry run of scripts/release, with a small project in place of a build of ours."""
+"""A dry run of scripts/release, with a small project instead of a real build."""
 import hashlib
 import os
 import pathlib
@@ -86,7 +86,7 @@ class Release(unittest.TestCase):
                          status)
 
     def test_a_release_with_a_tag(self):
-        """With other scripts in place of the build and the tests. What pip makes of the tagged sources is the wheel."""
+        """With other scripts instead of the build and the tests. pip makes the wheel from the tagged sources."""
         self.build_for_arm64()
         self.build_for_windows()
         project = self.folder / "project"
@@ -142,7 +142,7 @@ class Release(unittest.TestCase):
                 self.assertEqual(file.read_bytes(), (self.folder / "second" / file.name).read_bytes(), file.name)
 
     def test_a_program_that_needs_a_physics_engine(self):
-        """Here git, which needs libraries that not every Linux has."""
+        """With git, which needs libraries that some Linux systems lack."""
         shutil.copy(shutil.which("git"), self.folder / "source/bin/smurf-load-check")
         done = self.release(VERSION, "--dry-run")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)

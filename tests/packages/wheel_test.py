@@ -38,7 +38,7 @@ class Case(unittest.TestCase):
         copy_of_project(self.project)
         for name in ("release", "home", "temporary", "out", "small"):
             (self.folder / name).mkdir()
-        self.small = self.folder / "small"  # stands for the programs where they are not run
+        self.small = self.folder / "small"  # replaces the programs in tests that do not run them
         for program in PROGRAMS:
             shutil.copy("/bin/true", self.small / program)
         keep = {name: value for name, value in os.environ.items() if not name.startswith(("SMURF_", "PIP_", "PYTHON"))}
@@ -130,7 +130,7 @@ class Sources(Case):
         self.assertIn("needs cmake and ninja and a C++ compiler, which are not here", message)
 
     def test_a_system_without_the_libraries(self):
-        """CMake says what it misses."""
+        """CMake reports what is missing."""
         if not shutil.which("cmake") or not shutil.which("ninja"):
             self.skipTest("cmake and ninja are not installed")
         text = (self.project / "CMakeLists.txt").read_text()
@@ -141,7 +141,7 @@ class Sources(Case):
         self.assertIn("scripts/setup installs what is needed", message)
 
     def test_compiled(self):
-        """With a small project in place of ours."""
+        """With a small project instead of ours."""
         if not shutil.which("cmake") or not shutil.which("ninja"):
             self.skipTest("cmake and ninja are not installed")
         module = "_smurf" + sysconfig.get_config_var("EXT_SUFFIX")
@@ -283,7 +283,7 @@ class Pip(Case):
         self.assertEqual(scripts, {f"{program}.exe" for program in PROGRAMS})
 
     def test_the_line_of_the_readme(self):
-        """With a folder in place of the Python index."""
+        """With a folder instead of the Python index."""
         self.assertEqual(self.build(SMURF_PREBUILT=str(self.small)).returncode, 0)
         command = re.search(r"\n    pip (install .*)\n", (ROOT / "README.md").read_text())[1]
         environment = self.folder / "environment"

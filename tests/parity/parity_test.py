@@ -35,7 +35,7 @@ def lint_jobs(roots):
 
 
 def folders_of(root):
-    """Folders of one model or scene each, and of fixtures: what a finding of one does not change that of another."""
+    """Folders of one model or scene each, and of fixtures, so that the findings of one do not affect another."""
     if root == FIXTURES:
         yield from sorted(path for path in (root / "rules").glob("*/*") if path.is_dir())
         yield from sorted(path for kind in ("models", "scenes", "load-check") for path in (root / kind).iterdir() if path.is_dir())
@@ -71,7 +71,7 @@ def comparison_jobs(roots):
 
 
 def written(folder, build):
-    """What is in a folder, which is emptied."""
+    """The contents of a folder, which is then emptied."""
     found = {}
     for path in sorted(folder.rglob("*")):
         if path.is_file():
@@ -82,7 +82,7 @@ def written(folder, build):
 
 
 def show(native, other, job):
-    """Where the two differ, for whoever has to find out why."""
+    """The differences, for debugging."""
     outputs = []
     for build in (native, other):
         done = build.run_alone(job)

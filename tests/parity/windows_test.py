@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The special file names of Windows change no finding and harm no file. Runs the programs under wine.
+"""Special file names of Windows neither change findings nor damage files. Runs the programs under wine.
 
 usage: windows_test.py FOLDER_OF_TOOLS FOLDER_OF_PROGRAMS
 """

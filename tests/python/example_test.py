@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The notebook and the example of the documentation run as they stand."""
+"""The notebook and the examples of the documentation run unchanged."""
 import json
 import os
 import pathlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""findings_test.py over the corpus, where there is one."""
+"""findings_test.py on the corpus, if it exists."""
 import findings_test
 import inputs
 import pytest
@@ -10,7 +10,7 @@ if not FILES:
 
 
 def test_corpus():
-    # smurf-lint looks for models around a URDF that is named alone; the library checks the file.
+    # For a single URDF, smurf-lint looks for models around it; the library checks only the file.
     alone = [path for path in FILES if path.suffix != ".urdf" or not list(path.parent.glob("../smurf/*.smurf"))]
     assert len(alone) > 400
     faults, found = findings_test.differences(alone)

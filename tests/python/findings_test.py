@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What smurf.check() finds is what smurf-lint finds, in its words and its order."""
+"""smurf.check() reports the same findings as smurf-lint, with the same words and in the same order."""
 import json
 
 import inputs
@@ -31,7 +31,7 @@ def test_fixtures():
 
 
 def test_loaded_models_and_scenes():
-    """What was loaded and then checked, twice."""
+    """Loads and then checks, twice."""
     for path in inputs.fixtures():
         load = smurf.load_scene if inputs.is_scene(path) else smurf.load_model
         expected = [str(finding) for finding in smurf.check(path)]

@@ -30,7 +30,7 @@ def mutated(text, random):
 
 
 def visit(value, depth=0):
-    """All attributes of an object and of what they hold."""
+    """All attributes of an object and of the objects in them."""
     repr(value)
     if isinstance(value, (list, tuple)):
         for item in value[:20]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests are run on, and the programs they compare with. All from the environment."""
+"""The inputs of the tests, and the programs to compare with, all from the environment."""
 import os
 import pathlib
 import subprocess
@@ -20,7 +20,7 @@ def run(tool, *arguments, **keywords):
 
 
 def fixtures():
-    """One file a fixture of a rule, as rule_fixtures_test takes it, and all models and scenes."""
+    """One file per fixture of a rule, as in rule_fixtures_test, and all models and scenes."""
     files = []
     for folder in sorted(FIXTURES.glob("rules/*/*/")):
         for name in ("scene.svg", "scene.smurfs", "model.smurf", "robot.urdf"):
@@ -34,7 +34,7 @@ def fixtures():
 
 
 def corpus():
-    """Models, URDFs and scenes; none where there is no corpus."""
+    """Models, URDFs and scenes; none if there is no corpus."""
     return sorted(p for p in CORPUS.rglob("*") if p.suffix in {".smurf", ".smurfs", ".smurfa", ".urdf"} and p.is_file())
 
 

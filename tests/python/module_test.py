@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What Python users rely on: types, lifetimes, errors, copies, docstrings, the programs behind -m."""
+"""Promises to users of Python: types, lifetimes, errors, copies, docstrings, the programs behind -m."""
 import gc
 import inspect
 import json
@@ -17,7 +17,7 @@ import smurf
 
 
 def test_dump():
-    """What --dump-model writes is what the objects say."""
+    """The objects have the same values as --dump-model."""
     for path in inputs.fixtures()[::3]:
         done = inputs.run("smurf-lint", "--dump-model", path)
         try:
@@ -77,7 +77,7 @@ def test_scene():
 
 
 def test_lifetimes():
-    """Parts outlive the variables of the wholes."""
+    """Parts stay valid after the variables of their parents are gone."""
     motor = smurf.load_model(inputs.ARM).motors[0]
     link = smurf.load_scene(inputs.NESTED).instances[0].model.links[0]
     entity = smurf.load_scene(inputs.NESTED).flatten(links=True).instances[0]
@@ -125,7 +125,7 @@ def run_in_python(program, *arguments):
 
 
 def test_first_arrays_of_threads():
-    """numpy is imported for the first array, while other threads ask for one."""
+    """numpy is imported for the first array, while other threads also request one."""
     done = run_in_python("""
 import sys, threading, time
 class Slow:
@@ -142,7 +142,7 @@ threads = [threading.Thread(target=arm.forward_kinematics) for _ in range(8)]
 
 
 def test_end_while_threads_check():
-    """Python ends daemon threads when they ask for its lock."""
+    """Python ends daemon threads when they try to get its lock."""
     done = run_in_python("""
 import sys, threading, time, smurf
 def check():
@@ -154,7 +154,7 @@ time.sleep(0.3)
 
 
 def test_objects_without_a_value():
-    """Python can make objects without their constructor; one without a value would crash."""
+    """Python can create objects without their constructor; an object without a value would crash."""
     for name in smurf.__all__:
         cls = getattr(smurf, name)
         if inspect.isclass(cls) and not issubclass(cls, (Exception, smurf.Session)):
@@ -259,7 +259,7 @@ def test_other_mistakes():
 
 
 def test_paths(tmp_path):
-    """Whatever names a file: str, bytes, pathlib; names that are no UTF-8."""
+    """All kinds of file names: str, bytes, pathlib; also names that are not UTF-8."""
     urdf = inputs.ARM.parent.parent / "urdf/arm.urdf"
     names = {str(smurf.load_model(path).path) for path in (urdf, str(urdf), os.fsencode(urdf))}
     assert names == {str(urdf)}
@@ -306,7 +306,7 @@ def test_programs(tmp_path):
     assert python("flatten", inputs.NESTED, path="/usr/bin:/bin").stdout.startswith("{")
     assert python(path="").returncode == 2 and python("--help", path="").returncode == 0
     assert "no command 'lnit'" in python("lnit", path="").stderr
-    # Somewhere else: on PATH, or said to be missing.
+    # Elsewhere: on PATH, or reported as missing.
     copy = tmp_path / "a/b/c/d/smurf"
     shutil.copytree(pathlib.Path(smurf.__file__).parent, copy)
     done = python("lint", inputs.ARM, path="/nowhere", PYTHONPATH=str(copy.parent))

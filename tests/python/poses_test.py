@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Forward kinematics and flat scenes are those of smurfs-flatten."""
+"""Forward kinematics and flat scenes are equal to those of smurfs-flatten."""
 import json
 import math
 
@@ -43,7 +43,7 @@ def test_link_poses():
 
 
 def test_links_of_scenes():
-    """Each instance has its model's links where its joint positions put them."""
+    """The links of each instance are where its joint positions place them."""
     compared = 0
     for path in inputs.fixtures():
         if not inputs.is_scene(path):

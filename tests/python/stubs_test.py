@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The stubs name what the module has, and the sources compile."""
+"""The stubs match the module, and the sources compile."""
 import importlib.util
 import os
 import pathlib
@@ -62,7 +62,7 @@ urdf: bytes = arm.to_urdf(prefix="left_")
 
 @pytest.mark.skipif(importlib.util.find_spec("mypy") is None, reason="mypy is not installed")
 def test_use(tmp_path):
-    """A program that uses them has types, and one that misuses them an error."""
+    """A correct program has types, and a wrong program causes an error."""
     def mypy(text):
         (tmp_path / "use.py").write_text(text)
         return subprocess.run(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What targets are said to make of whole robots.
+// The printed verdicts of targets on whole robots.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ constexpr std::string_view kRobot = R"(<robot name="r">
 constexpr const char* kTetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-/// The robot with `text` in the place of `original`; "" is nowhere.
+/// The robot after replacing `original` by `text`; with "", the robot is unchanged.
 std::string damaged(std::string_view original, std::string_view text) {
   std::string robot(kRobot);
   for (std::size_t at = original.empty() ? std::string::npos : robot.find(original);
@@ -74,7 +74,7 @@ TEST_CASE("a slip in a name that readers need is judged as what is missing") {
   struct Slip {
     const char* original;
     const char* text;
-    Answer ros, gazebo, mujoco;  // as the programs answered
+    Answer ros, gazebo, mujoco;  // the answers of the programs
   };
   constexpr Slip kSlips[] = {
       {"", "", loses, takes, takes},  // KDL computes without the mass of the root

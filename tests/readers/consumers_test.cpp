@@ -29,12 +29,12 @@ namespace {
 
 constexpr int kSkipped = 77;
 
-/// At most as many as these.
+/// Upper limits of the differences.
 struct Bounds {
   std::size_t all_clears = 0, alarms = 0, not_known = 0;
 };
 
-/// What one reader did with the files of a collection.
+/// The results of one reader for the files of a collection.
 struct Column {
   const char* target;
   const char* heading;  ///< begins with this
@@ -43,7 +43,7 @@ struct Column {
 
 struct Collection {
   const char* folder;
-  std::size_t least;  ///< files it has at least
+  std::size_t least;  ///< the smallest number of files
   std::vector<Column> columns;
 };
 
@@ -108,7 +108,7 @@ bool is_refusal(const std::string& verdict) {
 
 bool is_taken(const std::string& verdict) { return verdict == "ok" || verdict == "takes"; }
 
-/// What smurf-lint finds for a target.
+/// The findings of smurf-lint for a target.
 struct Checked {
   std::string verdict;  ///< the line that is printed, without the name of the target
   std::vector<Diagnostic> diagnostics;
@@ -170,7 +170,7 @@ bool check(const std::vector<Case>& cases, const Column& column) {
   return is_clear && is_calm && is_known;
 }
 
-/// How many documents of Drake's own tests are judged as those tests say.
+/// The number of documents in Drake's own tests with the same verdict as in those tests.
 struct DrakeBounds {
   std::size_t least_refused, least_named;  ///< of its own language
   std::size_t most_missed;                 ///< of plain URDF
@@ -178,14 +178,14 @@ struct DrakeBounds {
 };
 constexpr DrakeBounds kDrake{94, 56, 0, 0};
 
-/// What a test of Drake accepts because it looks at less than Drake does.
+/// Cases that a test of Drake accepts because it checks less than Drake.
 constexpr std::pair<std::string_view, const char*> kExplained[] = {
     {"drake_file_atlas_with_fixed_joints", "no visual is read without a scene graph"},
     {"drake_g_RedundantDifferentColor_within", "no visual is made of the colour above 1"},
     {"drake_file_Pendulum", "the inertia of `world`, which is not read, is that of no body"},
 };
 
-/// The test gives the robot its name, or a mesh of its repository is not among these files.
+/// The test names the robot, or uses a mesh of its repository that is not among these files.
 bool is_test_incomplete(const Checked& checked) {
   return std::ranges::all_of(checked.diagnostics, [](const Diagnostic& d) {
     return d.severity != Severity::error || d.rule->id == "SML1102" || d.rule->id == "SML1604";
@@ -202,7 +202,7 @@ std::vector<std::string> own_names(const std::string& text) {
   return names;
 }
 
-/// True when an error is about one of the names that the message of Drake has.
+/// Whether an error is about one of the names in Drake's message.
 bool is_named(const Checked& checked, const std::vector<std::string>& names) {
   return std::ranges::any_of(checked.diagnostics, [&](const Diagnostic& d) {
     const std::string about = d.message + " " + d.pointer;

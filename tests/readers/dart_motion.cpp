@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A URDF as DART lets it hang and fall. It makes triangles of round shapes, and what drops on these
-// gains energy.
+// Lets a URDF hang and fall in DART. DART turns round shapes into triangles; robots that drop on
+// them gain energy.
 #include <dart/dynamics/BodyNode.hpp>
 #include <dart/dynamics/FreeJoint.hpp>
 #include <dart/dynamics/Skeleton.hpp>

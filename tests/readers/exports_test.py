@@ -65,7 +65,7 @@ class Exporter:
                               timeout=120, check=False)
 
     def robot(self, source):
-        """None when the source cannot be read; it is a .urdf, or a .smurf that lists one."""
+        """None if the source cannot be read; it is a .urdf, or a .smurf that lists one."""
         folder = self.folder / str(len(list(self.folder.iterdir())))
         (folder / "out").mkdir(parents=True)
         if source.suffix == ".smurf":
@@ -145,7 +145,7 @@ def difference(one, other):
 
 
 def compare(export, source, name, tolerance):
-    """The largest difference, or a text that says what is wrong."""
+    """The largest difference, or an error message."""
     if source is None:
         return 0
     if export is None:
@@ -194,7 +194,7 @@ def check(reader, command, robots, failures):
 
 
 def check_mujoco_with_meshes(exporter, build, failures):
-    """--preset mujoco: the meshes are found where they are, not where MuJoCo looks by itself."""
+    """--preset mujoco: the meshes are found in their folder, where MuJoCo does not look by default."""
     if not (build / "mujoco_poses").exists():
         return
     model = HERE.parent.parent / "fixtures/models/arm/smurf/arm.smurf"

@@ -70,7 +70,7 @@ void run_drop(double step, Step take_step, Touches touches, Energy energy, Heigh
       [&](double time) { print_drop(time, most, height() - top); });
 }
 
-/// `move(path, step, ground)` says why the reader refuses the file; nothing when it does not.
+/// `move(path, step, ground)` returns the reason why the reader refuses the file, or nothing.
 template <class Move>
 int move_robot(int argc, char** argv, Move move) {
   if (argc != 3 && argc != 4) return 2;

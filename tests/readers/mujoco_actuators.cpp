@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loads an MJCF with libmujoco and prints the group of every geom, and of every actuator how far
-// its joint is from the start after 0.3 s: under the command of the keyframe, and under one between
-// that and the largest. Before, it stands 1000 steps. Ends with 1 when the world is not loaded or
-// becomes unstable.
+// Loads an MJCF with libmujoco, runs 1000 steps, and prints the group of every geom and, for every
+// actuator, the distance of its joint from the start after 0.3 s: with the command of the keyframe,
+// and with one between that and the largest. Ends with 1 if the world is not loaded or becomes
+// unstable.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,8 +27,8 @@ bool is_stable(const mjData& data) {
          data.warning[mjWARN_BADQACC].number == 0;
 }
 
-/// Under the commands of the keyframe. MuJoCo starts again where positions are not finite, and
-/// counts that as a warning.
+/// With the commands of the keyframe. If positions are not finite, MuJoCo restarts and counts a
+/// warning.
 void stand(const mjModel* model, mjData* data) {
   mj_resetDataKeyframe(model, data, 0);
   for (int step = 0; step < 1000; ++step) mj_step(model, data);

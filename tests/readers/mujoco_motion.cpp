@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A URDF as MuJoCo lets it hang. It holds every root: a robot that falls has a floating joint above
-// it, named `fall`, and the ground that it drops on is a shape of what holds it.
+// Lets a URDF hang in MuJoCo, which fixes every root: a falling robot has a floating joint `fall`
+// above it, and the ground is a shape of the link above this joint.
 #include <cstring>
 #include <mujoco/mujoco.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using namespace smurf::tests;
 
-/// Nothing but masses, joints and gravity.
+/// Uses masses, joints and gravity only.
 void leave_mechanics_alone(mjModel& model, double step) {
   model.opt.timestep = step;
   model.opt.integrator = mjINT_RK4;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loads an MJCF with libmujoco, sets its keyframe, prints the world pose of every body
-// ("name x y z qw qx qy qz") and takes 100 steps. Fails when a position is no number then.
+// Loads an MJCF with libmujoco, sets its keyframe, prints the world pose of every body ("name x y z
+// qw qx qy qz") and takes 100 steps. Fails if a position is then not a number.
 #include <cmath>
 #include <cstdio>
 

@@ -168,7 +168,8 @@ class MujocoSensorTest(reader.ReaderTest):
 
     def test_what_is_not_measured_is_named(self):
         losses = "\n".join(self.losses())
-        # lost: the second eye (the URDF has one), nothing, touch (no such collision) and scan (11520 rays)
+        # lost: the second eye (it is also in the URDF), nothing, touch (there is no such collision) and scan (11520
+        # rays)
         self.assertIn("4 sensors", losses)
         gazebo = re.search(r"elements in <gazebo> \((.*)\) are not in the MJCF", losses)[1]
         self.assertEqual(gazebo, "`update_rate of eye`, `image of eye`, `clip of eye`, `visual`, `pull`")
@@ -237,7 +238,7 @@ class MujocoScansAndContacts(reader.ReaderTest):
 
         expected = {"fan": [ground] * 3 + [wall(0.5), 2.9, wall(0.5)],
                     "turning": [ground] * 2 + [wall(0.5)] * 2,
-                    "turned": [ground] * 2 + [-1] * 2,  # MuJoCo: -1 is nothing
+                    "turned": [ground] * 2 + [-1] * 2,  # MuJoCo: -1 means none
                     "line": [wall(0.25)] * 2,
                     "levels": [ground] * 2 + [wall(0.5, 0.25), wall(0, 0.25)]}
         for name, distances in expected.items():

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// URDFs as MuJoCo reads them. It insists on every mesh, beside the URDF and whatever the path, so
-// that each mesh named is given to it as a small tetrahedron: frames do not depend on shapes.
+// URDFs as MuJoCo reads them. It requires every mesh, beside the URDF and regardless of its path,
+// so each mesh is replaced by a small tetrahedron: frames do not depend on shapes.
 #include <cstring>
 #include <fstream>
 #include <memory>

@@ -32,7 +32,7 @@ inline MujocoWorld load_mujoco(const char* path) {
   return world;
 }
 
-/// Same, in the position of the first keyframe, if there is one.
+/// Also sets the positions of the first keyframe, if there is one.
 inline MujocoWorld load_mujoco_at_start(const char* path) {
   MujocoWorld world = load_mujoco(path);
   if (world.model == nullptr) return world;

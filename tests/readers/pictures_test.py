@@ -153,7 +153,7 @@ class Svg(reader.ReaderTest):
 
     @reader.needs_program("rsvg-convert")
     def test_names_do_not_cover_each_other(self):
-        """In one place, a hundred names have no place; those that are written do not overlap."""
+        """In one place, a hundred names do not fit; the labels do not overlap."""
         for step, all_are_there in ((1.5, True), (0.01, False)):
             self.write("s.smurfs", "entities:\n" + "".join(
                 f"- {{name: robot_{i}, type: thing, position: [{i % 10 * step}, {i // 10 * step}, 0]}}\n" for i in range(100)))
@@ -165,7 +165,7 @@ class Svg(reader.ReaderTest):
                     self.assertFalse(abs(y - other_y) < 12 and x < other_x + other_width and other_x < x + width)
             self.assertEqual(len(names) == 100, all_are_there)
             texts = [text.text for text in root.iter(SVG + "text")]
-            self.assertEqual("some names have no place: point at the axes" in texts, not all_are_there)
+            self.assertEqual("some names do not fit: point at the axes to read them" in texts, not all_are_there)
 
     @reader.needs_program("rsvg-convert")
     def test_many_shapes_are_seen_from_above_only(self):

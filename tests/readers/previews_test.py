@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""gltf, usda and obj: what they show, read by the validator of glTF, a small reader of USD and assimp; meshes in mjcf."""
+"""gltf, usda and obj: their contents, read by the validator of glTF, a small reader of USD and assimp; meshes in mjcf."""
 import base64
 import json
 import math
@@ -66,7 +66,7 @@ def dae(nodes="", faces=FACES):
 
 
 def gltf():
-    """The wedge, with its points in a file beside it; y is up in the file."""
+    """The wedge, with its points in a separate file; y is up in the file."""
     return json.dumps({
         "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
@@ -81,12 +81,12 @@ def gltf_data():
     return b"".join(struct.pack("<3f", x, z, -y) for x, y, z in WEDGE) + b"".join(struct.pack("<3H", *face) for face in FACES)
 
 
-LOOKAT = "<lookat>0 0 0 1 0 0 0 0 1</lookat>"  # which is not read
+LOOKAT = "<lookat>0 0 0 1 0 0 0 0 1</lookat>"  # not supported
 
 
 class PreviewTest(reader.ReaderTest):
     def write_meshes(self):
-        """Visuals with meshes, two of them with one file, and one with what is not read."""
+        """Visuals with meshes, two of them with the same file, and one with unsupported contents."""
         files = {"wedge.stl": binary_stl(), "text.stl": ascii_stl(), "wedge.obj": obj(),
                  "wedge.dae": dae(), "wedge.gltf": gltf(), "wedge.bin": gltf_data(), "part.dae": dae(LOOKAT)}
         for name, content in files.items():
@@ -104,7 +104,7 @@ class PreviewTest(reader.ReaderTest):
         return visuals[:-1]
 
     def expected_bounds(self, entity, index, scale):
-        """In the world, from the source alone."""
+        """In the world, computed from the source only."""
         x, y, z = map(float, scale.split())
         poses = {"a": ([0, 0, 10], [1, 0, 0, 0]), "b": ([0, 0, 0], [0, 0, math.sqrt(0.5),
                                                                     math.sqrt(0.5)])}
@@ -118,7 +118,7 @@ class PreviewTest(reader.ReaderTest):
             self.assertLess(math.dist(side, other), 1e-9)
 
     def assert_all(self, poses, scene):
-        """Every entity, and every link of every model, is where the flat JSON has it."""
+        """Every entity, and every link of every model, has the pose of the flat JSON."""
         count = 0
         for instance in self.flat(scene)["instances"]:
             expected = {(instance["path"], ""): instance}
@@ -163,7 +163,7 @@ class Gltf(PreviewTest):
         return list(struct.iter_unpack("<3f", data))
 
     def points_of_mesh(self, document, mesh):
-        """Those that its triangles have."""
+        """The points that its triangles use."""
         points = []
         for primitive in mesh["primitives"]:
             accessor = document["accessors"][primitive["indices"]]
@@ -228,7 +228,7 @@ class Gltf(PreviewTest):
                              (0, 0), report["issues"])
 
     def test_triangles_face_outwards(self):
-        """The box has a surface of 6 and a volume of 1, whoever computes it from the triangles."""
+        """The box has a surface of 6 and a volume of 1, computed from the triangles."""
         self.write("box.smurfs", "entities:\n- {name: b, type: primitive, geometry: {type: box}}\n")
         document = self.document("box.smurfs")
         data = base64.b64decode(document["buffers"][0]["uri"].split(",")[1])
@@ -285,7 +285,7 @@ class Usda(PreviewTest):
                           for v in points]
                 self.assert_bounds(bounds(placed), self.expected_bounds(entity, index, scale))
         self.assertEqual(prims["Meshes"]["type"], "class")
-        self.assertNotIn("World/a/l/shape_7", prims)  # what is not read
+        self.assertNotIn("World/a/l/shape_7", prims)  # unsupported contents
         colored = [prims[prims[f"World/a/l/shape_{i}"]["references"]] for i in (5, 6)]
         self.assertEqual(colored[0]["primvars:displayColor"],
                          '[(0.5, 0.5, 0.5), (1, 0, 0)] (interpolation = "uniform")')
@@ -347,7 +347,7 @@ class Obj(PreviewTest):
                     self.assertLess(math.dist(side, other), 1e-6)
 
     def test_triangles_face_outwards(self):
-        """Also those of a mirrored mesh."""
+        """The same for a mirrored mesh."""
         self.write("meshes/wedge.stl", binary_stl())
         for scale, volume in (("1 1 1", 0.375), ("1 -2 1", 0.75), ("-1 -1 -1", 0.375)):
             self.write("one.urdf", "<robot name='r'><link name='l'><visual><geometry><mesh filename='meshes/wedge.stl' "

@@ -39,7 +39,7 @@ def needs_built(name):
 
 class ReaderTest(cli.CliTest):
     def write_scene(self, scene, form, *arguments):
-        """The file that was written. Losses are allowed here; what they are, other tests say."""
+        """The result file. Losses are allowed; other tests check them."""
         output = self.folder / f"out.{form.rstrip('0123456789.')}"
         done = self.run_tool(scene, "--format", form, "-o", output, "--quiet", "--allow-outside", *arguments)
         self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
@@ -51,7 +51,7 @@ class ReaderTest(cli.CliTest):
         return json.loads(done.stdout)
 
     def read_with(self, *command, **keywords):
-        """Standard output of a reader, which must not complain."""
+        """Standard output of a reader, which must not print errors."""
         done = subprocess.run([str(part) for part in command], capture_output=True, timeout=120,
                               encoding="utf-8", errors="replace", check=False, **keywords)
         self.assertEqual(done.returncode, 0, f"{command}\n{done.stdout}\n{done.stderr}")

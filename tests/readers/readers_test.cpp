@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of readers, and what targets do to findings.
+// The table of readers, and the effect of targets on findings.
 #include "smurf/readers.hpp"
 
 #include <doctest/doctest.h>
@@ -143,9 +143,9 @@ TEST_CASE("the severity is that of the worst target") {
   CHECK(severity_for(effort_missing, {"ros"}) == Severity::error);
   CHECK(severity_for(effort_missing, {"pybullet"}) == Severity::warning);
   CHECK(severity_for(effort_missing, {"pybullet", "ros"}) == Severity::error);
-  CHECK(severity_for(effort_missing, {"mujoco"}) == Severity::warning);  // takes it: one milder
+  CHECK(severity_for(effort_missing, {"mujoco"}) == Severity::warning);  // takes: one level milder
   const Diagnostic too_large = at("SML0002", "/robot");
-  CHECK(severity_for(too_large, {"mujoco"}) == Severity::error);  // it may refuse it
+  CHECK(severity_for(too_large, {"mujoco"}) == Severity::error);  // the target may refuse it
   CHECK(severity_for(at("SML1407", "/robot/joint/limit"), {"drake"}) == Severity::error);
   CHECK(severity_for(at("SML1407", "/robot/joint/limit"), {"mars"}) == Severity::info);
 }
@@ -245,7 +245,7 @@ TEST_CASE("what is written for a reader is nothing to report where no other matt
 }
 
 TEST_CASE("what readers do is said by facts, and not in the words of a rule as well") {
-  // These still do; facts are to take their place, so that the list gets shorter.
+  // These rules still lack facts; this list should become shorter.
   const std::set<std::string_view> known = {
       "SML0014", "SML1008", "SML1013", "SML1310", "SML1424", "SML1525", "SML1527",
       "SML1614", "SML1617", "SML1619", "SML1623", "SML1631", "SML1632", "SML1633",

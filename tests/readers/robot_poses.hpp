@@ -25,8 +25,8 @@ inline void print_pose(const char* what, const std::string& name, const double (
               xyz[0], xyz[1], xyz[2], wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
 }
 
-/// `print_robot(path)` is false when the reader refuses the file. A reader that crashes takes the
-/// rest of the files with it; who called sees that by the missing end.
+/// `print_robot(path)` returns false if the reader refuses the file. If the reader crashes, the
+/// remaining files are not printed; the caller detects this by the missing end.
 template <class Print>
 int print_robots(int argc, char** argv, Print print_robot) {
   for (int i = 1; i < argc; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loads URDFs and SDF worlds with libsdformat and prints what is in the first model of each: where
-// links, shapes, sensors and joints are, in the frame of the model, inertias in the frame of their
-// link, and the model as XML, which is what Gazebo sees.
+// Loads URDFs and SDF worlds with libsdformat and prints the first model of each: the poses of
+// links, shapes, sensors and joints in the frame of the model, inertias in the frame of their link,
+// and the model as the XML that Gazebo sees.
 #include <cstdio>
 #include <sdf/sdf.hh>
 

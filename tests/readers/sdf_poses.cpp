@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loads an SDF world with libsdformat and prints what it understood: the world pose of every link
-// and frame ("model::link x y z qw qx qy qz"), sensors in their links, joints with their ends,
-// gravity and step.
+// Loads an SDF world with libsdformat and prints its contents: the world pose of every link and
+// frame ("model::link x y z qw qx qy qz"), sensors in their links, joints with their ends, gravity
+// and step.
 #include <cstdio>
 #include <filesystem>
 #include <sdf/sdf.hh>
@@ -52,7 +52,7 @@ void print(const sdf::Model& model, const ignition::math::Pose3d& X_WP, const st
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  // As Gazebo does: files are looked for beside the world.
+  // As in Gazebo, files are looked up beside the world.
   const std::filesystem::path folder = std::filesystem::absolute(argv[1]).parent_path();
   sdf::setFindCallback([&](const std::string& uri) { return (folder / uri).string(); });
   sdf::Root root;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// URDFs as libsdformat reads them: the links and frames it makes, and the axes of joints, whose
-// motion it leaves to others.
+// URDFs as libsdformat reads them: the resulting links, frames and joint axes. It does not compute
+// motion.
 #include <sdf/sdf.hh>
 
 #include "robot_poses.hpp"

@@ -82,7 +82,7 @@ class SimulatorTest(reader.ReaderTest):
         return {line[1]: list(map(float, line[2:])) for line in lines if line[0] == "pose"}
 
     def assert_links(self, poses, flat, name_of, without=(), tolerance=1e-9):
-        """Every link of every model stands where the flat JSON has it; `without` may be absent."""
+        """Every link of every model has the pose of the flat JSON; links in `without` may be absent."""
         count = 0
         for instance in flat["instances"]:
             for link, pose in instance.get("links", {}).items():
@@ -101,7 +101,7 @@ class Sdf(SimulatorTest):
 
     @staticmethod
     def unscoped(poses):
-        """Without the outer model of things that are fixed to each other."""
+        """Without the outer model around things that are fixed to each other."""
         return {re.sub(r"^\w+__and_what_is_fixed_to_it::", "", name): pose
                 for name, pose in poses.items()}
 
@@ -217,7 +217,7 @@ class AttachedMjcf(SimulatorTest):
 
 class Urdf(SimulatorTest):
     def without_joint_poses(self, scene):
-        """A URDF has no joint positions, so that the scene is read with none."""
+        """A URDF has no joint positions, so the scene is read without them."""
         scene = pathlib.Path(scene)
         text = re.sub(r"\n *pose: \w+|, pose: \w+", "", scene.read_text())
         if scene.parent != self.folder:
@@ -237,7 +237,7 @@ class Urdf(SimulatorTest):
 
     @reader.needs_built("dart_poses")
     def test_links_stand_where_they_do_in_dart(self):
-        # To DART a joint that follows another is at zero as well.
+        # In DART, a joint that follows another one is also at zero.
         self.write("zoo.urdf", ZOO.replace(' offset="0.25"', ""))
         for scene in self.scenes:
             straight = self.without_joint_poses(scene)
@@ -323,7 +323,7 @@ class RefusedOutputs(SimulatorTest):
 
 
 class Contents(SimulatorTest):
-    """What simulators get besides links and joints."""
+    """Data for simulators in addition to links and joints."""
     URDF = f"""<robot name="g">
 <gazebo><static>false</static><plugin name="p" filename="libp.so"><a>1</a></plugin></gazebo>
 <link name="b">{BODY}
@@ -368,7 +368,7 @@ class Contents(SimulatorTest):
         walk(root.find(".//model"), ())
         return found
 
-    # Poses are compared elsewhere; a joint has no pose of its own here, a link a pose of its own.
+    # Other tests compare poses; here, a joint has no pose, but a link has one.
     OTHERWISE = {"pose", "a"}
 
     @reader.needs_program("ign")
@@ -378,7 +378,7 @@ class Contents(SimulatorTest):
         ours = self.converted(self.write_scene("g.urdf", "sdf"))
         for path, value in theirs.items():
             if path[1:2] == ("b_fixed_joint_lump__hey_collision_2",):
-                continue  # its name differs, and libsdformat gives it no friction
+                continue  # its name differs, and libsdformat does not set its friction
             self.assertEqual(ours.get(path, "is missing"), value, path)
 
     @reader.needs_program("ign")
@@ -431,7 +431,7 @@ class Contents(SimulatorTest):
         for name, (still, moved, force) in found.items():
             self.assertLess(abs(still), 1e-6, name)
             self.assertGreater(moved, 0.1, name)
-            if name != "M/direct_effort_motor":  # whose command is its force
+            if name != "M/direct_effort_motor":  # its command is its force
                 self.assertEqual(force, 3 if name == "M/transmitted" else 4)
 
     @reader.needs_built("mujoco_actuators")

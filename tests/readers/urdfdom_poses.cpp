@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// URDFs as urdfdom reads them. It has no forward kinematics, so the frames it read are multiplied
-// here.
+// URDFs as urdfdom reads them. It has no forward kinematics, so this program multiplies the
+// frames.
 #include <Eigen/Geometry>
 #include <fstream>
 #include <sstream>

@@ -11,7 +11,7 @@ import sys
 
 from usd_stage import Robot, Stage, differences
 
-LEAST = 300  # models that are written
+LEAST = 300  # number of written models
 
 
 def run(tool, *arguments):

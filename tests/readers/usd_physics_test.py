@@ -128,7 +128,7 @@ class UsdPhysicsTest(reader.ReaderTest):
             self.assertAlmostEqual(found[key], value, delta=1e-9, msg=key)
 
     def test_drives(self):
-        # At a tenth of the largest speed, all effort: 10 * 4 / 3 N m s/rad, and 10 times that per rad.
+        # Full effort at a tenth of the largest speed: 10 * 4 / 3 N m s/rad, and 10 times that per rad.
         speed = 10 * 4 / 3
         self.assert_drive(self.drive("a", "angular"), stiffness=math.radians(10 * speed),
                           damping=math.radians(speed + 0.5), maxForce=4,

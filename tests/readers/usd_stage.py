@@ -54,7 +54,7 @@ class Stage:
         return [float(n) for n in self.prims[path][name].strip("()").split(", ")]
 
     def pose(self, path):
-        """The pose in the world, through all prims above."""
+        """The pose in the world, including all parent prims."""
         prim = self.prims[path]
         above = self.pose(path.rsplit("/", 1)[0]) if "/" in path else ([0, 0, 0], [1, 0, 0, 0])
         if "xformOpOrder" not in prim:

@@ -13,7 +13,7 @@ RAINBOW = "scenes/example/environment/rainbow.yml"
 EXAMPLE = "scenes/example/example.smurfs"
 ENTRIES = {"hall/": HALL, "scenes/example/": EXAMPLE}
 
-# One line an entity where that is usual, so that a finding on an entity is a finding at its line.
+# Usually one line per entity, so that a finding on an entity is at its line.
 FILES = {
     HALL: """# a hall with two cranes, a cell and a group
 physics:
@@ -61,7 +61,7 @@ entities:
 NORTH = "position: [0.0, 4.0, 0.0], rotation: [0.0, 0.0, 90.0]"
 
 MUTANTS = [
-    # The file as such.
+    # The file as a whole.
     ("hall-misspelt-entities", HALL, "entities:", "entites:"),
     ("hall-case-of-entities", HALL, "entities:", "Entities:"),
     ("hall-entity-singular", HALL, "entities:", "entity:"),
@@ -128,7 +128,7 @@ MUTANTS = [
     ("hall-lights-misspelt", HALL, "lights:", "ligths:"),
     ("hall-light-singular", HALL, "lights:", "light:"),
     ("hall-light-directional", HALL, "directional: false", "directional: off"),
-    # What an entity is.
+    # Kinds of entities.
     ("hall-anchor-for-parent", CELL, 'parent: "Shelf::top", anchor: parent', 'anchor: "Shelf::top"'),
     ("hall-no-file", HALL, "type: smurf, file: ../crane/crane.smurf, ", ""),
     ("hall-file-missing", HALL, "file: box.urdf", "file: bx.urdf"),
@@ -300,7 +300,7 @@ MUTANTS = [
     ("hall-map-misspelt", HALL, "width: 6.0", "widht: 6.0"),
     ("hall-map-height", HALL, "height: 0.8", "height: tall"),
     ("hall-map-rotation", HALL, "width: 6.0", "width: 6.0, rotation: [1.0, 0.0]"),
-    # The user's own type.
+    # Custom entity types.
     ("rainbow-radius", RAINBOW, "radius: 400.0", "radius: -400.0"),
     ("rainbow-radius-text", RAINBOW, "radius: 400.0", "radius: wide"),
     ("rainbow-radius-missing", RAINBOW, "  radius: 400.0        # metres, outer edge\n", ""),

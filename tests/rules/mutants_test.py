@@ -23,11 +23,11 @@ import mutants_urdf
 
 MODULES = [mutants_urdf, mutants, mutants_smurf, mutants_scenes]
 MUTANTS = [mutant for module in MODULES for mutant in module.MUTANTS]
-# What is checked when a file of the folder was changed; else the file itself.
+# The path to check after changing a file of the folder; by default, the file itself.
 ENTRIES = {"models/": "models/arm/smurf/arm.smurf", "crane/": mutants_smurf.MAIN, **mutants_scenes.ENTRIES}
-# Files that are made; those of fixtures are copied.
+# Generated files; those of fixtures are copied.
 FILES = {**mutants_urdf.WALKER_FILES, **mutants_scenes.FILES}
-# To shrink to nothing: one that is found is a failure too.
+# Known misses, which should become fewer: a mutant in this list that is found is also a failure.
 KNOWN_MISSES = {name for module in MODULES for name in getattr(module, "KNOWN_MISSES", ())}
 MOST_FINDINGS_EACH = 1.3
 
@@ -40,7 +40,7 @@ def findings(lint, path):
 
 
 def entry_of(file):
-    """What is checked when this file was changed."""
+    """The path to check after changing this file."""
     return next((entry for folder, entry in ENTRIES.items() if file.startswith(folder)), file)
 
 
@@ -86,7 +86,7 @@ class Checker:
         return findings(self.lint, self.root() / entry)
 
     def check(self, mutant):
-        """What is found of a mutant, and whether the defect is among it."""
+        """The findings of a mutant, and whether the defect is among them."""
         name, file, old, new, *where = mutant
         path = self.root() / file
         before = path.read_text(encoding="utf-8")

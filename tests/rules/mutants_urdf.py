@@ -8,7 +8,7 @@ line that the finding is expected at, for defects that are seen elsewhere than w
 ARM = "models/arm/urdf/arm.urdf"
 WALKER = "walker/walker.urdf"
 
-# One line an element, so that a finding on an element is a finding at its line.
+# One line per element, so that a finding on an element is at its line.
 WALKER_FILES = {
     "walker/walker.urdf": """<?xml version="1.0" encoding="utf-8"?>
 <robot name="walker">
@@ -82,7 +82,7 @@ WAG_MIMIC = '<mimic joint="wag" multiplier="0.5" offset="0"/>'
 
 
 def within(context, old, new):
-    """Text that holds `old`, and the same with `new` instead."""
+    """A text that contains `old`, and the same text with `new` instead."""
     assert old in context, (context, old)
     return context, context.replace(old, new, 1)
 
@@ -503,7 +503,7 @@ MUTANTS = [
     walker("gazebo-reference-case", '<gazebo reference="trunk">', '<gazebo reference="Trunk">'),
     walker("mujoco-flag", "</robot>", '<mujoco><compiler discardvisual="no"/></mujoco></robot>'),
     walker("gazebo-misspelt-attribute", '<gazebo reference="trunk">', '<gazebo refrence="trunk">'),
-    # The same in a URDF of many lines, seen through the SMURF model that lists it.
+    # The same in a URDF with many lines, checked through the SMURF model that lists it.
     ("arm-misspelt-type", ARM, 'type="revolute"', 'type="revolut"'),
     ("arm-unknown-parent", ARM, '<parent link="pedestal"/>', '<parent link="pedestel"/>'),
     ("arm-unknown-child", ARM, '<child link="turret"/>', '<child link="turet"/>'),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What looks like a defect in real models and is none: nothing is reported.
+// Constructs in real models that look like defects but are not: nothing is reported.
 #include <doctest/doctest.h>
 
 #include "support/loaded.hpp"
@@ -36,7 +36,7 @@ const std::string kUrdf = R"(<robot name="crane">
 const std::string kMotor =
     "motors: [{name: lift, joint: lift, type: PID, maxEffort: 10, maxSpeed: 2}]\n";
 
-/// What is found in the robot with this annotation file.
+/// The findings in the robot with this annotation file.
 std::vector<std::string> findings(const std::string& annotations, const std::string& urdf = kUrdf) {
   Loaded loaded;
   loaded.files.add("crane.smurf", "modelname: crane\nfiles: [crane.urdf, crane.yml]\n");

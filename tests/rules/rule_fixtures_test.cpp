@@ -66,7 +66,7 @@ struct Case {
     return {};
   }
 
-  /// The files after one round of fixes; none when there is nothing to fix.
+  /// The files after one round of fixes; none if there are no fixes.
   std::optional<MemoryFiles> fixed(Applicability most) const {
     AppliedFixes applied = apply_fixes(diagnostics, sources, most);
     if (applied.texts.empty()) return std::nullopt;
@@ -135,9 +135,10 @@ TEST_CASE("bad fixtures raise their rule and nothing else, good ones nothing") {
   for (const Rule* rule : all_rules()) {
     const fs::path folder = kFixtures / folder_name(*rule);
     CAPTURE(folder_name(*rule));
-    if (!fs::exists(folder)) continue;  // the next test insists on it
+    if (!fs::exists(folder)) continue;  // another test requires it
     const RuleSelection selection = selection_for(folder);
-    // A rule that needs targets says with which its fixtures show it; others are shown to all.
+    // A rule that needs targets has a file with the targets of its fixtures; other fixtures are
+    // checked without targets.
     CHECK(rule->needs_target == !selection.targets.empty());
     const Case bad(folder / "bad", selection);
     CHECK_MESSAGE(!bad.diagnostics.empty(), "the bad fixture raises nothing");
@@ -174,7 +175,7 @@ TEST_CASE("what a fix was applied for is gone, and nothing new has come") {
         now = Case(std::move(*again), selection);
       }
       CHECK_MESSAGE(now.fixable(most) == 0, now.text());
-      // Several findings may share one fix; a fix may not bring other findings.
+      // Several findings may share one fix; a fix must not cause other findings.
       CHECK_MESSAGE(now.diagnostics.size() + fixable <= before, now.text());
       for (const Diagnostic& diagnostic : now.diagnostics) {
         CHECK_MESSAGE(diagnostic.rule->id == rule->id, now.text());
@@ -189,9 +190,9 @@ TEST_CASE("every rule has fixtures, and every fixture a rule") {
   for (const auto& entry : fs::directory_iterator(kFixtures)) {
     folders.insert(entry.path().filename().string());
   }
-  // Not reachable from files: they report what the operating system says. Limits of scenes would
-  // take too many files; scene_test lowers them. Baselines are read by the tool and losses come
-  // from converters; both are tested there.
+  // Rules that no file can trigger, because they report messages of the operating system. Limits of
+  // scenes would need too many files; scene_test lowers them. Baselines are read by the tool, and
+  // losses come from converters; both have their own tests.
   const std::set<std::string> no_fixture = {
       "SML0001-unreadable-file",    "SML0002-file-too-large",     "SML5021-nested-too-deep",
       "SML5022-too-many-instances", "SML8001-not-expressible",    "SML8002-not-requested",
@@ -199,9 +200,9 @@ TEST_CASE("every rule has fixtures, and every fixture a rule") {
       "SML8101-kept-as-text",       "SML9104-malformed-baseline", "SML9105-stale-baseline-entry"};
   for (const Rule* rule : all_rules()) {
     const std::string name = folder_name(*rule);
-    // Found by stepping a robot, not by reading it: load_check_test has their fixtures.
+    // Reported by simulating a robot, not by reading it; load_check_test has their fixtures.
     if (name.starts_with("SML6")) continue;
-    // Losses come from writing, not from checking; the tests of the formats know them.
+    // Losses come from writers, which the tests of the formats check.
     if (no_fixture.contains(name) || rule->id.starts_with("SML82")) continue;
     CHECK_MESSAGE(folders.erase(name) == 1, name << " has no fixtures");
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All safe fixes of all files below some folders, applied in memory until nothing is left to fix:
-// they settle, comments stay, and models and scenes mean what they meant.
-//
-// usage: safe_fixes FOLDER...; folders that are absent are skipped, 77 when all are.
+// All safe fixes of all files below some folders, applied in memory until nothing is
+// left to fix: the process ends, comments stay, and models and scenes keep their
+// meaning.  usage: safe_fixes FOLDER...; folders that are absent are skipped, 77 when
+// all are.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,11 +21,11 @@ using namespace smurf;
 
 namespace {
 
-/// A file with all that it loads, and what is found there.
+/// A file with all files that it loads, and its findings.
 struct Loaded {
   SourceMap sources;
   MeshLibrary meshes;
-  LinkedScene scene;  ///< of a model: only that
+  LinkedScene scene;  ///< files of a model: only that model
   std::vector<Diagnostic> diagnostics;
 
   Loaded(const std::string& path, const FileReader& files) {
@@ -53,7 +53,7 @@ bool is_safe(const Diagnostic& diagnostic) {
   return !diagnostic.fixes.empty() && diagnostic.fixes.front().applicability == Applicability::safe;
 }
 
-/// The comments of a YAML or XML text, near enough to see one go.
+/// Approximately the comments of a YAML or XML text, to detect a lost comment.
 std::multiset<std::string> comments_of(const std::string& path, const std::string& text) {
   const bool is_xml = path.ends_with(".urdf");
   const std::string_view open = is_xml ? "<!--" : "#";
@@ -86,12 +86,12 @@ bool have_other_limits(const urdf::Joint& a, const urdf::Joint& b) {
          x.velocity.value() != y.velocity.value();
 }
 
-/// What the fixes have changed that they must not; empty when nothing.
+/// Changes that the fixes must not make; empty if there are none.
 std::string difference(const LinkedScene& before, const LinkedScene& after) {
   if (before.models.size() != after.models.size()) return "there are other models";
   for (std::size_t i = 0; i < before.models.size(); ++i) {
     if (!before.models[i].robot || !after.models[i].robot) continue;
-    const ProofScope scope{.may_change_limits = true};  // those of fixed joints mean nothing
+    const ProofScope scope{.may_change_limits = true};  // those of fixed joints have no effect
     const Proof proof = compare_models(before.models[i], after.models[i], scope);
     if (!proof.holds()) return proof.difference;
     const auto& joints = before.models[i].robot->joints;
@@ -120,14 +120,15 @@ struct Count {
   std::size_t compared = 0;
 };
 
-/// What is wrong with the safe fixes of one file; empty when nothing is.
+/// Faults of the safe fixes of one file; empty if there are none.
 std::string check(const std::string& path, Count& count) {
   const DiskFiles disk;
   MemoryFiles files(&disk);
   Loaded before(path, files);
   ++count.files;
   const std::size_t fixes_before = count.fixes;
-  // What a reader refuses has no meaning to keep, so that fixing an error may change anything.
+  // A file that a reader refuses has no meaning to preserve, so the fix of an error may change
+  // anything.
   bool is_mending = false;
   Loaded now(path, files);
   for (int round = 0;; ++round) {

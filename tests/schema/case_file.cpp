@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kShapeRules[] = {"SML2011", "SML4001", "SML4002",
                                             "SML4003", "SML4004", "SML5002"};
 
-/// What JSON cannot say, infinities and NaN, stays text.
+/// Infinities and NaN, which JSON lacks, stay text.
 Json scalar(yaml::View value) {
   switch (value.type()) {
   case yaml::ScalarType::null: return nullptr;

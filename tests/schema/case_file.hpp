@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One YAML text, judged by the typed readers and, together with many others, by a JSON Schema
+// One YAML text, checked by the typed readers and, together with many others, by a JSON Schema
 // validator.
 #pragma once
 
@@ -26,22 +26,22 @@ std::optional<FileKind> kind_of(const std::filesystem::path& path);
 struct Reading {
   SourceMap sources;
   DiagnosticSink sink;
-  std::optional<yaml::Document> document;  ///< none when the text is not YAML
+  std::optional<yaml::Document> document;  ///< none if the text is not YAML
 
   Reading(FileKind kind, std::string text);
-  /// What readers and schemas both judge: kinds of values, words, ranges and missing keys.
+  /// Faults that readers and schemas both check: kinds of values, words, ranges and missing keys.
   std::vector<const Diagnostic*> shape_findings() const;
 };
 
-/// Cases on their way to the validator.
+/// Cases to be passed to the validator.
 class CaseFile {
  public:
-  /// False when the text is not YAML and makes no case.
+  /// False if the text is not YAML; then it is not a case.
   bool add(FileKind kind, std::string text);
   std::size_t size() const { return cases_.size(); }
   std::size_t valid_count() const { return valid_count_; }
 
-  /// Texts on which the verdicts differ, each with the verdicts; none when there is no validator.
+  /// Texts with different verdicts, and their verdicts; none if there is no validator.
   std::optional<std::vector<std::string>> disagreements() const;
 
  private:

@@ -19,7 +19,7 @@ PATIENCE = 120  # seconds for all answers in a test, on a busy machine
 
 
 class Server:
-    """The language server, spoken to as an editor does."""
+    """A client of the language server that behaves like an editor."""
 
     def __init__(self, folder):
         self.process = subprocess.Popen(["node", SERVER, "--stdio"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
@@ -50,7 +50,7 @@ class Server:
         return json.loads(self.process.stdout.read(size)) if size else None
 
     def wait(self, is_wanted):
-        """The first message that is wanted; the server's own questions are answered on the way."""
+        """The first message that is accepted; requests of the server are answered before it."""
         while message := self.receive():
             if is_wanted(message):
                 return message
@@ -84,11 +84,11 @@ class Server:
                              "hover": {"contentFormat": ["plaintext"]}}})
         self.tell("initialized")
         self.tell("workspace/didChangeConfiguration", settings=self.settings)
-        # A text that is opened before the server has asked for its settings is judged without them.
+        # If a text is opened before the server has requested its settings, it is checked without them.
         self.answer(self.wait(lambda message: message.get("method") == "workspace/configuration"))
 
     def open(self, uri, text):
-        """What is squiggled in the text."""
+        """The diagnostics in the text."""
         self.tell("textDocument/didOpen", textDocument={"uri": uri, "languageId": "yaml", "version": 1, "text": text})
         shown = self.wait(lambda message: message.get("method") == "textDocument/publishDiagnostics"
                           and message["params"]["uri"] == uri)
@@ -121,7 +121,7 @@ class EditorTest(unittest.TestCase):
                            "schemaStore": {"enable": False}, "schemas": schemas or {}})
 
     def open(self, name, text):
-        """(line, column, message) of what is squiggled; lines and columns from 1."""
+        """(line, column, message) of each diagnostic; lines and columns from 1."""
         self.uri = (self.folder / name).as_uri()
         marks = self.server.open(self.uri, text)
         return sorted((m["range"]["start"]["line"] + 1, m["range"]["start"]["character"] + 1, m["message"])

@@ -118,7 +118,8 @@ std::string section_text(const SectionSpec& section, const std::string& one) {
                                             : name + ": [" + one + "]";
 }
 
-/// Rows that several sections share get all values in the first of them and some in the others.
+/// Rows that several sections share get all values in the first section and some values in the
+/// others.
 void enumerate_section(const SectionSpec& section, std::set<const KeySpec*>& done,
                        const AddCase& add) {
   const auto keys = section.keys();

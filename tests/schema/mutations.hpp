@@ -12,8 +12,8 @@ namespace smurf::test {
 
 using AddCase = std::function<void(FileKind kind, std::string text)>;
 
-/// For each key of each table one text a value: values of every kind, the bounds, the choices and
-/// the default.
+/// For each key of each table, one text per value: values of every kind, the bounds, the choices
+/// and the default.
 void enumerate_values(const AddCase& add);
 
 /// The text with a value replaced by one of another kind, or a key renamed to another known or

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The schemas that are written by hand say yes to what the tools write and no to near misses.
+// The hand-written schemas accept the output of the tools and reject near misses.
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
@@ -23,7 +23,7 @@ namespace {
 
 /// A change to a sound document, by JSON merge patch: a null removes the key.
 struct Miss {
-  const char* pointer;  ///< of the object that is changed
+  const char* pointer;  ///< place of the changed object
   const char* patch;
 };
 

@@ -61,12 +61,12 @@ void check_agreement(CaseFile& cases) {
   }
 }
 
-/// Real files with shapes that a reader refuses, and who refuses them.
+/// Real files with forms that a reader refuses, and that reader.
 bool is_known_bad(const fs::path& path) {
   const std::string name = path.filename().string();
-  // Colours as lists, by a development version of Phobos: an exception in MARS.
+  // Colours as lists, from a development version of Phobos: they cause an exception in MARS.
   if (name == "example_mechanism_materials.yml") return true;
-  // Phobos' own templates of motors, sensors, ...: no annotations.
+  // Phobos's templates of motors, sensors, ...: these are not annotations.
   return path.parent_path().filename() == "definitions";
 }
 

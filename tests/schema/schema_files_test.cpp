@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// schemas/ holds what the tables say. SMURF_UPDATE_SNAPSHOTS=1 rewrites it.
+// The files in schemas/ match the tables. SMURF_UPDATE_SNAPSHOTS=1 rewrites it.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

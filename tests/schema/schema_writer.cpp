@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One property a table row. What a row cannot say is not in the schema either, so that readers and
-// schemas agree; schema_equality_test proves it.
+// One property per table row. A constraint that a row cannot express is not in the schema either,
+// so that readers and schemas agree; schema_equality_test proves it.
 #include "schema/schema_writer.hpp"
 
 #include <cmath>
@@ -37,7 +37,7 @@ Json to_json(double number) {
   return number;
 }
 
-/// A null says nothing and is allowed wherever the key may be absent.
+/// A null is allowed wherever the key may be absent.
 Json types(std::vector<std::string> names, bool is_nullable) {
   if (is_nullable) names.emplace_back("null");
   if (names.size() == 1) return names.front();
@@ -122,7 +122,7 @@ Json items_of(const KeySpec& spec) {
   return item;
 }
 
-/// The parts beside `type`. Keywords for lists say nothing about mappings, and the reverse.
+/// The keywords besides `type`. Keywords for lists do not restrict mappings, and vice versa.
 Json value_parts(const KeySpec& spec) {
   switch (spec.type) {
   case ValueType::names:
@@ -268,7 +268,7 @@ Json map_to(const Json& value) {
   return {{"type", types({"object"}, true)}, {"additionalProperties", value}};
 }
 
-/// Names for completion; every other text is wrong.
+/// Names for completion; other texts are invalid.
 Json words(std::span<const std::string_view> names) {
   Json values = Json::array();
   for (const std::string_view name : names) values.push_back(std::string(name));
@@ -355,7 +355,7 @@ Json config_schema() {
   return schema;
 }
 
-/// Two spaces a level; what fits is on one line.
+/// Indents by two spaces; values that fit are on one line.
 void print(const Json& json, std::size_t indent, std::size_t used, std::string& out) {
   constexpr std::size_t kWidth = 100;
   const std::string line = json.dump(-1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the section readers keep, and how they word what they find.
+// The values that the section readers keep, and their messages.
 #include <doctest/doctest.h>
 
 #include "ast/model_reader.hpp"

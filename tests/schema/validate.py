@@ -18,7 +18,7 @@ except ImportError:
 
 
 def resolved(schema, schemas):
-    """The schema with references to other files replaced by what they name."""
+    """The schema with references to other files replaced by their targets."""
     if isinstance(schema, list):
         return [resolved(item, schemas) for item in schema]
     if not isinstance(schema, dict):

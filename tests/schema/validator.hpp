@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An independent JSON Schema validator: the Python package jsonschema, in a process of its own.
+// An independent JSON Schema validator: the Python package jsonschema, in a separate process.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace smurf::test {
 
-/// One JSON text and the file of schemas/ that it is judged by.
+/// A JSON text and the file in schemas/ to validate it with.
 struct Instance {
   std::string schema;
   std::string json;
 };
 
-/// One verdict an instance. None when the package is not installed; throws when a schema is not
-/// valid draft-07.
+/// One verdict per instance. None if the package is not installed; throws if a schema is not valid
+/// draft-07.
 std::optional<std::vector<bool>> validate(const std::vector<Instance>& instances);
 
 }  // namespace smurf::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything that is read of an XML text, as a text to compare.
+// Everything that is read from an XML text, as a text to compare.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace smurf::test {
 
 enum class XmlReader : bool { ours, tinyxml2 };
-/// A line a diagnostic, then a line an element with all its members.
+/// One line per diagnostic, then one line per element with all its members.
 std::string described_xml(XmlReader reader, const std::string& text);
 
 }  // namespace smurf::test

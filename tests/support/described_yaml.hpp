@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything that is read of a YAML text, as a text to compare.
+// Everything that is read from a YAML text, as a text to compare.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace smurf::test {
 
-/// A line a diagnostic, then a line a node with all its members.
+/// One line per diagnostic, then one line per node with all its members.
 std::string described_yaml(YamlEngine engine, const std::string& text);
 
 }  // namespace smurf::test

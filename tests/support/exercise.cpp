@@ -41,7 +41,7 @@ void render_all(const std::vector<Diagnostic>& diagnostics, const SourceMap& sou
   }
 }
 
-/// What we accept and export, urdfdom accepts.
+/// urdfdom must accept the files that we accept and export.
 void convert(const LinkedModel& model, const SourceMap& sources, Exercise& result) {
   DiagnosticSink sink;
   const std::string urdf = export_urdf(model, sources, {}, sink);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything that the library does with a path, and what it promises of any input.
+// Runs everything that the library does with a path, and checks its promises for any input.
 #pragma once
 
 #include <set>
@@ -15,14 +15,14 @@ struct Exercise {
   std::size_t findings = 0;
   bool has_errors = false;
   std::set<std::string> unreadable{};  ///< files with an SML00xx
-  std::vector<std::string> broken{};   ///< promises, in words; empty when all hold
-  std::vector<std::pair<std::string, std::string>> fixed{};  ///< path and text, all fixes applied
+  std::vector<std::string> broken{};   ///< violated promises, in words; empty if there are none
+  std::vector<std::pair<std::string, std::string>> fixed{};  ///< path and text after all fixes
 };
 
 struct ExerciseOptions {
-  bool renders = true;    ///< reports of all findings are written
-  bool converts = false;  ///< what is accepted is exported and flattened; urdfdom judges
-  bool fixes = false;     ///< every fix is applied
+  bool renders = true;    ///< write reports of all findings
+  bool converts = false;  ///< export and flatten accepted files; urdfdom checks the result
+  bool fixes = false;     ///< apply every fix
 };
 
 Exercise exercise(const FileReader& files, const std::string& path,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A model or scene from files in memory, with its diagnostics; what tests load.
+// A model or scene that a test loads from files in memory, with its diagnostics.
 #pragma once
 
 #include <string>

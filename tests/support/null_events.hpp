@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Takes the events of a YAML parser and keeps nothing of them.
+// Receives the events of a YAML parser and ignores them.
 #pragma once
 
 #include <yaml-cpp/eventhandler.h>

@@ -8,7 +8,7 @@
 
 namespace smurf::test {
 
-/// The text with the first `from`, which must be there, as `to`.
+/// The text after replacing the first `from`, which must exist, by `to`.
 inline std::string replaced(std::string text, std::string_view from, std::string_view to) {
   const std::size_t at = text.find(from);
   REQUIRE(at != std::string::npos);

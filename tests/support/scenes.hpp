@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes from files in memory or from the fixtures, and 4x4 matrices that do without our pose code.
+// Scenes from files in memory or from the fixtures, and 4x4 matrices that do not use our pose code.
 #pragma once
 
 #include <array>
@@ -30,9 +30,9 @@ struct LoadedScene {
   void load(const std::string& path);
   /// A scene of one text, loaded as "scene.smurfs".
   void load_text(const std::string& text);
-  /// "SML5101 scene.smurfs:3:37", a line each.
+  /// "SML5101 scene.smurfs:3:37", one per line.
   std::string briefs() const;
-  /// By path; fails the test when there is none.
+  /// The instance with this path; fails the test if there is none.
   const Instance& at(const std::string& path) const;
 };
 

@@ -26,7 +26,7 @@ inline void append(std::string& bytes, std::uint32_t value, int size) {
 
 inline void append_zeros(std::string& bytes, std::size_t count) { bytes.append(count, '\0'); }
 
-/// What both headers of a file have in common: it is stored as it is, at no time.
+/// The common part of both headers of a file, which is stored without compression and time.
 inline void append_facts(std::string& bytes, std::string_view name, std::string_view text) {
   append(bytes, 20, 2);    // version
   append_zeros(bytes, 8);  // flags, method, time and date

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Diagnostics about made-up files, and how they look.
+// Diagnostics about made-up files, and their text.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What MARS, MARS 2 and Phobos make of a scene, with numbers worked out without our pose code.
+// Scenes as MARS, MARS 2 and Phobos read them, with numbers computed without our pose code.
 #include "smurf/dialect.hpp"
 
 #include <algorithm>

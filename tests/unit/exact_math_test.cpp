@@ -16,7 +16,7 @@ namespace {
 constexpr int kRandom = 20000;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// `value` is `exact` rounded, or what is next to it where `exact` is between two doubles.
+/// Whether `value` is `exact` rounded, or a neighbour if `exact` is between two doubles.
 bool is_rounded(double value, long double exact) {
   const auto rounded = static_cast<double>(exact);
   if (value == rounded) return true;
@@ -35,7 +35,7 @@ TEST_CASE("exact math: results are rounded correctly") {
     const double z = random.between(-4, 4);
     CAPTURE(x);
     CAPTURE(y);
-    if (std::fabs(x) < 1000) {  // beyond, sinl has not enough digits itself
+    if (std::fabs(x) < 1000) {  // beyond, sinl itself is not precise enough
       REQUIRE(is_rounded(sine_cosine(x).sine, sinl(x)));
       REQUIRE(is_rounded(sine_cosine(x).cosine, cosl(x)));
     }

@@ -15,7 +15,8 @@ TEST_CASE("a link on a fixed joint becomes part of the link that carries it") {
   CHECK(collapsed.has("<mass value=\"0.75\"/>"));
   CHECK(collapsed.has("    <visual>\n"
                       "      <origin xyz=\"0 0.1 0.2\" rpy=\"0 0 1."));
-  // A sensor stands on `eye`, so it stays a link, on the arm now; the shade hangs on the arm too.
+  // A sensor is on `eye`, so it stays a link, now on the arm; the shade is also attached to the
+  // arm.
   CHECK(collapsed.has("<link name=\"eye\"/>"));
   CHECK(collapsed.has("<parent link=\"arm\"/>\n    <child link=\"shade\"/>\n"
                       "    <axis xyz=\"1 0 0\"/>\n    <limit effort=\"1\" velocity=\"1\"/>\n"));

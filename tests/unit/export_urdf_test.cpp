@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the options of an export change, and what they leave alone.
+// The effect of each export option; everything else stays unchanged.
 #include <doctest/doctest.h>
 
 #include "unit/exported.hpp"
@@ -220,8 +220,8 @@ TEST_CASE("motors become extensions where no extension drives their joints") {
   UrdfExport options;
   options.actuation = Actuation::ros2_control;
   const Exported ros2(lamp, options);
-  // ROS 2 does not read the transmission of the hinge. The other motor follows, and is not
-  // commanded.
+  // ROS 2 does not read the transmission of the hinge. The other motor follows and gets no
+  // command.
   CHECK(ros2.has("  <ros2_control name=\"lamp\" type=\"system\">\n"));
   CHECK(ros2.has("    <joint name=\"hinge\">\n      <command_interface name=\"position\">\n"));
   CHECK(ros2.has("    <joint name=\"tilt\">\n      <state_interface name=\"position\"/>\n"));
@@ -268,7 +268,7 @@ TEST_CASE("sensors become those of Gazebo, once") {
   // The rays of MARS are 2/9 rad apart.
   CHECK(exported.has("<min_angle>-0.8888888888888888</min_angle>"));
   CHECK(exported.has("<max>5</max>"));
-  // Without opening_width it is pi/2, a third of it between two rays.
+  // Without opening_width, it is pi/2, and two rays are a third of it apart.
   CHECK(exported.has("<min_angle>-0.5235987755982988</min_angle>"));
   CHECK(exported.has("<samples>2</samples>"));
   CHECK(exported.has("<min_angle>-3</min_angle>"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A lamp, and what an export makes of it.
+// A lamp, and its export.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -87,7 +87,7 @@ struct Read {
 
 struct Exported {
   std::string text;
-  std::string losses;  ///< "SML8001 message", a line each
+  std::string losses;  ///< "SML8001 message", one per line
 
   Exported(const Read& source, UrdfExport options) {
     options.output_folder = "/lamp";
@@ -100,7 +100,7 @@ struct Exported {
     const Read result(text);
     const Proof proof = compare_models(source.model, result.model, proof_scope(options));
     if (!options.apply.mimic) CHECK_MESSAGE(proof.holds(), proof.difference);
-    // Once more changes nothing; prefixes and bases add up on purpose.
+    // A second export changes nothing, except that prefixes and bases are added again.
     if (!options.prefix.empty() || options.base != BaseJoint::as_is) return;
     CHECK(export_urdf(result.model, result.sources, options, sink) == text);
   }
@@ -112,7 +112,7 @@ struct Exported {
   bool has(const std::string& part) const { return text.find(part) != std::string::npos; }
 };
 
-/// Two links on fixed joints above a base; the upper one stands at (0, 1, 2), turned about z.
+/// Two links on fixed joints above a base; the upper one is at (0, 1, 2), rotated about z.
 inline std::string tower(const std::string& extensions, const std::string& shape = {}) {
   return R"(<robot name="tower">
   <link name="base"/>

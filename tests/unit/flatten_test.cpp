@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flat scenes: what the tables hold, how they are written, and that explanations add up.
+// Flat scenes: the contents of the tables, their output, and the sums of explanations.
 #include <cmath>
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -236,7 +236,7 @@ TEST_CASE("MARS leaves models out of drawings, MARS 2 and Phobos read none") {
 <title>box.urdf</title><desc>origin_z: 0</desc><path d="m 0,0"/></g>
 </svg>)svg");
   loaded.load("page.svg");
-  // Turned by 1.5708 degrees, which are no radians here.
+  // Rotated by 1.5708 degrees, which are not radians here.
   CHECK(loaded.briefs() == "SML5012 page.svg:2:11\nSML5012 page.svg:4:8\nSML5044 page.svg:4:8\n");
   const auto loads = [&](std::string_view dialect) {
     std::string text;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What replaces the conversions of the standard library, where it has none, is compared with it.
+// Compares our number conversions, for standard libraries that lack them, with the standard
+// library.
 #include "base/floating.hpp"
 
 #include <doctest/doctest.h>
@@ -56,7 +57,7 @@ using Reader = std::from_chars_result (*)(std::string_view, double&);
 Read read_by(Reader reader, std::string_view text) {
   double value = 0.25;
   const auto [end, error] = reader(text, value);
-  // NaN has many bit patterns, and nobody computes with it.
+  // NaN has many bit patterns; they do not matter.
   return {end - text.data(), error, std::isnan(value) ? 1 : bit_cast<std::uint64_t>(value)};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the constructs of a URDF become in a SMURF model.
+// The SMURF models that are made from the constructs of a URDF.
 #include <doctest/doctest.h>
 
 #include "smurf/convert.hpp"
@@ -11,7 +11,7 @@ using namespace smurf;
 
 namespace {
 
-/// A robot of a base and movable links l1, l2, ...; `more` stands at its end.
+/// A robot of a base and movable links l1, l2, ...; `more` is appended.
 std::string robot(const std::string& joints, const std::string& more) {
   std::string text = "<robot name=\"bot\">\n<link name=\"base\"/>\n";
   for (int i = 1; i <= 4; ++i) {
@@ -80,7 +80,7 @@ struct Imported {
     return texts.front().text;
   }
 
-  /// "SML8101: message", a line each; findings about the URDF itself are left out.
+  /// "SML8101: message", one per line; without findings about the URDF itself.
   std::string findings() const {
     std::string all;
     for (const Diagnostic& diagnostic : sink.diagnostics()) {
@@ -147,8 +147,9 @@ TEST_CASE("what drives no joint directly, or only observes, becomes no motor") {
                        "<transmission name=\"differential\"><type>x/DifferentialTransmission</type>"
                        "<joint name=\"j2\"/><joint name=\"j3\"/></transmission>"));
   CHECK(bot.result.annotations.motors.empty());
-  CHECK(bot.findings() == "SML8101: the transmission `differential` becomes no entry of a section: "
-                          "a SMURF motor drives one joint directly\n");
+  CHECK(bot.findings() ==
+        "SML8101: the transmission `differential` cannot become an entry of a section: "
+        "a SMURF motor drives one joint directly\n");
   const Imported all(robot(kFourJoints, ""), {.motors = MotorChoice::all});
   CHECK(all.result.annotations.motors.size() == 4);
   const Imported none(robot(kFourJoints, transmission("j1", "PositionJointInterface")),
@@ -181,7 +182,7 @@ TEST_CASE("ros2_control becomes motors and joint sensors, and may narrow limits"
   CHECK(bot.text("smurf/bot_sensors.yml").find("type: JointTorque\n  link: l1\n  id:\n  - j1\n") !=
         std::string::npos);
   CHECK(bot.findings() ==
-        "SML8101: the sensor `lost` becomes no entry of a section: no link `` carries it\n");
+        "SML8101: the sensor `lost` cannot become an entry of a section: no link `` carries it\n");
 }
 
 TEST_CASE("sensors of Gazebo become those of MARS") {
@@ -201,7 +202,7 @@ TEST_CASE("sensors of Gazebo become those of MARS") {
   };
   has("- name: eye\n  type: CameraSensor\n  link: l1\n  rate: 33  # ms; 30 Hz\n  width: 640\n"
       "  height: 320\n  opening_width: 90  # degrees; 1.5708 rad\n  opening_height: 53.13010");
-  // Phobos takes a position only after an orientation.
+  // Phobos reads a position only after an orientation.
   has("  orientation_offset: {w: 0.707106781");
   CHECK(text.find("orientation_offset") < text.find("  position_offset: {x: 0.1, y: 0, z: 0}\n"));
   has("  bands: 90\n  lasers: 4\n  opening_width: 3\n  opening_height: 0.6");
@@ -211,10 +212,11 @@ TEST_CASE("sensors of Gazebo become those of MARS") {
   has("- name: bump\n  type: NodeContact\n  link: l2\n  id:\n  - l2_collision\n");
   has("- name: push\n  type: Joint6DOF\n  link: l3\n");
   CHECK(text.find("joint: ") == std::string::npos);  // where Phobos stops
-  CHECK(bot.findings() ==
-        "SML8101: the sensor `where` becomes no entry of a section: MARS has no sensor of the type "
-        "`navsat`\n"
-        "SML8101: the sensor `imu` becomes no entry of a section: no link `nobody` carries it\n");
+  CHECK(
+      bot.findings() ==
+      "SML8101: the sensor `where` cannot become an entry of a section: MARS has no sensor of the type "
+      "`navsat`\n"
+      "SML8101: the sensor `imu` cannot become an entry of a section: no link `nobody` carries it\n");
 }
 
 TEST_CASE("a collision gets a name only when a sensor must refer to it") {
@@ -260,8 +262,9 @@ TEST_CASE("group states of an SRDF become joint pose sets") {
   CHECK(*poses[2].joints.front().position == 0.1);
   CHECK(bot.text("smurf/bot_srdf_extensions.yml").find("<disable_collisions link1=") !=
         std::string::npos);
-  CHECK(bot.findings() == "SML8101: a position of `x` becomes no entry of a section: the URDF has "
-                          "no such joint\n");
+  CHECK(bot.findings() ==
+        "SML8101: a position of `x` cannot become an entry of a section: the URDF has "
+        "no such joint\n");
 }
 
 TEST_CASE("what has no section is kept as it stands") {

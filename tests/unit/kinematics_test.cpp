@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses worked out by hand, and trees that are none.
+// Poses computed by hand, and graphs that are not trees.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -66,9 +66,9 @@ TEST_CASE("kinematics: an arm in the plane") {
   check_pose(arm.pose("tip"), {3, 0, 1}, {0, 0, 0});
   check_pose(arm.pose("upper", {{"shoulder", kQuarter}}), {0, 0, 1}, {0, 0, kQuarter});
   check_pose(arm.pose("tip", {{"shoulder", kQuarter}}), {0, 3, 1}, {0, 0, kQuarter});
-  // The elbow turns about -z, and its axis of length 3 counts as direction only.
+  // The elbow turns about -z; for its axis of length 3, only the direction matters.
   check_pose(arm.pose("tip", {{"shoulder", kQuarter}, {"elbow", kQuarter}}), {1, 2, 1}, {0, 0, 0});
-  // No axis: x. The slide moves along the forearm.
+  // Without an axis, the default is x. The slide moves along the forearm.
   check_pose(arm.pose("tip", {{"slide", 0.5}}), {3.5, 0, 1}, {0, 0, 0});
   check_pose(arm.pose("tip", {{"shoulder", kQuarter}, {"slide", 0.5}}), {0, 3.5, 1},
              {0, 0, kQuarter});
@@ -111,7 +111,7 @@ TEST_CASE("kinematics: mimic joints follow") {
   check_pose(arm.pose("d", {{"one", 0.2}}), {0, 0, 0}, {0, 0, 0.2 + 0.5 - 0.5});
   check_pose(arm.pose("c"), {0, 0, 0}, {0, 0, 0.1});
   check_pose(arm.pose("e"), {0, 0, 0}, {0, 0, 0});
-  // A position given to a mimic joint itself counts.
+  // A given position of a mimic joint is used.
   check_pose(arm.pose("c", {{"one", 0.2}, {"two", 1}}), {0, 0, 0}, {0, 0, 1.2});
 }
 
@@ -181,7 +181,7 @@ TEST_CASE("kinematics: named joint positions") {
       "poses: [{name: up, joints: {m: 1, elbow: 2, wrist: 3}}, {name: up, joints: {m: 9}}]\n");
   const auto positions = joint_positions(arm.model, "up");
   REQUIRE(positions);
-  // A motor's name wins over a joint's.
+  // The name of a motor takes precedence over that of a joint.
   CHECK(*positions == JointPositions{{"shoulder", 1}, {"slide", 2}, {"wrist", 3}});
   CHECK(!joint_positions(arm.model, "down"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every limit: what is just below it passes, what is just above it is told, and raising it helps.
+// Every limit: values just below it pass, values just above it are reported, and raising it helps.
 #include "smurf/limits.hpp"
 
 #include <doctest/doctest.h>
@@ -19,7 +19,7 @@ using smurf::test::repeat;
 
 namespace {
 
-/// Files that demand `amount` of something, and the one to load.
+/// Files that need `amount` of a limited resource, and the file to load.
 struct Demand {
   MemoryFiles files;
   std::string entry;
@@ -85,7 +85,7 @@ Demand of_urdf_parts(std::uint64_t parts) {
   return {"r.urdf", "<robot name='r'>" + repeat("<link name='a'/>", parts) + "</robot>"};
 }
 
-/// A scene in so many others.
+/// A scene in this number of others.
 Demand of_include_depth(std::uint64_t depth) {
   Demand demand("s0.smurfs", "entities: [{name: e, file: s1.smurfs}]\n");
   for (std::uint64_t i = 1; i <= depth; ++i) {
@@ -109,7 +109,7 @@ Demand of_repeated_bytes(std::uint64_t bytes) {
   return demand;
 }
 
-/// The scene itself counts.
+/// The scene itself is included in the number.
 Demand of_instances(std::uint64_t instances) {
   Demand demand("s.smurfs", "entities:\n" + repeat("- {type: urdf, file: r.urdf}\n", instances));
   demand.files.add("r.urdf", "<robot name='r'><link name='a'/></robot>");
@@ -132,7 +132,7 @@ Demand of_all_findings(std::uint64_t findings) {
 
 struct LimitCase {
   std::string_view name;
-  std::uint64_t amount;  ///< a small limit to try
+  std::uint64_t amount;  ///< a small limit to test
   std::function<Demand(std::uint64_t amount)> demand;
 };
 
@@ -204,7 +204,7 @@ TEST_CASE("limits: all of them hold at the most that can be asked for") {
     const LimitInfo& info = info_of(name);
     const auto one = std::find_if(std::begin(kCases), std::end(kCases),
                                   [&](const LimitCase& tried) { return tried.name == name; });
-    // The frames of AddressSanitizer are ten times as large: 1000 scenes take 9 MB of stack.
+    // The frames of AddressSanitizer are ten times as large: 1000 scenes need 9 MB of stack.
     const std::uint64_t most = SMURF_HAS_ADDRESS_SANITIZER ? info.most / 2 : info.most;
     Limits limits;
     limits.*info.value = most;
@@ -247,7 +247,7 @@ TEST_CASE("limits: those of archives") {
 }
 
 TEST_CASE("limits: every row of the table has a name of its own, a usual value and a test") {
-  // Where the others are tested.
+  // Tests of the other limits.
   constexpr std::string_view kElsewhere[] = {
       "image-pixels",   "archive-bytes", "archive-files", "archive-growth",  "srdf-bytes",
       "folder-entries", "ignore-checks", "suggestions",   "rechecked-bytes", "path-checks"};

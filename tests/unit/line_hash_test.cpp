@@ -14,7 +14,7 @@ TEST_CASE("line hashes are those of GitHub code scanning") {
   CHECK(line_hashes(" a\r\nb\r\n  \t\tc\r\n d") == expected);
   CHECK(line_hashes(" a\rb\r  \t\tc\r d") == expected);
   CHECK(line_hashes("").size() == 1);
-  // Equal lines are told apart by what follows them, and at the end by their number.
+  // Equal lines are distinguished by the following lines, and at the end by their number.
   const std::string same(200, '\n');
   CHECK(line_hashes(same).size() == 201);
   CHECK(line_hashes(same)[99].ends_with(":100"));

@@ -157,7 +157,7 @@ TEST_CASE("files: confined to folders without what has a name") {
     CHECK(!files.is_file(folder / name));
     CHECK(files.list(folder / name).empty());
   }
-  // A work tree may lie in there, when somebody names it.
+  // A work tree may be in there if the user names it.
   files.allow(folder / "in/.hg");
   CHECK(files.read(folder / "in/.hg/hgrc", 99).text == "in/.hg/hgrc");
 }

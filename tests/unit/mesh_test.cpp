@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes that the test writes itself: what is read of them, and that no broken one does harm.
+// Meshes that the test writes: their facts, and broken files, which do no harm.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -217,7 +217,8 @@ TEST_CASE("mesh: triangles, on demand") {
   };
   CHECK(reason(collada(), ".dae") == "has no triangles");
   CHECK(reason("v 0 0 0\n", ".obj") == "has no triangles");
-  CHECK(reason("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", ".obj") == "names points that come later");
+  CHECK(reason("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", ".obj") ==
+        "refers to points that come later in the file");
   CHECK(reason(binary_stl().substr(0, 100), ".stl").starts_with("is broken: "));
   CHECK(reason("", ".stl") == "is of an unknown format");
 }
@@ -309,10 +310,10 @@ TEST_CASE("mesh: what is broken, and where") {
 
   std::string index = bobj();
   index[8 * 16 + 16 + 4] = 9;
-  CHECK(defect(index) == "0: a triangle names the vertex 9, but 8 come before it");
+  CHECK(defect(index) == "0: a triangle names the vertex 9, but 8 precede it");
   std::string normal = bobj();
   normal[8 * 16 + 16 + 12] = 0;
-  CHECK(defect(normal) == "0: a triangle names the normal 0, but 1 come before it");
+  CHECK(defect(normal) == "0: a triangle names the normal 0, but 1 precede it");
   CHECK(defect(bobj() + "....") == "0: there is no record of kind 774778414");
   CHECK(defect(bobj().substr(0, 100)) == "0: the file ends inside a record");
   std::string chunk;
@@ -324,7 +325,7 @@ TEST_CASE("mesh: what is broken, and where") {
   CHECK(defect(replaced(collada(), "10 0 0", "10 0")) ==
         "12: the transform of a node is not a list of numbers");
   CHECK(defect(replaced(collada(), " 0.000000", " x")) ==
-        "7: the coordinates of the vertices are not all numbers");
+        "7: some coordinates of the vertices are not numbers");
 }
 
 TEST_CASE("mesh: files cut short and bytes changed at random") {

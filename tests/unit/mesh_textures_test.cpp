@@ -12,8 +12,8 @@ using namespace smurf::test;
 
 namespace {
 
-/// A square whose texture coordinates are its x and y, and a triangle beside it that shares a side
-/// and has other ones there.
+/// A square whose texture coordinates are its x and y, and an adjacent triangle with other texture
+/// coordinates at the common side.
 constexpr const char* kObj = "mtllib m.mtl\n"
                              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\n"
                              "vt 0 0\nvt 1 0\nvt 1 1 0\nvt 0 1\nvt 0.5\n"

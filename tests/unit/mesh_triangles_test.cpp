@@ -82,7 +82,7 @@ TEST_CASE("triangles: COLLADA in metres, in its own axes, with its colours") {
   const MeshTriangles mesh = read_triangles(collada(), ".dae");
   CHECK(mesh.reason == "");
   REQUIRE(mesh.indices.size() == 9);
-  // What has no colour comes first.
+  // Triangles without colour come first.
   REQUIRE(mesh.parts.size() == 2);
   CHECK(!mesh.parts[0].color);
   CHECK(mesh.parts[0].first_index == 0);
@@ -96,7 +96,7 @@ TEST_CASE("triangles: COLLADA in metres, in its own axes, with its colours") {
 }
 
 TEST_CASE("triangles: a concave polygon is cut along its inside") {
-  // An arrow, of which a fan around the first corner would cover what is outside.
+  // An arrow; a fan around its first corner would cover parts outside of it.
   const std::string arrow =
       replaced(collada(), "0 0 0 2 0 0 2 2 0 0 2 0", "0 0 0 4 -2 0 1 0 0 4 2 0");
   const MeshTriangles mesh = read_triangles(replaced(arrow, "<p>0 1 2 3<", "<p>1 2 3 0<"), ".dae");
@@ -129,7 +129,8 @@ TEST_CASE("triangles: COLLADA that is broken") {
             .starts_with("is broken: "));
   CHECK(broken(">0 0 0 2", ">0 0 0 nan").find("not all numbers") != std::string::npos);
   CHECK(broken("source=\"#p\"", "source=\"#q\"").find("are not there") != std::string::npos);
-  CHECK(broken("url=\"#g\"", "url=\"#h\"") == "is broken: nothing has the id `h` (line 23)");
+  CHECK(broken("url=\"#g\"", "url=\"#h\"") ==
+        "is broken: there is no element with the id `h` (line 23)");
   CHECK(broken("0 0 100", "0 0") ==
         "is broken: the transform of a node is not a list of numbers (line 28)");
   CHECK(broken("</mesh>", "").starts_with("is broken: "));
@@ -176,7 +177,7 @@ TEST_CASE("triangles: COLLADA with rings, and with more than is read") {
         "names parts of other files, which are not read");
   CHECK(changed("<scene><instance_visual_scene url=\"#s\"/></scene>",
                 "<library_visual_scenes><visual_scene id=\"t\"/></library_visual_scenes>") ==
-        "has no scene that says where its parts are");
+        "has no scene that places its parts");
   CHECK(changed("<instance_node url=\"#n\"/>", "") == "has no triangles");
 }
 
@@ -241,19 +242,19 @@ TEST_CASE("triangles: glTF that is broken") {
                   "\"buffer\": 0, \"byteStride\": 0, \"byteLength\": 36"),
            "not as it should be");
   contains(broken("\"componentType\": 5126", "\"componentType\": 5123"), "no floats");
-  contains(broken("\"POSITION\": 0", "\"POSITION\": 7"), "its accessors that is not there");
-  contains(broken("\"POSITION\": 0", "\"POSITION\": \"0\""), "its accessors that is not there");
+  contains(broken("\"POSITION\": 0", "\"POSITION\": 7"), "its accessors that does not exist");
+  contains(broken("\"POSITION\": 0", "\"POSITION\": \"0\""), "its accessors that does not exist");
   contains(broken("\"mesh\": 0", "\"mesh\": 0, \"children\": [0]"), "a node is named twice");
   contains(broken("\"nodes\": [0]}", "\"nodes\": [0, 0]}"), "a node is named twice");
   contains(broken("[0, 1, 0]", "[0, 1]"), "no transform");
   contains(broken("[0, 1, 0]", "[0, 1e400, 0]"), "no JSON");
   contains(broken("\"translation\": [0, 1, 0]", "\"rotation\": [0, 0, 0, 0]"), "no transform");
   contains(broken("AACAPwAA", "AACAfwAA"), "not all numbers");
-  contains(broken("\"material\": 0", "\"material\": 1"), "its materials that is not there");
+  contains(broken("\"material\": 0", "\"material\": 1"), "its materials that does not exist");
   contains(broken("\"indices\": 1", "\"indices\": 1, \"mode\": 7"), "unknown mode");
   CHECK(broken("\"indices\": 1", "\"indices\": 1, \"mode\": 1") == "has no triangles");
   contains(broken("[0, 1, 0]}],", "[0, 1, 0]}],,"), "no JSON");
-  contains(broken("\"nodes\": [{", "\"nodes\": 3, \"x\": [{"), "its nodes that is not there");
+  contains(broken("\"nodes\": [{", "\"nodes\": 3, \"x\": [{"), "its nodes that does not exist");
 }
 
 TEST_CASE("triangles: glTF with more than is read") {
@@ -304,7 +305,7 @@ TEST_CASE("triangles: buffers of glTF beside the file") {
   const std::string text = named("my%20points.bin");
   files.add("/robot/meshes/m.gltf", text);
   CHECK(read_triangles_of("/robot/meshes/m.gltf", files, {}).reason ==
-        "has its points in `my points.bin`, which is not there");
+        "has its points in `my points.bin`, which does not exist");
   std::string points(39, '\0');
   points[14] = '\x80';
   points[15] = '\x3f';
@@ -324,11 +325,11 @@ TEST_CASE("triangles: buffers of glTF beside the file") {
   CHECK(read_triangles_of("/robot/meshes/large.gltf", files, {}).reason == "");
   CHECK(read_triangles_of("/robot/meshes/large.gltf", files, small)
             .reason.starts_with("has its points in `../large.bin`, which cannot be read: "));
-  CHECK(reason(text) == "has its points in `my points.bin`, which is not there");
+  CHECK(reason(text) == "has its points in `my points.bin`, which does not exist");
   for (const char* name : {"/robot/data.bin", "file:///robot/data.bin", "http://robot/data.bin"}) {
     files.add("/robot/meshes/else.gltf", named(name));
     CHECK(read_triangles_of("/robot/meshes/else.gltf", files, {}).reason ==
-          "has its points in `" + std::string(name) + "`, which is no file beside it");
+          "has its points in `" + std::string(name) + "`, which is not a file beside it");
   }
 }
 

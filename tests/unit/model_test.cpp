@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which files belong to a model, and in which order they are merged.
+// The files that belong to a model, and the order in which they are merged.
 #include <doctest/doctest.h>
 
 #include "smurf/load.hpp"

@@ -134,7 +134,7 @@ TEST_CASE("numbers: a million doubles survive being written and read") {
   int wrong = 0;
   double culprit = 0;
   for (int i = 0; i < 1000000; ++i) {
-    // Half of them any bits, half of them of a size that robots have.
+    // Half of the numbers have random bits, half of them have sizes that occur in robots.
     double value = i % 2 == 0 ? std::bit_cast<double>(random.bits()) : random.between(-1e3, 1e3);
     if (!std::isfinite(value) || value == 0) value = 1.0 / (i + 3);
     const std::optional<double> back = parse_number(format_number(value));

@@ -17,9 +17,9 @@ namespace smurf::test {
 
 using Lines = std::vector<std::string>;
 
-/// One text, a line each: doctest shows texts, not vectors.
+/// One text, one item per line, because doctest shows texts but not vectors.
 std::string join(const Lines& lines);
-/// Line ends, tabs, carriage returns and the byte order mark made visible.
+/// Makes line ends, tabs, carriage returns and the byte order mark visible.
 std::string visible(std::string_view text);
 /// "SML0011 3:1 [slice]" for each diagnostic, in the order of reporting.
 Lines briefs(const DiagnosticSink& sink, const SourceMap& sources);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which files of a model are not parsed again.
+// Files of a model that are not parsed again.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -15,7 +15,7 @@ constexpr const char* kUrdf = "<robot name=\"r\"><link name=\"a\"/></robot>\n";
 constexpr const char* kMotors = "motors:\n- {name: m, joint: j}\nown section: [1]\n";
 constexpr const char* kMoreMotors = "motors:\n- {name: n, joint: j}\n";
 
-/// What a session does for each check.
+/// Does the same as a session for each check.
 class Checks {
  public:
   Checks() {
@@ -42,7 +42,7 @@ class Checks {
     return names;
   }
 
-  /// By their first letters.
+  /// Sorted by their first letters.
   std::string known() {
     std::string names;
     for (std::uint32_t i = 0; i < sources_.size(); ++i) {
@@ -78,7 +78,7 @@ TEST_CASE("a file that is the same in two checks is not parsed again") {
 
 TEST_CASE("a file with findings, or under another number, is parsed again") {
   Checks checks;
-  checks.set("/a.yml", std::string(kMotors) + "motors: 1\n");  // the key is there twice
+  checks.set("/a.yml", std::string(kMotors) + "motors: 1\n");  // a duplicate key
   for (int i = 0; i < 3; ++i) checks.run();
   CHECK(checks.known() == "rb");
   checks.set("/a.yml", kMotors);

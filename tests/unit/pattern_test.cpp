@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Regular expressions of users: what matches, what is none, and that std::regex agrees.
+// Regular expressions of users: matches, invalid patterns, and a comparison with std::regex.
 #include "schema/pattern.hpp"
 
 #include <optional>
@@ -14,7 +14,7 @@ using namespace smurf;
 
 namespace {
 
-/// None when the pattern is invalid.
+/// None if the pattern is invalid.
 std::optional<bool> match(const std::string& pattern, const std::string& text) {
   const auto compiled = Pattern::compile(pattern);
   if (!std::holds_alternative<Pattern>(compiled)) return std::nullopt;
@@ -49,7 +49,8 @@ TEST_CASE("pattern: what ECMA-262 says") {
       {"^(?=.*\\d)(?=.*[a-z]).{4,}$", "abcd", false},
       {"(?=b(?=c))", "bc", true},
       {"(?=b(?=c))", "bd", false},
-      {"a(?!^)", "a", true},  // libstdc++ takes the place of a look for the begin of the text
+      {"a(?!^)", "a",
+       true},  // libstdc++ treats the start of a look-ahead as the beginning of the text
       {"(?<=a)b", "ab", true},
       {"(?<!a)b", "ab", false},
       {"\\bfoo\\b", "a foo b", true},

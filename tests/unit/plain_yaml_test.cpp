@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The scanner of plain YAML against yaml-cpp, its judge: what the scanner accepts, both read to the
-// same tree, byte for byte, with the same diagnostics. SMURF_TEST_CASES sets how many mutated texts
-// are compared.
+// Compares the scanner of plain YAML with yaml-cpp: both read a text that the scanner accepts to
+// the same tree, byte for byte, with the same diagnostics. SMURF_TEST_CASES sets how many mutated
+// texts are compared.
 #include <doctest/doctest.h>
 
 #include <iterator>
@@ -20,7 +20,7 @@ bool is_plain(const std::string& text) {
   SourceMap sources;
   DiagnosticSink sink;
   const SourceId id = sources.add("a.yml", text);
-  const Limits limits{.yaml_depth = text.size()};  // none that the text reaches
+  const Limits limits{.yaml_depth = text.size()};  // no limit that the text could reach
   YamlBuilder builder(sources, id, limits, sink);
   return !scan_plain_yaml(text, builder);
 }

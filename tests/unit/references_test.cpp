@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of who names what, and what becomes of it when something gets a new name.
+// The table of references, also after renaming.
 #include "smurf/references.hpp"
 
 #include <doctest/doctest.h>
@@ -95,7 +95,7 @@ struct OneModel {
     model = load_model("r.smurf", context);
   }
 
-  /// "r.urdf:2" of all places that name it.
+  /// "r.urdf:2" for each place that names it.
   std::vector<std::string> places(NameKind kind, std::string_view name) const {
     std::vector<std::string> places;
     for (const Reference& one : references_of(model)) {
@@ -233,7 +233,7 @@ TEST_CASE("what cannot be renamed is said") {
   CHECK(problem({{}, "elbow", "x"}) ==
         "`elbow` is a motor and a joint; write motor:elbow or joint:elbow");
   CHECK(problem({{}, "wrist", "elbow"}) == "there is a joint `elbow` already, at r.urdf:9:16");
-  CHECK(problem({{}, "wrist", ""}) == "'' is no name");
+  CHECK(problem({{}, "wrist", ""}) == "'' is not a name");
   CHECK(renamed(one, {{{}, "wrist", "x"}}).problems.empty());
 }
 
@@ -251,7 +251,7 @@ TEST_CASE("a new name that something means already changes meanings") {
   const std::array before{references_of(one.model)};
   const std::array after{references_of(other.model)};
   CHECK(changed_meanings(before, after, other.sources) ==
-        Places{"r_all.yml:30:63: `unheard_of` would mean something else than before"});
+        Places{"r_all.yml:30:63: `unheard_of` would refer to something else than before"});
 }
 
 TEST_CASE("names in an SRDF") {

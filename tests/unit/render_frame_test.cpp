@@ -232,7 +232,7 @@ TEST_CASE("long lines are cut on a terminal only") {
                                     "1 | ...aaaaaaaaaaa token bbbbbbbbbbbb...\n"
                                     "  |                ^^^^^ here\n"
                                     "  |\n\n");
-  // At the start and at the end of the line the room is used.
+  // At the start and the end of the line, the full width is used.
   CHECK(frame("token " + after + "\n", "token", 40) ==
         "  |\n1 | token bbbbbbbbbbbbbbbbbbbbbbbb...\n  | ^^^^^ here\n  |\n\n");
   CHECK(frame(before + " token\n", "token", 40) ==

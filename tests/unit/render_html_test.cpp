@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The data in the page of a report: nothing leaves its block or is invisible, and its size is
+// The data in the page of a report: it cannot leave its block or hide text, and its size is
 // bounded.
 #include <doctest/doctest.h>
 

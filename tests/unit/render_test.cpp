@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands around the findings: fixes, summaries, pages of rules, and the JSON report.
+// Everything but the findings themselves: fixes, summaries, pages of rules, and the JSON report.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -116,7 +116,7 @@ TEST_CASE("statistics list the most frequent rule first") {
 
 TEST_CASE("the page of a rule is wrapped at 80 columns") {
   Rule rule = kRule;
-  rule.id = "SML9999";  // no reader is known to do anything about it
+  rule.id = "SML9999";  // no reader has a fact about it
   CHECK(render_rule(rule, {}) == R"(SML9999 unknown-joint (error)
 
 A name is not that of a joint.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where readers look for meshes and textures, and how often a file is opened.
+// The places where readers look for meshes and textures, and the number of times a file is opened.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -85,7 +85,7 @@ TEST_CASE("resources: what MARS opens") {
   }
   CHECK(seen == std::vector<std::string>{"obj/a.bobj there", "bobj/b.bobj there", "obj/c.obj there",
                                          "smurf/d.obj gone", " gone"});
-  // A URDF alone is nothing to MARS.
+  // MARS does not open a URDF alone.
   CHECK(models.load("urdf/r.urdf").meshes[0].mars_path.empty());
 }
 

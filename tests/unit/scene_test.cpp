@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Placement of entities: worked numbers, nesting, parents, names, order and limits.
+// Placement of entities: hand-computed numbers, nesting, parents, names, order and limits.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -163,7 +163,8 @@ TEST_CASE("names mean the innermost entity, then those around it, then any") {
 - {name: Pole, file: box.urdf, position: [0, 5, 0]}
 - {name: Fly, file: box.urdf, parent: "Cup::lid", anchor: parent}
 )");
-  // The second copy's cup and the fly's choice of a cup differ from, or are a guess as in, MARS.
+  // In the second copy, MARS uses another cup; for the fly, the choice of a cup is a guess, as in
+  // MARS.
   CHECK(loaded.briefs() == "SML5014 pair.smurfs:3:39\nSML5014 scene.smurfs:5:39\n");
   check_pose(loaded, "left/Cup", translation(0, 0, 0.1));
   check_pose(loaded, "right/Cup", translation(10, 0, 0.1));
@@ -221,7 +222,7 @@ TEST_CASE("one cause, one finding") {
     loaded.load_text("entities:\n" + entities);
     return loaded.briefs();
   };
-  // What hangs on something broken is not reported again.
+  // Consequences of a broken entity are not reported.
   CHECK(findings("- {name: A, file: nowhere.urdf}\n"
                  "- {name: B, file: box.urdf, parent: \"A::lid\", anchor: parent}\n") ==
         "SML5006 scene.smurfs:2:19\n");
@@ -315,7 +316,7 @@ TEST_CASE("long chains and large scenes take linear time") {
   LoadedScene loaded;
   constexpr int kCount = 10000;
   std::string text = "entities:\n- {name: n0, file: box.urdf}\n";
-  // Each one stands on the lid of the next one: the longest chain, in the worst order.
+  // Each entity is placed on the lid of the next one: the longest chain, in the worst order.
   for (int i = 1; i < kCount; ++i) {
     text.insert(10, "- {name: n" + std::to_string(i) + ", file: box.urdf, parent: \"n" +
                         std::to_string(i - 1) + "::lid\", anchor: parent}\n");

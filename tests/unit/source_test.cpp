@@ -128,7 +128,7 @@ TEST_CASE("source: spans are half open") {
 }
 
 TEST_CASE("lines of a long text are where a count from its beginning finds them") {
-  // Lines of all lengths, some empty, one longer than any block the text may be counted by.
+  // Lines of all lengths: some empty, and one longer than any block for counting.
   std::string text;
   for (std::size_t i = 0; i < 3000; ++i) text += std::string(i % 17, 'x') + '\n';
   text += std::string(20000, 'y') + '\n';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Our reader of XML against tinyxml2: what we take for XML, both read to the same tree, byte for
-// byte, and tinyxml2 refuses none of it, but for what only TinyXML forgives.
+// Compares our XML reader with tinyxml2: both read a text that we accept to the same tree, byte for
+// byte. tinyxml2 refuses such a text only where TinyXML alone is lenient.
 #include <doctest/doctest.h>
 
 #include <iterator>
@@ -18,13 +18,13 @@ namespace {
 constexpr std::string_view kExtensions[] = {".urdf", ".srdf", ".xml",  ".scn",
                                             ".svg",  ".sdf",  ".xacro"};
 
-/// Whether we report an instruction behind the start, or a value without quotes.
+/// Whether we report a late processing instruction, or a value without quotes.
 bool is_for_tinyxml_alone(const std::string& described) {
   return described.find("SML1015 ") != std::string::npos ||
          described.find("SML1016 ") != std::string::npos;
 }
 
-/// True when we took the text for XML.
+/// Whether we accepted the text as XML.
 bool compare(const std::string& text) {
   const std::string ours = described_xml(XmlReader::ours, text);
   if (ours.ends_with("refused")) return false;

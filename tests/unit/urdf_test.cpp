@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every element of URDF lands in its struct, with the bytes it was read from.
+// Every element of URDF is read into its struct, with its byte span.
 #include "ast/urdf_reader.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Schemas of a user's own sections and entity types, through the library's interface: what breaks
-// them, where, in which words; and schemas that are broken or hostile.
+// Schemas of a user's own sections and entity types, through the library's interface: violations,
+// their places and messages; and schemas that are broken or hostile.
 #include <algorithm>
 #include <chrono>
 
@@ -37,7 +37,7 @@ struct Rainbow {
     found = sink.take();
     locate(model, found);
     found = finish(std::move(found), sources, {});
-    // MARS takes lists and mappings only, whatever a schema says.
+    // MARS accepts only lists and mappings, independently of a schema.
     std::erase_if(found, [](const Diagnostic& one) { return one.rule->id == "SML2008"; });
   }
 
@@ -71,7 +71,7 @@ TEST_CASE("every keyword has its words") {
       {R"({"minItems": 3})", "[1, 2]", "`rainbow` contains at least `3` items"},
       {R"({"uniqueItems": true})", "[1, 2, 1]", "`rainbow` contains an item twice"},
       {R"({"contains": {"const": 3}})", "[1, 2]",
-       "`rainbow` lacks an item that the schema asks for"},
+       "`rainbow` lacks an item that the schema requires"},
       {R"({"items": [{"type": "number"}], "additionalItems": false})", "[1, 2]",
        "`rainbow` contains too many items"},
       {R"({"maxLength": 2})", "red", "`rainbow` has at most `2` characters"},
@@ -90,7 +90,7 @@ TEST_CASE("every keyword has its words") {
       {R"({"oneOf": [{"type": "string"}, {"type": "array"}]})", "2",
        "`rainbow` has none of the forms that the schema allows"},
       {R"({"oneOf": [{"type": "number"}, {"minimum": 1}]})", "2",
-       "`rainbow` has several forms of which the schema allows only one"},
+       "`rainbow` has several of the forms of which the schema allows only one"},
       {R"({"if": {"type": "number"}, "then": {"minimum": 5}})", "2",
        "`rainbow` must be at least `5`"},
       {R"({"allOf": [{"$ref": "#/definitions/big"}], "definitions": {"big": {"minimum": 5}}})", "2",
@@ -151,16 +151,16 @@ TEST_CASE("a finding names the token, the schema's words and the schema's place"
 TEST_CASE("a broken schema is reported in the schema, and checks nothing") {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {R"({"type": "nunber"})", "`nunber` is not a type of JSON Schema"},
-      {R"([])", "a schema is a mapping or true or false, not a list"},
+      {R"([])", "a schema must be a mapping, true or false, not a list"},
       {R"({"properties": []})", "`properties` takes a mapping of schemas, not a list"},
       {R"({"minimum": low})", "`minimum` takes a number, not the text `low`"},
       {R"({"maxItems": -1})", "`maxItems` takes a whole number from 0, not `-1`"},
       {R"({"required": a})", "`required` takes a list of names, not the text `a`"},
       {R"({"pattern": "("})", "`(` is not a regular expression: a group is not closed"},
       {R"({"pattern": "(a)\\1"})",
-       "`(a)\\1` is not a regular expression: references back are not supported"},
-      {R"({"$ref": "other.json#/a"})", "`other.json#/a` leads to no schema of this file"},
-      {R"({"$ref": "#/title", "title": "x"})", "`#/title` leads to no schema of this file"},
+       "`(a)\\1` is not a regular expression: back-references are not supported"},
+      {R"({"$ref": "other.json#/a"})", "`other.json#/a` does not refer to a schema in this file"},
+      {R"({"$ref": "#/title", "title": "x"})", "`#/title` does not refer to a schema in this file"},
       {R"({"$ref": "#"})", "this schema applies itself to the same value again, without end"},
       {R"({"allOf": [{"anyOf": [{"$ref": "#"}]}]})",
        "this schema applies itself to the same value again, without end"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every XML construct with its bytes, and what is wrong with an XML text and where.
+// Every XML construct with its byte span, and every syntax error with its place.
 #include <doctest/doctest.h>
 
 #include "support/repeat.hpp"

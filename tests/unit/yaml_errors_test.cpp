@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong with a YAML text, and where.
+// Syntax errors of YAML texts, and their places.
 #include <doctest/doctest.h>
 
 #include "support/repeat.hpp"

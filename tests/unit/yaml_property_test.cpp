@@ -37,7 +37,7 @@ class Maker {
     tree.kind = choice < 5 ? yaml::Kind::mapping : yaml::Kind::sequence;
     const std::size_t count = random_.below(5);
     for (std::size_t i = 0; i < count; ++i) {
-      // The number keeps keys apart.
+      // A unique number makes keys different.
       if (tree.kind == yaml::Kind::mapping) tree.keys.push_back(text() + std::to_string(i));
       tree.children.push_back(this->tree(depth - 1));
     }
@@ -168,7 +168,7 @@ class Writer {
     if (tree.kind == yaml::Kind::scalar && is_literal(tree.text) && random_.one_in(2)) {
       return literal(tree, indent + 1 + random_.below(3));
     }
-    // Behind `- &x`, yaml-cpp wants further lines deeper than the anchor; YAML does not.
+    // After `- &x`, yaml-cpp requires further lines to be deeper than the anchor; YAML does not.
     if (out_.back() == ':') properties();
     out_ += ' ';
     inline_value(tree, false, indent + 1);
@@ -263,7 +263,7 @@ class Writer {
            text.find("null") == text.npos;
   }
 
-  /// One blank between two letters may become a line end.
+  /// One space between two letters may become a line end.
   std::string folded(const std::string& text, std::size_t indent) {
     std::string all;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -299,7 +299,7 @@ class Writer {
   std::string out_;
 };
 
-/// Empty when the tree is what was written, otherwise where it differs.
+/// Empty if the tree equals the written one, otherwise the difference.
 std::string difference(const ParsedYaml& parsed, yaml::View view, const Tree& tree) {
   const std::string where = yaml::pointer(view.document(), view.id()) + ": ";
   if (view.kind() != tree.kind) return where + "kind";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the YAML writer writes is what our YAML reader reads, and looks like a person wrote it.
+// Our YAML reader reads the output of the YAML writer unchanged; the output is readable for people.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -12,7 +12,7 @@ using namespace smurf;
 
 namespace {
 
-/// The text of the scalar at /a after it was written and read.
+/// The scalar at /a after writing and reading it.
 std::string read_back(const NewValue& value) {
   SourceMap sources;
   DiagnosticSink sink;

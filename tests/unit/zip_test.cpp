@@ -54,8 +54,8 @@ TEST_CASE("files do not share their bytes") {
   for (int i = 0; i < 5000; ++i) noise += static_cast<char>(dice());
   const std::string one = zip({{"a", noise}});
   CHECK(read_zip(one, at_most(100'000)).reason == "");
-  // The list of files names it twice; its trailer has the number of files and the bytes of the
-  // list.
+  // The directory lists the file twice; its trailer contains the number of files and the bytes of
+  // the directory.
   const std::size_t list = one.find("PK\x01\x02");
   const std::size_t trailer = one.find("PK\x05\x06");
   const std::string entry = one.substr(list, trailer - list);
@@ -92,7 +92,8 @@ TEST_CASE("names stay inside") {
 }
 
 TEST_CASE("no archive means one thing to one program and another to the next") {
-  CHECK(read_zip(zip({{"a", "1"}, {"./a", "2"}}), at_most(100)).reason == "contains two files 'a'");
+  CHECK(read_zip(zip({{"a", "1"}, {"./a", "2"}}), at_most(100)).reason ==
+        "contains two files named 'a'");
   const std::string sound = zip({{"a.txt", "some text"}, {"b.txt", "more text"}});
   REQUIRE(read_zip(sound, at_most(100)).reason == "");
   const std::size_t trailer = sound.find("PK\x05\x06");
@@ -103,12 +104,13 @@ TEST_CASE("no archive means one thing to one program and another to the next") {
   CHECK(read_zip(sound + "PK\x05\x06", at_most(100)).reason == "is a broken zip archive");
   CHECK(read_zip("another archive" + sound, at_most(100)).reason == "is a broken zip archive");
 
-  // The directory of the second is the last; the files from the front are those of the first.
+  // The last directory is that of the second archive, but the first files are those of the first
+  // archive.
   const std::string other = zip({{"b.txt", "other text"}});
   std::string commented = sound.substr(0, sound.size() - 2);
   test::append(commented, static_cast<std::uint32_t>(other.size()), 2);
   CHECK(read_zip(commented + other, at_most(100)).reason == "is a broken zip archive");
-  // A file in front of the directory that no entry of it names.
+  // A file before the directory without an entry in it.
   const std::size_t directory = sound.find("PK\x01\x02");
   const std::string packed = other.substr(0, other.find("PK\x01\x02"));
   std::string unnamed = sound.substr(0, directory) + packed + sound.substr(directory);
@@ -132,25 +134,25 @@ TEST_CASE("no archive means one thing to one program and another to the next") {
   std::string other_name = sound;
   other_name[sound.find("b.txt")] = 'c';
   CHECK(read_zip(other_name, at_most(100)).reason ==
-        "contains the file 'b.txt', which has another name in front of its bytes");
+        "contains the file 'b.txt', whose header has another name");
 
   std::string packed_otherwise = sound;
   packed_otherwise[entry + 10] = 93;
   CHECK(read_zip(packed_otherwise, at_most(100)).reason ==
-        "contains the file 'a.txt', which is packed with another method than deflate");
+        "contains the file 'a.txt', which is packed with a method other than deflate");
 }
 
 TEST_CASE("broken archives are refused, whatever is broken") {
   CHECK(read_zip("", at_most(100)).reason == "is not a zip archive");
   CHECK(read_zip("PK", at_most(100)).reason == "is not a zip archive");
   const std::string sound = zip({{"a.txt", "some text"}, {"b.txt", "more text"}});
-  // minizip takes what is missing for zeros, which the last four bytes are.
+  // minizip reads missing bytes as zeros, and the last four bytes are zeros.
   for (std::size_t size = 0; size + 4 < sound.size(); ++size) {
     CAPTURE(size);
     CHECK(!read_zip(std::string_view(sound).substr(0, size), at_most(100)).reason.empty());
   }
   std::string wrong = sound;
-  wrong[wrong.find("some")] = 'S';  // the checksum tells
+  wrong[wrong.find("some")] = 'S';  // the checksum differs
   CHECK(read_zip(wrong, at_most(100)).reason == "is a broken zip archive");
   std::mt19937 dice(1);
   for (int round = 0; round < 3000; ++round) {

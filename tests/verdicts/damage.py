@@ -17,7 +17,7 @@ import robot as robots
 import values
 from robot import Element
 
-# Everything is damaged in every way here; of what is like it elsewhere, a selection.
+# Everything here is damaged in every way; similar parts elsewhere get a selection of the damages.
 THOROUGH = {"link.arm", "joint.shoulder", "material.red"}
 LIKE_OTHERS = {"link.slide", "link.wheel", "link.finger", "joint.knuckle", "material.grey"}
 SHAPES = {
@@ -48,7 +48,7 @@ class Cases:
 
 
 def labelled(element, label):
-    """All elements below, each with its label and the one above it."""
+    """All elements below, each with its label and its parent."""
     counts = {}
     for child in element.children:
         name = child.get("name") or child.get("reference")
@@ -98,7 +98,7 @@ def damage_attribute(cases, base, twin, label, attribute, is_thorough):
 
 
 def is_single(base, label):
-    """Is a second one of it a slip? A link may have many visuals and collisions."""
+    """Whether a second one is a mistake; a link may have many visuals and collisions."""
     return find(base, label)[0].tag not in ("visual", "collision")
 
 
@@ -184,7 +184,7 @@ def add_robot_damages(cases, base):
 
 
 def damage_shapes(cases, base):
-    """Every shape in every place: a look or a hull of what stands, moves, or is fixed to it."""
+    """Every shape in every place: as visual or collision of a fixed, a moving, or an attached link."""
     for link in ("base", "plate", "arm", "tool"):
         for tag in ("visual", "collision"):
             for shape, elements in SHAPES.items():
@@ -201,7 +201,7 @@ def damage_shapes(cases, base):
 
 
 def damage_typed_joints(cases, base):
-    """What belongs to a joint, in joints of every type, at the root, below it and at a fixed joint."""
+    """The parts of a joint, in joints of every type, at the root, below it and at a fixed joint."""
     for joint in ("shoulder", "rail", "tool_bolt"):
         for kind in values.JOINT_TYPES[:7]:
             robot = base.copy()
@@ -269,7 +269,7 @@ def write(cases, folder):
     folder.mkdir(parents=True, exist_ok=True)
     for name, content in robots.meshes().items():
         (folder / name).write_bytes(content)
-    # Readers that take paths for URIs stumble over some of the characters of the names.
+    # Readers that treat paths as URIs fail at some of the characters of the names.
     paths = {name: folder / f"{number:04}_{re.sub(r'[^A-Za-z0-9.@=-]', '_', name)}.urdf"
              for number, name in enumerate(cases)}
     for name, path in paths.items():

@@ -18,7 +18,7 @@ NODE_MODULES = HERE.parent.parent / "build/readers/node_modules"
 TABLE = HERE / "executed.tsv"
 FILES_A_RUN = 400
 SECONDS_A_RUN = 900
-TOLERANCE = 1e-9  # relative: a reader does the same with the same numbers
+TOLERANCE = 1e-9  # relative, because a reader gives the same results for the same numbers
 REFUSED = ("refuses", "crashes")
 
 
@@ -40,7 +40,7 @@ class Reader:
 
 
 def readers(build):
-    """Those that can be run here, and the names of the others."""
+    """The readers that can be run here, and the names of the others."""
     found, absent = [], []
     for name, target, program, package in (
             ("urdfdom", "ros", "urdfdom_robot", "urdfdom"), ("libsdformat", "gazebo", "sdformat_robot", "sdformat12"),
@@ -62,7 +62,7 @@ def readers(build):
 
 
 def run_once(command, files):
-    """What is said of each file; the one that ends the process is the last of them."""
+    """The results for each file; a file that ends the process is the last of them."""
     with subprocess.Popen([str(part) for part in command], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                           stderr=subprocess.DEVNULL, cwd=os.path.dirname(files[0])) as process:
         try:
@@ -108,7 +108,7 @@ def is_equal(one, other):
 
 
 def differences(robot, twin):
-    """What is another, by the words before the colons of the keys."""
+    """The differing parts, by the words before the colons of the keys."""
     keys = robot.keys() | twin.keys()
     changed = {key.split(":")[0] for key in keys if not is_equal(robot.get(key, ""), twin.get(key, ""))}
     return ",".join(sorted(changed)) or "same"

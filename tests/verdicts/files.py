@@ -83,7 +83,7 @@ def joint(name, kind, parent, child, *rest):
 
 
 def damage_trees(cases, base):
-    """Links and joints that do not make a tree, and names that are there twice."""
+    """Links and joints that do not form a tree, and names that occur twice."""
     body = BODIES["identity"]
     limit = Element("limit", [("lower", "-1"), ("upper", "1"), ("effort", "1"), ("velocity", "1")])
     for kind in ("fixed", "revolute", "floating", "planar", "spherical"):

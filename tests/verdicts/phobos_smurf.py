@@ -25,7 +25,7 @@ def name_of(value):
 
 
 def plain(value, depth=0):
-    """Numbers, texts and lists of them: what a robot consists of, without the references from one part to another."""
+    """Numbers, texts and lists of them: the contents of a robot without references between its parts."""
     if isinstance(value, (bool, int, float, str)) or value is None:
         return value
     if isinstance(value, dict):
@@ -40,7 +40,7 @@ def plain(value, depth=0):
     for key, one in sorted(vars(value).items()):
         if key.startswith("_related") or key in UNTOLD:
             continue
-        is_above = key.startswith("_") and key != "_collisions"  # what it belongs to, by name
+        is_above = key.startswith("_") and key != "_collisions"  # name of its parent
         members[key] = name_of(one) if is_above and hasattr(one, "__dict__") else plain(one, depth + 1)
     return members
 
@@ -55,7 +55,7 @@ def parts_of(model, folder):
 
 
 class Hangs(BaseException):
-    """Nothing in Phobos catches it."""
+    """Phobos does not catch it."""
 
 
 def ring(*_):
@@ -72,7 +72,7 @@ def judge(path):
         robot = parts_of(model, os.path.dirname(os.path.dirname(path)))
     except Hangs:
         return {"verdict": "crashes", "why": "hangs"}
-    except Exception as error:  # whatever it is, there is no robot
+    except Exception as error:  # after any exception, there is no robot
         return {"verdict": "refuses", "why": f"{type(error).__name__}: {error}"[:200]}
     finally:
         signal.alarm(0)

@@ -41,7 +41,7 @@ def record(build, folder, keep):
 
 
 def hold(results):
-    """How many cells are other than recorded; readers of other versions are not compared."""
+    """The number of cells that differ from the recorded ones; readers of other versions are not compared."""
     versions, rows = executed.read_table()
     wrong, others = [], []
     for name, (version, cells) in results.items():

@@ -152,7 +152,7 @@ class Element:
         return [child for child in self.children if child.tag == tag]
 
     def first(self, *path):
-        """The element of that path of tags, None where it is absent; `link:arm` also says a name."""
+        """The element at that path of tags, None if it is absent; `link:arm` also states a name."""
         found = self
         for step in path:
             tag, _, name = step.partition(":")
@@ -239,7 +239,7 @@ def dae(corners, triangles):
 
 
 def meshes():
-    """Files beside the robots, by name; those that are absent are named by cases only."""
+    """Files beside the robots, by name; missing files are only named in cases."""
     stl = cube("stl")
     return {"cube.stl": stl, "cube.obj": cube("obj"), "cube.dae": cube("dae"),
             "ascii.stl": cube("ascii.stl"), "broken.stl": stl[:200], "empty.stl": b"",

@@ -23,7 +23,7 @@ namespace smurf::tests {
 
 using Json = nlohmann::json;
 
-/// What became of a file; no robot when the reader refused it.
+/// The result of reading a file; without a robot if the reader refused it.
 struct Reading {
   bool is_taken = false;
   std::string message{};
@@ -34,7 +34,7 @@ inline std::string dump(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-constexpr unsigned kSeconds = 10;  ///< of computing, after which a reader counts as hanging
+constexpr unsigned kSeconds = 10;  ///< of processor time, after which a reader is hanging
 constexpr rlim_t kBytes = rlim_t{4} << 30U;
 
 inline Json read_in_child(const std::string& file,
@@ -45,7 +45,7 @@ inline Json read_in_child(const std::string& file,
     out["verdict"] = reading.is_taken ? "takes" : "refuses";
     out["message"] = reading.message.substr(0, reading.message.find('\n'));
     if (reading.is_taken) out["robot"] = reading.robot;
-  } catch (const std::exception& error) {  // which ends the programs that use the reader
+  } catch (const std::exception& error) {  // because this ends the programs that use the reader
     out["verdict"] = "crashes";
     out["message"] = error.what();
   }

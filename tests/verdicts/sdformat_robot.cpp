@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Robots as libsdformat reads them. Where it reports an error, Gazebo does not take the model.
+// Robots as libsdformat reads them. If it reports an error, Gazebo does not load the model.
 #include <sdf/sdf.hh>
 
 #include "run_reader.hpp"
@@ -80,7 +80,7 @@ void add_joint(Json& robot, const sdf::Joint& joint) {
   if (physics) robot["physics:" + name] = physics->ToString("");
 }
 
-/// What sdf::Root::Load(file) does, but for the description of SDF, which is read only once.
+/// Does the same as sdf::Root::Load(file), but reads the description of SDF only once.
 sdf::Errors load(const std::string& file, const sdf::SDFPtr& description, sdf::Root& root) {
   sdf::Errors errors;
   if (!sdf::readFile(file, description, errors)) {

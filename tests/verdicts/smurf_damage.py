@@ -19,10 +19,10 @@ import robot as robots
 import smurf_model as model
 from smurf_model import Raw
 
-EVERY = 24  # so many cases of damage.py make one here
+EVERY = 24  # one case here for this number of cases of damage.py
 THOROUGH = 2
 CORE = {"null", "word", "unknown"}
-LIKE_OTHERS = {"y", "z", "g", "b", "a"}  # as x and r, which stand before them
+LIKE_OTHERS = {"y", "z", "g", "b", "a"}  # like x and r, which precede them
 NAMES = {"link", "joint", "name", "id", "jointnames", "jointnames_active", "jointnames_independent", "jointnames_spanningtree",
          "sensors", "motors", "parent", "anchor", "pose", "mimic_motor"}
 
@@ -30,7 +30,7 @@ NAMES = {"link", "joint", "name", "id", "jointnames", "jointnames_active", "join
 @dataclass
 class Case:
     name: str
-    main: str                 # what a reader is given, from the folder of the case
+    main: str                 # the input of a reader, from the folder of the case
     files: dict = field(default_factory=dict)
     twin: str = "model"       # the case without this damage
 
@@ -66,7 +66,7 @@ def kinds_of(key, value):
 
 
 def places(data, path=()):
-    """Every key below, outermost first: (path, value)."""
+    """Every key below, the outermost first: (path, value)."""
     items = data.items() if isinstance(data, dict) else enumerate(data)
     for key, value in items:
         if key in LIKE_OTHERS:
@@ -94,7 +94,7 @@ def renamed(name):
 
 
 def damages(data):
-    """(name, the data with this damage). The first keys of each type are damaged in every way, those after them in fewer."""
+    """(name, the data with this damage). The first keys of each type are damaged in every way, later ones in fewer."""
     met, types = set(), collections.Counter()
     for path, value in places(data):
         label, key = "/".join(map(str, path)), path[-1]
@@ -144,7 +144,7 @@ def with_other_number(data):
 
 
 def add_more_entries(cases, together):
-    """What is wrong, or for one reader only, with an entry more."""
+    """Faults for all readers, or for one reader only, caused by an additional entry."""
     sensor = {"name": "one", "link": "hand", "rate": 40}
     types = ("RaySensor", "ScanningSonar", "JointLoad", "JointTorque", "JointAVGTorque", "MultiLevelLaserRangeFinder",
              "NodeVelocity", "NodeAngularVelocity", "NodeRotation", "NodeCOM", "NodeContact", "NodeContactForce", "HapticField",
@@ -252,7 +252,7 @@ def add_urdfs(cases):
 
 
 def all_cases():
-    """{name: Case}; each stands after its twin."""
+    """{name: Case}; each follows its twin"""
     cases = Cases()
     add_sections(cases)
     add_files(cases)

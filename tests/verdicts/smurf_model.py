@@ -85,7 +85,7 @@ SECTIONS = {
     "graphics": {"graphics": [{"clearColor": color(0.8), "fogEnabled": False, "fogDensity": 0.2, "fogStart": 1.0, "fogEnd": 30.0}]},
     "controllers": {"controllers": [{"name": "brain", "rate": 20, "sensors": ["angles"], "motors": ["waist"]}]},
 }
-# Phobos loads no model with one of these, or MARS none: they are damaged in models of their own.
+# Phobos or MARS cannot load a model with one of these, so they are damaged in separate models.
 APART = {"lights", "nodes", "graphics", "controllers", "submechanisms"}
 
 SCENE = {
@@ -112,7 +112,7 @@ OTHERS = {"smurfs": [
 
 
 class Raw(str):
-    """A text of YAML that is written as it is: `.nan`, `~`, `[`."""
+    """A text that is written unquoted in YAML: `.nan`, `~`, `[`."""
 
 
 def is_plain(text):
@@ -139,7 +139,7 @@ def flow(value):
 
 
 def yaml(data):
-    """Sections with an entry a line and a key a line, small values in one line, as people write them."""
+    """Sections with one line per entry and key, and small values in one line, as people write them."""
     if not isinstance(data, dict):
         return flow(data) + "\n"
     text = ""

@@ -28,7 +28,7 @@ import smurf_damage
 
 TABLE = pathlib.Path(__file__).resolve().parent / "smurf_executed.tsv"
 READERS = ("phobos", "mars")
-# All-clears and alarms at most; they may only become less.
+# Upper limits for missed and false findings, which should only become smaller.
 BOUNDS = {"phobos": (14, 20), "mars": (16, 13)}
 LEAST_AGREEMENT = 0.97
 

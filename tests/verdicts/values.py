@@ -29,7 +29,7 @@ CORE = ("word", "comma", "unit", "many", "nan", "inf", "negative", "zero", "empt
 
 
 def vector_kinds(value):
-    """One of its numbers is damaged, the second, or all of them together."""
+    """Damages one of its numbers, the second, or all of them together."""
     parts = value.split()
     kinds = {}
     for kind, (text, is_same) in number_kinds(parts[1]).items():
@@ -58,7 +58,7 @@ def axis_kinds(value):
 
 
 def name_kinds(value, others):
-    """`others` are names that are there as well."""
+    """`others` are other existing names."""
     kinds = {
         "unknown": ("nowhere", False), "empty": ("", False), "blank": (" ", False),
         "leading": (f" {value}", True), "trailing": (f"{value} ", True),
@@ -90,7 +90,7 @@ def path_kinds():
 
 
 def word_kinds(value):
-    """Of what is one of a few words, or free text."""
+    """Values of an attribute with few allowed words, or with free text."""
     return {"unknown": ("foo", False), "empty": ("", False), "blank": (" ", False), "case": (value.upper(), True),
             "title": (value.title(), True), "leading": (f" {value}", True), "trailing": (f"{value} ", True),
             "number": ("1", False), "percent": ("%s", False)}
@@ -103,7 +103,7 @@ NAMES = {"name", "link", "joint", "reference"}
 
 
 def kinds_of(element, attribute, value, names):
-    """`names` has lists of names by tag, for names that are there more than once."""
+    """`names` has lists of names by tag, for names that occur more than once."""
     if element.tag == "axis":
         return axis_kinds(value)
     if attribute in VECTORS:

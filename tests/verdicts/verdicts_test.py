@@ -27,7 +27,7 @@ import executed
 
 TARGETS = {"ros": "urdfdom", "gazebo": "libsdformat", "dart": "DART", "mujoco": "MuJoCo"}
 COUNTS = ("all-clears", "alarms", "not-known", "others")
-# At most as many; they may only become less.
+# Upper limits, which should only become smaller.
 BOUNDS = {"ros": (0, 7, 2, 53), "gazebo": (0, 20, 2, 68), "dart": (0, 7, 2, 14),
           "mujoco": (0, 10, 2, 11)}
 LEAST = 7000

@@ -23,7 +23,7 @@ from built import skip_without
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 ARM = ROOT / "fixtures/models/arm"
 TOOLS = PACKED = READERS = None
-# A stride that does not fit 32 bits: as 0, it would have no end.
+# A stride that does not fit 32 bits: if it became 0, the tool would never terminate.
 WIDE_MESH = """<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <library_geometries><geometry id="g"><mesh>
 <source id="p"><float_array id="a" count="9">0 0 0 1 0 0 0 1 0</float_array>
@@ -39,7 +39,7 @@ COMMANDS = ("smurf-lint", "smurf2urdf", "urdf2smurf", "smurfs-flatten")
 
 
 class Registry(http.server.BaseHTTPRequestHandler):
-    """What npm asks for: what there is of a package, and its archive."""
+    """The answers to npm: the metadata of a package, and its archive."""
 
     def do_GET(self):
         archive = PACKED / self.path.strip("/")
@@ -89,7 +89,7 @@ class Package(unittest.TestCase):
             self.assertEqual(self.call("npx", command, "--version").stdout, f"{command} {version}\n")
 
     def test_from_a_registry(self):
-        """The line of the README, with a server in place of the registry of npm."""
+        """The line of the README, with a local server instead of the registry of npm."""
         line = re.search(r"\n    npx (.*)\n", (ROOT / "README.md").read_text())[1]
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Registry)
         self.addCleanup(server.server_close)

@@ -50,7 +50,7 @@ class BrowserTest(reader.ReaderTest):
         return answers
 
     def data_in(self, page, name):
-        """The data in the page, and the bytes of the page around it."""
+        """The data in the page, and the bytes of the page around them."""
         text = page.read_text()
         block = f'<script id="{name}" type="application/json">'
         self.assertEqual(text.count(block), 1)
@@ -59,7 +59,7 @@ class BrowserTest(reader.ReaderTest):
         return json.loads(data), len(head) + len(tail)
 
     def check_nothing_else_runs(self, page):
-        """Markup that got into the page neither runs nor requests anything."""
+        """Markup in names neither runs in the page nor requests anything."""
         server = socket.create_server(("127.0.0.1", 0))
         server.settimeout(1)
         self.addCleanup(server.close)

@@ -77,7 +77,7 @@ class DiffTest(viewer.ViewerTest):
         return page, self.data_in(page, "report")[0], json.loads(report.stdout)
 
     def pictured(self, old, new, name="diff.html"):
-        """The page, and what its picture shows."""
+        """The page, and the contents of its picture."""
         page, data, _ = self.page(old, new, name)
         if "picture" not in data:
             self.skipTest("this build has no viewer")
@@ -267,7 +267,7 @@ class PictureTest(DiffTest):
         self.assertIn(["wrist", "joint4_wrist"], results[1])
 
     def chosen(self, page, differences):
-        """What is selected after each of the differences is chosen."""
+        """The selection after choosing each of the differences."""
         steps = []
         for number in range(len(differences)):
             steps += [f"smurfDiff.showPicture(smurfDiff.items[{number}])", SELECTED]

@@ -53,7 +53,7 @@ def choose(select, value):
 
 
 class Site(http.server.SimpleHTTPRequestHandler):
-    """Serves the playground until it is asked for /stop."""
+    """Serves the playground until /stop is requested."""
     is_down = False
 
     def do_GET(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tests the sensors on the page of a scene: where they are, and the corners and rays of what they see.
+"""Tests the sensors on the page of a scene: their places, and the corners and rays of their views.
 
 Usage: sensors_test.py TOOL BUILD
 """
@@ -8,7 +8,7 @@ import math
 import viewer
 from viewer import cli, set_positions
 
-# A camera and an IMU of Gazebo, and a laser that sees one level.
+# A camera and an IMU of Gazebo, and a laser with one level.
 URDF = """<robot name="r"><link name="base"><visual><geometry><box size="2 1 2"/></geometry></visual></link><link name="head"/>
 <joint name="neck" type="revolute"><parent link="base"/><child link="head"/><origin xyz="0.5 0 0.25" rpy="0 0 0.5"/>
 <axis xyz="0 1 0"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
@@ -34,7 +34,7 @@ SENSORS = """sensors:
 - {name: fish, type: CameraSensor, link: base, opening_width: 200}
 """
 SCENE = "entities:\n- {name: R, file: r.smurf, position: [1, 2, 3], rotation: [0, 0, 90]}\n"
-# By name: where a sensor is drawn, and the ends of its lines.
+# By name: the place of a sensor in the picture, and the ends of its lines.
 READ = """Object.fromEntries((({ all, lines }) => {
   const points = lines.geometry.getAttribute("position").array;
   let next = 0;
@@ -167,7 +167,7 @@ class SensorsTest(viewer.ViewerTest):
         self.assertNotIn("Drawn", results[20])
         self.assertIn("2 sensors", results[21])
         self.assertIn("angles (JointPosition): it is on no link", results[21])
-        self.assertIn("fish (CameraSensor): its field of view is no rectangle", results[21])
+        self.assertIn("fish (CameraSensor): its field of view is not a rectangle", results[21])
         self.assertNotIn("grey box", self.visible(results[21]))
         self.assertEqual(results[22], [])
         self.assertIn("link=head", results[23])

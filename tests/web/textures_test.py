@@ -66,7 +66,7 @@ def texture(name, more=""):
 
 
 def jpeg_of_two_frames():
-    """One of 16,000 x 16,000 pixels behind a marker without length, and a small one where the marker's length would lead."""
+    """An image of 16,000 x 16,000 pixels after a marker without length, and a small one at the place that the marker's length would give."""
     frame = b"\xff\xc0\0\x11\x08%s%s"
     start = b"\xff\xd8\xff\xd0" + frame % (b"\x3e\x80", b"\x3e\x80")
     return start.ljust(4 + 0xffc0, b"\0") + frame % (b"\0\4", b"\0\4") + bytes(20)
@@ -126,7 +126,7 @@ def meshes(files):
 
 
 def main_color(pixel):
-    """The colour without what the light makes of it."""
+    """The colour without the effect of light."""
     return "".join(name for name, part in zip("rgb", pixel) if part > 0.6 * max(pixel))
 
 

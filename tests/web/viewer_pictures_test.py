@@ -101,7 +101,7 @@ class PicturesTest(viewer.ViewerTest):
         return self.page(f"{name}.smurfs", f"{name}.html")
 
     def compare(self, file, reference):
-        """The difference from a reviewed picture, which is written instead when that was asked for."""
+        """The difference from a reviewed picture, which is written instead if snapshots are updated."""
         if os.environ.get("SMURF_UPDATE_SNAPSHOTS") == "1":
             reference.write_bytes(file.read_bytes())
         self.assertTrue(reference.is_file(), f"{reference} is missing: run with SMURF_UPDATE_SNAPSHOTS=1")

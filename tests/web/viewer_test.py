@@ -68,7 +68,7 @@ class PosesTest(viewer.ViewerTest):
                 page = self.page("robot.urdf")
                 data, _ = self.data(page)
                 configurations = viewer.joint_configurations(data["models"][0], 5, name)
-                if name == "chain":  # a mimicking joint may be told where to be, and its own followers follow
+                if name == "chain":  # the position of a mimicking joint can be set, and its own followers follow
                     configurations += [{"second": 0.5}, {"first": 0.5, "third": 2}, {}]
                 instances = self.posed(urdf, configurations)
                 steps = [step for one in configurations for step in (set_positions(0, one), READ)]

@@ -63,7 +63,7 @@ class WalkTest(viewer.ViewerTest):
         self.assertIn("camera=", address)
 
     def test_shift_is_faster_and_dragging_looks_around(self):
-        # The time between two pictures is given, so that no computer is too slow or too fast.
+        # The time between two pictures is fixed, so the speed of the computer does not matter.
         walked = """((fast) => {
           const { walk, stage } = smurfViewer;
           const from = stage.camera.position.clone();

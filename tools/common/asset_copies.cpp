@@ -31,7 +31,7 @@ std::string plain(std::string_view written) {
   return all;
 }
 
-/// What the copy will contain.
+/// Data about a copy before it is written.
 FileContent renamed(FileContent content, const AssetCopy& copy) {
   if (content.status == ReadStatus::ok && !copy.names.empty()) {
     content.text = with_other_names(content.text, copy.format, copy.names);
@@ -111,7 +111,7 @@ std::string CopyPlan::in_first_folder(const std::string& file) {
 }
 
 std::string CopyPlan::add(const std::string& from, const std::string& group) {
-  // The materials of an OBJ may be in a file of the same name that it does not name.
+  // An OBJ may use a material file of the same name without naming it.
   const std::string materials = with_extension(from, ".mtl");
   const bool has_materials =
       path::to_lower(path::extension(from)) == ".obj" && files_.is_file(materials);
@@ -130,8 +130,8 @@ void CopyPlan::add_copy(const std::string& from, const std::string& inside,
                         const std::string& group, Kind kind) {
   AssetCopy copy{
       from, folder_, inside, {}, kind == Kind::buffer, std::string(path::extension(from))};
-  // Whatever its extension, it is read as a library of materials, which names only textures. A
-  // library that named libraries could go on without end.
+  // Any file that is named as a material library is read as one. It may only name textures, because
+  // libraries that name libraries could form an endless chain.
   if (kind == Kind::material_library) copy.format = ".mtl";
   const bool names_files = kind == Kind::mesh || kind == Kind::material_library;
   const std::string text = names_files ? reads_.read(from).text : std::string();
@@ -161,8 +161,8 @@ std::optional<std::string> CopyPlan::copy_neighbour(const MeshDependency& named,
   return known->second;
 }
 
-// Files with one name from several folders get separate folders. So names stay, and no copy
-// replaces another source.
+// Files with the same name from several folders get separate folders. So names are kept, and no
+// copy replaces another source.
 std::string CopyPlan::unique(const std::string& first, const std::string& from,
                              bool has_materials) {
   std::string inside = first;
@@ -170,7 +170,8 @@ std::string CopyPlan::unique(const std::string& first, const std::string& from,
     return is_source(place, from) || taken_.contains(place) || is_taken_as_other(place);
   };
   int& number = numbers_.try_emplace(first, 1).first->second;
-  // A number in the name does not help a path that leads through a file: its first folder changes.
+  // If the path leads through a file, a number in the file name does not help; the first folder
+  // gets a new name.
   const bool is_below_file = is_taken_as_other(first);
   const std::string_view front = is_below_file ? std::string_view() : path::parent(first);
   const std::string_view rest = is_below_file ? std::string_view(first) : path::file_name(first);

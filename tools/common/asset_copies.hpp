@@ -24,16 +24,16 @@ struct AssetCopy {
   std::string from;
   std::string folder;      ///< chosen by the user
   std::string inside;      ///< path relative to the folder
-  FileNames names;         ///< what the files that it names, as written, are called in the copy
-  bool is_buffer = false;  ///< of a glTF, and may be a .bin
-  std::string format{};    ///< the extension that says how it names files
+  FileNames names;         ///< new names of the files that it names, by their written names
+  bool is_buffer = false;  ///< belongs to a glTF, and may be a .bin
+  std::string format{};    ///< the extension that determines how it names files
 
   std::string to() const;
 };
 using AssetCopies = std::vector<AssetCopy>;
 
-/// Reads files to copy. Links can give one file thousands of names, so all that is read more than
-/// once may have no more bytes than a scene.
+/// Reads files to copy. Links can give one file thousands of names, so the total of repeated reads
+/// is limited to the size of a scene.
 class RepeatedReads {
  public:
   RepeatedReads(const FileReader& files, const Limits& limits) : files_(files), limits_(limits) {}
@@ -44,7 +44,7 @@ class RepeatedReads {
   const FileReader& files_;
   const Limits& limits_;
   std::set<std::string> seen_;  ///< by identity
-  std::uint64_t bytes_ = 0;     ///< of files that were read before
+  std::uint64_t bytes_ = 0;     ///< bytes of files that were read before
 };
 
 /// Finds a place for every copy.
@@ -55,13 +55,13 @@ class CopyPlan {
            std::string folder, std::set<std::string> sources);
 
   /// The absolute path of the copy of `file`, in a folder `group`. A second call with the same file
-  /// returns the same path. None when there is no such file. The files that a mesh names, relative
-  /// to itself, are copied with it.
+  /// returns the same path. None if the file does not exist. The files that a mesh names, relative
+  /// to itself, are also copied.
   std::optional<std::string> copy_of(const std::string& file, const std::string& group);
   AssetCopies take() { return std::move(list_); }
 
  private:
-  /// What is not a texture or buffer may name other files.
+  /// Files other than textures and buffers may name further files.
   enum class Kind : std::uint8_t { mesh, material_library, texture, buffer };
 
   static Kind kind_of(const MeshDependency& named);
@@ -76,14 +76,14 @@ class CopyPlan {
   bool is_source(const std::string& inside, const std::string& from) const;
 
   const FileReader& files_;
-  RepeatedReads reads_;  ///< of the files whose names are followed
+  RepeatedReads reads_;  ///< bytes of files that are searched for further names
   std::string current_, folder_;
   std::set<std::string> sources_;
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> copies_;
   std::map<std::pair<std::string, std::string>, std::string> neighbours_;  ///< in the folder
   std::set<std::string> taken_, taken_folders_;
   std::map<std::string, int> numbers_;
-  std::map<std::string, std::string> folders_;        ///< the first name, by any
+  std::map<std::string, std::string> folders_;        ///< the first name, by identity
   std::map<std::string, std::string> first_folders_;  ///< by identity
   AssetCopies list_;
 };
@@ -91,10 +91,10 @@ class CopyPlan {
 /// False when the copy would be the file itself.
 std::vector<std::string> places_of(const AssetCopies& copies, const InputFiles& inputs);
 
-/// Copies the files and then calls `write_result`, which completes all or nothing. Complains and
-/// returns false when something cannot be written. The names come from the model, so only files
-/// with the extension of a mesh, an image or a buffer of a mesh are copied, and none is replaced
-/// unless `overwrite`.
+/// Copies the files and then calls `write_result`; writes either all files or none. Reports
+/// errors and returns false. The names come from the model, so only files with the extension
+/// of a mesh, an image or a buffer are copied, and existing files are kept unless
+/// `overwrite`.
 bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
                 const Limits& limits, bool overwrite, const std::function<bool()>& write_result);
 

@@ -16,7 +16,7 @@ constexpr std::size_t kColumns = 80;
 constexpr std::size_t kHelpColumn = 30;
 constexpr std::size_t kExamplesInHelp = 2;
 
-/// Headings of options that all or most tools have, in the order of --help.
+/// Headings of shared options, in the order of --help.
 constexpr std::string_view kSharedGroups[] = {"Output", "Exit code", "Input", "General"};
 
 const Option kStandardOptions[] = {
@@ -157,7 +157,7 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
   if (const auto found = nearest(name, known)) {
     return "; did you mean '" + std::string(*found) + "'?";
   }
-  constexpr std::size_t kShortest = 3;  // dashes in front do not count
+  constexpr std::size_t kShortest = 3;  // leading dashes are ignored
   constexpr std::size_t kMost = 3;
   const std::size_t dashes = std::min(name.find_first_not_of('-'), name.size());
   if (name.size() - dashes < kShortest) return {};

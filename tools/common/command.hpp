@@ -21,8 +21,8 @@ inline constexpr ExitCode kDone = 0;      ///< nothing at or above the threshold
 inline constexpr ExitCode kFindings = 1;  ///< findings at or above it, or a result refused for them
 inline constexpr ExitCode kFailed = 2;    ///< could not do the job
 
-/// Takes one value as written ("" for a flag, or where a value is left out); returns what is wrong
-/// with it: "'x' is not a number".
+/// Sets a value as written ("" for a flag, or an omitted value); returns an error message: "'x' is
+/// not a number".
 using Setter = std::function<std::optional<std::string>(std::string_view value)>;
 
 struct Option {
@@ -32,12 +32,12 @@ struct Option {
   std::string_view metavar{};  ///< "FILE"; "": a flag
   bool may_omit_value = false;
   std::string_view help{};
-  std::vector<std::string_view> values{};                 ///< the only ones allowed; empty: any
+  std::vector<std::string_view> values{};                 ///< allowed values; empty: any
   std::string (*hint)(std::string_view value) = nullptr;  ///< about another value
   std::vector<std::string_view> (*suggestions)() =
-      nullptr;                             ///< for completions, when any is allowed
-  std::vector<std::string_view> levels{};  ///< for completions of ID=LEVEL: what follows the "="
-  std::string (*help_page)() = nullptr;    ///< what the value "help" prints, instead of a run
+      nullptr;  ///< suggested values for completions, if any value is allowed
+  std::vector<std::string_view> levels{};  ///< for completions of ID=LEVEL: the values after "="
+  std::string (*help_page)() = nullptr;    ///< the text that the value "help" prints
   Setter set{};
 };
 
@@ -49,26 +49,26 @@ struct Example {
 struct Command {
   std::string_view name{};      ///< "smurf-lint"
   std::string_view summary{};   ///< one sentence
-  std::string_view operands{};  ///< "[PATH]..."; "": takes none
-  std::string_view details{};   ///< what the operands are, and details
+  std::string_view operands{};  ///< "[PATH]..."; "": there are none
+  std::string_view details{};   ///< description of the operands, and details
   std::vector<Option> options{};
   Setter set_operand{};
-  std::vector<Example> examples{};  ///< the two most useful ones first: --help shows only those
+  std::vector<Example> examples{};  ///< the two most useful ones first: --help shows two
   std::string_view exit_with_1 = "findings at or above the threshold";
 };
 
-/// The command's own options and those that every tool has, as --help shows them.
+/// The options of the command and those of all tools, as --help shows them.
 std::vector<Option> all_options(const Command& command);
-/// The headings in the order of --help: those of the tool alone, then those that tools share.
+/// The headings in the order of --help: those of the tool, then those of shared options.
 std::vector<std::string_view> option_groups(std::span<const Option> options);
-/// --help, --version, and the options with which packages are built.
+/// --help, --version, and the options for building packages.
 std::span<const Option> standard_options();
 
 /// The page of --help, at most 80 columns wide.
 std::string help_text(const Command& command);
 
-/// Calls the setters. Returns the exit code when the run ends here: after --help and --version, and
-/// after a mistake, which it reports on standard error in one line.
+/// Calls the setters. Returns the exit code if the run ends here: after --help and --version, and
+/// after a mistake, which is reported on standard error in one line.
 std::optional<ExitCode> parse_command_line(const Command& command, int argc,
                                            const char* const* argv);
 
@@ -79,7 +79,7 @@ Setter append_to(std::vector<std::string>& list);
 /// A whole number of at least `least`.
 Setter set_number(std::optional<int>& number, int least);
 
-/// Sets `variable` to `value` when the option's word is `word`; the words are Option::values.
+/// Sets `variable` to `value` if the option's word is `word`. Option::values gets the words.
 template <class Enum>
 Setter choose(Enum& variable, std::vector<std::pair<std::string_view, Enum>> words) {
   return [&variable, words = std::move(words)](std::string_view value) {

@@ -46,7 +46,7 @@ class CommandLine {
 
   bool has(std::string_view name) const { return !values_[index_of(name)].empty(); }
 
-  /// The page that a value "help" asked for, or "".
+  /// The page to print for a value "help", or "".
   const std::string& page() const { return page_; }
 
   /// Precondition: has(name).
@@ -80,9 +80,9 @@ class CommandLine {
     return static_cast<std::size_t>(found - options_.begin());
   }
 
-  /// Fills values_ and operands_.
+  /// Sets values_ and operands_.
   std::optional<std::string> split(const std::vector<std::string>& given) {
-    // "-": operands keep their place; ":": the message about a missing value is ours.
+    // "-": operands keep their position; ":": report a missing value as our own message.
     std::string letters = "-:";
     std::vector<std::string> names(options_.size());
     std::vector<option> table;
@@ -106,7 +106,7 @@ class CommandLine {
       optarg = nullptr;
       const int code = getopt_long(argc, arguments.data(), letters.c_str(), table.data(), nullptr);
       if (code == -1 && optind == at && at < argc && given[to_size(at)] == "-") {
-        operands_.emplace_back("-");  // at which the C library of WebAssembly stops
+        operands_.emplace_back("-");  // where the C library of WebAssembly stops
         ++optind;
       } else if (code == -1) {
         break;
@@ -123,8 +123,8 @@ class CommandLine {
 
   static std::size_t to_size(int index) { return static_cast<std::size_t>(index); }
 
-  /// Keeps an option that was found in an argument, or says what is wrong with it. `is_next`: its
-  /// value is the next argument.
+  /// Stores the option of an argument, or returns an error message. `is_next`: its value is the
+  /// next argument.
   std::optional<std::string> take(int code, const std::string& argument, bool is_next) {
     if (code == '?' && optopt >= kFirstLong) {
       return long_name(options_[index_of(optopt)]) + " takes no value";
@@ -133,7 +133,7 @@ class CommandLine {
     if (code == ':') return missing_value(options_[index_of(optopt)]);
     const std::size_t index = index_of(code);
     const Option& option = options_[index];
-    // getopt_long() also takes the beginning of a name, which may mean another option in a later
+    // getopt_long() also accepts the beginning of a name, which may mean another option in a later
     // version.
     if (code >= kFirstLong && argument.substr(0, argument.find('=')) != long_name(option)) {
       return unknown(argument);

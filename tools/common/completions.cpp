@@ -18,7 +18,7 @@ std::vector<std::string_view> words_of(const Option& option) {
                                                                 : option.values;
 }
 
-/// All words, those with a level written out: "SML3101=error".
+/// All words, including those with a level: "SML3101=error".
 std::string whole_words_of(const Option& option) {
   if (option.levels.empty()) return joined(words_of(option));
   std::string out;

@@ -61,11 +61,12 @@ bool Conversion::is_accepted(const std::string& path) const {
     problem = " is a scene; smurfs-flatten --format urdf exports it";
     break;
   case InputKind::annotation:
-    problem = takes_models ? " is no model; name the .smurf file that lists it" : " is no URDF";
+    problem =
+        takes_models ? " is not a model; name the .smurf file that lists it" : " is not a URDF";
     break;
   case InputKind::resource:
-    problem =
-        takes_models ? " is no model; name the .smurf or .urdf file that uses it" : " is no URDF";
+    problem = takes_models ? " is not a model; name the .smurf or .urdf file that uses it"
+                           : " is not a URDF";
     break;
   case InputKind::other:
     if (!is_xacro_file(path)) return true;
@@ -135,7 +136,7 @@ std::optional<xml::Document> Conversion::load_xml(const std::string& path, Loade
 
 namespace {
 
-/// True for findings of the converter, which smurf-lint does not report, and for those in scenes.
+/// Whether a finding comes from the converter, which smurf-lint does not report, or from a scene.
 bool is_told(const Diagnostic& finding, const SourceMap& sources) {
   if (finding.rule->reported_by == Tool::converters) return true;
   const InputKind kind = input_kind(sources.path(finding.span.source));

@@ -31,7 +31,7 @@ struct ConverterOptions {
   Limits limits;
   bool quiet = false;
   bool force = false;                  ///< convert although findings make the result wrong
-  std::vector<const Reader*> targets;  ///< readers of the result; empty: all
+  std::vector<const Reader*> targets;  ///< targets of the result; empty: all
 };
 
 /// Rows of the option table that all converters have.
@@ -43,22 +43,22 @@ Setter take_one_operand(std::string& operand);
 /// Why a finding makes the result wrong ("urdfdom refuses the file"); none if it does not.
 using LossOf = std::function<std::optional<std::string>(const Diagnostic&)>;
 
-/// One run of a converter. Findings go to standard error, or to the file of --report.
+/// One run of a converter. Findings go to standard error, or to the file given by --report.
 class Conversion {
  public:
-  /// `kinds` are the inputs, in the order in which a folder is searched for the only one. `tool`
-  /// and `options` must outlive it.
+  /// `kinds` are the kinds of inputs, in the order in which a folder is searched for its only
+  /// model. `tool` and `options` must outlive this object.
   Conversion(std::string_view tool, const ConverterOptions& options, std::vector<InputKind> kinds);
 
-  /// Complains and returns none when the file cannot be read.
+  /// Reports an error and returns none if the file cannot be read.
   std::optional<LoadedModel> load_model(const std::string& path);
   /// Also reads archives (.zsmurf, .zsmurfs, .zsmurfa), in memory.
   std::optional<LoadedScene> load_scene(const std::string& path);
-  /// A file beside the model.
+  /// The path of a file beside the model.
   std::optional<xml::Document> load_xml(const std::string& path, Loaded& beside);
 
-  /// Checks and reports. kFindings when the result is to be refused: it would be wrong, or
-  /// something reaches the threshold; why() tells.
+  /// Checks and reports. kFindings if the result must be refused, because it would be wrong or a
+  /// finding reaches the threshold; why() returns the reason.
   template <class Loaded>
   ExitCode report(Loaded& loaded, const LossOf& loss_of) {
     return write_reports(session_.check(loaded), loss_of);
@@ -67,22 +67,22 @@ class Conversion {
   /// The findings of the last report.
   std::span<const Diagnostic> findings() const { return findings_; }
 
-  /// Call it when everything is read and nothing is written. Complains and returns false when an
-  /// output, or a file of --report, is an input.
+  /// Call it after reading all inputs and before writing. If an output, or a file of --report, is
+  /// an input, reports this and returns false.
   bool keeps_inputs(std::vector<std::string> outputs) const;
 
-  /// Writes the losses to `file` unless it is "". False when that fails, and when there are losses
-  /// and `are_refused`; then it lists them.
+  /// Writes the losses to `file` unless it is "". False if that fails, or if there are losses and
+  /// `are_refused`; then it lists them.
   bool report_losses(const LoadedModel& loaded, std::vector<Diagnostic> losses,
                      const std::string& file, bool are_refused);
-  /// How many losses there are in each section of the annotations: "3 annotations, 2 in motors, 1
-  /// in sensors".
+  /// The number of losses in each section of the annotations: "3 annotations, 2 in motors, 1 in
+  /// sensors".
   const std::string& lost() const { return lost_; }
 
   /// "smurf2urdf: PATH reason"; kFindings.
   ExitCode refuse(std::string_view reason) const;
-  /// "smurf2urdf: wrote arm.urdf: 7 joints" on standard error, unless the user wants silence or
-  /// a report there.
+  /// Prints "smurf2urdf: wrote arm.urdf: 7 joints" on standard error, unless the user asked for
+  /// silence or for a report there.
   void tell_written(const std::string& what) const;
   ExitCode fail() const { return kFailed; }
 

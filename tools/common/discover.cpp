@@ -39,7 +39,7 @@ class Search {
     root_ = identity(folder);
     inside_.allow(folder);
     walk(folder);
-    // Links come last, so that a file gets its own path if that is inside the folder.
+    // Links come last, so a file gets its own path if that is inside the folder.
     for (std::size_t i = 0; i < links_.size(); ++i) follow(std::string(links_[i]));
     std::sort(found_.files.begin(), found_.files.end());
     std::sort(found_.unreadable.begin(), found_.unreadable.end());
@@ -106,9 +106,9 @@ class Search {
     }
   }
 
-  /// Skips everything outside of the folder without asking whether it exists, and links that lead
-  /// out and back. A link with the name of a model may lead elsewhere in the project; the reader of
-  /// the model decides.
+  /// Skips paths outside of the folder without checking whether they exist, and links that lead out
+  /// and back. A link with the name of a model may lead elsewhere in the project; the reader of the
+  /// model decides.
   void follow(const std::string& link) {
     sys::Status status{};
     if (inside_.is_denied(link)) {
@@ -120,7 +120,7 @@ class Search {
     } else if (sys::stat(link.c_str(), &status) != 0) {
       if (is_sought(link)) fail(link, errno);
     } else if (S_ISDIR(status.st_mode)) {
-      // git treats a link as a file, wherever it leads.
+      // git treats a link as a file, whatever its target.
       if (!is_left_out(link, false)) walk(link);
     } else if (S_ISREG(status.st_mode) && is_sought(link)) {
       add(link, status);

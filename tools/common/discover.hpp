@@ -23,21 +23,21 @@ struct Found {
   std::size_t xacro = 0;                ///< .xacro files, which have to be expanded first
 };
 
-/// Decides whether a path inside a searched folder is left out, with everything in it.
+/// Whether a path inside a searched folder is skipped, with all its contents.
 using LeftOut = std::function<bool(const std::string& path, bool is_folder)>;
 
 bool is_xacro_file(std::string_view path);
 
-/// Finds the .smurf, .smurfs, .smurfa and .urdf files in a folder and the folders below it, each
-/// once. Leaves out hidden files, and links that lead out of the folder.
+/// Finds the .smurf, .smurfs, .smurfa and .urdf files in a folder and its subfolders, each once.
+/// Skips hidden files, and links that lead out of the folder.
 Found find_inputs(const std::string& folder, const Limits& limits,
                   const LeftOut& is_left_out = nullptr);
 
-/// "no .smurf, .smurfs, .smurfa or .urdf file in 'robots' (2 left out)", and what else is there.
+/// "no .smurf, .smurfs, .smurfa or .urdf file in 'robots' (2 left out)", and a note on others.
 std::string why_nothing(const Found& found, const std::string& folder);
 
-/// The only file of the first of these kinds in a folder. Complains and returns none when there are
-/// several, or no file of any of them.
+/// The only file of a kind in a folder, for the first of these kinds that occurs. Reports an error
+/// and returns none if there are several files of that kind, or no file of any kind.
 std::optional<std::string> find_only_input(std::string_view tool, const std::string& folder,
                                            std::span<const InputKind> kinds, const Limits& limits);
 

@@ -24,20 +24,21 @@ bool is_link(int folder, const std::string& name) {
          S_ISLNK(status.st_mode);
 }
 
-/// Whether the opened folder is another one than was judged before, because a link has replaced it.
-/// False when the system does not tell.
+/// Whether the opened folder differs from the judged one, because a link has replaced it. False if
+/// the system cannot show this.
 bool is_elsewhere(int folder, const std::string& judged) {
   const auto opened = sys::place_of(folder);
   return opened && *opened != path::normalize(judged.empty() ? "/" : judged);
 }
 
 FileSet::Problem problem(const std::string& path, int error) {
-  // The model chose these names, so a link among them would choose the place.
+  // The model chose these names, so following a link among them would let the model choose the
+  // place.
   if (error == ELOOP) return {path, "it is a symbolic link, which is not followed here"};
   return {path, std::generic_category().message(error), error == EEXIST};
 }
 
-/// Why no file can have this path: on Windows, models can name devices. "" when one can.
+/// The reason why no file can have this path: on Windows, models could name devices. "" if one can.
 std::string_view why_no_path(std::string_view path) {
   for (const std::string_view name : path::names(path)) {
     if (const auto reason = sys::why_no_name(name); !reason.empty()) return reason;
@@ -90,7 +91,7 @@ std::optional<FileSet::Problem> FileSet::write_for_now(bool overwrite) {
 }
 
 std::optional<FileSet::Problem> FileSet::prepare_all(bool overwrite) {
-  sys::allow_open_files(2 * files_.size());  // each and its folder
+  sys::allow_open_files(2 * files_.size());  // each file and its folder
   for (const OutputFile& file : files_) {
     if (auto found = prepare(file, overwrite)) return found;
   }
@@ -112,7 +113,7 @@ std::optional<FileSet::Problem> FileSet::prepare(const OutputFile& file, bool ov
   Written& written = written_.emplace_back(folder, std::string(path::file_name(file.path)));
   written.shown = shown;
   if (sys::kIgnoresCase && !names_.emplace(folder, path::to_lower(written.file.name())).second) {
-    return Problem{shown, "another new file has the same name but for its case"};
+    return Problem{shown, "the name of another new file differs only in case"};
   }
   sys::Status status{};
   if (sys::fstatat(folder, written.file.name().c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) {
@@ -135,7 +136,7 @@ std::optional<FileSet::Problem> FileSet::prepare(const OutputFile& file, bool ov
 
 std::optional<FileSet::Problem> FileSet::place(Written& written, bool is_last) {
   int error = 0;
-  if (written.replaces && !is_last) {  // nothing can fail after the last
+  if (written.replaces && !is_last) {  // no step after this one can fail
     error = with_free_name(written.backup, [&](const std::string& name) {
       const int folder = written.file.folder();
       const char* const old = written.file.name().c_str();
@@ -160,7 +161,7 @@ std::optional<FileSet::Problem> FileSet::open_folder(const OutputFile& file,
     users.reset(sys::open(path.c_str(), kFolder));
     if (!users.is_open()) return problem(path, errno);
     if (is_elsewhere(users.number(), judged)) {
-      return Problem{path, "another folder has taken its place meanwhile"};
+      return Problem{path, "another folder has replaced it meanwhile"};
     }
   }
   folder = users.number();

@@ -24,7 +24,7 @@ class FileSet {
   struct Problem {
     std::string path;
     std::string reason;
-    bool exists = false;  ///< a file is there that must not be replaced
+    bool exists = false;  ///< there is a file that must not be replaced
   };
 
   enum class MissingFolders { make, refuse };
@@ -34,12 +34,12 @@ class FileSet {
       : files_(files), missing_(missing) {}
   FileSet(const FileSet&) = delete;
   FileSet& operator=(const FileSet&) = delete;
-  /// Undoes everything that was not finished.
+  /// Undoes all steps unless finish() was called.
   ~FileSet();
 
-  /// Puts all files in their places, or none.
+  /// Moves all files to their final names, or none.
   std::optional<Problem> write(bool overwrite);
-  /// As finish(), but the destructor undoes it unless keep() was called.
+  /// Like finish(), but the destructor undoes it unless keep() was called.
   std::optional<Problem> write_for_now(bool overwrite);
   void keep() { is_done_ = true; }
 
@@ -49,14 +49,14 @@ class FileSet {
     NewFile file;
     std::string shown;
     bool replaces = false;
-    std::string backup;  ///< a second name of the replaced file
+    std::string backup;  ///< a hard link to the replaced file
     bool is_placed = false;
   };
 
   std::optional<Problem> prepare(const OutputFile& file, bool overwrite);
   std::optional<Problem> prepare_all(bool overwrite);
   std::optional<Problem> place(Written& written, bool is_last);
-  /// `judged` is the path that the folder must have, without links.
+  /// `judged` is the expected path of the folder, without links.
   std::optional<Problem> open_folder(const OutputFile& file, const std::string& judged,
                                      int& folder);
   int open_below(int above, const std::string& name, int& folder);
@@ -64,10 +64,10 @@ class FileSet {
 
   const std::vector<OutputFile>& files_;
   MissingFolders missing_;
-  std::set<std::pair<int, std::string>> names_;            ///< folder and name in small letters
+  std::set<std::pair<int, std::string>> names_;            ///< folder and name in lower case
   std::map<std::string, Descriptor> folders_;              ///< open, by path
   std::deque<Written> written_;                            ///< in the order of the files
-  std::vector<std::pair<int, std::string>> made_folders_;  ///< with the folder around each
+  std::vector<std::pair<int, std::string>> made_folders_;  ///< with the parent folder of each
   bool is_done_ = false;
 };
 

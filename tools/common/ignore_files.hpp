@@ -12,18 +12,18 @@
 
 namespace smurf::tools {
 
-/// Reads the ignore files of each folder once. As in git, the nearest
-/// file with a matching pattern wins, and .gitignore applies inside a repository only;
-/// .smurf-lintignore applies everywhere, and takes precedence.
+/// Reads the ignore files of each folder once. As in git, the nearest file with a matching pattern
+/// applies, and .gitignore only applies inside a repository; .smurf-lintignore applies everywhere,
+/// and takes precedence.
 class IgnoreFiles {
  public:
   /// `most_checks` limits how often a path is compared with a pattern.
   IgnoreFiles(const FileReader& files, std::uint64_t most_checks)
       : files_(files), checks_left_(most_checks) {}
 
-  /// True after more checks than that; then everything is left out.
+  /// True after more checks than that; then all files are left out.
   bool is_exhausted() const { return is_exhausted_; }
-  /// Counts checks of other patterns within the same limit. False when there are too many.
+  /// Counts checks of other patterns within the same limit. False if there are too many.
   bool may_check(std::size_t patterns);
   /// The verdict of the patterns on a path; a slow comparison counts as several checks.
   PathVerdict judge(const PathPatterns& patterns, std::string_view path, bool is_folder);
@@ -33,7 +33,7 @@ class IgnoreFiles {
   /// The verdict on the path alone, without the folders above it. `path` is absolute unless the
   /// path of the current folder is unknown.
   bool leaves_out(const std::string& path, bool is_folder);
-  /// Whether a file is left out, or a folder that contains it.
+  /// Whether a file, or a folder that contains it, is left out.
   bool leaves_out_with_folders(const std::string& path);
 
  private:
@@ -42,7 +42,7 @@ class IgnoreFiles {
     const Level* above = nullptr;
     PathPatterns of_git, of_lint;
     bool is_in_repository = false;
-    bool is_repository = false;  ///< the root of one; ignore files above it do not apply
+    bool is_repository = false;  ///< ignore files above a repository do not apply
   };
   void count(std::uint64_t steps);
   const Level& level_of(const std::string& folder);

@@ -62,8 +62,8 @@ std::optional<std::string> read_standard_input(std::string_view tool, const std:
 }
 
 std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files) {
-  // Reads no content. A file that is too large is a finding later, because other readers may load
-  // it.
+  // Does not read the content. A file that is too large is a finding later, because other readers
+  // may load it.
   const FileContent content = files.read(path, 0);
   if (content.status == ReadStatus::ok || content.status == ReadStatus::too_large) {
     return std::nullopt;
@@ -88,7 +88,7 @@ std::optional<std::string> current_folder(std::string_view tool) {
   std::error_code error;
   auto folder = places::current_folder(error);
   if (folder) return folder;
-  complain(tool, "cannot tell the current folder: " + error.message());
+  complain(tool, "cannot determine the current folder: " + error.message());
   return std::nullopt;
 }
 

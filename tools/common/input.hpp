@@ -17,25 +17,25 @@
 
 namespace smurf::tools {
 
-/// Reads standard input into `files` under the name `filename`, or under one made up when that is
-/// "" and the text is XML. Returns the name; complains and returns none when it cannot.
+/// Reads standard input into `files` under the name `filename`. If that is "" and the text is XML,
+/// chooses a name. Returns the name; reports an error and returns none if this fails.
 std::optional<std::string> read_standard_input(std::string_view tool, const std::string& filename,
                                                const Limits& limits, MemoryFiles& files);
 
-/// Why the user's path cannot be checked: "No such file or directory", "is not a regular file".
-/// None when the path can be read.
+/// The reason why the user's path cannot be checked: "No such file or directory", "is not a regular
+/// file". None if it can be read.
 std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files);
 
-/// The path to load for a path of the user: itself, or the main file of an archive. Complains and
-/// returns none when it cannot be read.
+/// The path to load for a path of the user: itself, or the main file of an archive. Reports an
+/// error and returns none if it cannot be read.
 std::optional<std::string> find_main_file(std::string_view tool, const std::string& path,
                                           const FileReader& files);
 
-/// The current folder. Complains when it no longer exists.
+/// The current folder. Reports an error if it no longer exists.
 std::optional<std::string> current_folder(std::string_view tool);
 
-/// Wraps a reader and remembers the files that were read or found, and the file behind standard
-/// input, because no output may replace an input.
+/// Wraps a reader and remembers the files that were read or found, and the file of standard input,
+/// because no output may replace an input.
 class InputFiles final : public FileReader {
  public:
   explicit InputFiles(const FileReader& behind);
@@ -60,7 +60,7 @@ class InputFiles final : public FileReader {
   mutable std::set<Identity> known_;
 };
 
-/// Complains and returns false when one of these files was read. "" and "-" are no files.
+/// Reports an error and returns false if one of these files was read. "" and "-" are not files.
 bool keeps_inputs(std::string_view tool, const InputFiles& inputs,
                   std::span<const std::string> outputs);
 
@@ -68,7 +68,7 @@ bool keeps_inputs(std::string_view tool, const InputFiles& inputs,
 const CanonicalPaths& canonical_paths();
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path);
-/// As identity(), but a denied path is identified by its name.
+/// Like identity(), but a denied path is identified by its name.
 std::string identity(const std::string& path, const FileReader& files);
 
 }  // namespace smurf::tools

@@ -33,7 +33,7 @@ class LoadedNames {
   const std::vector<std::vector<Reference>>& names() const { return names_; }
   /// True for a planned model or scene, and for a file that belongs to one.
   bool has_read(const std::string& path) const;
-  /// Why names are missing; "" when none is.
+  /// The reason why names are missing; "" if none is missing.
   const std::string& problem() const { return problem_; }
 
   /// Frees the loaded files, but keeps the names and their texts in the files.
@@ -53,9 +53,9 @@ class LoadedNames {
   std::deque<LoadedModel> models_;
   std::map<std::string, std::optional<xml::Document>> srdfs_;         ///< by path
   std::map<std::string, std::vector<std::string>> folders_of_srdfs_;  ///< their paths
-  std::uint64_t repeated_bytes_ = 0;  ///< of SRDF files, whose names each model has again
+  std::uint64_t repeated_bytes_ = 0;  ///< of SRDF files whose names each model stores
   std::string problem_;
-  std::set<std::string> read_;  ///< by any part, by identity
+  std::set<std::string> read_;  ///< in any part, by identity
   std::deque<Part> parts_;
   std::vector<std::vector<Reference>> names_;
 };

@@ -15,7 +15,7 @@ std::string known_name(const std::string& absolute, const std::string& current,
 
 MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
                        const FileReader& files, const Limits& limits) {
-  std::map<std::string, std::string> origins;  // of copies that are not there yet
+  std::map<std::string, std::string> origins;  // originals of copies that do not exist yet
   for (const AssetCopy& copy : copies) {
     origins.emplace(path::join(options.current_folder, copy.to()), copy.from);
   }
@@ -30,7 +30,7 @@ MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
                 return read_triangles_of(origin(file), files, limits, texture_points);
               },
           .identity =
-              [=, &files](const std::string& file) {  // the name tells how it is read
+              [=, &files](const std::string& file) {  // the extension determines how it is read
                 const std::string from = origin(file);
                 return path::to_lower(path::extension(from)) + files.identity(from);
               },

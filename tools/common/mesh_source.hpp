@@ -12,7 +12,7 @@
 
 namespace smurf::tools {
 
-/// The name by which `files` knows a path: a file in an archive is named after the archive.
+/// The path of a file for `files`; in an archive, it begins with the path of the archive.
 std::string known_name(const std::string& absolute, const std::string& current,
                        const FileReader& files);
 

@@ -12,13 +12,13 @@
 namespace smurf::tools {
 namespace {
 
-/// Limits for files that are read only to find out whether they use another one: the user did not
-/// name them. A robot of 5,000 links is within the limits.
+/// Limits for files that are read only to find out whether they use another file, because the user
+/// did not name them. A robot of 5,000 links is within the limits.
 constexpr Limits kNeighbour{
     .file_bytes = 8U << 20U, .yaml_nodes = 50'000, .xml_elements = 100'000, .findings = 0};
 
-/// Gives the loader one file and records which others it asks for: the files that it lists, as the
-/// loader resolves them.
+/// Gives the loader one file and records the other files that it requests: the files that it lists,
+/// as the loader resolves them.
 class OnlyMainFile final : public FileReader {
  public:
   OnlyMainFile(const FileReader& files, const std::string& main)
@@ -48,7 +48,7 @@ std::uint64_t bytes_of(const SourceMap& sources) {
   return bytes;
 }
 
-/// The folder of a file and those above it, each with some of its subfolders.
+/// The folder of a file and its parents, each with some of its subfolders.
 std::vector<std::string> places_around(const std::string& path, int levels,
                                        std::initializer_list<std::string_view> inner) {
   std::vector<std::string> places;

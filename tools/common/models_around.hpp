@@ -17,26 +17,26 @@ class ModelsAround {
  public:
   explicit ModelsAround(const FileReader& files) : files_(files) {}
 
-  /// The .smurf files that list a file, sought in its folder, the folder above, and the `smurf`
-  /// folders in both; sorted.
+  /// The .smurf files that list a file, in its folder, the parent folder, and the `smurf` folders
+  /// in both; sorted.
   std::vector<std::string> listing(const std::string& path);
 
   /// The .smurf files, and the .urdf files that none of them lists, whose meshes or textures
-  /// include a file; sought in the three folders above it and the `smurf` and `urdf` folders there;
+  /// include a file; in its three nearest folders and the `smurf` and `urdf` folders there;
   /// sorted.
   std::vector<std::string> using_resource(const std::string& path);
 
-  /// True when there were too many files around to read all of them.
+  /// Whether there were too many files to read all of them.
   bool is_exhausted() const { return bytes_ > kMost; }
 
  private:
-  /// A model that uses a file. All identities are those of identity().
+  /// A model that uses a file. All identities are results of identity().
   struct User {
     std::string path, identity;
     std::string urdf;  ///< identity
     bool is_model = false;
   };
-  /// The users of each file, by its identity.
+  /// The models that use each file, by its identity.
   using Users = std::map<std::string, std::vector<User>>;
 
   const Users& listing_in(const std::string& folder);
@@ -45,8 +45,8 @@ class ModelsAround {
   static constexpr std::uint64_t kMost = 64'000'000;  // bytes, a second
 
   const FileReader& files_;
-  std::uint64_t bytes_ = 0;                       ///< of all files looked at
-  std::map<std::string, Users> listing_, using_;  ///< by the folder that holds the models
+  std::uint64_t bytes_ = 0;                       ///< bytes of all files looked at
+  std::map<std::string, Users> listing_, using_;  ///< by the folder that contains the models
 };
 
 }  // namespace smurf::tools

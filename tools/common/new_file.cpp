@@ -70,7 +70,7 @@ int NewFile::take_place() {
     if (error == EEXIST) {
       error = with_free_name(temporary_, [&](const std::string& name) { return link_to(name); });
     }
-    if (error != 0) {  // this file system names no file that had no name
+    if (error != 0) {  // this file system cannot name a file that had no name
       temporary_.clear();
       const Descriptor nameless = std::move(file_);
       error = open_named();

@@ -12,7 +12,7 @@
 
 namespace smurf::tools {
 
-/// An open file or folder; none when negative.
+/// An open file or folder; negative: none.
 class Descriptor {
  public:
   explicit Descriptor(int number = -1) : number_(number) {}
@@ -69,7 +69,7 @@ class NewFile {
 
   int folder_;
   std::string name_;
-  std::string temporary_;  ///< until it gets its name; "": none
+  std::string temporary_;  ///< until it gets its final name; "": none
   Descriptor file_;
   std::optional<sys::Status> replaced_;
 };

@@ -23,7 +23,7 @@ namespace smurf::tools {
 namespace {
 
 /// True for "/dev/stdout", and for "/dev/fd/63", which shells write for ">(command)". These are
-/// open already; opening the file behind them again would not be the same.
+/// already open; opening the file again would have a different effect.
 std::optional<int> open_descriptor(std::string_view path) {
   if (path == "/dev/stdout") return 1;
   if (path == "/dev/stderr") return 2;
@@ -35,7 +35,7 @@ std::optional<int> open_descriptor(std::string_view path) {
   return std::nullopt;
 }
 
-/// Writes to a device or pipe. If no program reads the pipe yet, waits at most one second for one.
+/// Writes to a device or pipe. If no program reads the pipe yet, waits at most one second.
 int write_directly(const std::string& path, std::string_view text) {
   constexpr int kMoments = 100;
   constexpr std::chrono::milliseconds kMoment{10};
@@ -59,7 +59,7 @@ bool is_device_or_pipe(const std::string& path) {
          !S_ISDIR(status.st_mode);
 }
 
-/// Returns why it failed, or "".
+/// Returns an error message, or "".
 std::string replace_file(const std::string& path, std::string_view text) {
   if (path.ends_with('/') || places::is_folder(path)) return reason_of(EISDIR);
   const std::vector<OutputFile> files{named_by_user(path, text)};

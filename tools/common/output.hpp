@@ -15,23 +15,23 @@ namespace smurf::tools {
 /// "smurf-lint: message" on standard error. Control characters are escaped.
 void complain(std::string_view tool, std::string_view message);
 
-/// Text as it is on standard error.
+/// Text without changes on standard error.
 void write_error(std::string_view text);
 
-/// Writes the whole text to standard output (`path` "" or "-") or to a file, and complains if it
-/// cannot, except when the reader of a pipe has closed it.
-/// A file is written to a temporary file and renamed, with the mode of the file it replaces, so a
-/// failed run leaves the old one. Links are followed, because the user names the file, unless one
-/// leads out of the repository that contains it. Devices and pipes are written directly; a pipe
-/// that nobody reads is an error.
+/// Writes the whole text to standard output (`path` "" or "-") or to a file. Reports errors,
+/// except when the reader of a pipe has closed it. A file is first written to a temporary file
+/// and then renamed, with the mode of the file it replaces, so a failed run leaves the old one.
+/// Links are followed, because the user names the file, unless one leads out of the repository
+/// that contains it. Devices and pipes are written directly; a pipe without a reader is an
+/// error.
 bool write_output(std::string_view tool, const std::string& path, std::string_view text);
 
 /// A file that a tool will write into a folder that the user chose.
 struct OutputFile {
   std::string folder;  ///< chosen by the user: links in it are followed, as in write_output()
-  std::string path;    ///< relative to it, with names that others chose: no link is followed
+  std::string path;    ///< relative to it, with names that others chose: links are not followed
   std::string_view text = {};
-  std::string written_as = {};  ///< the user's name for both, if it is one name
+  std::string written_as = {};  ///< the user's name for both, if it is a single name
   /// Makes the text just before it is written, so that memory never holds many large files.
   std::function<FileContent()> read = {};
 };
@@ -44,9 +44,9 @@ std::string safe_name(std::string_view name);
 /// A file that the user named.
 OutputFile named_by_user(const std::string& path, std::string_view text);
 
-/// Writes all files or none, and complains if it cannot. Folders that are missing are made.
-/// Existing files are an error unless `overwrite`. `last_step`, if given, is called after the files
-/// are written; when it returns false (it complains itself), they are removed again.
+/// Writes all files or none, and reports errors. Makes missing folders. Existing files are an error
+/// unless `overwrite`. `last_step`, if given, is called after the files are written; if it returns
+/// false after reporting its error, they are removed again.
 bool write_files(std::string_view tool, const std::vector<OutputFile>& files, bool overwrite,
                  const std::function<bool()>& last_step = {});
 

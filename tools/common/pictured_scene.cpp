@@ -8,7 +8,7 @@
 namespace smurf::tools {
 namespace {
 
-/// Bytes. It is a page to send, and a browser has to open it.
+/// Bytes. The page must be small enough to send, and for a browser to open.
 constexpr std::uint64_t kMostPicture = 40'000'000;
 
 Limits limits_of_picture(Limits limits) {

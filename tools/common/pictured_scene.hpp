@@ -21,8 +21,8 @@ class PicturedScene {
   PicturedScene(const PicturedScene&) = delete;
   PicturedScene& operator=(const PicturedScene&) = delete;
 
-  /// What to write, which refers to this; none when nobody knows where the parts of the scene are,
-  /// and when it is too large for a page to send.
+  /// The input of the writer, which refers to this object; none if the poses are unknown, or if the
+  /// page would be too large to send.
   std::optional<SceneExport> to_write();
 
  private:

@@ -10,7 +10,7 @@
 namespace smurf::tools {
 namespace {
 
-/// Why a file must not be changed: it cannot be written, or other models read it, too.
+/// The reason why a file must not be changed: it cannot be written, or other models also read it.
 std::vector<std::string> problems_of(const std::string& path, const LoadedNames& loaded,
                                      const FileReader& changeable, ModelsAround& around) {
   if (!DiskFiles().is_file(path)) {

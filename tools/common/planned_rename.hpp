@@ -11,10 +11,10 @@
 
 namespace smurf::tools {
 
-/// Overlays the renamed texts in the session and loads them again, to check that every name means
-/// what it meant. Writes nothing. Edits and problems point into the loaded sources of the session.
-/// Files that `changeable` denies are not changed; a name in them is a problem. `input` is the name
-/// of a text that is no file, or "".
+/// Replaces texts in the session by their renamed versions and loads them again, to check that
+/// every name has the same meaning. Writes nothing. Edits and problems point into the loaded
+/// sources of the session. Files that `changeable` denies are not changed; a name in them is a
+/// problem. `input` is the name of a text that is not a file, or "".
 Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const Rename> renames,
                        Session& session, const FileReader& changeable,
                        const std::string& input = {});

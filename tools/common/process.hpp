@@ -17,7 +17,7 @@ void prepare_process();
 std::vector<std::string> arguments_of(int argc, const char* const* argv);
 
 bool is_terminal(int descriptor);
-/// In columns; none when it is no terminal.
+/// In columns; none if it is not a terminal.
 std::optional<std::size_t> terminal_width(int descriptor);
 
 }  // namespace smurf::tools

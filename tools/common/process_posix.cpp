@@ -35,18 +35,18 @@ void prepare_streams() {
 }
 
 /// A run fills its memory once and ends. Small pages would cost a quarter of the time of a large
-/// robot. So all blocks come from one heap, whose first part the kernel is asked to give in large
-/// pages. Unused pages take no memory. Does nothing under a limit on the address space.
+/// robot. Therefore, all blocks come from one heap, for whose first part the kernel is asked to use
+/// large pages. Unused pages need no memory. Does nothing under a limit on the address space.
 void prepare_memory() {
 #ifdef __GLIBC__
   constexpr std::size_t kPage = std::size_t{2} << 20U;
   constexpr int kAhead = 256 << 20;
   constexpr int kFurther = 1 << 20;
-  constexpr int kLargestInHeap = 32 << 20;  // the most that mallopt takes
+  constexpr int kLargestInHeap = 32 << 20;  // the largest value that mallopt accepts
   mallopt(M_MMAP_THRESHOLD, kLargestInHeap);
   mallopt(M_TRIM_THRESHOLD, INT_MAX);
   mallopt(M_TOP_PAD, kAhead);
-  void* const block = std::malloc(kPage / 4);  // more than what is left of the heap
+  void* const block = std::malloc(kPage / 4);  // larger than the rest of the heap
   mallopt(M_TOP_PAD, kFurther);
   if (block == nullptr) return;
   const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));

@@ -7,7 +7,7 @@
 #include "common/command.hpp"
 #include "common/new_file.hpp"
 #include "common/process.hpp"
-// The headers of Windows come last, because they define many macros; the first is for the others.
+// The headers of Windows come last, because they define many macros; the others need the first one.
 #include <windows.h>
 
 #include <fcntl.h>
@@ -39,7 +39,7 @@ void prepare_process() {
     if (::GetConsoleMode(handle_of(descriptor), &mode) == 0) continue;
     ::SetConsoleMode(handle_of(descriptor), mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
   }
-  ::SetErrorMode(SEM_FAILCRITICALERRORS);  // a drive without a disk opens no window
+  ::SetErrorMode(SEM_FAILCRITICALERRORS);  // a drive without a disk does not open a window
   std::set_new_handler(end_without_memory);
 }
 

@@ -24,7 +24,7 @@ struct Results {
   std::string_view tool;
   std::string remarks{};       ///< for people: lines after the summary
   bool quiet = false;          ///< no summary
-  bool counts_only = false;    ///< for people: the number of findings of each rule, no findings
+  bool counts_only = false;    ///< for people: the number of findings of each rule
   OverviewOptions overview{};  ///< for people
   std::optional<Severity> least_failure =
       Severity::error;                     ///< for JUnit: the threshold of the exit code
@@ -37,7 +37,7 @@ struct ReportFormat {
   std::string (*render)(const Results& results, const TextStyle& style);
 };
 std::span<const ReportFormat> report_formats();
-/// Null when there is no such format.
+/// Null if there is no such format.
 const ReportFormat* find_report_format(std::string_view name);
 
 struct ReportRequest {
@@ -57,7 +57,7 @@ struct Threshold {
   std::optional<int> max_warnings;
   bool exit_zero = false;
 };
-/// The least severity that ends a run with kFindings; none with `--fail-on never`.
+/// The lowest severity that ends a run with kFindings; none with `--fail-on never`.
 std::optional<Severity> least_failure(const Summary& summary, const Threshold& threshold);
 /// kDone or kFindings.
 ExitCode judge(const Summary& summary, const Threshold& threshold);

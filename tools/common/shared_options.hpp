@@ -14,7 +14,7 @@ namespace smurf::tools {
 
 Option color_option(ColorChoice& color);
 Option quiet_option(bool& quiet, std::string_view help);
-/// `help` is the text of --help: what is written.
+/// `help` is the text for --help, which says what is written.
 Option output_option(std::string& file, std::string_view help);
 /// `name` is "report", or "format" where the report is the result.
 Option report_option(std::string_view name, std::vector<ReportRequest>& reports);
@@ -23,7 +23,7 @@ Option stdin_filename_option(std::string& path);
 /// NAME=DIR, for package:// addresses.
 Option package_option(std::map<std::string, std::string>& packages);
 Option allow_outside_option(bool& allow_outside);
-/// NAME=N, for the limits on what a file may demand.
+/// NAME=N, for the limits on the input.
 Option limit_option(Limits& limits);
 Option jobs_option(std::optional<int>& jobs);
 

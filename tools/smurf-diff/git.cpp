@@ -25,7 +25,7 @@ struct GitFile {
   std::string mode;
 
   bool exists() const { return file != kNothing; }
-  /// No symbolic link and no submodule.
+  /// Neither a symbolic link nor a submodule.
   bool is_regular() const { return !exists() || mode.starts_with("100"); }
 };
 
@@ -55,7 +55,7 @@ std::string heading_of(const GitFile& before, const GitFile& after) {
   return render::escape(heading);
 }
 
-/// Colours for a terminal, and for the pager that git has started for one.
+/// Colours for a terminal, or for the pager that git has started for a terminal.
 TextStyle style_for_git(ColorChoice choice) {
   const char* has_pager = std::getenv("GIT_PAGER_IN_USE");
   const char* no_color = std::getenv("NO_COLOR");
@@ -77,9 +77,9 @@ class GitDiff {
 
   ExitCode run() {
     TextStyle style = style_for_git(options_.color);
-    style.width = 78;  // of 80, because the text is indented
+    style.width = 78;  // less than 80, because the text is indented
     const std::string text = heading_of(before_, after_) + "\n" + indented(body(style));
-    write_output(kTool, options_.output, text);  // a pager may be left at any time
+    write_output(kTool, options_.output, text);  // users may quit a pager at any time
     return kDone;
   }
 
@@ -96,7 +96,7 @@ class GitDiff {
     Version before{is_part ? model : before_.path, before_.path, before_.path, *old_text};
     Version after{model, after_.path, after_.path, *new_text};
     Compared compared = compare_versions(session_, before, after, options_);
-    if (is_part && !compared.is_known()) {  // something else of the model is broken
+    if (is_part && !compared.is_known()) {  // another part of the model is broken
       before.path = before_.path;
       after.path = after_.path;
       compared = compare_versions(session_, before, after, options_);

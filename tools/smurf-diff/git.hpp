@@ -7,10 +7,10 @@
 
 namespace smurf::tools {
 
-/// Compares what git gives: PATH OLD-FILE OLD-HEX OLD-MODE NEW-FILE NEW-HEX NEW-MODE [NEW-PATH
-/// HEADER]. The files stand in a folder of git's own; their texts are read in the place of PATH, so
-/// that all they name is found. Git ends where a driver fails: what cannot be compared is told in
-/// the output, and the exit code is 0.
+/// Compares the files that git passes: PATH OLD-FILE OLD-HEX OLD-MODE NEW-FILE NEW-HEX NEW-MODE
+/// [NEW-PATH HEADER]. The files are in a temporary folder of git; their texts are read in place of
+/// PATH, so that all files they name are found. Git stops if a driver fails, so files that cannot
+/// be compared are named in the output, and the exit code is 0.
 ExitCode compare_for_git(const Options& options);
 
 }  // namespace smurf::tools

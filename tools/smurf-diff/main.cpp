@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// smurf-diff: what differs for the robot between two versions of a model or scene.
+// smurf-diff: compares two versions of a model or scene, by their effect on the robot.
 #include <algorithm>
 #include <string_view>
 #include <vector>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view kTool = "smurf-diff";
 
-/// What an operand names: a file, or what an archive holds. Complains and returns none when it
+/// The file for an operand, which may be in an archive. Reports an error and returns none if it
 /// cannot be read or compared.
 std::optional<Version> open(const std::string& operand, const Options& options,
                             const Session& session) {
@@ -105,7 +105,8 @@ ExitCode compare_operands(const Options& options) {
   return compared.differences.empty() ? kDone : kFindings;
 }
 
-/// What git passes after --git are names of a repository, which may look like options.
+/// The arguments that git passes after --git are names in a repository, which may look like
+/// options.
 std::vector<const char*> without_options_of_git(int argc, const char* const* argv) {
   std::vector<const char*> arguments(argv, argv + argc);
   const auto git = std::ranges::find(arguments, std::string_view("--git"));

@@ -51,7 +51,7 @@ bool is_mode(std::string_view text) {
   return text == "." || (text.size() == 6 && text.find_first_not_of("01234567") == text.npos);
 }
 
-/// One operand for a file that is not merged, two more for one that was renamed.
+/// One operand for an unmerged file, two more for a renamed file.
 bool is_from_git(const std::vector<std::string>& operands) {
   if (operands.size() == 1) return true;
   return (operands.size() == 7 || operands.size() == 9) && is_mode(operands[3]) &&
@@ -62,7 +62,7 @@ bool is_from_git(const std::vector<std::string>& operands) {
 
 void drop_separator(std::vector<std::string>& operands) {
   if (operands.empty() || operands.front() != "--") return;
-  // Git passes an odd number, of which the first may be a file of that name.
+  // Git passes an odd number of arguments, so a first "--" may be a file of that name.
   if (operands.size() % 2 == 0) operands.erase(operands.begin());
 }
 
@@ -110,13 +110,13 @@ std::string problem_of(const Options& options) {
   if (options.for_git) {
     return is_from_git(options.operands)
                ? ""
-               : "--git takes the 7 operands that git gives, and no options after it";
+               : "--git needs the 7 operands that git passes, and no options after it";
   }
   if (count != 2) {
     return "two inputs are compared, not " + std::to_string(count) + "; see --help";
   }
   if (std::ranges::count(options.operands, "-") > 1)
-    return "standard input can be one of them only";
+    return "only one of them can be standard input";
   return {};
 }
 

@@ -31,7 +31,7 @@ struct Options {
 Command make_command(Options& options);
 /// Removes a "--" that was written between --git and the operands of git.
 void drop_separator(std::vector<std::string>& operands);
-/// What is wrong with the options together; "" when nothing is.
+/// An error message about the combination of options; "" if there is none.
 std::string problem_of(const Options& options);
 
 }  // namespace smurf::tools

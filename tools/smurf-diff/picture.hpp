@@ -8,8 +8,8 @@
 
 namespace smurf::tools {
 
-/// The page of write_both_versions(); "" for annotation files, when nobody knows where the parts
-/// of a version are, and when this build has no viewer.
+/// The page of write_both_versions(); "" for annotation files, if the poses of a version are
+/// unknown, and if this build has no viewer.
 std::string picture_of(Session& session, const Version& before, const Version& after,
                        const Options& options);
 

@@ -18,7 +18,7 @@ bool is_about_missing_file(const Diagnostic& finding) {
   return std::ranges::find(kMissingFiles, finding.rule->id) != kMissingFiles.end();
 }
 
-/// A file of it could not be read.
+/// One of its files could not be read.
 bool is_broken(const LinkedModel& model) {
   if (!model.urdf_path.empty() && !model.robot) return true;
   if (model.files.empty()) return true;
@@ -43,7 +43,7 @@ void append_new(const Diagnostic& finding, const SourceMap& sources,
   if (!is_known) findings.push_back(finding);
 }
 
-/// The errors of reading, when something could not be read at all.
+/// The errors of reading, if a file could not be read at all.
 template <class Loaded, class Linked>
 void find_trouble(Session& session, Loaded& loaded, const Linked& linked, bool for_git,
                   Compared& result) {
@@ -101,7 +101,7 @@ Compared compare_versions(Session& session, const Version& before, const Version
   }
   CheckSettings settings;
   settings.packages = options.packages;
-  settings.opens_meshes = false;  // their bytes are compared, where at all
+  settings.opens_meshes = false;  // only their bytes can be compared
   const DiffOptions how{options.tolerance, &session.files(), options.limits};
   if (is_scene(before.path)) {
     return compare_loaded(

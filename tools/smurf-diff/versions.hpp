@@ -14,8 +14,8 @@ namespace smurf::tools {
 
 /// A file, and the text that one version has in its place.
 struct Version {
-  std::string path;           ///< what is loaded
-  std::string shown;          ///< what it is called in messages
+  std::string path;           ///< the path to load
+  std::string shown;          ///< name in messages
   std::string replaced = {};  ///< the file whose text is replaced; "": none
   std::string text = {};
 };

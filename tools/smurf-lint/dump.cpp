@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::string_view kTool = "smurf-lint";
 
-/// What is loaded for a path, which may be that of an archive. None when that cannot be; it has
-/// been said.
+/// The path to load, which may be in an archive. Reports an error and returns none if it cannot be
+/// loaded.
 std::optional<std::string> main_file(const std::string& path, const FileReader& files) {
   std::optional<std::string> main = find_main_file(kTool, path, files);
   if (!main || *main != path) return main;
@@ -29,7 +29,7 @@ std::optional<std::string> main_file(const std::string& path, const FileReader& 
   return std::nullopt;
 }
 
-/// As JSON, and what reading has found.
+/// The result as JSON, and the findings of reading.
 struct Dump {
   std::optional<std::string> json;
   std::vector<Diagnostic> found;

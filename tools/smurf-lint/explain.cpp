@@ -60,7 +60,7 @@ std::string page_of(const FormatPart& part) {
             render::wrap(key.doc, 4, kColumns);
   }
   if (!part.more.empty()) {
-    text += "\nAn entry may also have the keys of `" + std::string(part.more) +
+    text += "\nAn entry can also have the keys of `" + std::string(part.more) +
             "`: smurf-lint --explain " + std::string(part.more) + "\n";
   }
   return text;

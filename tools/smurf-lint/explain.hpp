@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --explain: rules, families of rules, sections and keys of the format.
+// --explain: prints rules, families of rules, sections and keys of the format.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace smurf::tools {
 
-/// The page of a rule, the list of a family (SML31, 31), the keys of a section, or a key; "" when
+/// The page of a rule, the list of a family (SML31, 31), the keys of a section, or a key; "" if
 /// `what` is none of these.
 std::string explanation(std::string_view what, const TextStyle& style);
 

@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view kTool = "smurf-lint";
 /// A fix may uncover the next fault; this bounds the number of rounds.
 constexpr int kRounds = 10;
-/// Includes rounds that only fix findings that were left out before, because there were too many.
+/// Includes rounds that only fix findings omitted earlier because there were too many.
 constexpr int kMostRounds = 100;
 
 std::string diff_of(const std::string& path, const Change& change) {
@@ -45,7 +45,7 @@ bool has_left_out(const Report& report) {
                      [](const Diagnostic& one) { return one.left_out != nullptr; });
 }
 
-/// True when a path leads out of its project, so a symbolic link cannot redirect a fix.
+/// True if a path leads out of its project, so a symbolic link cannot redirect a fix.
 bool leads_outside(const std::string& path, const LintOptions& options) {
   if (options.allow_outside) return false;
   const std::string folder(path::parent(path));
@@ -54,7 +54,7 @@ bool leads_outside(const std::string& path, const LintOptions& options) {
   return project.is_denied(path);
 }
 
-/// Tells which fixes may be applied.
+/// Decides which fixes may be applied.
 class Changeable {
  public:
   Changeable(const LintOptions& options, const LintPlan& plan) : input_(plan.standard_input) {

@@ -20,35 +20,35 @@ struct Change {
 };
 
 enum class FixEnd {
-  nothing_left,  ///< no fix is left
-  no_end,        ///< every round found something to fix
-  limit          ///< going on would take more than `rechecked-bytes`
+  nothing_left,  ///< no fixes remain
+  no_end,        ///< every round found further fixes
+  limit          ///< the next round would exceed `rechecked-bytes`
 };
 
 struct Fixed {
-  Report report;                          ///< of the fixed texts
+  Report report;                          ///< checked on the fixed texts
   std::map<std::string, Change> changes;  ///< by path
   std::size_t count = 0;                  ///< findings that were fixed
   FixEnd end = FixEnd::nothing_left;
 };
 
-/// Applies fixes and checks again until a round finds none, or the limit is reached. The fixed
-/// texts go to the session, in front of those on the disk; nothing is written. The fixes of files
-/// that are in no project of the plan are removed from the report: a model may read an installed
-/// package, but it does not choose that the package is changed.
+/// Applies fixes and checks again until no fixes remain, or the limit is reached. The session gets
+/// the fixed texts, which override those on disk; nothing is written. Fixes of files outside of the
+/// projects of the plan are removed from the report: a model may read an installed package, but
+/// must not cause changes in it.
 Fixed fix_all(const LintOptions& options, const LintPlan& plan, Session& session, Report report,
               const std::function<Report()>& check);
 
-/// Writes every changed file but standard input, all or none. False when one could not be written,
-/// which was said, or is a link out of its project.
+/// Writes every changed file except standard input: all or none. If one could not be written, or is
+/// a link out of its project, reports this and returns false.
 bool write_changes(const std::map<std::string, Change>& changes, const LintPlan& plan,
                    const LintOptions& options);
 
-/// The changes as `diff -u` shows them, with `git apply`'s a/ and b/ before relative paths. Control
-/// characters, which no sound file has, are escaped: it is text for people first.
+/// The changes in the format of `diff -u`, with `git apply`'s a/ and b/ before relative paths.
+/// Escapes control characters, which sound files do not contain: the text is mainly for people.
 std::string unified_diff(const std::map<std::string, Change>& changes);
 
-/// "fixed 2 findings" and "3 fixable with --fix ...", a line each; "" when there is nothing to say.
+/// "fixed 2 findings" and "3 fixable with --fix ...", one per line; "" if there are none.
 std::string fix_remarks(std::size_t fixed, std::span<const Diagnostic> left);
 
 }  // namespace smurf::tools

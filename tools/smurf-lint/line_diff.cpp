@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The greedy algorithm of Myers, which keeps for each diagonal how far so many changes lead. After
-// kMostChanges it begins again where it came farthest, so that time and memory are linear; those of
-// the library dtl are quadratic where every line changes.
+// The greedy algorithm of Myers, which keeps for each diagonal the farthest point that a number of
+// changes reaches. After kMostChanges it begins again at the farthest point, so that time and
+// memory are linear; the library dtl is quadratic if every line changes.
 #include "smurf-lint/line_diff.hpp"
 
 #include <algorithm>
@@ -21,13 +21,13 @@ constexpr int kUnreached = -1;
 
 using Numbers = std::vector<int>;
 
-/// A path from one corner of two texts, or of their rests, towards the other. A point is a number
-/// of lines of both; its diagonal is the difference of these.
+/// A path from one corner of two texts, or of their remaining parts, towards the other corner. A
+/// point is a number of lines of both texts; its diagonal is the difference of these.
 class Path {
  public:
   Path(std::span<const int> before, std::span<const int> after) : before_(before), after_(after) {}
 
-  /// Goes to the end, or as far as kMostChanges lead.
+  /// Goes to the end, or as far as kMostChanges allow.
   void run() {
     for (int changes = 0; changes <= kMostChanges; ++changes) {
       reached_.emplace_back(static_cast<std::size_t>(2 * changes + 1), kUnreached);
@@ -76,7 +76,7 @@ class Path {
                    [static_cast<std::size_t>(diagonal + changes)];
   }
 
-  /// The point of this diagonal that the last change leads to, and the diagonal it comes from.
+  /// The point on this diagonal after the last change, and the previous diagonal.
   std::pair<int, int> entry(int changes, int diagonal) const {
     if (changes == 0) return {0, 0};
     int deleted = at(changes - 1, diagonal - 1);
@@ -109,8 +109,8 @@ class Path {
     return true;
   }
 
-  /// Among diagonals that reach equally far, prefers the one with equally many removed and added
-  /// lines, so a text in which every line is replaced advances evenly on both sides.
+  /// Of several diagonals that reach equally far, prefers the one with equally many removed and
+  /// added lines, so that both sides advance evenly in a text with many replaced lines.
   int farthest() const {
     int best = 0;
     int most = kUnreached;
@@ -146,7 +146,7 @@ class Numbering {
   std::map<std::string_view, int> known_;
 };
 
-/// Writes a byte order mark unescaped, because programs that apply the patch look for it.
+/// Keeps a byte order mark unescaped, because programs that apply the patch compare it.
 void add_line(std::string& text, char mark, std::string_view line) {
   text += mark;
   if (line.starts_with(kByteOrderMark)) {
@@ -163,7 +163,7 @@ std::string range_text(std::size_t first, std::size_t size) {
   return std::to_string(size == 0 ? first : first + 1) + "," + std::to_string(size);
 }
 
-/// Lines that the other text does not have, where they are in both. Either may be empty.
+/// The lines that are only in the old or the new text, by their positions. Either may be empty.
 struct LineChange {
   std::size_t before = 0;
   std::size_t before_end = 0;
@@ -187,7 +187,7 @@ std::vector<LineChange> changes_between(std::vector<EqualLines> equal, std::size
   return changes;
 }
 
-/// Writes a hunk of changes that are near each other.
+/// Writes a hunk of adjacent changes.
 std::string hunk(std::span<const LineChange> changes, const std::vector<std::string_view>& before,
                  const std::vector<std::string_view>& after) {
   const std::size_t lead = std::min(changes.front().before, kContext);

@@ -79,12 +79,12 @@ struct Checked {
   Session& session;
 };
 
-/// `place` is where reports without a file of their own go.
+/// `place` is the destination of reports without a file.
 ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const std::string& place,
                        const Checked& checked, std::string remarks) {
   const Report& report = checked.report;
   const RunSettings settings = merge_run(report.wishes, options);
-  // The failure has been reported; "no findings" would hide it.
+  // The failure was already reported; "no findings" would hide it.
   const bool is_nothing = report.summary.files == 0 && !report.problems.empty();
   const Results results{.diagnostics = report.diagnostics,
                         .sources = checked.session.sources(),
@@ -154,9 +154,9 @@ ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session,
   }
   const ExitCode code = give_out(options, plan, session, fixed);
   if (fixed.end != FixEnd::limit || code == kFailed) return code;
-  complain(kTool, "these are not all fixes: the others take more than " +
+  complain(kTool, "not all fixes were applied: the others need more than " +
                       std::to_string(options.limits.rechecked_bytes) +
-                      " bytes that are checked; run it again when these are in the files, or " +
+                      " bytes to be checked; run smurf-lint again after these are written, or " +
                       raise_limit("rechecked-bytes"));
   return kFailed;
 }
@@ -177,15 +177,15 @@ ExitCode rename(const LintOptions& options, const LintPlan& plan, Session& sessi
   return report(options, plan, {found, session}, 0);
 }
 
-/// The path of the baseline to write. A configuration beside the files cannot choose it; none, and
-/// a message, when it names another path.
+/// The path of the baseline to write. A configuration beside the files cannot choose it; if it
+/// names another path, reports this and returns none.
 std::optional<std::string> baseline_to_write(const LintOptions& options, const std::string& known) {
   const bool is_chosen = !options.baseline.empty() || (!options.config.empty() && !known.empty());
   if (is_chosen) return known;
   std::string usual(kBaselineName);
   if (known.empty() || identity(known) == identity(usual)) return usual;
-  complain(kTool, "a configuration that was found beside the files does not choose what is "
-                  "written; to write its baseline, add --baseline " +
+  complain(kTool, "a configuration that was found beside the files cannot choose the file to "
+                  "write; to write its baseline, add --baseline " +
                       shell_word(known));
   return std::nullopt;
 }

@@ -63,7 +63,7 @@ std::vector<std::string_view> rule_ids() {
   return ids;
 }
 
-/// Without duplicates: the report has one row a reader.
+/// Without duplicates, because the report has one row per reader.
 Setter append_targets(std::vector<const Reader*>& targets) {
   return [&targets](std::string_view value) -> std::optional<std::string> {
     for (const std::string_view name : split_items(value)) {
@@ -88,7 +88,7 @@ std::string_view target_help() {
   return help;
 }
 
-/// "joint:elbow=elbow_left"; without a known kind, what is before the `=` is all name.
+/// "joint:elbow=elbow_left"; without a known kind, all text before `=` is the name.
 Setter append_renames(std::vector<Rename>& renames) {
   return [&renames](std::string_view value) -> std::optional<std::string> {
     const std::size_t colon = value.find(':');
@@ -367,7 +367,7 @@ Command lint_command(LintOptions& options) {
       {"smurf-lint --format full --format json=report.json arm.smurf",
        "Write a report for programs beside the one for people:"},
       {"smurf-lint --format full --format html=report.html arm.smurf",
-       "Write a page to send to whoever repairs the robot:"},
+       "Write a page for the person who repairs the robot:"},
       {"smurf-lint --ignore SML19 --severity unknown-joint=warning arm.smurf",
        "Skip the rules about portability, and lower the severity of one rule:"},
       {"xacro arm.urdf.xacro | smurf-lint --stdin-filename urdf/arm.urdf -",
@@ -396,11 +396,11 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
     if (place.empty()) place = "-";
     if (places.insert(place).second) continue;
     const std::string where = place == "-" ? "standard output" : "'" + place + "'";
-    return "two reports go to " + where + "; give one a file of its own: --format " +
+    return "two reports go to " + where + "; give one a separate file: --format " +
            std::string(report.format->name) + "=FILE";
   }
   if (options.isolated && !options.config.empty()) {
-    return "--isolated reads no configuration, --config names one";
+    return "--isolated and --config exclude each other";
   }
   if (std::count(options.paths.begin(), options.paths.end(), "-") > 1) {
     return "standard input can be read only once";
@@ -410,14 +410,14 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
            std::string(options.fix ? "--fix" : "--fix-only");
   }
   if (!options.renames.empty() && (options.fix || options.unsafe_fixes)) {
-    return "--rename and --fix are two steps";
+    return "--rename and --fix cannot be combined";
   }
   if (!options.renames.empty() && (options.generate_baseline || options.shard.count > 1)) {
     return "--rename needs all files and writes only them, so it cannot be combined with --shard or "
            "--generate-baseline";
   }
   if (options.unsafe_fixes && !options.fix && !options.fix_only && !options.diff) {
-    return "--unsafe-fixes goes with --fix, --fix-only or --diff";
+    return "--unsafe-fixes needs --fix, --fix-only or --diff";
   }
   return std::nullopt;
 }

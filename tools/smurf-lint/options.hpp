@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the command line of smurf-lint says.
+// The command line of smurf-lint.
 #pragma once
 
 #include <cstdint>
@@ -25,47 +25,47 @@ struct Shard {
 
 struct LintOptions {
   std::vector<std::string> paths;
-  bool only_listed = false;  ///< leave annotation files and meshes alone that no model uses
+  bool only_listed = false;  ///< skip annotation files and meshes that no model uses
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
-  bool allow_outside = false;  ///< read what models name wherever it lies
+  bool allow_outside = false;  ///< read all files that models name
   Limits limits;
 
   std::string config;       ///< "": the nearest one
   bool isolated = false;    ///< read no configuration
-  std::string show_config;  ///< a path: show what holds for it and do nothing else
+  std::string show_config;  ///< a path: only show the settings for it
   RuleSelection selection;
   Threshold threshold;
-  std::optional<Severity> min_severity;  ///< what is below is left out of every report
-  bool has_fail_on = false;              ///< the threshold's severity was given
+  std::optional<Severity> min_severity;  ///< less severe findings are omitted from every report
+  bool has_fail_on = false;              ///< the user set the severity of the threshold
 
-  bool force_exclude = false;    ///< leave excluded files out even when they are named
-  bool no_ignore_files = false;  ///< .gitignore and .smurf-lintignore leave nothing out
+  bool force_exclude = false;    ///< skip excluded files even if they are named
+  bool no_ignore_files = false;  ///< do not apply .gitignore and .smurf-lintignore
   Shard shard;
   bool merge_reports = false;  ///< `paths` are JSON reports; nothing is checked
-  bool list_files = false;     ///< say what would be checked, and check nothing
+  bool list_files = false;     ///< only list the files that would be checked
 
   bool fix = false;           ///< write fixed files
-  bool unsafe_fixes = false;  ///< fixes that may change what the model means are fixes too
-  bool fix_only = false;      ///< do not report what is left
-  bool diff = false;          ///< show what would be changed, and do nothing else
+  bool unsafe_fixes = false;  ///< also apply fixes that may change the meaning of the model
+  bool fix_only = false;      ///< do not report the remaining findings
+  bool diff = false;          ///< only show the changes
   std::vector<Rename> renames;
 
   std::string baseline;            ///< file; "": none
-  bool generate_baseline = false;  ///< write it, and report nothing
-  bool no_ignores = false;         ///< report what comments and the baseline let pass, too
+  bool generate_baseline = false;  ///< only write the baseline
+  bool no_ignores = false;         ///< also report findings that comments and the baseline suppress
 
   std::vector<ReportRequest> reports;
-  std::string output;  ///< for reports without a file of their own
+  std::string output;  ///< for reports without a separate file
   bool statistics = false;
-  bool shows_all = false;  ///< every finding in a report for people, however many there are
+  bool shows_all = false;  ///< show all findings in a report for people
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;
   std::optional<int> jobs;
 
-  std::string explain;     ///< a rule: show its page and do nothing else
-  std::string dump_model;  ///< a path: show what is read of it and do nothing else
-  std::string list_rules;  ///< "text" or "json": list the rules and do nothing else
+  std::string explain;     ///< a rule: only show its page
+  std::string dump_model;  ///< a path: only write its contents
+  std::string list_rules;  ///< "text" or "json": only list the rules
 };
 
 /// The result refers to `options`.
@@ -74,10 +74,10 @@ Command lint_command(LintOptions& options);
 /// Reports options that exclude each other, such as two reports to one place.
 std::optional<std::string> find_conflict(const LintOptions& options);
 
-/// Is there such a rule, and if not, which is meant: "there is no rule 'x'; did you mean 'y'?"
+/// An error message if there is no such rule: "there is no rule 'x'; did you mean 'y'?"
 std::string no_such_rule(std::string_view id_or_name);
 
-/// What --explain takes: rules by id and name, and sections of the format.
+/// The words that --explain accepts: ids and names of rules, and sections of the format.
 std::vector<std::string_view> explained_words();
 
 }  // namespace smurf::tools

@@ -10,7 +10,8 @@
 namespace smurf::tools {
 namespace {
 
-/// The one scene, else the one model, else the one URDF; null when there are none or several.
+/// The only scene, otherwise the only model, otherwise the only URDF; null if there are none or
+/// several.
 const PlannedFile* only_one(const Plan& plan) {
   if (plan.scenes.size() == 1) return &plan.scenes.front();
   if (!plan.scenes.empty()) return nullptr;

@@ -10,8 +10,8 @@
 
 namespace smurf::tools {
 
-/// The page of `smurfs-flatten --format html`; "" when the plan has more than one robot or scene,
-/// when nobody knows where its parts are, and when this build has no viewer.
+/// The page of `smurfs-flatten --format html`; "" if the plan has more than one robot or scene, if
+/// poses are unknown, and if this build has no viewer.
 std::string picture_of(const LintOptions& options, const LintPlan& plan, Session& session);
 
 }  // namespace smurf::tools

@@ -107,13 +107,12 @@ class Planner {
       for (const std::string& why : nothing_but_xacro_) fail(why);
     }
     if (ignore_files_.is_exhausted()) {
-      fail("cannot tell what is left out: there are more than " +
+      fail("cannot determine which files are left out: there are more than " +
            std::to_string(options_.limits.ignore_checks) + " comparisons of files with patterns; " +
            raise_limit("ignore-checks"));
     }
     if (models_.is_exhausted()) {
-      fail("so much lies around the named files that not all models were looked at; name the "
-           "models");
+      fail("there are too many files around the named ones to look at all models; name the models");
     }
     return std::move(plan_);
   }
@@ -144,7 +143,7 @@ class Planner {
                                                : config_found_from(folder);
   }
 
-  /// Is it certain that the folder has the configuration of the one above it?
+  /// Whether the folder is known to have the same configuration as its parent.
   bool is_as_above(const std::string& folder) const {
     if (options_.isolated || !options_.config.empty()) return false;
     const std::string normal = path::normalize(folder);
@@ -177,7 +176,7 @@ class Planner {
     return ignore_files_.leaves_out(absolute(path), folder);
   }
 
-  /// True when a file is skipped although it is named.
+  /// Whether a file is skipped although the user named it.
   bool is_left_out_by_force(const std::string& path) {
     const Exclusions& exclusions = exclusions_[config_of_entry(path)];
     if (!exclusions.is_forced) return false;
@@ -279,14 +278,14 @@ class Planner {
   std::deque<Exclusions> exclusions_;  ///< of each configuration
   IgnoreFiles ignore_files_;
   ModelsAround models_;
-  std::vector<std::string> nothing_but_xacro_;  ///< reasons why folders have nothing to check
+  std::vector<std::string> nothing_but_xacro_;  ///< messages about folders without files to check
 };
 
 }  // namespace
 
 void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files) {
   if (shard.count <= 1) return;
-  if (shard.number != 1) plan.xacro = plan.links = 0;  // each part has found all of them
+  if (shard.number != 1) plan.xacro = plan.links = 0;  // each part finds all of them
   std::set<std::string> models;
   for (const PlannedFile& model : plan.models) models.insert(identity(model.path));
   ModelsAround around(files);

@@ -13,7 +13,7 @@ namespace smurf::tools {
 
 /// `problems` have been reported.
 struct LintPlan : Plan {
-  std::string standard_input;  ///< its name in `files`; "": it was not read
+  std::string standard_input;  ///< its name in `files`; "": not read
   std::size_t xacro = 0;       ///< .xacro files of the folders, which are not checked
   std::size_t links = 0;       ///< links that lead out of the folders, which are not followed
 };
@@ -29,14 +29,14 @@ void confine_to_found(ConfinedFiles& files, const LintOptions& options, const Li
 /// all files.
 void confine_to_changeable(ConfinedFiles& files, const LintOptions& options, const LintPlan& plan);
 
-/// When standard input is an operand, its text is put into `files`.
+/// If standard input is an operand, its text is added to `files`.
 LintPlan make_plan(const LintOptions& options, MemoryFiles& files);
 
 /// Keeps one part of the files. A URDF that a planned model lists stays with the model.
 void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files);
 
-/// The configuration for a file or folder: the one that the options name, else the nearest upward.
-/// "" when there is none.
+/// The configuration of a file or folder: the one that the options name, otherwise the nearest one
+/// in a parent folder. "" if there is none.
 std::string find_config(const std::string& path, const LintOptions& options,
                         const FileReader& files);
 

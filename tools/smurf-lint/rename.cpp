@@ -21,7 +21,7 @@ std::optional<std::map<std::string, Change>> rename_all(const LintOptions& optio
   if (!renamed.problems.empty()) return std::nullopt;
   std::map<std::string, Change> changes;
   const SourceMap& sources = session.loaded_sources();
-  for (const Edit& edit : renamed.edits) {  // of which a file may have thousands
+  for (const Edit& edit : renamed.edits) {  // a file may have thousands of them
     const auto [change, is_new] = changes.try_emplace(sources.path(edit.span.source));
     if (is_new) change->second.before = sources.text(edit.span.source);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --rename: new names in all files of the models and scenes that are planned.
+// --rename: renames things in all files of the planned models and scenes.
 #pragma once
 
 #include <map>
@@ -13,9 +13,9 @@
 
 namespace smurf::tools {
 
-/// The renamed texts go to the session, in front of those on the disk, where they are loaded again
-/// to check that every name still means the same; nothing is written. None when something cannot be
-/// renamed, which was said.
+/// The session gets the renamed texts, which override those on disk, and loads them again to check
+/// that every name has the same meaning; nothing is written. If something cannot be renamed,
+/// reports this and returns none.
 std::optional<std::map<std::string, Change>> rename_all(const LintOptions& options,
                                                         const LintPlan& plan, Session& session);
 

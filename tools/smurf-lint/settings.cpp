@@ -14,7 +14,7 @@ CheckSettings check_settings(const LintOptions& options) {
   settings.heeds_baseline = !options.no_ignores && !options.generate_baseline;
   settings.baseline = options.baseline;
   settings.jobs = static_cast<unsigned>(options.jobs.value_or(0));
-  // Only fixes are checked again.
+  // Only fixes cause further checks.
   settings.remembers = (options.fix || options.fix_only || options.diff) && options.renames.empty();
   return settings;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line combined with the configuration: what applies.
+// The effective settings: the command line combined with the configuration.
 #pragma once
 
 #include <string>

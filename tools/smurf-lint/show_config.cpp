@@ -23,7 +23,7 @@ constexpr std::size_t kOriginColumn = 30;
 using Entry = std::pair<std::string, std::string>;  ///< a value, as YAML, and its origin
 using Entries = std::vector<Entry>;
 
-/// What is escaped beyond YAML's needs is inside double quotes, where YAML knows these escapes.
+/// All escapes are inside double quotes, where YAML supports them.
 std::string text_of(std::string_view text) { return render::escape(yaml_like("", text)); }
 std::string text_of(double number) { return format_number(number); }
 std::string text_of(Severity severity) { return std::string(to_string(severity)); }
@@ -59,7 +59,7 @@ class Page {
     text_.append(text).append("# ").append(origin).append("\n");
   }
 
-  /// A list or mapping below a key; `nothing` when it is empty, which is the default.
+  /// A list or mapping below a key; if it is empty, which is the default, the text `nothing`.
   void block(std::string_view indent, std::string_view key, std::string_view mark,
              const Entries& entries, std::string_view nothing = {}) {
     const std::string head = std::string(indent) + std::string(key) + ":";
@@ -209,7 +209,7 @@ ExitCode show_config(const LintOptions& options) {
   const Config config = path.empty() ? Config{}
                                      : read_config(path, sources, files, reported_below, {},
                                                    origin_of_config(options));
-  // A check of no file finds what is wrong with the configuration.
+  // Checking no files reports mistakes in the configuration.
   Session session(files, options.limits);
   Plan nothing;
   nothing.configs.push_back(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --show-config: the settings of a path, and where each is set.
+// --show-config: the settings of a path, and the place that sets each.
 #pragma once
 
 #include "smurf-lint/options.hpp"

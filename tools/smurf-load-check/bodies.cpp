@@ -28,7 +28,7 @@ std::array<double, 3> principal_moments(const Eigen::Matrix3d& inertia) {
   return {moments[0], moments[1], moments[2]};
 }
 
-/// By how much the largest moment exceeds the sum of the others, relative to itself.
+/// The amount by which the largest moment exceeds the sum of the others, relative to itself.
 double triangle_excess(const std::array<double, 3>& moments) {
   return (moments[2] - moments[1] - moments[0]) / moments[2];
 }
@@ -142,7 +142,7 @@ class BodyCheck {
     const Span place = inertia_place(plan_.model_of(link), *plan_.link(link).inertial);
     Diagnostic& diagnostic = inertia.isZero()
                                  ? report(rules::sml1511_inertia_all_zero, place,
-                                          whose + " is zero, its mass is not", kNoInertia)
+                                          whose + " is zero, but its mass is not", kNoInertia)
                              : *fault == InertiaFault::refused
                                  ? report(rules::sml1512_not_positive_definite, place,
                                           whose + " is not physically possible", kNoInertia)
@@ -155,7 +155,7 @@ class BodyCheck {
     }
   }
 
-  /// An error, whatever its severity in the linter, because it prevents a simulation.
+  /// An error, even if its severity in the linter is lower, because it prevents a simulation.
   Diagnostic& report(const Rule& rule, Span place, std::string message, std::string_view ode) {
     Diagnostic& diagnostic = sink_.report(rule, place, std::move(message));
     diagnostic.severity = Severity::error;
@@ -163,7 +163,7 @@ class BodyCheck {
     return diagnostic;
   }
 
-  /// The link whose own inertia is as bad, else the heaviest.
+  /// The link whose own inertia has the same fault, otherwise the heaviest.
   const LinkPlan& culprit(std::size_t index, const LinkPlan& heaviest) const {
     for (const std::size_t member : members_[index]) {
       const LinkPlan& link = plan_.links[member];
@@ -198,7 +198,7 @@ class BodyCheck {
       Diagnostic& diagnostic = report(
           rules::sml1422_axis_not_unit, joint.axis.span,
           "the axis of " + named.name + " has the length " + format_rounded(length) + ", not 1",
-          "ODE scales it to 1; other readers multiply the joint's position with the length");
+          "ODE scales it to 1; other readers multiply the joint's position by the length");
       diagnostic.severity = Severity::warning;
     }
   }
@@ -219,8 +219,7 @@ class BodyCheck {
     Diagnostic& diagnostic = report(
         rules::sml1525_mass_ratio, joint.place,
         joint.name + " connects masses that are too far apart for ODE",
-        "its equations lose as many digits as the masses differ: the light body trembles or is "
-        "torn off");
+        "its equations lose precision at such ratios: the light body trembles or is torn off");
     diagnostic.severity = Severity::warning;
     diagnostic.caret = format_rounded(parent) + " kg above, " + format_rounded(child) + " kg below";
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a figure may be at most. Calibrated on 132 sound robots at a step of 1 ms.
+// The largest allowed figures. Calibrated on 132 sound robots at a step of 1 ms.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 namespace smurf::load_check {
 
 struct BoundInfo {
-  std::string_view name;  ///< in --bounds and in reports
+  std::string_view name;  ///< name in --bounds and in reports
   std::string_view unit;
   double limit;
   std::string_view about;
@@ -33,7 +33,7 @@ class Bounds {
   Bounds();
   /// Precondition: the name is in kBounds.
   double operator[](std::string_view name) const;
-  /// "NAME=VALUE"; returns what is wrong with it.
+  /// Parses "NAME=VALUE"; returns an error message, or "".
   std::optional<std::string> set(std::string_view assignment);
 
  private:

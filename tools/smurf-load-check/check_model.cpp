@@ -16,8 +16,8 @@
 namespace smurf::load_check {
 namespace {
 
-// Long enough to show a defect, and short enough that undamped limbs of a sound robot do not yet
-// slam into their stops, which pumps energy.
+// Long enough to show a defect, and short enough that undamped limbs of a sound robot do not hit
+// their stops, which would add energy.
 constexpr double kStillTime = 0.5;  // s
 constexpr double kHangTime = 0.25;
 constexpr double kDropTime = 0.5;
@@ -134,7 +134,7 @@ class ModelCheck {
       }
     });
     result.figures.push_back(figure);
-    // The findings about the limits explain joints that jump to their stops.
+    // Findings about limits explain why joints jump to their stops.
     const bool is_explained = std::any_of(fixed_.joints.begin(), fixed_.joints.end(), is_outside);
     if (!is_finite || figure.is_within() || is_explained) return;
     run_.sink()
@@ -145,7 +145,7 @@ class ModelCheck {
 
   static bool is_outside(const JointPlan& joint) { return outside_limits(joint) > 0; }
 
-  /// Joints that cannot be at zero, or that start outside their limits nevertheless.
+  /// Reports joints that cannot be at zero, or that start outside their limits.
   void report_limits() {
     for (const JointPlan& joint : fixed_.joints) {
       if (!joint.limits) continue;
@@ -203,7 +203,7 @@ class ModelCheck {
       report(rules::sml6401_joint_comes_apart, twist, " bends when the robot hangs");
     } else if (!energy.is_within()) {
       report(rules::sml6402_energy_grows, energy,
-             " gains energy from nothing when the robot hangs");
+             " gains energy without a cause when the robot hangs");
     }
   }
 
@@ -215,7 +215,7 @@ class ModelCheck {
     add_causes(diagnostic);
   }
 
-  /// The known causes that fling a robot away, whichever of its parts is the fastest.
+  /// Known causes for flinging a robot away, independently of its fastest part.
   void add_causes(Diagnostic& diagnostic) const {
     for (const JointPlan& joint : fixed_.joints) {
       if (!is_outside(joint)) continue;
@@ -248,7 +248,7 @@ class ModelCheck {
     result.figures = {energy};
   }
 
-  /// With shapes inside each other at the start, these are the cause, and there is one finding.
+  /// Shapes that overlap at the start are the cause, so there is one finding.
   void report_explosion(Figure& energy) {
     if (deepest_ && deepest_->depth > run_.options().bounds["overlap"]) {
       run_.withdraw(rules::sml6201_initial_overlap);
@@ -272,7 +272,7 @@ class ModelCheck {
   StageRun run_;
   JointPositions given_;  ///< of the named pose
   Plan fixed_;            ///< the model with a fixed root and without shapes
-  Plan whole_;            ///< with shapes; the root free when it can be
+  Plan whole_;            ///< with shapes; the root is free if possible
   bool is_free_ = false;
   bool has_masses_ = true;
   std::size_t stand_ins_ = 0;

@@ -17,9 +17,9 @@ namespace smurf::load_check {
 namespace {
 
 constexpr double kAnchorTime = 0.5;  // s
-constexpr double kMarsStep = 0.01;   // s, when the scene says nothing
+constexpr double kMarsStep = 0.01;   // s, if the scene sets none
 
-/// An anchored model and what it is anchored to, as links of the plan.
+/// An anchored model and its anchor, as links of the plan.
 struct Anchor {
   std::size_t instance = 0;  ///< of the scene
   std::size_t root = 0;
@@ -122,7 +122,7 @@ class SceneCheck {
       const ShapePlan& second = plan_.shapes[overlap.second];
       const bool is_own = first.body != kEnvironment && second.body != kEnvironment &&
                           first.instance == second.instance;
-      if (is_own) continue;  // the model's own check
+      if (is_own) continue;  // reported by the model's own check
       const Named a = entity_of(first);
       const Named b = entity_of(second);
       run_.note_worst(figure, overlap.depth, [&] {

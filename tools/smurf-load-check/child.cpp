@@ -31,13 +31,14 @@ constexpr int kOutOfMemory = 3;
 
 constexpr bool kHasMemoryLimit = !SMURF_HAS_ADDRESS_SANITIZER;
 
-/// The soft limit tells what happened, by its own signal; the hard one is for who ignores it.
+/// The soft limit ends the process with a signal that identifies the cause; the hard limit applies
+/// if the signal is ignored.
 void limit(int resource, std::uint64_t most) {
   const rlimit both{most, most + 1};
   ::setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
-/// Bytes that this process has taken so far.
+/// Bytes of memory that this process has used so far.
 std::uint64_t address_space() {
   std::uint64_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -48,13 +49,13 @@ void write_all(int descriptor, const char* bytes, std::size_t size) {
   std::size_t done = 0;
   while (done < size) {
     const ssize_t count = ::write(descriptor, bytes + done, size - done);
-    if (count < 0 && errno != EINTR) ::_exit(0);  // nobody listens any more
+    if (count < 0 && errno != EINTR) ::_exit(0);  // nobody reads the pipe any more
     if (count > 0) done += static_cast<std::size_t>(count);
   }
 }
 
-/// What a child sends: pieces of the output of a task, each after its size. A piece of no size
-/// ends the task.
+/// A child sends pieces of the output of a task, each after its size. An empty piece ends the
+/// task.
 using PieceSize = std::uint64_t;
 
 void write_piece(int descriptor, const std::string& text) {
@@ -63,7 +64,7 @@ void write_piece(int descriptor, const std::string& text) {
   write_all(descriptor, text.data(), text.size());
 }
 
-/// Tasks begin..end-1, of one group.
+/// Tasks begin..end-1, which are in one group.
 struct Batch {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -74,7 +75,7 @@ struct Batch {
                             const ChildTask& task) {
   limit(RLIMIT_CORE, 0);
   const rlimit nothing{0, 0};
-  ::setrlimit(RLIMIT_FSIZE, &nothing);  // the pipe to the parent is no file
+  ::setrlimit(RLIMIT_FSIZE, &nothing);  // limits do not apply to the pipe to the parent
   limit(RLIMIT_CPU, static_cast<std::uint64_t>(limits.seconds));
   // A waiting child uses no processor time, so the wall-clock limit is generous for loaded
   // machines.
@@ -103,13 +104,13 @@ struct Batch {
 struct Child {
   pid_t process = -1;
   int pipe = -1;
-  Batch batch;            ///< its begin is the task that is run
+  Batch batch;            ///< `begin` is the running task
   std::string output;     ///< of that task
   std::string header;     ///< bytes of the size of the next piece
-  PieceSize missing = 0;  ///< bytes of the piece that have not arrived
+  PieceSize missing = 0;  ///< remaining bytes of the piece
 };
 
-/// Seconds of processor time that a process took which has ended.
+/// Seconds of processor time of an ended process.
 double seconds_of(const rusage& usage) {
   const auto seconds = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
@@ -141,13 +142,13 @@ class Pool {
  private:
   using End = ChildOutcome::End;
 
-  /// A new child costs as much as a small task, and gives back what libraries never free. Several
-  /// batches a job, so that all jobs end at about the same time.
+  /// Starting a child costs as much as a small task, but frees memory that libraries never free.
+  /// There are several batches per job, so all jobs end at about the same time.
   std::size_t batch_size() const {
     return std::clamp<std::size_t>(groups_.size() / (4 * jobs_), 1, 64);
   }
 
-  /// Empty when none is left.
+  /// Empty if none remain.
   Batch next_batch() {
     if (!broken_off_.empty()) {
       const Batch batch = broken_off_.back();
@@ -256,7 +257,7 @@ class Pool {
     switch (signal) {
     case SIGXCPU:
     case SIGALRM: return End::out_of_time;
-    case SIGKILL: return End::out_of_memory;  // by the kernel, when all is taken
+    case SIGKILL: return End::out_of_memory;  // by the kernel, when memory is exhausted
     default: return End::crashed;
     }
   }
@@ -266,8 +267,8 @@ class Pool {
   const ChildLimits& limits_;
   const ChildTask& task_;
   const OnFinished& on_finished_;
-  std::size_t next_ = 0;                ///< the first task that is in no batch yet
-  std::vector<Batch> broken_off_;       ///< what children that ended early have not begun
+  std::size_t next_ = 0;                ///< the first task that is not in a batch yet
+  std::vector<Batch> broken_off_;       ///< remaining tasks of children that ended early
   std::map<std::size_t, double> used_;  ///< seconds, by group
   std::vector<Child> running_;
 };

@@ -16,7 +16,7 @@ bool is_true(const Value* value) {
   return found != nullptr && *found;
 }
 
-/// The image in the form that the engine takes; image rows run from +y to -y, as in Gazebo and
+/// The image in the order of the engine; image rows go from +y to -y, as in Gazebo and
 /// MuJoCo.
 HeightfieldShape to_heightfield(const FlatHeightmap& map, const HeightImage& image) {
   HeightfieldShape shape{map.length, map.width, image.columns, image.rows, {}};
@@ -36,7 +36,7 @@ class EnvironmentBuilder {
                      DiagnosticSink& sink)
       : scene_(scene), plan_(plan), files_(files), sink_(sink) {}
 
-  /// False when it is left out.
+  /// False if it is omitted.
   bool add(const Instance& instance, const FlatInstance& flat) {
     if (flat.shapes.empty() || !flat.X_WE || is_true(find(flat.properties, "movable"))) {
       return false;
@@ -90,7 +90,7 @@ class EnvironmentBuilder {
   Plan& plan_;
   const ShapeFiles& files_;
   DiagnosticSink& sink_;
-  std::uint64_t pixels_left_ = files_.limits.image_pixels;  ///< of all images of the scene
+  std::uint64_t pixels_left_ = files_.limits.image_pixels;  ///< for all images of the scene
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Entities of a scene that are no models: planes and other primitives, heightmaps.
+// Entities of a scene that are not models: planes and other primitives, heightmaps.
 #pragma once
 
 #include "smurf-load-check/plan.hpp"
@@ -9,8 +9,8 @@
 
 namespace smurf::load_check {
 
-/// Adds what stands still around the models. Returns the number of entities that are left out:
-/// those that move, and those of unknown types. Reads image files.
+/// Adds fixed objects around the models. Returns the number of omitted entities: moving ones, and
+/// unknown types. Reads image files.
 std::size_t add_environment(const LinkedScene& scene, const FlatScene& flat, Plan& plan,
                             const ShapeFiles& files, DiagnosticSink& sink);
 

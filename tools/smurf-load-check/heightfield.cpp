@@ -12,7 +12,8 @@
 namespace smurf::load_check {
 namespace {
 
-/// libpng leaves by a jump, which runs no destructor: everything with one lives in here.
+/// libpng returns errors by longjmp, which does not run destructors, so objects with destructors
+/// are here.
 struct Reading {
   std::string_view left;  ///< to be read
   std::uint64_t most_pixels = 0;
@@ -48,14 +49,15 @@ std::size_t rows_of(const Reading& reading) {
   return png_get_image_height(reading.png, reading.info);
 }
 
-/// Texts and profiles would be unpacked, a thousandfold, and say nothing of heights.
+/// Texts and profiles are skipped: unpacked, they can be a thousand times larger, and they contain
+/// no heights.
 void skip_other_chunks(png_structp png) {
   static constexpr png_byte kChunks[] =
       "eXIf\0hIST\0iCCP\0iTXt\0pCAL\0sCAL\0sPLT\0tEXt\0tIME\0zTXt";
   png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kChunks, sizeof kChunks / 5);
 }
 
-/// One grey value of 16 bits a pixel, the more significant byte first.
+/// One grey value of 16 bits per pixel, the more significant byte first.
 void decode(Reading& reading) {
   skip_other_chunks(reading.png);
   png_set_read_fn(reading.png, &reading, Reading::read);

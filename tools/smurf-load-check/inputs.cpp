@@ -21,19 +21,19 @@ using namespace smurf::tools;
 
 constexpr std::string_view kTool = "smurf-load-check";
 
-/// What a reader of files reports itself, and the rules whose faults leave no robot that could be
-/// built.
+/// Rules of file readers, and rules whose faults leave no robot to
+/// build.
 bool is_about_building(const Rule& rule) {
   return rule.blocks_building || (rule.check_model == nullptr && rule.check_scene == nullptr);
 }
 
-/// Unreadable numbers, broken files and scenes; not what annotations say.
+/// Unreadable numbers, broken files and scenes, but not faults of annotations.
 bool is_obstacle(const Diagnostic& diagnostic) {
   const std::string_view family = diagnostic.rule->id.substr(0, 4);
   return family == "SML0" || family == "SML1" || family == "SML2" || family == "SML5";
 }
 
-/// A robot is built or not, whatever comments and configurations let pass.
+/// Comments and configurations have no influence on whether a robot can be built.
 CheckSettings settings_for(const InputOptions& options) {
   CheckSettings settings;
   settings.is_isolated = true;
@@ -59,7 +59,7 @@ class Loader {
     for (const std::string& path : paths) {
       find(path, files);
     }
-    // In the widest context first: scenes, models, then URDFs that no model has read.
+    // Starting with the widest context: scenes, models, then URDFs that no model has read.
     const auto rank = [](const std::string& file) {
       const InputKind kind = input_kind(file);
       return is_scene(kind) ? 0 : kind == InputKind::model ? 1 : 2;
@@ -121,7 +121,7 @@ class Loader {
     add_jobs(file, loaded, std::move(found));
   }
 
-  /// An obstacle goes to the first job that it prevents.
+  /// A finding that prevents checks is reported by the first job that it prevents.
   void add_jobs(const std::string& file, const LoadedScene& loaded, std::vector<Diagnostic> found) {
     const LinkedScene& scene = loaded.scene;
     const bool has_scene = is_scene(input_kind(file));
@@ -149,7 +149,7 @@ class Loader {
     if (is_sound || !job.obstacles.empty()) inputs_.jobs.push_back(std::move(job));
   }
 
-  /// Any error in a model of which no URDF is known: there is nothing that could be built.
+  /// Any error in a model without a URDF: there is nothing to build.
   static bool leaves_no_robot(const LinkedScene& scene, const Diagnostic& diagnostic) {
     return std::any_of(scene.models.begin(), scene.models.end(), [&](const LinkedModel& model) {
       return !model.robot && concerns(model, diagnostic);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is to be checked: every file is loaded once, every model is one check.
+// The inputs: every file is loaded once, and every model is one check.
 #pragma once
 
 #include <deque>
@@ -20,8 +20,8 @@ struct Job {
   std::string path;
   const LinkedModel* model = nullptr;   ///< null: the scene
   const LinkedScene* scene = nullptr;   ///< null: the model
-  const LoadedScene* loaded = nullptr;  ///< what either is part of
-  /// What prevents a check; nothing is run then.
+  const LoadedScene* loaded = nullptr;  ///< name of its input
+  /// Findings that prevent a check; then nothing is run.
   std::vector<Diagnostic> obstacles;
 };
 
@@ -35,21 +35,21 @@ struct Inputs {
   MemoryFiles files{&archives};
   Session session{files, limits};
   const SourceMap& sources = session.loaded_sources();
-  std::deque<LoadedScene> scenes;  ///< what the jobs point into
+  std::deque<LoadedScene> scenes;  ///< the sources of the jobs
   std::vector<Job> jobs;
-  bool has_failed = false;  ///< a path could not be read; that has been said
+  bool has_failed = false;  ///< a path could not be read, which was reported
 };
 
 struct InputOptions {
   std::vector<std::string> paths;
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
-  bool allow_outside = false;  ///< read what models name wherever it lies
+  bool allow_outside = false;  ///< read all files that models name
   Limits limits;
 };
 
-/// Fills `inputs`. Folders are searched as smurf-lint does; scenes come before models, and a model
-/// of a scene is checked with its scene.
+/// Fills `inputs`. Folders are searched as in smurf-lint; scenes come before models, and a model of
+/// a scene is checked with its scene.
 void load_inputs(const InputOptions& options, Inputs& inputs);
 
 }  // namespace smurf::load_check

@@ -24,14 +24,14 @@ std::optional<JointForm> form_in_urdf(const urdf::Joint& joint) {
   return form;
 }
 
-/// Numbers are those of MARS' enumeration JointType. A spine of segments is left as it is.
+/// Numbers are those of MARS's enumeration JointType. A spine of segments is not changed.
 void apply_type(std::string_view type, std::optional<JointForm>& form) {
   const auto become = [&](JointKind kind) {
     if (!form) form.emplace();
     form->kind = kind;
   };
   if (type == "hinge" || type == "1") become(JointKind::hinge);
-  // The suspension of a hinge2 is a spring, which no check looks at.
+  // The suspension of a hinge2 is a spring, which no stage checks.
   if (type == "hinge2" || type == "2" || type == "universal" || type == "5") {
     become(JointKind::universal);
   }
@@ -53,7 +53,7 @@ std::optional<Vector3> axis2_of(const LinkedModel& model, const JointAnnotation&
 std::vector<std::optional<JointForm>> joint_forms(const LinkedModel& model) {
   std::vector<std::optional<JointForm>> forms;
   for (const urdf::Joint& joint : model.robot->joints) forms.push_back(form_in_urdf(joint));
-  std::vector<std::optional<Pose>> X_RL;  // at zero, where annotations give their axes
+  std::vector<std::optional<Pose>> X_RL;  // at zero, because annotations give their axes there
   for (const JointAnnotation& entry : model.annotations.joints) {
     const auto index = entry.name ? model.joint_names.find(*entry.name) : std::nullopt;
     if (!index) continue;

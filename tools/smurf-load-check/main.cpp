@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// smurf-load-check: whether models and scenes stand, hang and drop in ODE.
+// smurf-load-check: checks that models and scenes stand, hang and drop in ODE.
 #include <algorithm>
 #include <iterator>
 
@@ -29,7 +29,7 @@ Summary summary_of(const Inputs& inputs, std::span<const Diagnostic> diagnostics
   return summary;
 }
 
-/// False when a model has no pose of the name that the user asks for; that has been said.
+/// If a model does not have the pose that the user requests, reports this and returns false.
 bool have_pose(const Inputs& inputs, const std::string& name) {
   bool has_all = true;
   for (const Job& job : inputs.jobs) {
@@ -50,7 +50,7 @@ bool have_pose(const Inputs& inputs, const std::string& name) {
   return has_all;
 }
 
-/// False when it was cut.
+/// False if it was truncated.
 bool is_whole_trace(std::span<const Checked> checked) {
   const auto cut = std::find_if(checked.begin(), checked.end(),
                                 [](const Checked& one) { return one.result.is_trace_cut; });
@@ -73,7 +73,7 @@ bool write_curves(const Options& options, const Run& run) {
   return is_written;
 }
 
-/// The findings alone, for programs that know no figures.
+/// Only the findings, for formats without figures.
 bool write_reports(const Options& options, const load_check::Report& report) {
   const Results results{report.diagnostics, report.sources, report.summary, {}, kTool};
   bool is_written = true;
@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
   load_inputs(options.input, inputs);
   if (inputs.jobs.empty() && inputs.has_failed) return kFailed;
   if (!options.plot.empty() && inputs.jobs.size() != 1) {
-    complain(kTool, "--plot takes one model or scene, not " + std::to_string(inputs.jobs.size()));
+    complain(kTool, "--plot needs one model or scene, not " + std::to_string(inputs.jobs.size()));
     return kFailed;
   }
   if (!options.check.pose.empty() && !have_pose(inputs, options.check.pose)) return kFailed;

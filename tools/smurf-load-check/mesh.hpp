@@ -9,11 +9,11 @@
 
 namespace smurf::load_check {
 
-/// All triangles of a file, before any scale (smurf/mesh_triangles.hpp), or why there are none.
+/// All triangles of a file, before any scale (smurf/mesh_triangles.hpp), or the reason.
 struct MeshReading {
   TriangleShape shape;
-  std::string reason;      ///< empty: there are triangles
-  bool is_denied = false;  ///< it may not be read, which is not the fault of the file
+  std::string reason;      ///< empty if there are triangles
+  bool is_denied = false;  ///< access is denied, which is not a fault of the file
 };
 
 MeshReading read_mesh(const std::string& path, const ShapeFiles& from);

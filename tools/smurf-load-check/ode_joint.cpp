@@ -82,9 +82,9 @@ void OdeJoint::make_ball() {
   dJointSetBallAnchor(joint_, plan_.anchor_W[0], plan_.anchor_W[1], plan_.anchor_W[2]);
 }
 
-/// ODE has no planar joint. Motors of unlimited force that stand still take away the same three
-/// freedoms: one along the normal, and one about each of two axes in the plane. As the child cannot
-/// tilt, it does not matter at which point the first one holds it.
+/// ODE has no planar joint. Motors of unlimited force at speed zero remove the same three freedoms:
+/// one along the normal, and one about each of two axes in the plane. The child cannot tilt, so the
+/// point of the first motor does not matter.
 void OdeJoint::make_planar() {
   const int relative_to = parent_ == nullptr ? 0 : 2;
   const Vector& normal = plan_.axis_W;
@@ -105,7 +105,7 @@ void OdeJoint::make_planar() {
   dJointSetAMotorParam(tilt_, dParamFMax2, dInfinity);
 }
 
-/// A motor knows speeds only; what has drifted comes back as in the joints that ODE has.
+/// A motor controls speed only, so drift is corrected in the same way as in ODE's own joints.
 void OdeJoint::prepare(double step) const {
   if (plan_.kind != JointKind::planar) return;
   const double rate = dWorldGetERP(world_) / step;

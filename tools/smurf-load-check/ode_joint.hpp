@@ -9,13 +9,13 @@
 
 namespace smurf::load_check {
 
-/// The pose of a body; null is the world.
+/// The pose of a body; null: the world.
 Pose pose_of(dBodyID body);
 
 class OdeJoint {
  public:
-  /// The bodies stand where the plan has them; a null parent is the world. The plan must outlive
-  /// the joint. `stop_margin` as in WorldSetup.
+  /// The bodies are in the poses of the plan; a null parent is the world. The plan must outlive the
+  /// joint. `stop_margin` is as in WorldSetup.
   OdeJoint(dWorldID world, const JointPlan& plan, dBodyID parent, dBodyID child,
            double stop_margin);
 
@@ -34,7 +34,7 @@ class OdeJoint {
   void make_planar();
   void set_stops(void (*set)(dJointID, int, dReal)) const;
   Eigen::Vector3d in_world(dBodyID body, const Eigen::Vector3d& direction_B) const;
-  /// From the anchor in the parent to that in the child.
+  /// Vector from the anchor in the parent to that in the child.
   Eigen::Vector3d apart() const;
 
   const JointPlan& plan_;
@@ -42,7 +42,7 @@ class OdeJoint {
   dWorldID world_;
   dBodyID parent_, child_;
   dJointID joint_ = nullptr;  ///< none: floating
-  dJointID tilt_ = nullptr;   ///< planar: what keeps the child from tilting; joint_ keeps it level
+  dJointID tilt_ = nullptr;   ///< planar: prevents the child from tilting
   Eigen::Vector3d anchor_P_, anchor_C_;
 };
 

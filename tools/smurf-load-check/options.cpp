@@ -153,7 +153,7 @@ std::vector<Option> output_options(Options& options) {
       {.group = "Output",
        .name = "plot",
        .metavar = "FILE",
-       .help = "Draw energy and joint gap over time, as SVG. Takes one model or scene.",
+       .help = "Draw energy and joint gap over time, as SVG; for one model or scene only.",
        .set = tools::set_text(options.plot)},
   };
 }

@@ -10,7 +10,7 @@
 namespace smurf::load_check {
 namespace {
 
-/// ODE wraps the angle of a hinge to (-pi, pi]; a stop beyond has no meaning there.
+/// ODE wraps the angle of a hinge to (-pi, pi], so a stop beyond has no effect.
 bool is_within_turn(const std::pair<double, double>& stops, double start) {
   return stops.first - start >= -std::numbers::pi && stops.second - start <= std::numbers::pi;
 }
@@ -26,7 +26,7 @@ class Planner {
   }
 
  private:
-  /// Models after those they stand on.
+  /// Models after the models that carry them.
   std::vector<std::size_t> bases_first() const {
     std::vector<std::vector<std::size_t>> above(plan_.models.size());
     std::vector<std::size_t> order;
@@ -98,7 +98,7 @@ class Planner {
     plan.parent = body_of_[instance][to_size(*model.tree.joint_parent[to_size(index)])];
     plan.child = body_of_[instance][to_size(*model.tree.joint_child[to_size(index)])];
     plan.anchor_W = to_eigen(X_WC.position);
-    // The motion of a joint leaves its axis where it is, so that the child's frame will do.
+    // A joint does not move its axis, so the child's frame can be used.
     plan.axis_W = to_world_axis(form.axis_C);
     plan.axis2_W = to_world_axis(form.axis2_C);
     if (joint.has_one_axis()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is to be built in the physics engine, without the engine: bodies, joints and shapes in the
-// world frame, links that do not move against each other being one body.
+// The plan for the physics engine, independent of it: bodies, joints and shapes in the world frame.
+// Links that do not move relative to each other are one body.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,12 +18,12 @@
 
 namespace smurf::load_check {
 
-/// The body that never moves: what is fixed to the world.
+/// The body that never moves: links fixed to the world.
 inline constexpr std::size_t kWorld = std::numeric_limits<std::size_t>::max();
-/// The body of the ground, of planes and of heightfields; unlike kWorld it is no part of a robot.
+/// The body of the ground, planes and heightfields; unlike kWorld, it is not part of a robot.
 inline constexpr std::size_t kEnvironment = kWorld - 1;
 
-/// What the root link of a model is attached to.
+/// The base of the root link of a model.
 struct Base {
   enum class Kind : std::uint8_t { free, world, link };
   Kind kind = Kind::free;
@@ -34,7 +34,7 @@ struct Base {
 /// A model to build: one instance of a plan. Its tree has one root.
 struct PlacedModel {
   const LinkedModel* model = nullptr;
-  std::string name;  ///< of the entity; empty for a model on its own
+  std::string name;  ///< path of the entity; empty for a single model
   Pose X_WR;         ///< of the root link
   JointPositions positions;
   Base base;
@@ -48,9 +48,9 @@ struct LinkPlan {
 };
 
 struct BodyPlan {
-  std::size_t first_link = 0;  ///< in Plan::links: the one nearest to the root
+  std::size_t first_link = 0;  ///< index in Plan::links: the link nearest to the root
   MassProperties mass;         ///< in the world frame, at the start
-  bool is_stand_in = false;    ///< the mass is not the written one, which ODE refuses
+  bool is_stand_in = false;    ///< the mass differs from the written one, which ODE refuses
 };
 
 struct JointPlan {
@@ -63,8 +63,8 @@ struct JointPlan {
   Eigen::Vector3d axis2_W = Eigen::Vector3d::Zero();  ///< universal; turns with the child
   Span form_place;                                    ///< as in JointForm
   double start = 0;                                   ///< position at the start; rad or m
-  std::optional<std::pair<double, double>> limits;    ///< of the URDF; rad or m
-  std::optional<std::pair<double, double>> stops;     ///< the limits where ODE can express them
+  std::optional<std::pair<double, double>> limits;    ///< limits of the URDF; rad or m
+  std::optional<std::pair<double, double>> stops;     ///< the limits that ODE can express
 };
 
 struct BoxShape {
@@ -83,12 +83,12 @@ struct TriangleShape {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
-/// All below the x-y plane of the shape's frame.
+/// The half space below the x-y plane of the shape's frame.
 struct PlaneShape {};
-/// Heights over the x-y plane of the shape's frame, the frame in the middle.
+/// Heights over the x-y plane of the shape's frame, centred at its origin.
 struct HeightfieldShape {
   double size_x, size_y;       ///< m
-  std::size_t columns, rows;   ///< along x and y; at least 2
+  std::size_t columns, rows;   ///< points along x and y; at least 2
   std::vector<float> heights;  ///< by row from -y to +y; m
 };
 using Shape = std::variant<BoxShape, SphereShape, CylinderShape, CapsuleShape, TriangleShape,
@@ -103,7 +103,7 @@ struct ShapePlan {
   std::size_t body = kWorld;
   Pose X_WS;
   Shape shape;
-  std::uint64_t bitmask = 65535;  ///< as in MARS: two shapes touch when their masks share a bit
+  std::uint64_t bitmask = 65535;  ///< as in MARS: two shapes can touch if their masks share a bit
   /// A stand-in that is larger than the shape; it touches the environment only.
   bool is_stand_in = false;
 };
@@ -114,7 +114,7 @@ struct Plan {
   std::vector<BodyPlan> bodies;
   std::vector<JointPlan> joints;
   std::vector<ShapePlan> shapes;
-  std::size_t unbounded_joints = 0;  ///< whose limits no stop can express
+  std::size_t unbounded_joints = 0;  ///< joints whose limits cannot be stops
 
   const LinkedModel& model_of(const LinkPlan& link) const { return *models[link.instance].model; }
   const urdf::Link& link(const LinkPlan& link) const { return model_of(link).link(link.link); }
@@ -123,17 +123,17 @@ struct Plan {
   }
 };
 
-/// Bodies and joints; shapes are added by add_shapes(). Masses are summed up as they are written,
-/// whether a body can have them or not. Precondition: every model has a robot with one root, and
-/// bases lead to no circle.
+/// Makes bodies and joints; add_shapes() adds shapes. Adds up masses as written, even
+/// impossible ones. Precondition: every model has a robot with one root, and bases do not form
+/// a cycle.
 Plan make_plan(std::vector<PlacedModel> models);
 
 Eigen::Vector3d to_eigen(const Vector3& vector);
 Eigen::Vector3d to_world(const Pose& X_WA, const Eigen::Vector3d& p_A);
-/// The limits of the URDF (rad or m), which are those of its own kind of joint; none when they
-/// contradict each other.
+/// The limits of the URDF (rad or m) that apply to the type of the joint; none if they contradict
+/// each other.
 std::optional<std::pair<double, double>> limits_of(const urdf::Joint& joint, JointKind kind);
-/// Length of the joint's axis as written; 1 when it is left out.
+/// Length of the joint's axis as written; 1 if it is absent.
 double axis_length(const urdf::Joint& joint);
 
 }  // namespace smurf::load_check

@@ -11,7 +11,7 @@
 namespace smurf::load_check {
 namespace {
 
-// In pixels. Energy stands to the left, the gap to the right; a stage is a row.
+// In pixels. Energy is on the left, the gap on the right; each stage is a row.
 constexpr double kPanelWidth = 450;
 constexpr double kPanelHeight = 190;
 constexpr double kLeft = 84;
@@ -24,11 +24,11 @@ std::string pixels(double value) { return format_number(std::round(value * 100) 
 struct Curve {
   std::string_view what;
   std::vector<double> times, values;
-  std::optional<double> bound;  ///< none: the stage does not judge it
+  std::optional<double> bound;  ///< none: the stage does not check it
 };
 
 /// One panel: a headline with the largest value and its bound, axes, and the curve. The bound is a
-/// dashed line when it is in sight.
+/// dashed line if it is in the visible range.
 class Panel {
  public:
   Panel(const Curve& curve, double left, double top) : curve_(curve), left_(left), top_(top) {
@@ -38,7 +38,7 @@ class Panel {
     // Rounding errors must not fill the picture.
     constexpr double kSmallest = 1e-7;  // m
     if (high_ - low_ < kSmallest) high_ = low_ + kSmallest;
-    // A bound that is far above would flatten the curve.
+    // A bound far above the curve would flatten it.
     constexpr double kSight = 5;
     is_bound_seen_ = curve.bound && *curve.bound <= kSight * high_;
     if (is_bound_seen_) high_ = std::max(high_, *curve.bound);
@@ -128,7 +128,7 @@ std::vector<Row> rows_of(const CheckResult& result, const Bounds& bounds) {
   for (const Stage stage : {Stage::still, Stage::hang, Stage::drop, Stage::anchor}) {
     Row row{stage, {"energy gained", {}, {}, {}}, {"largest gap of a joint", {}, {}, {}}};
     for (const Sample& sample : result.samples) {
-      // What flies off to infinity leaves the picture.
+      // Values that grow to infinity leave the picture.
       if (sample.stage != stage || !std::isfinite(sample.energy + sample.gap)) continue;
       for (Curve* curve : {&row.energy, &row.gap}) curve->times.push_back(sample.time);
       row.energy.values.push_back(sample.energy);

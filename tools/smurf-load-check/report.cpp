@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The folders are those of the diagnostics and of the headline; a table has no room for them.
+/// Folders are shown by the diagnostics and the headline; a table has no space for them.
 std::string place_text(Span place, const SourceMap& sources) {
   return render::escape(path::file_name(sources.path(place.source))) + ":" +
          std::to_string(sources.line_of(place.source, place.begin));
@@ -42,8 +42,8 @@ constexpr std::size_t kStageWidth = 10;  // with its indentation
 constexpr std::size_t kVerdictWidth = 9;
 constexpr std::size_t kLineWidth = 80;
 
-/// "gap          0.00027 m     at most 0.001 m    joint `a`, arm.urdf:12"; what has the value takes
-/// a line of its own where it is too long.
+/// "gap          0.00027 m     at most 0.001 m    joint `a`, arm.urdf:12"; the joint gets a
+/// separate line if the row would be too long.
 std::vector<std::string> figure_lines(const Figure& figure, const SourceMap& sources,
                                       std::size_t indent) {
   const std::string_view unit = bound_info(figure.bound).unit;
@@ -58,8 +58,8 @@ std::vector<std::string> figure_lines(const Figure& figure, const SourceMap& sou
   return {line, "  " + worst};
 }
 
-/// The verdict with what was built or why it was skipped, then the figures; a stage with one
-/// figure and nothing to say takes one line.
+/// The verdict with a description or the reason for skipping, then the figures; a stage with only
+/// one figure is one line.
 std::string stage_text(const StageResult& stage, const SourceMap& sources, const TextStyle& style) {
   std::vector<std::string> lines;
   if (!stage.note.empty()) lines.push_back(render::escape(stage.note));
@@ -125,7 +125,7 @@ std::string passed_line(const Checked& checked, const TextStyle& style) {
   return out + "\n";
 }
 
-/// Lines of checks that pass stand together; a blank line separates them from the tables.
+/// Lines of passed checks are adjacent; a blank line separates them from the tables.
 std::string checks_text(const Report& report, const TextStyle& style) {
   std::string out;
   bool follows_line = false;

@@ -19,8 +19,8 @@ struct Report {
   bool all = false;
 };
 
-/// A line for each check that passes, a table of stages for each other one, then the findings.
-/// `all`: tables for those that pass, too; `quiet`: neither their lines nor a summary.
+/// A line for each passed check, a table of stages for each other check, then the findings. `all`:
+/// tables for passed checks, too; `quiet`: neither lines of passed checks nor a summary.
 std::string render_text(const Report& report, const TextStyle& style);
 /// The JSON of schemas/load-report.schema.json.
 std::string render_json(const Report& report);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a check gives: stages with their figures, diagnostics, and curves to plot.
+// The result of a check: stages with their figures, diagnostics, and curves to plot.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ inline std::string_view to_string(Stage stage) {
   return kStageNames[static_cast<std::size_t>(stage)];
 }
 
-/// `none`: nobody can tell, as the engine gave up on its own numbers or was broken off. `skipped`:
-/// it does not apply, or an earlier stage failed. A later one is worse.
+/// `none`: no verdict, because the engine gave up or was stopped. `skipped`: does not apply, or an
+/// earlier stage failed. Later values are worse.
 enum class Verdict : std::uint8_t { pass, warn, none, fail, skipped };
 inline constexpr std::array<std::string_view, 5> kVerdictNames = {"pass", "warn", "none", "fail",
                                                                   "skipped"};
@@ -35,7 +35,7 @@ struct Figure {
   std::string bound;
   double value = 0;
   double limit = 0;
-  std::string worst;  ///< "link `a`"; empty when the figure is zero or of the whole
+  std::string worst;  ///< "link `a`"; empty if the figure is zero or concerns the whole model
   Span place;         ///< where `worst` is defined
 
   bool is_within() const { return value <= limit; }  // false for NaN
@@ -45,23 +45,23 @@ struct StageResult {
   Stage stage = Stage::build;
   Verdict verdict = Verdict::pass;
   std::vector<Figure> figures;
-  std::string note;  ///< what was built, why it was skipped
+  std::string note;  ///< description, or the reason for skipping
 };
 
 /// The state after one step.
 struct Sample {
   Stage stage = Stage::hang;
   double time = 0;    ///< s, from the start of the stage
-  double energy = 0;  ///< m, more than at the start
+  double energy = 0;  ///< m, relative to the start
   double gap = 0;     ///< m, of the worst joint
 };
 
 struct CheckResult {
   std::vector<StageResult> stages;
   std::vector<Diagnostic> diagnostics;
-  std::vector<Sample> samples;  ///< only when asked for
-  std::string trace;            ///< rows, only when asked for
-  bool is_trace_cut = false;    ///< there was no room for all of them
+  std::vector<Sample> samples;  ///< only if requested
+  std::string trace;            ///< rows, only if requested
+  bool is_trace_cut = false;    ///< some rows did not fit
 };
 
 }  // namespace smurf::load_check

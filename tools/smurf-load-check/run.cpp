@@ -16,7 +16,7 @@ namespace {
 
 using Write = std::function<void(const std::string&)>;
 
-/// For the fault handler, which ODE calls without any context. One check a process.
+/// For the fault handler, which ODE calls without a context. There is one check per process.
 const Write* fault_output = nullptr;
 
 void on_fault(const std::string& message) {
@@ -55,7 +55,7 @@ std::string reason(const ChildOutcome& outcome, const ChildLimits& limits) {
   case ChildOutcome::End::out_of_time:
     return "takes more than " + std::to_string(limits.seconds) + " s of processor time";
   case ChildOutcome::End::no_time_left:
-    return "is not begun: the models of the scene take more than " +
+    return "was not started: the models of the scene take more than " +
            std::to_string(limits.seconds) + " s of processor time together";
   case ChildOutcome::End::out_of_memory:
     return "takes more than " + std::to_string(limits.memory_bytes >> 20U) + " MB";
@@ -66,7 +66,7 @@ std::string reason(const ChildOutcome& outcome, const ChildLimits& limits) {
   return "";
 }
 
-/// The result of a child that did not reach its end.
+/// The result of a child that ended early.
 CheckResult broken_off(const Job& job, const ChildOutcome& outcome, const Message& message,
                        const ChildLimits& limits) {
   const Stage stage = message.last_stage.value_or(Stage::build);
@@ -132,7 +132,7 @@ Run run_checks(const Inputs& inputs, const RunOptions& options,
   Run run;
   run.trace = kTraceHeading;
   std::vector<std::size_t> to_run;
-  std::vector<std::size_t> groups;  // of one input share the time
+  std::vector<std::size_t> groups;  // jobs of one input share the time
   for (const Job& job : inputs.jobs) {
     if (job.obstacles.empty()) {
       const bool is_new = to_run.empty() || run.checked[to_run.back()].job->loaded != job.loaded;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All checks, each in a process of its own.
+// Runs all checks, each in a separate process.
 #pragma once
 
 #include <functional>
@@ -13,16 +13,16 @@
 
 namespace smurf::load_check {
 
-/// A job and what came of it.
+/// A job and its result.
 struct Checked {
   const Job* job = nullptr;
   CheckResult result;
 
-  /// The worst of its stages; `fail` when it could not be run.
+  /// The worst verdict of its stages; `fail` if it could not be run.
   Verdict verdict() const;
 };
 
-/// How many checks ended how.
+/// The number of checks per verdict.
 struct Tally {
   std::size_t passed = 0, warned = 0, failed = 0, undecided = 0;
 };
@@ -31,15 +31,15 @@ Tally tally_of(std::span<const Checked> checked);
 struct RunOptions {
   CheckOptions check;
   ChildLimits limits;
-  int jobs = 1;  ///< at a time; with a trace it is always one, which leaves its room to the next
+  int jobs = 1;  ///< at a time; with a trace, one: the next job gets the remaining space
 };
 
 struct Run {
   std::vector<Checked> checked;  ///< in the order of the jobs
-  std::string trace;             ///< CSV of all, in the same order; without rows unless asked for
+  std::string trace;  ///< CSV of all jobs, in the same order; without rows unless requested
 };
 
-/// `on_finished` gets the number of those done.
+/// `on_finished` receives the number of finished jobs.
 Run run_checks(const Inputs& inputs, const RunOptions& options,
                const std::function<void(std::size_t)>& on_finished);
 

@@ -40,7 +40,7 @@ class ShapeBuilder {
   }
 
  private:
-  /// Each shape may touch each other one; robots made of spheres have a few hundred.
+  /// Each shape may touch each other shape; robots made of spheres have a few hundred.
   static constexpr std::size_t kMostShapes = 1000;
 
   struct Denied {
@@ -57,7 +57,7 @@ class ShapeBuilder {
                      " on are left out");
   }
 
-  /// Once, at the first of them.
+  /// Reported once, at the first of them.
   void report_denied() {
     if (denied_.empty()) return;
     const std::string meshes =
@@ -84,7 +84,7 @@ class ShapeBuilder {
     if (fill(model, collision.geometry, plan)) plan_.shapes.push_back(std::move(plan));
   }
 
-  /// What a collision needs of its model.
+  /// Data of the model that a collision needs.
   struct Lookup {
     std::map<std::string_view, std::int64_t> bitmasks;               ///< by collision
     std::unordered_map<std::uint32_t, const MeshReference*> meshes;  ///< by place
@@ -143,7 +143,7 @@ class ShapeBuilder {
     } else if (const auto* mesh = std::get_if<urdf::Mesh>(&geometry.shape)) {
       return fill_mesh(model, *mesh, plan);
     } else {
-      return false;  // no geometry, or one that URDF does not define: the linter's finding
+      return false;  // no geometry, or an unknown one, which the linter reports
     }
     return true;
   }
@@ -187,10 +187,10 @@ class ShapeBuilder {
     return true;
   }
 
-  /// The box around the points, for what moves and for what is too much: ODE's triangle meshes are
-  /// fragile against each other.
+  /// The box around the points, for moving meshes and for too many triangles, because collisions
+  /// between triangle meshes are unreliable in ODE.
   void stand_in(const TriangleShape& triangles, ShapePlan& plan) {
-    constexpr double kThinnest = 1e-4;  // m; flat meshes are no boxes
+    constexpr double kThinnest = 1e-4;  // m, so that the box of a flat mesh has a volume
     Eigen::Vector3d low = triangles.points.front();
     Eigen::Vector3d high = low;
     for (const Eigen::Vector3d& point : triangles.points) {

@@ -9,7 +9,7 @@
 namespace smurf::load_check {
 
 struct ShapeCount {
-  std::size_t missing_meshes = 0;  ///< left out; that a file is missing is the linter's finding
+  std::size_t missing_meshes = 0;  ///< omitted shapes; the linter reports missing files
   std::size_t stand_ins = 0;       ///< boxes in place of moving meshes
 };
 

@@ -11,8 +11,8 @@
 namespace smurf::load_check {
 namespace {
 
-/// ODE's solver can give up where a joint is exactly at a stop, as grippers that start closed are;
-/// within this it does not.
+/// ODE's solver can give up if a joint is exactly at a stop, as in closed grippers; with this
+/// margin, it does not.
 constexpr double kStopMargin = 1e-9;  // rad or m
 
 std::string words_of(const std::vector<EngineMessage>& messages) {
@@ -72,8 +72,8 @@ std::vector<EngineMessage> StageRun::attempt(const StageBody& body, double stop_
   return messages;
 }
 
-/// Figures that come from a solver that gave up say nothing, whether they are within their bounds
-/// or not.
+/// If the solver gave up, figures are meaningless, whether they are within their bounds or
+/// not.
 void StageRun::give_no_verdict(const std::vector<EngineMessage>& messages, StageResult& result) {
   sink_.take();
   withdrawn_ = nullptr;
@@ -123,14 +123,14 @@ bool StageRun::step(World& world, const Plan& plan, double seconds,
   const double time = options_.time.value_or(seconds);
   const double start_energy = world.energy();
   record(world, plan, start_energy);
-  // Counted, so that rounding of the time adds no step.
+  // Counts steps, because rounding of the time could add a step.
   const auto steps = static_cast<std::size_t>(std::llround(time / world.step_size()));
   for (std::size_t i = 0; i < steps; ++i) {
     world.step();
     if (!world.is_finite()) {
       const Named lost = fastest(world, plan);
       sink_.report(rules::sml6001_engine_gives_up, lost.place, "ODE loses " + lost.name).caret =
-          "its place is no number after " + format_rounded(world.time()) + " s";
+          "its position is not a number after " + format_rounded(world.time()) + " s";
       return false;
     }
     measure();
@@ -155,10 +155,10 @@ void StageRun::sample(const World& world, const Plan& plan, double start_energy)
   result_.samples.push_back(std::move(sample));
 }
 
-/// A step is in the trace as a whole or not at all.
+/// The rows of a step are in the trace completely or not at all.
 void StageRun::trace(const World& world, const Plan& plan) {
   if (traced_links_.empty()) {
-    result_.trace.reserve(options_.most_trace_bytes);  // to grow, it would be in memory thrice
+    result_.trace.reserve(options_.most_trace_bytes);  // growing needs three times the memory
     for (const LinkPlan& link : plan.links) {
       const std::string& entity = plan.models[link.instance].name;
       traced_links_.push_back(

@@ -15,13 +15,13 @@ using StageBody = std::function<void(StageResult&)>;
 
 class StageRun {
  public:
-  /// `suspect` is what a complaint of the engine is put down to; its name may be empty.
+  /// `suspect` is the likely cause of a complaint of the engine; its name may be empty.
   StageRun(const CheckOptions& options, const OnStage& on_stage, std::function<Named()> suspect)
       : options_(options), on_stage_(on_stage), suspect_(std::move(suspect)) {}
 
-  /// Runs a stage unless it is not asked for or an earlier simulation failed. The verdict comes
-  /// from what `body` reports. When the engine complains, `body` runs once more with a stop margin;
-  /// when it still does, there is no verdict.
+  /// Runs a stage unless it is not requested or an earlier simulation failed. The verdict follows
+  /// from the reports of `body`. If the engine complains, `body` runs once more with a stop margin;
+  /// if it still complains, there is no verdict.
   void stage(Stage stage, const StageBody& body);
   CheckResult finish();
 
@@ -31,7 +31,7 @@ class StageRun {
   double stop_margin() const { return stop_margin_; }
 
   Figure figure(std::string_view bound) const;
-  /// Keeps the larger value, and NaN; `whose` names what has it.
+  /// Keeps the larger value, and NaN; `whose` names the object with this value.
   template <class Whose>
   static void note_worst(Figure& figure, double value, const Whose& whose) {
     if (value <= figure.value || std::isnan(figure.value)) return;
@@ -41,11 +41,11 @@ class StageRun {
     figure.place = named.place;
   }
   static void skip(StageResult& result, std::string why);
-  /// Takes back what earlier stages reported under a rule.
+  /// Removes the findings of earlier stages under a rule.
   void withdraw(const Rule& rule) { withdrawn_ = &rule; }
 
-  /// Steps for `seconds` (or --time), calling `measure` after every step. Ends early, reports and
-  /// returns false when a number is no longer finite.
+  /// Steps for `seconds` (or --time), calling `measure` after every step. If a number is no longer
+  /// finite, reports this, stops and returns false.
   bool step(World& world, const Plan& plan, double seconds, const std::function<void()>& measure);
 
  private:
@@ -53,7 +53,7 @@ class StageRun {
                                      StageResult& result);
   void give_no_verdict(const std::vector<EngineMessage>& messages, StageResult& result);
   void keep_findings(StageResult& result);
-  /// What was asked for of the state after a step.
+  /// The requested data about the state after a step.
   void record(const World& world, const Plan& plan, double start_energy);
   void sample(const World& world, const Plan& plan, double start_energy);
   void trace(const World& world, const Plan& plan);
@@ -70,7 +70,7 @@ class StageRun {
   bool has_failed_ = false;
 };
 
-/// The body with the highest speed; a body that is nowhere is the fastest.
+/// The fastest body; a body without a finite position counts as the fastest.
 Named fastest(const World& world, const Plan& plan);
 /// Distance plus angle, a radian counting as a metre.
 double way_between(const Pose& X_WA, const Pose& X_WB);

@@ -10,7 +10,7 @@
 namespace smurf::load_check {
 namespace {
 
-constexpr double kLightest = 1e-9;  // kg; the inertia of less is lost in rounding
+constexpr double kLightest = 1e-9;  // kg; the inertia of smaller masses is lost in rounding
 
 double mean_mass(const Plan& plan) {
   double sum = 0;
@@ -29,7 +29,7 @@ MassProperties ball_of_water(double mass, const Eigen::Vector3d& center) {
   return {mass, center, 0.4 * mass * radius * radius * Eigen::Matrix3d::Identity()};
 }
 
-/// True when the joint had no direction to move in.
+/// Whether the joint had no axis direction.
 bool complete_axes(JointPlan& joint) {
   const bool lacks_first = joint.axis_W.isZero();
   const bool lacks_second = joint.kind == JointKind::universal && joint.axis2_W.isZero();

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sound bodies and axes in place of those that ODE refuses, so that the rest of a robot is checked.
+// Replaces bodies and axes that ODE refuses, so that the rest of a robot is checked.
 #pragma once
 
 #include "smurf-load-check/plan.hpp"
 
 namespace smurf::load_check {
 
-/// Whether a body can exist and ODE takes it.
+/// Whether a body is possible and ODE accepts it.
 bool is_sound(const MassProperties& mass);
 
-/// Gives every other body the inertia of a ball of water, and the mean mass of the sound ones where
-/// it has no mass; joints without an axis turn about x. Returns how many bodies and joints are not
-/// as written.
+/// Gives other bodies the inertia of a ball of water; bodies without mass get the mean mass of the
+/// sound bodies. Joints without an axis turn about x. Returns the number of changed bodies and
+/// joints.
 std::size_t add_stand_ins(Plan& plan);
 
 }  // namespace smurf::load_check

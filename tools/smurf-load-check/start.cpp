@@ -12,7 +12,7 @@ namespace {
 
 using Interval = std::pair<double, double>;
 
-/// The joint that moves this one: itself unless it mimics another. None for circles.
+/// The joint that moves this one: itself unless it mimics another joint. None for cycles.
 const urdf::Joint* leader_of(const LinkedModel& model, const urdf::Joint& joint) {
   constexpr int kLongestChain = 64;  // as in position_of()
   const urdf::Joint* current = &joint;
@@ -25,7 +25,7 @@ const urdf::Joint* leader_of(const LinkedModel& model, const urdf::Joint& joint)
   return nullptr;
 }
 
-/// The positions of the leader for which this joint is within its limits.
+/// The positions of the leader at which this joint is within its limits.
 std::optional<Interval> seen_from_leader(const LinkedModel& model, const urdf::Joint& joint,
                                          const std::string& leader, const Interval& limits) {
   const double offset = position_of(model, joint, {{leader, 0}});
@@ -67,7 +67,7 @@ JointPositions start_positions(const LinkedModel& model, const JointPositions& g
 }
 
 double outside_limits(const JointPlan& joint) {
-  // A joint that mimics another one is where rounding puts it.
+  // The position of a joint that mimics another one has a rounding error.
   constexpr double kRounding = 1e-12;  // rad or m
   if (!joint.limits) return 0;
   const double outside =

@@ -10,14 +10,14 @@
 
 namespace smurf::load_check {
 
-/// A name as a field of CSV.
+/// Converts a name to a field of CSV.
 std::string field_of(std::string_view name);
 
 /// CSV: file, stage, time (s), link, position (m), quaternion. `file` and `link` are fields.
 void append_row(std::string& rows, std::string_view file, Stage stage, double time,
                 std::string_view link, const Pose& X_WL);
 
-/// Goes before the rows.
+/// The header, before the rows.
 inline constexpr std::string_view kTraceHeading = "file,stage,time,link,x,y,z,qw,qx,qy,qz\n";
 
 /// SVG: energy and joint gap over time, a pair of panels for each stage.

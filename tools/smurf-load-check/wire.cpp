@@ -22,7 +22,7 @@ Span to_span(const Json& json) {
           json[2].get<std::uint32_t>()};
 }
 
-// What lists are made of, declared here for to_list().
+// Types of list items, declared here for to_list().
 Json to_json(const Rule* rule);
 Json to_json(const Label& label);
 Json to_json(const Edit& edit);
@@ -82,7 +82,7 @@ Fix to_fix(const Json& json) {
   return fix;
 }
 
-/// The binding names every member, so that one more does not compile before it is sent, too.
+/// The binding names every member, so a new member does not compile until it is sent.
 Json to_json(const Diagnostic& diagnostic) {
   const auto& [rule, severity, span, message, caret, pointer, named_pointer, construct,
                consequences, untargeted, labels, notes, help, fixes, left_out] = diagnostic;
@@ -147,7 +147,7 @@ Sample to_sample(const Json& json) {
   return {static_cast<Stage>(json[0].get<int>()), json[1], to_double(json[2]), to_double(json[3])};
 }
 
-/// Names may hold bytes that are not UTF-8.
+/// Names may contain invalid UTF-8.
 std::string line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -200,7 +200,7 @@ Message decode(std::string output) {
     if (json.is_discarded()) break;  // the child was stopped while it wrote
     if (json.contains("begin")) {
       message.last_stage = static_cast<Stage>(json["begin"].get<int>());
-      // A result that another stage follows is not the last one.
+      // If another stage follows, the result is not the last one.
       message.so_far = std::move(message.result).value_or(CheckResult{});
       message.result.reset();
     } else if (json.contains("fault")) {

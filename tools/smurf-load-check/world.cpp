@@ -20,11 +20,11 @@ namespace {
 using Vector = Eigen::Vector3d;
 
 constexpr double kEarthGravity = 9.81;
-constexpr double kFriction = 0.8;  // and the two below: calibrated on 307 robots
+constexpr double kFriction = 0.8;  // this and the next two: calibrated on 307 robots
 constexpr double kContactErp = 0.2;
 constexpr double kContactCfm = 1e-4;
 constexpr int kContactsPerPair = 8;
-/// Shape number of the ground that add_ground() makes.
+/// Shape number of the ground of add_ground().
 constexpr std::size_t kGround = kWorld;
 
 void (*fault_handler)(const std::string&) = nullptr;
@@ -39,7 +39,7 @@ void on_ode_fault(int, const char* format, va_list arguments) {
   fault_handler(formatted(format, arguments));
 }
 
-/// By format, because the numbers in a message differ from step to step.
+/// By format string, because the numbers in a message differ from step to step.
 std::vector<std::pair<std::string, EngineMessage>> messages;
 
 void keep_message(int, const char* format, va_list arguments) {
@@ -65,10 +65,10 @@ struct World::Engine {
   std::vector<Pose> X_BL;  ///< by link
   std::vector<dTriMeshDataID> meshes;
   std::vector<dHeightfieldDataID> heightfields;
-  std::deque<std::vector<float>> heights_of;  ///< the heightfields, which read them there
+  std::deque<std::vector<float>> heights_of;  ///< the heights, which ODE reads from here
   std::vector<dGeomID> geoms;
   std::set<std::pair<std::size_t, std::size_t>> jointed;  ///< bodies
-  std::vector<Overlap>* found = nullptr;                  ///< set: overlaps are collected only
+  std::vector<Overlap>* found = nullptr;                  ///< if set, overlaps are only collected
   double time = 0;
 
   Engine(const Plan& plan_, const WorldSetup& setup_) : plan(plan_), setup(setup_) {
@@ -233,7 +233,7 @@ World::~World() = default;
 void World::step() {
   if (engine_->setup.contacts) dSpaceCollide(engine_->space, engine_.get(), Engine::on_near);
   for (const OdeJoint& joint : engine_->joints) joint.prepare(engine_->setup.step);
-  // When ODE has no memory, nothing moves, which would look like a robot at rest.
+  // If ODE has no memory, nothing moves, which would look like a robot at rest.
   if (dWorldStep(engine_->world, engine_->setup.step) == 0) throw std::bad_alloc();
   dJointGroupEmpty(engine_->contacts);
   engine_->time += engine_->setup.step;

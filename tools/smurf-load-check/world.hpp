@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plan as an ODE world that can be stepped and measured. The only part that knows ODE. What ODE
-// refuses ends the process: use it in a child process, after the bodies were checked.
+// A plan as an ODE world that can be stepped and measured. This is the only place that uses ODE.
+// ODE ends the process on faults: use it in a child process, after the bodies were checked.
 #pragma once
 
 #include <memory>
@@ -22,13 +22,13 @@ struct WorldSetup {
   double stop_margin = 0;
 };
 
-/// Two shapes that are inside each other.
+/// Two shapes that overlap.
 struct Overlap {
   std::size_t first = 0, second = 0;  ///< in Plan::shapes, first < second
   double depth = 0;                   ///< m
 };
 
-/// How far a joint is from what it allows.
+/// The violation of a joint's constraint.
 struct JointError {
   double gap = 0;    ///< m
   double angle = 0;  ///< rad
@@ -42,20 +42,20 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Throws std::bad_alloc when ODE gets no memory.
+  /// Throws std::bad_alloc if ODE runs out of memory.
   void step();
   double time() const;  ///< s, since the start
   double step_size() const;
 
-  /// Lowest z of all shapes that move; none when there are none.
+  /// Lowest z of all moving shapes; none if there are none.
   std::optional<double> lowest_point() const;
-  /// A horizontal ground, part of no plan.
+  /// Adds a horizontal ground, which is not part of the plan.
   void add_ground(double z);
 
-  /// Shapes that overlap and may touch, deepest point of each pair, by pair.
+  /// Overlapping shapes that can collide: the deepest point of each pair, by pair.
   std::vector<Overlap> overlaps();
 
-  /// X_WB; B lies in the centre of mass and starts with the axes of the world. The identity for
+  /// X_WB; B is at the centre of mass and starts with the axes of the world. The identity for
   /// kWorld.
   Pose body_pose(std::size_t body) const;
   /// X_WL of a link of the plan.
@@ -63,8 +63,8 @@ class World {
   JointError joint_error(std::size_t joint) const;
   /// Hinge: rad; slider: m; 0 for the others.
   double joint_position(std::size_t joint) const;
-  /// Kinetic and potential, in metres: divided by the weight of all that moves; without gravity by
-  /// its weight on earth.
+  /// Kinetic and potential energy in metres: divided by the weight of all moving bodies; without
+  /// gravity, by their weight on earth.
   double energy() const;
   /// Speed of the centre of mass of a body, in m/s.
   double speed(std::size_t body) const;
@@ -75,19 +75,19 @@ class World {
   std::unique_ptr<Engine> engine_;
 };
 
-/// Something that ODE's solver complains about, and how often.
+/// A complaint of ODE's solver, and its number of occurrences.
 struct EngineMessage {
   std::string text;
   std::size_t count = 0;
 };
 
-/// What ODE said since the last call, in the order in which it began to.
+/// ODE's complaints since the last call, in the order of their first occurrence.
 std::vector<EngineMessage> take_engine_messages();
 
-/// What is wrong with the ODE library that this program was linked with; empty when nothing is.
+/// An error message about the linked ODE library; empty if it is usable.
 std::string unusable_engine();
 
-/// Starts ODE in this process. Whatever ODE gives up on is passed to `on_fault`, which must not
+/// Starts ODE in this process. Fatal errors of ODE are passed to `on_fault`, which must not
 /// return.
 void start_engine(void (*on_fault)(const std::string& message));
 

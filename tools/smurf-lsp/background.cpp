@@ -13,7 +13,7 @@ bool changes_state(const Json& message) {
   return !is_request(message) || method == "initialize" || method == "shutdown";
 }
 
-/// Key strokes cost nothing here: a request needs the last text only.
+/// Waits for the last text, so key strokes cost nothing here.
 Json change_to(const OpenDocument& document) {
   return {{"method", "textDocument/didChange"},
           {"params",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Requests that look at whole folders, answered in other threads: typing never waits for them.
+// Answers requests about whole folders in other threads: typing never waits for them.
 #pragma once
 
 #include <set>
@@ -13,20 +13,20 @@
 
 namespace smurf::lsp {
 
-/// Another server, with its own copies of the documents, so that the threads share no data. All
-/// send messages and write the log.
+/// A second server in a thread, with its own copies of the documents, so that the threads share no
+/// data. Both servers send messages and write the log.
 class Background {
  public:
-  /// `name` begins the ids of its own requests; `methods` are what it answers.
+  /// `name` begins the ids of its own requests; `methods` are the requests that it answers.
   Background(Send send, Log log, std::string name, std::vector<std::string_view> methods);
   /// Cancels the requests that have no answer yet, and waits for these answers.
   ~Background();
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
 
-  /// Whether the message is a request that is answered here. Others are for the first server; what
-  /// they tell about the client and the documents is noted here, too. `current` has the documents
-  /// with all changes before this message.
+  /// Whether the message is a request that this server answers. From other messages, which the
+  /// first server answers, notes the data about the client and the documents. `current` has the
+  /// documents with all changes before this message.
   bool take(const Json& message, const Workspace& current);
 
  private:

@@ -11,7 +11,7 @@ namespace smurf::lsp {
 // diagnostics.cpp
 Json document_diagnostics(Context& context, const Json& params);
 Json workspace_diagnostics(Context& context, const Json& params);
-/// Printed lists of findings, by the client's URI of their file. With `only`, that of this file
+/// Printed lists of findings, by the client's URI of their file. With `only`, the list of that file
 /// alone.
 std::map<std::string, std::string> diagnostics_by_file(const Context& context, const Report& report,
                                                        const SourceMap& sources,

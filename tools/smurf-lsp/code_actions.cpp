@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Code actions: fixes, comments that suppress a finding, and what readers make of it.
+// Code actions: fixes, comments that suppress a finding, and its effects on readers.
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -52,7 +52,7 @@ std::string title_of(const Fix& fix, const SourceMap& sources) {
                       : after.empty() ? "Delete `" + before + "`"
                                       : "Replace `" + before + "` by `" + after + "`";
   if (fix.edits.size() > 1) title += " and more";
-  if (fix.applicability == Applicability::unsafe) title += " (may change what the model means)";
+  if (fix.applicability == Applicability::unsafe) title += " (may change the meaning of the model)";
   return title;
 }
 
@@ -129,7 +129,7 @@ class Actions {
   }
 
   void explain(const Rule& rule, const Json& diagnostic) {
-    const std::string title = "Show what each reader makes of " + std::string(rule.name);
+    const std::string title = "Show how each reader handles " + std::string(rule.name);
     actions_.push_back(
         {{"title", title},
          {"kind", kQuickFix},
@@ -145,7 +145,7 @@ class Actions {
     }
     const AppliedFixes fixes = apply_fixes(own, sources, Applicability::safe);
     if (fixes.edits.empty()) return;
-    actions_.push_back({{"title", "Fix all that is safe to fix"},
+    actions_.push_back({{"title", "Apply all safe fixes"},
                         {"kind", kFixAll},
                         {"edit", workspace_edit(context_, fixes.edits, sources)}});
   }

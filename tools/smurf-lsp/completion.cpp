@@ -52,7 +52,7 @@ class Completer {
   void set_place(std::size_t begin, std::size_t end, char quote = '\0') {
     written_ = text_.substr(begin, end - begin);
     quote_ = quote;
-    // Editors close a quote as soon as it is opened; the text brings its own.
+    // Editors close a quote as soon as it is opened; the inserted text includes its quotes.
     if (quote != '\0' && end < text_.size() && text_[end] == quote) ++end;
     range_ = {{"start", position(begin)}, {"end", position(end)}};
   }
@@ -181,7 +181,7 @@ class Completer {
     add_snippet(item, element_text(*help, stop, "\n"));
   }
 
-  /// The element, behind its "<", with all that it needs. `line` begins a line of its own.
+  /// The text of an element after its "<", with all required parts. `line` begins a separate line.
   static std::string element_text(const ElementHelp& help, int& stop, const std::string& line) {
     std::string text(help.name);
     for (const KeyHelp& key : help.attributes) {
@@ -259,8 +259,8 @@ class Completer {
     });
   }
 
-  /// The views of the file. If it cannot be read, the word at the cursor is left out of the text,
-  /// and the elements around it end, which somebody who writes from top to bottom has not closed.
+  /// The views of the file. If it cannot be read, the word at the cursor is removed from the text,
+  /// and unclosed elements around it are closed, because people often write from top to bottom.
   std::vector<FileView> readable_views() {
     std::vector<FileView> views = context_.workspace.views(path_);
     if (is_readable(views)) return views;

@@ -66,7 +66,7 @@ Json location(const Context& context, Span span) {
 
 Json workspace_edit(Context& context, std::span<const Edit> edits, const SourceMap& sources) {
   const Positions positions(sources, context.client.encoding);
-  std::map<std::string, std::string> files;  // JSON as text, because trees take more memory
+  std::map<std::string, std::string> files;  // JSON as text, because trees use more memory
   // Two models that share a file have read it twice.
   std::set<std::tuple<std::string_view, std::uint32_t, std::uint32_t, std::string_view>> seen;
   for (const Edit& edit : edits) {
@@ -121,7 +121,7 @@ std::string unmarked(std::string_view text) {
   return result;
 }
 
-/// Finds the next backquote with no other backquote beside it, from `at` on. npos: there is none.
+/// The next backquote without a neighbouring backquote, from `at` on. npos: there is none.
 std::size_t find_mark(std::string_view line, std::size_t at) {
   while ((at = line.find('`', at)) != std::string_view::npos) {
     const std::size_t end = std::min(line.find_first_not_of('`', at), line.size());

@@ -28,7 +28,7 @@ struct Client {
   bool takes_watchers = false;
   bool takes_deep_symbols = false;
   bool renames_files = false;          ///< as a part of an edit
-  bool refreshes_diagnostics = false;  ///< asks for them again when told so
+  bool refreshes_diagnostics = false;  ///< asks for them again when it is notified
   bool refreshes_hints = false;
   bool refreshes_tokens = false;
   bool shows_degrees = true;    ///< inlay hints
@@ -44,7 +44,7 @@ inline constexpr int kInvalidParams = -32602;
 inline constexpr int kRequestFailed = -32803;
 inline constexpr int kRequestCancelled = -32800;
 
-/// The most places of a name that an answer has. An editor shows fewer, and each takes 150 bytes.
+/// The most places of a name in an answer. An editor shows fewer, and each needs 150 bytes.
 inline constexpr std::size_t kMostPlaces = 100'000;
 
 struct Context {
@@ -58,7 +58,7 @@ struct Context {
   bool has_checked_folders = false;
 
   void send(const Json& message);
-  /// Sends a request, whose answer nobody needs.
+  /// Sends a request whose answer is ignored.
   void ask(const char* method, Json params);
 };
 
@@ -70,7 +70,7 @@ struct PlaceView {
   FileView view;
   std::uint32_t offset = 0;
 };
-/// The place in all of them; empty for a file that is not open or cannot be read.
+/// The place in all models and scenes; empty for a file that is not open or cannot be read.
 std::vector<PlaceView> places_in(Context& context, const Json& params);
 
 Positions loaded_positions(const Context& context);
@@ -80,9 +80,9 @@ const Reference* reference_at(Context& context, const PlaceView& place);
 Json location(const Context& context, Span span);
 /// A WorkspaceEdit of edits in these sources.
 Json workspace_edit(Context& context, std::span<const Edit> edits, const SourceMap& sources);
-/// Whether an editor may count the lines of a file differently than this server, which does not
-/// have the editor's text: an edit would hit another place. It is a file that is not open and
-/// contains a carriage return alone, which ends a line in some editors only.
+/// Whether an editor may count the lines of a file differently than this server, so that an edit
+/// would hit another place. This is possible if the file is not open and contains a carriage return
+/// alone, which ends a line in some editors only.
 bool is_counted_differently(const Context& context, SourceId source, const SourceMap& sources);
 /// Makes Markdown of paragraphs with names in backquotes. All other markup in them is escaped.
 Json markdown(std::span<const std::string> lines);

@@ -32,18 +32,18 @@ bool is_about(const Fact& fact, const Rule& rule) {
                      [&](const Fact& one) { return &one == &fact; });
 }
 
-/// Whether all readers with a fact about it ignore it.
+/// Whether all readers with a fact about the finding ignore it.
 bool has_no_effect(const Diagnostic& diagnostic) {
   const std::vector<const Fact*> facts = facts_about(*diagnostic.rule);
   bool is_ignored = std::any_of(facts.begin(), facts.end(),
                                 [](const Fact* fact) { return fact->effect == Effect::ignores; });
-  if (!is_ignored) return false;  // which is quickly told of nearly all rules
+  if (!is_ignored) return false;  // a quick test for nearly all rules
   is_ignored = false;
   for (const Reader* reader : all_readers()) {
     const Fact* fact = find_fact(*reader, diagnostic);
     if (fact == nullptr) continue;
     if (fact->effect == Effect::takes && is_about(*fact, *diagnostic.rule)) return false;
-    if (fact->effect == Effect::takes) continue;  // it never looks at such things
+    if (fact->effect == Effect::takes) continue;  // the reader never looks at such things
     if (fact->effect != Effect::ignores) return false;
     is_ignored = true;
   }

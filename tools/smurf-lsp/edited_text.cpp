@@ -36,7 +36,7 @@ std::vector<EditedText::Block> EditedText::cut(std::string_view text) const {
   return blocks;
 }
 
-/// None when there are fewer lines.
+/// None if there are fewer lines.
 std::optional<EditedText::Place> EditedText::line_begin(std::uint32_t line) const {
   std::size_t block = 0;
   std::size_t left = line;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A text that takes thousands of changes at once.
+// A text that can be changed thousands of times quickly.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,8 @@ class EditedText {
  private:
   struct Block {
     std::string text;
-    std::size_t lines = 0;    ///< that end in the block
-    std::uint32_t units = 0;  ///< unused in a block in which lines end
+    std::size_t lines = 0;    ///< number of lines that end in the block
+    std::uint32_t units = 0;  ///< not used if a line ends in the block
   };
   struct Place {
     std::size_t block = 0, byte = 0;

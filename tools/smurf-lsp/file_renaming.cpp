@@ -19,7 +19,7 @@ std::string_view without_quotes(std::string_view text) {
   return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-/// What becomes of a path when files or folders are renamed.
+/// The new path after renaming files or folders.
 struct Renames {
   std::vector<std::pair<std::string, std::string>> list;  ///< from, to
 
@@ -32,7 +32,7 @@ struct Renames {
   }
 };
 
-/// Two paths without the folders that both begin with.
+/// The rest of two paths after their common folders.
 std::pair<std::string_view, std::string_view> different_ends(std::string_view a,
                                                              std::string_view b) {
   const auto differ = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
@@ -41,8 +41,8 @@ std::pair<std::string_view, std::string_view> different_ends(std::string_view a,
   return {a.substr(same), b.substr(same)};
 }
 
-/// The new text for `written` in the file `document`, which names the file `path`. None when the
-/// text may stay, or when there is no such text.
+/// The new text for `written` in the file `document`, which names the file `path`. None if the text
+/// is still correct, or if no text is possible.
 std::optional<std::string> renamed(std::string_view written, const std::string& document,
                                    const std::string& path, const Renames& renames) {
   const std::string to = renames.moved(path);
@@ -61,7 +61,7 @@ std::optional<std::string> renamed(std::string_view written, const std::string& 
   return relative;
 }
 
-/// Escapes the new name for its place; folders may have any characters.
+/// Escapes the new name for its place, because folders may have any characters.
 std::string as_written(std::string_view before, const std::string& name, const FileView& view) {
   return view.yaml != nullptr ? yaml_like(before, name) : escape_xml(name);
 }

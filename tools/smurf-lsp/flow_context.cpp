@@ -49,7 +49,7 @@ class Reader {
   }
 
  private:
-  /// Goes to the next character, with which a new word begins.
+  /// Goes to the next character, which begins a new word.
   void next() {
     ++at_;
     has_word_ = false;

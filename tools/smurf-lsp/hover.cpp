@@ -88,7 +88,7 @@ std::optional<Said> yaml_key_at(const Context& context, const PlaceView& place) 
 
 bool holds(Span span, std::uint32_t offset) { return span.begin <= offset && offset <= span.end; }
 
-/// The link whose frame an <origin> is in, or leads to.
+/// The link whose frame contains an <origin>, or to which it leads.
 std::optional<LinkIndex> link_around(const LinkedModel& model, xml::View element) {
   for (; element; element = element.parent()) {
     for (std::uint32_t i = 0; i < model.robot->links.size(); ++i) {
@@ -101,7 +101,7 @@ std::optional<LinkIndex> link_around(const LinkedModel& model, xml::View element
   return std::nullopt;
 }
 
-/// The pose that an <origin> of a shape or an inertia gives in the frame of its link. None when the
+/// The pose of a shape or an inertia, in the frame of its link, from its <origin>. None if the
 /// element is the <origin> of a joint.
 std::optional<Pose> pose_in(const urdf::Link& link, xml::View element) {
   std::optional<Pose> pose;

@@ -17,7 +17,7 @@ struct Hint {
   std::string tooltip = {};
 };
 
-/// "rad", or "rad or m" of a joint that turns.
+/// The unit: "rad", or "rad or m" for a turning joint.
 bool is_angle(std::string_view unit, const urdf::Joint* joint) {
   if (unit == "rad") return true;
   if (!unit.starts_with("rad or m") && !unit.starts_with("rad/s or m/s")) return false;
@@ -25,7 +25,7 @@ bool is_angle(std::string_view unit, const urdf::Joint* joint) {
          (joint->type == urdf::JointType::revolute || joint->type == urdf::JointType::continuous);
 }
 
-/// "90 deg" of "1.5708", "0 90 0 deg" of "0 1.5708 0"; none when all are 0.
+/// "90 deg" for "1.5708", "0 90 0 deg" for "0 1.5708 0"; none if all are 0.
 std::optional<std::string> degrees_of(std::string_view text, std::string_view unit) {
   std::string label;
   bool has_any = false;
@@ -55,7 +55,7 @@ const urdf::Joint* joint_around(const LinkedModel& model, xml::View element) {
   return nullptr;
 }
 
-/// The joint that an entry is about: by its key `joint`, else by its name.
+/// The joint of an entry: from its key `joint`, otherwise from its name.
 const urdf::Joint* joint_of(const LinkedModel& model, yaml::View entry) {
   for (const char* key : {"joint", "name"}) {
     const yaml::View value = entry.find(key);

@@ -25,7 +25,7 @@ class Messages {
   void push(Json message);
   /// No more messages will come.
   void end();
-  /// The same; and all requests that have no answer yet are cancelled.
+  /// The same, and also cancels all requests without an answer.
   void cancel_all();
 
   /// Waits for the next message; none after the end.

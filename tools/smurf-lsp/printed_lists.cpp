@@ -6,7 +6,7 @@
 namespace smurf::lsp {
 
 std::vector<std::string_view> PrintedLists::insert_into(std::string_view message) const {
-  constexpr std::string_view kPlace = R"({"":)";  // no string has it: quotes in it are escaped
+  constexpr std::string_view kPlace = R"({"":)";  // not in strings, which escape quotes
   std::vector<std::string_view> parts;
   std::size_t at = empty() ? std::string_view::npos : message.find(kPlace);
   while (at != std::string_view::npos) {

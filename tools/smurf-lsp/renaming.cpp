@@ -21,7 +21,7 @@ void check_lines(const Context& context, std::span<const Edit> edits) {
   }
 }
 
-/// Refuses before the work, which takes memory for each place.
+/// Refuses early, because the work needs memory for each place.
 void check_number(Context& context, std::size_t part, const Reference& named) {
   const std::vector<Reference>& all = context.workspace.names().names()[part];
   const auto places = std::count_if(

@@ -78,7 +78,7 @@ Json capabilities(const Client& client) {
 
 Encoding encoding_of(const Json& wanted) {
   if (!wanted.is_array()) return Encoding::utf16;
-  for (const Json& one : wanted) {  // the client's favourite first
+  for (const Json& one : wanted) {  // in the client's order of preference
     for (const Encoding encoding : {Encoding::utf8, Encoding::utf16, Encoding::utf32}) {
       if (one == to_string(encoding)) return encoding;
     }
@@ -171,7 +171,7 @@ void watch_files(Context& context) {
   context.ask("client/registerCapability", {{"registrations", {registration}}});
 }
 
-/// A client that asks for findings does not know that files on the disk have changed.
+/// A client that requests findings is not aware of changed files on disk.
 void refresh(Context& context) {
   const Client& client = context.client;
   if (client.pulls_diagnostics && client.refreshes_diagnostics) {
@@ -207,7 +207,7 @@ void Server::begin(const Json& params) {
 }
 
 void Server::initialize(const Json& id, const Json& params) {
-  if (is_initialized_) return refuse(id, kInvalidRequest, "`initialize` comes once");
+  if (is_initialized_) return refuse(id, kInvalidRequest, "`initialize` was already sent");
   begin(params);
   reply(id, {{"capabilities", capabilities(context_.client)},
              {"serverInfo", {{"name", "smurf-lsp"}, {"version", tools::kVersion}}}});
@@ -257,7 +257,7 @@ void Server::follow(const Json& message) {
 }
 
 void Server::handle(const Json& message) {
-  if (message.is_discarded()) return refuse(nullptr, kParseError, "this is no JSON");
+  if (message.is_discarded()) return refuse(nullptr, kParseError, "this is not JSON");
   const Json& id = at(message, {"id"});
   const std::string method = text_at(message, {"method"});
   const Json& params = at(message, {"params"});
@@ -265,7 +265,7 @@ void Server::handle(const Json& message) {
   log_((is_answered ? "request " : "notification ") + method);
   if (method.empty()) {  // an answer to a request of ours, or nothing at all
     const bool is_answer = message.contains("result") || message.contains("error");
-    if (!is_answer) refuse(nullptr, kInvalidRequest, "this is no message");
+    if (!is_answer) refuse(nullptr, kInvalidRequest, "this is not a message");
     return;
   }
   if (method == "exit") {
@@ -278,7 +278,7 @@ void Server::handle(const Json& message) {
   }
   if (flag_at(message, {kCancelled})) return refuse(id, kRequestCancelled, "cancelled");
   if (method == "initialize") return initialize(id, params);
-  if (!is_initialized_) return refuse(id, kNotInitialized, "`initialize` comes first");
+  if (!is_initialized_) return refuse(id, kNotInitialized, "`initialize` must come first");
   if (is_shut_down_) return refuse(id, kInvalidRequest, "the server is shut down");
   if (method == "shutdown") {
     is_shut_down_ = true;

@@ -13,8 +13,8 @@
 namespace smurf::lsp {
 
 struct ServerOptions {
-  std::string name = "server";         ///< begins the ids of its own requests
-  std::function<bool()> is_cancelled;  ///< whether the request that it handles is cancelled
+  std::string name = "server";         ///< begins the ids of the server's own requests
+  std::function<bool()> is_cancelled;  ///< whether the current request is cancelled
 };
 
 class Server {
@@ -22,7 +22,7 @@ class Server {
   Server(Send send, Log log, ServerOptions options = {});
 
   void handle(const Json& message);
-  /// Notes what a message tells about the client and the documents, and sends nothing.
+  /// Stores the data of a message about the client and the documents, without sending anything.
   void follow(const Json& message);
   /// Publishes the findings of the current texts. Call it when no message waits.
   void rest();
@@ -33,7 +33,7 @@ class Server {
 
  private:
   bool is_running() const { return is_initialized_ && !is_shut_down_; }
-  /// What follow() does with a notification.
+  /// The reaction of follow() to a notification.
   void note(const std::string& method, const Json& params);
   void notify(const std::string& method, const Json& params);
   Json answer(const std::string& method, const Json& params);

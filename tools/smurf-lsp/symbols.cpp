@@ -14,7 +14,7 @@ constexpr int kNamespace = 3, kClass = 5, kProperty = 7, kField = 8, kFunction =
               kObject = 19, kEvent = 24;
 /// Clients and JSON libraries fail at chains of thousands of links.
 constexpr int kDeepest = 40;
-/// More results would not be read; a longer query finds fewer.
+/// Longer lists would not be read; a longer query finds fewer.
 constexpr std::size_t kMostSymbols = 2000;
 
 int kind_of(NameKind kind) {

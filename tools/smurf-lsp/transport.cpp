@@ -39,7 +39,7 @@ std::optional<std::int64_t> length_in(std::string_view line) {
   return parse_integer(line);
 }
 
-/// The unit of UTF-16 that `\uXXXX` at the start of a text of JSON names.
+/// The UTF-16 unit of `\uXXXX` at the start of a JSON text.
 std::optional<unsigned> unit_at(std::string_view text) {
   constexpr std::size_t kSize = 6;
   if (text.size() < kSize || !text.starts_with("\\u")) return std::nullopt;
@@ -49,9 +49,9 @@ std::optional<unsigned> unit_at(std::string_view text) {
   return read.ptr == end ? std::optional(unit) : std::nullopt;
 }
 
-/// Replaces halves of surrogate pairs, which editors send while somebody types, and which no UTF-8
-/// has. The replacement is one unit, too, so that positions stay the same. Without the message, the
-/// server and the editor would no longer have the same text.
+/// Replaces halves of surrogate pairs, which editors send while somebody types, and which UTF-8
+/// cannot represent. The replacement is also one unit, so positions stay the same. If the message
+/// were dropped, the server and the editor would have different texts.
 std::string without_halves(std::string_view text) {
   std::string whole;
   for (std::size_t at = 0; at < text.size();) {

@@ -29,7 +29,7 @@ std::string path_of_uri(std::string_view uri) {
   if (!uri.starts_with(kScheme)) return {};
   uri.remove_prefix(kScheme.size());
   uri = uri.substr(0, uri.find_first_of("?#"));
-  const std::size_t slash = uri.find('/');  // behind the host, which is this one
+  const std::size_t slash = uri.find('/');  // after the host, which must be this machine
   if (slash == std::string_view::npos) return {};
   std::string path;
   for (std::size_t i = slash; i < uri.size(); ++i) {

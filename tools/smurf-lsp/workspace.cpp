@@ -20,7 +20,7 @@ namespace {
 
 bool is_config(const std::string& path) { return path::file_name(path) == kConfigName; }
 
-/// Whether another text of the file may change which files are checked.
+/// Whether a change of the file may change the list of checked files.
 bool decides_plan(const std::string& path) {
   return is_config(path) || input_kind(path) == InputKind::model;
 }
@@ -80,7 +80,7 @@ bool reads_one(const tools::LoadedNames::Part& part, const Files& files) {
 }
 
 /// The files that contain a name in the models and scenes that read the first file. Other models
-/// may read these files, too; so the files that contain it there are added.
+/// may also read these files, so the files that contain the name in those models are added.
 Files files_to_change(const tools::LoadedNames& loaded, const std::string& first,
                       const Rename& rename, const SourceMap& sources) {
   std::vector<Files> places;  // by part
@@ -304,7 +304,7 @@ std::vector<FileView> Workspace::views_with(const std::string& path, std::string
   session_.set_text(path, std::move(text));
   load();
   std::vector<FileView> found = views(path);
-  // The loaded files stay until the next request for them.
+  // The loaded files are kept until the next request for them.
   changed_.insert(path);
   return found;
 }

@@ -9,7 +9,7 @@ namespace smurf::lsp {
 Session& Workspace::folder_session() {
   if (!folder_session_) folder_session_.emplace();
   for (const std::string& path : folder_texts_) {
-    // A document that was closed without saving has the text of the disk again.
+    // A document that was closed without saving has the text on disk again.
     if (document(path) == nullptr) folder_session_->clear_text(path);
   }
   folder_texts_.clear();

@@ -34,7 +34,7 @@ class Scanner {
     return context_;
   }
 
-  /// Skips a construct that begins so; `at_` is behind it then, or npos if it does not end.
+  /// Skips a construct with this beginning; `at_` is then after it, or npos if it does not end.
   bool skip(std::string_view from, std::string_view to) {
     if (!text_.substr(at_).starts_with(from)) return false;
     const std::size_t found = text_.find(to, at_ + from.size());
@@ -93,7 +93,7 @@ class Scanner {
     const std::size_t begin = at_;
     const std::string_view attribute = name();
     if (at_ == text_.size()) return in_attribute(begin);
-    if (at_ == begin) {  // no name: pass over it
+    if (at_ == begin) {  // not a name: skip it
       ++at_;
       return true;
     }

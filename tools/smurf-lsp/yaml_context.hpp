@@ -17,7 +17,7 @@ struct YamlContext {
   std::size_t begin = 0;    ///< of the word at the cursor
   std::size_t end = 0;      ///< of that word
   std::size_t column = 0;   ///< of the keys around the cursor, in bytes
-  char quote = '\0';        ///< that is open before the word
+  char quote = '\0';        ///< open quote before the word
   bool is_flow = false;     ///< within braces or brackets
   bool is_comment = false;  ///< the cursor is in a comment; all else is empty
   std::vector<std::string> siblings = {};  ///< the other keys of the mapping

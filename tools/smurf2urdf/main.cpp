@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::string_view kTool = "smurf2urdf";
 
-/// Nearest folder above the URDF that holds a package.xml; without one, the folder above urdf/, as
-/// Phobos takes it.
+/// The nearest folder above the URDF with a package.xml; without one, the folder above urdf/, as in
+/// Phobos.
 std::string package_folder(const LinkedModel& model, const Options& options) {
   const auto given = options.common.packages.find(options.conversion.package_name);
   const std::string& current = options.conversion.current_folder;
@@ -32,7 +32,7 @@ std::string package_folder(const LinkedModel& model, const Options& options) {
   return path::join(urdf_folder, "..");
 }
 
-/// Why the options cannot be applied to this model; "" when they can.
+/// The reason why the options cannot be applied to this model; "" if they can.
 std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
   if (options.base != BaseJoint::as_is) {
     if (model.tree.roots.size() != 1) return "has no single root for --base";
@@ -57,7 +57,7 @@ std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
   return {};
 }
 
-/// The URDF, and the SRDF when one is wanted: both or none.
+/// Writes the URDF, and the SRDF if it is requested: both or none.
 bool write_result(const Options& options, const std::string& urdf, const LinkedModel& model) {
   const std::string& output = options.common.output;
   if (options.srdf.empty()) return write_output(kTool, output, urdf);
@@ -65,8 +65,9 @@ bool write_result(const Options& options, const std::string& urdf, const LinkedM
   auto srdf = export_srdf(model, options.conversion.prefix, most);
   if (!srdf) {
     complain(kTool, "so many pairs of links of '" + options.model +
-                        "' never collide that the SRDF has more than " + std::to_string(most) +
-                        " bytes; " + raise_limit("srdf-bytes") + "; nothing was written");
+                        "' never collide that the SRDF would have more than " +
+                        std::to_string(most) + " bytes; " + raise_limit("srdf-bytes") +
+                        "; nothing was written");
     return false;
   }
   std::vector<OutputFile> files = {named_by_user(options.srdf, std::move(*srdf))};

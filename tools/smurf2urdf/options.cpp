@@ -32,7 +32,7 @@ Setter append_items(std::vector<std::string>& list) {
   };
 }
 
-/// What the readers need: the options of each preset.
+/// The options of each preset.
 struct Preset {
   std::string_view name;
   std::string_view options;
@@ -111,8 +111,8 @@ std::vector<Option> content_options(UrdfExport& wanted) {
        .set = choose<bool>(wanted.adds_gazebo_sensors, {{"none", false}, {"gazebo", true}})},
       {.name = "settings",
        .metavar = "READER",
-       .help = "Add settings for one reader: those of mujoco let it find meshes outside of the "
-               "folder of the URDF; the default is none.",
+       .help = "Add settings for one reader. mujoco: settings with which MuJoCo finds meshes "
+               "outside of the folder of the URDF. The default is none.",
        .values = {"none", "mujoco"},
        .set = choose<bool>(wanted.adds_mujoco_settings, {{"none", false}, {"mujoco", true}})},
       {.name = "collapse-fixed",
@@ -270,15 +270,15 @@ std::string problem_of(Options& options) {
     return "--mesh-uri package needs --package-name";
   }
   if (wanted.mesh_uri != MeshUri::package && !wanted.package_name.empty()) {
-    return "--package-name goes with --mesh-uri package";
+    return "--package-name needs --mesh-uri package";
   }
-  if (!wanted.keep.empty() && !wanted.collapses_fixed) return "--keep goes with --collapse-fixed";
+  if (!wanted.keep.empty() && !wanted.collapses_fixed) return "--keep needs --collapse-fixed";
   const std::string& output = options.common.output;
   if (!options.srdf.empty() && wanted.collapses_fixed) {
     return "--srdf and --collapse-fixed exclude each other: the links of the SRDF would be gone";
   }
   if (options.srdf == "-" || (!options.srdf.empty() && options.srdf == output)) {
-    return "--srdf needs a file of its own";
+    return "--srdf needs a separate file";
   }
   wanted.has_srdf = !options.srdf.empty();
   if (wanted.adds_mujoco_settings) options.common.targets = {find_target("mujoco")};

@@ -26,8 +26,8 @@ Command make_command(Options& options);
 /// The options of a preset, as a line of text.
 std::string preset_text(std::string_view name);
 
-/// What is wrong with the options as a whole; "" when nothing is. Fills in the folder of
-/// the output.
+/// An error message about the combination of options; "" if there is none. Sets the folder of the
+/// output.
 std::string problem_of(Options& options);
 
 }  // namespace smurf::tools

@@ -22,7 +22,7 @@ struct Plain {
     model = load_model("plain.urdf", context);
   }
 
-  /// Where mimics were asked to change, all joints are compared as independent ones.
+  /// If options change mimics, all joints are compared as independent joints.
   void forget_mimics() {
     if (!model.robot) return;
     for (urdf::Joint& joint : model.robot->joints) joint.mimic.reset();

@@ -12,17 +12,17 @@ struct Verification {
   Proof proof;
   bool tinyxml2_accepts = false;
   RefereeVerdict urdfdom;
-  std::string problem;  ///< why the result must not be written; empty when all is well
+  std::string problem;  ///< why the result must not be written; empty if it may be
 
   bool holds() const { return problem.empty(); }
 };
 
-/// Reads `urdf` again and compares it with the model it came from. urdfdom crashes on some texts,
-/// so the caller says whether it may be asked.
+/// Reads `urdf` again and compares it with its source model. urdfdom crashes on some texts, so the
+/// caller decides whether it is used.
 Verification verify(const LinkedModel& model, const SourceMap& sources, const std::string& urdf,
                     const UrdfExport& options, bool may_ask_urdfdom);
 
-/// The figures, a line each.
+/// The figures, one per line.
 std::string describe(const Verification& verification);
 
 }  // namespace smurf::tools

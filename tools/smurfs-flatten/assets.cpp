@@ -19,7 +19,7 @@ class Redirection {
         output_(path::join(options.current_folder, options.output_folder)),
         plan_(files, limits, current_, folder, sources_of(flat)) {}
 
-  /// What the file is called from now on; `file` is relative to the output's folder.
+  /// Changes the name of a file; `file` is relative to the output's folder.
   std::string redirect(const std::string& file, const std::string& group) {
     const auto copy = plan_.copy_of(known_name(absolute(file), current_, files_), group);
     return copy ? path::relative(*copy, output_) : file;

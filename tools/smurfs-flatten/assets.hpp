@@ -10,8 +10,8 @@
 
 namespace smurf::tools {
 
-/// Makes the meshes, textures and heightmaps of a scene name copies in `folder`, in a folder a
-/// model. Files that do not exist keep their names. Nothing is copied yet.
+/// Changes the names of the meshes, textures and heightmaps of a scene to copies in `folder`, with
+/// one subfolder per model. Files that do not exist keep their names. Nothing is copied yet.
 AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
                             const FlattenOptions& options, const FileReader& files,
                             const Limits& limits);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --explain: where an instance's pose comes from.
+// --explain: the derivation of an instance's pose.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace smurf::tools {
 
-/// One line per transform, from the world to the instance, each with its place in the source.
-/// None when there are more than kMostSteps. Precondition: the instance has a pose; see explain().
+/// One line per transform, from the world to the instance, each with its place in the source. None
+/// if there are more than kMostSteps. Precondition: the instance has a pose; see explain().
 std::optional<std::string> describe_chain(const LinkedScene& scene, const SourceMap& sources,
                                           InstanceIndex instance, const Dialect& dialect);
 

@@ -21,7 +21,7 @@ std::string cell(std::string text, std::size_t width) {
   return text;
 }
 
-/// Four decimal places, as far as there is room; the note tells the distance between the poses.
+/// Four decimal places if they fit; the note states the distance between the poses.
 std::string short_number(double value) {
   if (std::fabs(value) >= 1e5) return format_rounded(value, 4);
   const double rounded = std::round(value * 1e4) / 1e4;
@@ -35,7 +35,7 @@ std::string row(const std::string& label, const std::optional<Pose>& pose) {
   if (!pose) return text + "  not loaded\n";
   for (const double component : pose->position) text += cell(short_number(component), 11);
   for (const double angle : to_rpy(pose->orientation)) {
-    // There is no room for more digits of an angle.
+    // More digits of an angle do not fit.
     const double degrees = std::round(angle * 180 / std::numbers::pi * 1e3) / 1e3;
     text += cell(format_rounded(degrees == 0 ? 0 : degrees, 9), 9);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --compare-dialects: which entities stand elsewhere, depending on who reads the scene.
+// --compare-dialects: entities whose pose depends on the program that reads the scene.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace smurf::tools {
 
-/// Lists how each reader places the entities whose world pose differs between readers, or that some
-/// readers do not load; as a table of at most 80 columns, or as JSON.
+/// Lists the entities whose world pose differs between readers, or that some readers do not load,
+/// with all poses; as a table of at most 80 columns, or as JSON.
 std::string compare_dialects(const LinkedScene& scene, const SourceMap& sources, bool as_json);
 
 }  // namespace smurf::tools

@@ -58,7 +58,7 @@ std::string format_help() {
   return help;
 }
 
-/// Suggests a format for the name of a reader.
+/// Suggests the format of the program that the user named.
 std::string format_hint(std::string_view value) {
   constexpr std::size_t kShortest = 3;
   if (value.size() < kShortest) return {};
@@ -157,11 +157,12 @@ Command make_command(Options& options) {
       "world.";
   command.operands = "SCENE";
   command.details =
-      "SCENE is a .smurfs or .smurfa file, a .zsmurfs archive of one, a drawing (.svg) whose "
-      "groups are entities, or a folder with one scene; a .smurf or .urdf counts as a scene of one "
-      "model. Poses are those of the URDF root links, in metres and unit quaternions; the pose of "
-      "a parent link depends on the joint pose of its entity. A scene is refused when some pose is "
-      "unknown; other errors of its models are counted, and smurf-lint shows them.";
+      "SCENE is a .smurfs or .smurfa file, a .zsmurfs archive with a scene, a drawing (.svg) "
+      "whose groups are entities, or a folder with one scene; a .smurf or .urdf counts as a "
+      "scene of one model. Poses are those of the URDF root links, in metres and unit "
+      "quaternions; the pose of a parent link depends on the joint pose of its entity. A scene "
+      "is refused when a pose is unknown; other errors of its models are counted, and smurf-lint "
+      "shows them.";
   command.options = converter_options(
       options.common, "Write the result to FILE; without it, or with '-', to standard output.");
   add_options(command, options);
@@ -233,11 +234,11 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
 bool check_options(const Options& options) {
   const bool is_reference = options.form == "reference" || options.format == "smurfs";
   if (!options.assets.empty() && is_reference) {
-    complain(kTool, "--copy-assets copies what models name, and needs --form expand");
+    complain(kTool, "--copy-assets copies the files that models name, and needs --form expand");
     return false;
   }
   if (options.dialect == "spec" || !options.compare_dialects) return true;
-  complain(kTool, "--compare-dialects does not go with --dialect " + options.dialect);
+  complain(kTool, "--compare-dialects cannot be combined with --dialect " + options.dialect);
   return false;
 }
 
@@ -249,7 +250,7 @@ std::optional<std::string> first_loss(const LoadedScene& loaded) {
   return std::nullopt;
 }
 
-/// Values that the result has in addition to the scene are not losses.
+/// Added values are not losses.
 bool is_loss(const Diagnostic& finding) {
   return finding.rule->reported_by == Tool::converters && finding.rule->id != "SML8212";
 }
@@ -259,7 +260,7 @@ bool has_losses(const DiagnosticSink& sink) {
   return std::any_of(findings.begin(), findings.end(), is_loss);
 }
 
-/// The form to write; reports a form that the format does not have, and returns none.
+/// The form to write; if the format does not support it, reports this and returns none.
 std::optional<SceneForm> choose_form(const SceneFormat& format, const std::string& asked) {
   const bool can_expand = format.has_expanded_form;
   if (asked.empty()) return can_expand ? SceneForm::expand : SceneForm::reference;
@@ -353,7 +354,7 @@ bool write_losses(const Options& options, std::span<const Diagnostic> findings,
                       render_losses_json(losses, sources, {kTool, kVersion}));
 }
 
-/// Writes the result, and a companion file that its reader needs.
+/// Writes the result, and a second file that its reader needs.
 bool write_result(const SceneFormat& format, const Options& options, const std::string& text) {
   const std::string& output = options.common.output;
   const auto& [name, content] = format.companion;

@@ -46,21 +46,20 @@ std::vector<Option> own_options(Options& options) {
        .set = set_flag(options.flat)},
       {.name = "name",
        .metavar = "NAME",
-       .help = "Name of the files; the default is the name of the URDF file.",
+       .help = "Set the name of the files; the default is the name of the URDF file.",
        .set = set_text(options.name)},
       {.name = "motors",
        .metavar = "WHICH",
-       .help = "Joints that get a motor: declared (the default) are those of transmissions and "
-               "ros2_control, and those that mimic them; all; none.",
+       .help = "Choose the joints that get a motor. declared (the default): joints of "
+               "transmissions and ros2_control, and joints that mimic them; all; none.",
        .values = {"declared", "all", "none"},
        .set = choose<MotorChoice>(options.motors, {{"declared", MotorChoice::declared},
                                                    {"all", MotorChoice::all},
                                                    {"none", MotorChoice::none}})},
       {.name = "style",
        .metavar = "WHICH",
-       .help =
-           "Sections that MARS and Phobos 2 name differently: mars (the default) writes those that "
-           "MARS reads, phobos those that Phobos 2 writes.",
+       .help = "Choose the form of sections that MARS and Phobos 2 name differently: as mars reads "
+               "them (the default), or as phobos writes them.",
        .values = {"mars", "phobos"},
        .set = choose<SmurfStyle>(options.style,
                                  {{"mars", SmurfStyle::mars}, {"phobos", SmurfStyle::phobos}})},
@@ -70,8 +69,8 @@ std::vector<Option> own_options(Options& options) {
        .set = set_text(options.srdf)},
       {.name = "copy-meshes",
        .help =
-           "Copy the meshes and textures into meshes/ and textures/ of the folder, and name the "
-           "copies. What lies outside of the project is copied with --allow-outside only.",
+           "Copy the meshes and textures into meshes/ and textures/ of the folder, and refer to "
+           "the copies. Files outside of the project are copied only with --allow-outside.",
        .set = set_flag(options.copies_meshes)},
       {.name = "force",
        .help = "Convert despite errors, as long as the URDF can be read.",
@@ -95,8 +94,8 @@ Command make_command(Options& options) {
   command.operands = "URDF";
   command.details =
       "Writes DIR/smurf/NAME.smurf, DIR/smurf/NAME_*.yml and DIR/urdf/NAME.urdf. When it fails, "
-      "it writes none of them. The URDF is kept complete; whatever has no section in SMURF is "
-      "repeated as text, so nothing is lost. URDF is a file or a folder with one URDF. A URDF is "
+      "it writes none of them. The URDF is kept complete; parts without a section in SMURF are "
+      "kept as text, so nothing is lost. URDF is a file or a folder with one URDF. A URDF is "
       "refused when its links and joints do not form a valid robot, or when a value cannot be "
       "read; its other errors are counted, and smurf-lint shows them.";
   command.options = converter_options(options.common, "Write into the folder DIR.");
@@ -114,7 +113,7 @@ Command make_command(Options& options) {
   return command;
 }
 
-/// What is wrong with the options as a whole; empty when nothing is.
+/// An error message about the combination of options; empty if there is none.
 std::string problem_of(const Options& options) {
   if (options.in_place && options.flat) return "--flat and --in-place exclude each other";
   if (options.in_place && options.copies_meshes) {
@@ -127,7 +126,7 @@ std::string problem_of(const Options& options) {
   if (options.common.output == "-")
     return "a model consists of several files, so -o must name a folder";
   if (options.name.find('/') != std::string::npos || options.name == "." || options.name == "..") {
-    return "--name is the name of a file, without folder";
+    return "--name is a file name without a folder";
   }
   return {};
 }
@@ -150,9 +149,9 @@ struct Plan {
 };
 
 struct Verification {
-  std::string problem;          ///< why the model must not be written; empty when all is well
-  std::size_t dead_motors = 0;  ///< whose joints have no limit of speed or effort, as wheels have
-  std::size_t for_mars = 0;     ///< errors of the URDF that it has for readers of models only
+  std::string problem;          ///< why the model must not be written; empty if it may be
+  std::size_t dead_motors = 0;  ///< joints without a limit of speed or effort, such as wheels
+  std::size_t for_mars = 0;     ///< errors of the URDF that occur only in models
 };
 
 bool has_rule(std::span<const Diagnostic> findings, const Rule& rule) {
@@ -160,11 +159,11 @@ bool has_rule(std::span<const Diagnostic> findings, const Rule& rule) {
                      [&](const Diagnostic& one) { return one.rule == &rule; });
 }
 
-/// The last check of the model before it is written: read again, it must be the same robot, and
-/// have no new error.
+/// Checks the model before it is written: read again, it must be the same robot, without new
+/// errors.
 Verification verify(const LinkedModel& source, std::span<const Diagnostic> known, const Plan& plan,
                     const Options& options, bool source_is_sound) {
-  // Without limits: the result may be larger than its source, which the user chose.
+  // Without limits, because the result may be larger than the source, which the user chose.
   Limits limits = options.common.limits;
   for (const LimitInfo& info : kLimits) {
     limits.*info.value = std::max(limits.*info.value, Limits{}.*info.value);
@@ -187,10 +186,10 @@ Verification verify(const LinkedModel& source, std::span<const Diagnostic> known
   if (!source_is_sound) return verification;
   for (const Diagnostic& diagnostic : session.check(written).diagnostics) {
     if (diagnostic.severity != Severity::error) continue;
-    // Trouble that MARS has with the URDF is for the author to know, not a fault of the added
+    // Problems of MARS with the URDF are reported to the author, but are not faults of the added
     // files.
     if (written.sources->path(diagnostic.span.source).ends_with(".urdf")) {
-      // Copies of meshes are not there yet; what the source lacks is known.
+      // Copies of meshes do not exist yet, and files missing in the source are already reported.
       if (diagnostic.rule == &rules::sml1604_mesh_missing) continue;
       verification.for_mars += !has_rule(known, *diagnostic.rule);
       continue;
@@ -210,7 +209,7 @@ Verification verify(const LinkedModel& source, std::span<const Diagnostic> known
   return verification;
 }
 
-/// Copies in `folder`, and where they will be, for the model to name.
+/// Finds the copies in `folder` and their paths, so that the model can name them.
 AssetCopies plan_copies(const LinkedModel& model, const std::string& folder,
                         const FileReader& files, const Limits& limits, UrdfImport& import) {
   std::set<std::string> sources;
@@ -239,17 +238,17 @@ std::string describe(const NewModel& made, const AssetCopies& copies) {
   return text;
 }
 
-/// What a user may miss: a robot does not move without motors, or with motors that have no speed or
-/// effort.
+/// Remarks about missing motors: without motors, or with motors without speed or effort, a robot
+/// does not move.
 std::string remark_on_motors(const NewModel& made, MotorChoice choice, std::size_t dead_motors) {
   if (dead_motors > 0) {
     return counted(dead_motors, "motor value") +
-           " missing, which MARS takes for 0 (SML4103): the joints have no `velocity` or `effort`";
+           " missing, which MARS reads as 0 (SML4103): the joints have no `velocity` or `effort`";
   }
   const bool has_motors = std::any_of(made.files.begin(), made.files.end(),
                                       [](const NewFile& file) { return file.suffix == "motors"; });
   if (has_motors || choice == MotorChoice::none) return {};
-  if (choice == MotorChoice::all) return "no motors: no joint moves";
+  if (choice == MotorChoice::all) return "no motors: the robot has no movable joint";
   return "no motors: no transmission or ros2_control of the URDF drives a joint; see --motors all";
 }
 
@@ -327,7 +326,7 @@ std::string remarks_on(const LinkedModel& model, const Plan& plan, const Options
   if (const std::size_t uris = count_uris(model, options, plan.copies); uris > 0) {
     add(counted(uris, "mesh path") + (uris == 1 ? " stays a URI" : " stay URIs") +
         ", which MARS does not open: " +
-        (options.in_place ? "--in-place changes no URDF" : "no file was found"));
+        (options.in_place ? "--in-place does not change the URDF" : "no file was found"));
   }
   if (verification.for_mars > 0) {
     add("MARS reads the URDF differently (" + counted(verification.for_mars, "error") +
@@ -343,7 +342,7 @@ ExitCode convert(Conversion& conversion, const Options& options) {
   if (!loaded) return conversion.fail();
   const LinkedModel& model = loaded->model;
   if (model.urdf_path.empty() || model.has_main) {
-    complain(kTool, "'" + options.urdf + "' is no URDF");
+    complain(kTool, "'" + options.urdf + "' is not a URDF");
     return kFailed;
   }
   std::optional<xml::Document> srdf;

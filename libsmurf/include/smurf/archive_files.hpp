@@ -21,12 +21,12 @@ class ArchiveBudget;
 bool is_archive_type(std::string_view type);
 /// By the extension.
 bool is_archive(std::string_view path);
-/// Whether a folder on the way to a file is an archive, by its name.
+/// Whether a path leads through an archive, judged by the names of its folders.
 bool is_in_archive(std::string_view path);
 
-/// Reads files in archives, nested ones included, in memory; passes everything else to the reader
-/// behind it. Unpacks each archive once, when something in it is first asked for. Several threads
-/// may use it.
+/// Reads files in archives, nested ones included, in memory; all other files come from the reader
+/// behind it. An archive is unpacked once, at the first access to a file in it. Several threads may
+/// use it.
 class ArchiveFiles final : public FileReader {
  public:
   /// `behind` must outlive this. All archives together unpack to at most `archive_bytes`, and to at
@@ -34,7 +34,7 @@ class ArchiveFiles final : public FileReader {
   ArchiveFiles(const FileReader& behind, const Limits& limits);
   ~ArchiveFiles() override;
 
-  /// Everything in a broken archive is denied, with the reason.
+  /// Denies access to everything in a broken archive, and gives the reason.
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
   bool is_file(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
@@ -45,9 +45,9 @@ class ArchiveFiles final : public FileReader {
   struct Opened;
   struct Place;
 
-  /// The innermost archive on the way to a path; the path itself counts when it is a folder.
+  /// The innermost archive on the way to a path, which may be the path itself if it is a folder.
   Place find(const std::string& path, bool as_folder) const;
-  /// The archive at `path`, which `around` calls `name`; null when there is no such file.
+  /// The archive at `path`, which `around` calls `name`; null if there is no such file.
   const Opened* open(const std::string& path, const FileReader& around,
                      const std::string& name) const;
 
@@ -60,10 +60,10 @@ class ArchiveFiles final : public FileReader {
 /// The main file of an archive: its only .smurf (.smurfs, .smurfa), or the one with the name of the
 /// archive.
 struct ArchivedMain {
-  std::string path;    ///< "cell.zsmurfs/cell.smurfs"; empty when there is none
-  std::string reason;  ///< why, for a person: "holds no .smurfs"
+  std::string path;    ///< "cell.zsmurfs/cell.smurfs"; empty if there is none
+  std::string reason;  ///< the reason, for people: "holds no .smurfs"
 };
-/// `files` is or has an ArchiveFiles.
+/// Whether `files` is an ArchiveFiles or contains one.
 ArchivedMain main_file_of_archive(const std::string& archive, const FileReader& files);
 
 }  // namespace smurf

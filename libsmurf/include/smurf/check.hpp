@@ -41,10 +41,10 @@ enum class InputKind : std::uint8_t { model, scene, drawing, urdf, annotation, r
 /// Decided by the extension.
 InputKind input_kind(std::string_view path);
 
-/// How to check. These settings override those of a configuration.
+/// Settings of a check, which override those of a configuration.
 struct CheckSettings {
-  std::string config;        ///< a file; "": the nearest one above what is checked
-  bool is_isolated = false;  ///< no configuration is read
+  std::string config;        ///< a file; "": the nearest configuration above the checked file
+  bool is_isolated = false;  ///< read no configuration
   /// Names that `format` of a configuration may have; empty: any.
   std::vector<std::string> formats;
 
@@ -58,7 +58,7 @@ struct CheckSettings {
 
   bool heeds_comments = true;  ///< comments suppress findings
   bool heeds_baseline = true;  ///< the baseline suppresses findings
-  std::string baseline;        ///< a file; "": the one that the configuration names
+  std::string baseline;        ///< a file; "": the baseline named in the configuration
   unsigned jobs = 0;           ///< threads; 0: as many as the machine has
   /// Keep data for the next check. Uses memory, and changes no result.
   bool remembers = true;
@@ -69,13 +69,13 @@ struct CheckSettings {
   std::function<bool()> is_cancelled;
 };
 
-/// A file to check with everything that it loads, and its configuration.
+/// A file to check with all files that it loads, and its configuration.
 struct PlannedFile {
   std::string path;
   std::size_t config = 0;  ///< index into Plan::configs
 };
 
-/// Which files are loaded, as what, and by which configuration.
+/// The files to load, their kinds, and their configurations.
 struct Plan {
   std::vector<PlannedFile> scenes;
   std::vector<PlannedFile> models;
@@ -96,7 +96,7 @@ struct ReportWishes {
 struct Report {
   std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
   Summary summary;
-  /// One for each target of the settings and of all configurations. Suppressed findings count.
+  /// One verdict per target of the settings and all configurations, including suppressed findings.
   std::vector<TargetVerdict> targets;
   std::vector<std::string> problems;  ///< of the plan
   ReportWishes wishes;
@@ -124,7 +124,7 @@ struct LoadedScene : Loaded {
 /// Whether a text is a baseline that Session::baseline_of() made.
 bool is_baseline(std::string_view text);
 
-/// Tells whether a file has changed without reading it.
+/// Detects changes of a file without reading it.
 struct FileStamp {
   std::string text;         ///< empty: unknown
   bool is_settled = false;  ///< false: the file may change again without a new stamp
@@ -133,11 +133,11 @@ using StampOf = std::function<FileStamp(const std::string& path)>;
 /// From the times and the size of the file.
 FileStamp stamp_on_disk(const std::string& path);
 
-/// Files on the disk, unsaved texts that replace them, and results that are kept from one check to
-/// the next. For one thread; a check itself uses several.
+/// Files on disk, unsaved texts that replace them, and results kept between checks. Use it in one
+/// thread; a check starts several.
 class Session {
  public:
-  /// Reads from the disk, within the projects of the files that it is asked for.
+  /// Reads from disk, within the projects of the files that the caller names.
   explicit Session(const Limits& limits = {});
   /// Reads from `files`, which must outlive it. Without stamps, a second check reads all files
   /// again and compares them.
@@ -150,38 +150,38 @@ class Session {
   void set_text(const std::string& path, std::string text);
   void clear_text(const std::string& path);
 
-  /// Checks one file with all that it loads: a .smurf, .smurfs, .smurfa, .svg, .urdf or annotation
-  /// file.
+  /// Checks one file with all files that it loads: a .smurf, .smurfs, .smurfa, .svg, .urdf or
+  /// annotation file.
   Report check(const std::string& path, const CheckSettings& settings = {});
-  /// Checks a plan: scenes, models that no scene loads, and strays that no model loads.
+  /// Checks a plan: scenes, models that no scene loads, and other files that no model loads.
   Report check(const Plan& plan, const CheckSettings& settings = {});
-  /// The texts of the last check, which its findings point into.
+  /// The texts of the last check; its findings point into them.
   const SourceMap& sources() const;
   /// The text of a baseline file at `path` with the findings of the last check.
   std::string baseline_of(const Report& report, const std::string& path) const;
 
   /// Loads a .smurf, a .urdf or an annotation file.
   LoadedModel load_model(const std::string& path, const CheckSettings& settings = {});
-  /// Loads a scene; a .smurf or .urdf counts as one.
+  /// Loads a scene; a .smurf or .urdf is loaded as a scene of one model.
   LoadedScene load_scene(const std::string& path, const CheckSettings& settings = {});
   /// Allows these files to be loaded, each once. Announcing all of them first is faster: links are
   /// followed and configurations are read only once. Loaded models stay valid; reading their files
   /// again does not count as repeated reading.
   void announce(std::span<const std::string> paths, const CheckSettings& settings = {});
-  /// Releases everything that was loaded; none of it may be used afterwards.
+  /// Releases all loaded results; they must not be used afterwards.
   void forget_loaded();
-  /// The texts of all that was loaded, also `Loaded::sources`.
+  /// The texts of all loaded files, also `Loaded::sources`.
   const SourceMap& loaded_sources() const;
-  /// Use it to read other files, such as an SRDF, into the same sources and findings.
+  /// For reading other files, such as an SRDF, into the same sources and findings.
   LoadContext context_of(Loaded& loaded);
-  /// Checks what was loaded. Findings that are in `loaded.found` are reported with the rest.
+  /// Checks loaded files. Findings in `loaded.found` are included in the report.
   Report check(LoadedModel& loaded);
   Report check(LoadedScene& loaded);
-  /// Findings of other code in the form of a report: located, with the same settings applied,
-  /// sorted.
+  /// Makes a report of findings from other code: locates and sorts them and applies the
+  /// settings.
   std::vector<Diagnostic> finish(const LoadedModel& loaded, std::vector<Diagnostic> found) const;
   std::vector<Diagnostic> finish(const LoadedScene& loaded, std::vector<Diagnostic> found) const;
-  /// Checks only what belongs to one model of the scene: takes time for that model, not for the
+  /// Checks only the files of one model of the scene, in a time that does not depend on the
   /// scene.
   std::vector<Diagnostic> finish(const LoadedScene& loaded, const LinkedModel& model,
                                  std::vector<Diagnostic> found) const;

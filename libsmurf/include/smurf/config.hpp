@@ -35,9 +35,9 @@ struct ConfigPath {
   std::map<std::string, Spanned<Severity>> severities;
 };
 
-/// The settings of a configuration file and of those that it extends; what they do not set is
-/// empty. Every value knows where it was written. Paths start from where the configuration's own
-/// path starts.
+/// The settings of a configuration file and of those that it extends; absent settings are empty.
+/// Every value knows where it was written. Paths are relative to the folder that the
+/// configuration's own path is relative to.
 struct Config {
   std::vector<Spanned<std::string>> select, ignore, targets;
   std::map<std::string, Spanned<Severity>> severities;
@@ -54,13 +54,13 @@ struct Config {
   UserSchemas schemas;
 };
 
-/// Who chose a configuration. One that was found beside the files may come from a stranger, so it
-/// must not choose output files.
+/// Who chose a configuration. A configuration that was found beside the files may come from a
+/// stranger, so it must not choose output files.
 enum class ConfigOrigin : std::uint8_t { found, named };
 
-/// Reads a configuration with those it extends and the schemas it names. Reports mistakes at
-/// their place (SML90xx), and ignores them. `formats` are the names that reports may have; empty:
-/// any.
+/// Reads a configuration with the configurations that it extends and its schemas. Reports mistakes
+/// at their place (SML90xx) and ignores the wrong settings. `formats` are the allowed names of
+/// formats; empty: any.
 Config read_config(const std::string& path, SourceMap& sources, const FileReader& files,
                    DiagnosticSink& sink, std::span<const std::string_view> formats = {},
                    ConfigOrigin origin = ConfigOrigin::found);
@@ -74,7 +74,7 @@ enum class SettingType : std::uint8_t {
   patterns,    ///< as in .gitignore
   levels,      ///< a mapping from rules to severities
   tolerances,  ///< a mapping from rules to numbers
-  paths,       ///< a mapping from patterns to settings of these
+  paths,       ///< a mapping from patterns to settings
   folders,     ///< a mapping from names to folders
   schemas,     ///< a mapping from names to files, of sections and entities
   threshold,   ///< error, warning, info or never

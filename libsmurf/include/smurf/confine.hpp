@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which files a model may name: a model from a stranger must not open any other.
+// Limits which files a model may name: an untrusted model must not open any other file.
 #pragma once
 
 #include <map>
@@ -28,11 +28,11 @@ namespace smurf {
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside);
 
-/// Allows what is in the projects of the inputs, and nothing in the current folder or the packages.
-/// Fixes and new names change only such files: what else a model names was not given to be changed.
+/// Allows only files in the projects of the inputs, not those in the current folder or the
+/// packages. Only these files may be changed by fixes and renames.
 void confine_to_projects(ConfinedFiles& files, std::span<const std::string> inputs);
 
-/// Is this a shared folder, or a link to one?
+/// Whether the folder is a shared folder or a link to one.
 bool is_shared_folder(const std::string& path);
 
 }  // namespace smurf

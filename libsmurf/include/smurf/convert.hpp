@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SMURF models to plain URDF and back, with the proof that the result is the same robot.
+// Converts SMURF models to plain URDF and back, and proves that the result is the same robot.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace smurf {
 
-/// How meshes and textures are named.
+/// How to write the paths of meshes and textures.
 enum class MeshUri : std::uint8_t {
   rebase,    ///< relative paths resolve from the output folder; others stay
   relative,  ///< all paths of existing files become relative
   package,   ///< package://NAME/...
   absolute,
   file,  ///< file:///...
-  keep   ///< as they are written
+  keep   ///< unchanged
 };
 
 enum class BaseJoint : std::uint8_t { as_is, fixed, floating };
@@ -43,50 +43,50 @@ struct UrdfExport {
   /// Absolute path that relative paths start from.
   std::string current_folder = "/";
   MeshUri mesh_uri = MeshUri::rebase;
-  std::string package_name{}, package_folder{};  ///< of MeshUri::package; the folder is absolute
+  std::string package_name{}, package_folder{};  ///< for MeshUri::package; the folder is absolute
   AppliedAnnotations apply{};
   Actuation actuation = Actuation::none;
   bool adds_gazebo_sensors = false;
-  bool adds_mujoco_settings = false;  ///< those without which it does not find meshes
-  bool has_srdf = false;           ///< an SRDF is written as well; it contains poses and bitmasks
-  bool strips_extensions = false;  ///< what URDF does not define
+  bool adds_mujoco_settings = false;  ///< settings that MuJoCo needs to find meshes
+  bool has_srdf = false;              ///< an SRDF is also written; it contains poses and bitmasks
+  bool strips_extensions = false;     ///< elements that URDF does not define
   bool strips_comments = false;
   bool collapses_fixed = false;
-  std::vector<std::string> keep{};  ///< links and joints that are not collapsed
+  std::vector<std::string> keep{};  ///< links and joints that are kept
   std::string prefix{};             ///< of names
   BaseJoint base = BaseJoint::as_is;
-  std::string version{};  ///< written into the URDF; empty: unchanged
+  std::string version{};  ///< version written into the URDF; empty: unchanged
   bool is_canonical = false;
 };
 
-/// The model's own URDF, byte for byte except for relative mesh and texture paths that would not
-/// resolve from the output folder, and what the options ask for. Reports what is ambiguous
-/// (SML8003). Preconditions: model.robot is set; with a base, the tree has one root and no link is
-/// called `world`.
+/// The model's URDF, byte for byte except for relative mesh and texture paths that would not
+/// resolve from the output folder, and for the changes that the options request. Reports ambiguous
+/// values (SML8003). Preconditions: model.robot is set; with a base, the tree has one root and no
+/// link is called `world`.
 std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
                         const UrdfExport& options, DiagnosticSink& sink);
 
-/// An SRDF beside the URDF: joint pose sets as group states; neighbours, and links whose bitmasks
-/// share no bit, as pairs that do not collide. Precondition: model.robot is set.
-/// None when the result would have more bytes than `most`.
+/// An SRDF beside the URDF. Joint pose sets become group states. Neighbouring links, and links
+/// whose bitmasks share no bit, become pairs that do not collide. Precondition: model.robot is set.
+/// None if the result would have more than `most` bytes.
 std::optional<std::string> export_srdf(const LinkedModel& model, const std::string& prefix,
                                        std::uint64_t most);
 
 /// Reports every annotation that the export cannot express or was not asked to write (SML8001,
-/// 8002), and every extension it leaves out (SML8004).
+/// SML8002), and every extension that it omits (SML8004).
 void report_losses(const LinkedModel& model, const UrdfExport& options, DiagnosticSink& sink);
 
-/// Where the files of a new model are.
+/// The folders of the files of a new model.
 enum class SmurfLayout : std::uint8_t {
   phobos,   ///< smurf/NAME.smurf, smurf/NAME_*.yml, urdf/NAME.urdf
   flat,     ///< all in one folder
-  in_place  ///< the URDF stays where it is; the rest as in flat
+  in_place  ///< the URDF is not moved; the other files as in flat
 };
 
-/// Which joints get a motor.
+/// The joints that get a motor.
 enum class MotorChoice : std::uint8_t { declared, all, none };
 
-/// How to write what the two readers expect differently.
+/// The reader whose form of sections is written.
 enum class SmurfStyle : std::uint8_t {
   mars,    ///< `joint`, contact sensors of collisions
   phobos,  ///< `joints`, contact sensors of links
@@ -128,11 +128,11 @@ struct Proof {
   bool holds() const { return difference.empty(); }
 };
 
-/// The changes that a conversion may make without being wrong.
+/// Changes that are expected in the result of a conversion.
 struct ProofScope {
-  std::string prefix{};          ///< of all names of the result
-  bool may_merge_links = false;  ///< links on fixed joints may be gone
-  bool may_add_base = false;     ///< the link `world` and its joint may be new
+  std::string prefix{};          ///< put before all names of the result
+  bool may_merge_links = false;  ///< links on fixed joints may be missing
+  bool may_add_base = false;     ///< the result may have a new link `world` and its joint
   bool may_change_limits = false;
 };
 ProofScope proof_scope(const UrdfExport& options);
@@ -144,14 +144,14 @@ Proof compare_models(const LinkedModel& source, const LinkedModel& result,
 
 /// The verdict of urdfdom on a URDF text.
 struct RefereeVerdict {
-  bool was_asked = false;  ///< false: the text is not safe to hand to urdfdom
+  bool was_asked = false;  ///< false: the text is not safe for urdfdom
   bool accepts = false;
-  std::string messages;  ///< urdfdom's own words, a line each
+  std::string messages;  ///< messages of urdfdom, one per line
 };
 
-/// Asks urdfdom in this process. Precondition: our own checks found no error in the text (urdfdom
-/// before 5.1 crashes on some inputs); texts with '%' and very large ones are not handed over. In
-/// the library smurf::referees.
+/// Checks the text with urdfdom in this process. Precondition: our own checks found no error in the
+/// text, because urdfdom before 5.1 crashes on some inputs. Texts with '%' and very large texts are
+/// not checked. In the library smurf::referees.
 RefereeVerdict ask_urdfdom(const std::string& urdf);
 
 }  // namespace smurf

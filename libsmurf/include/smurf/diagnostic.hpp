@@ -32,7 +32,7 @@ enum class Effect : std::uint8_t {
   loses,    ///< silently leaves a part of the robot out
   breaks,   ///< reports an error and continues with the rest
   refuses,  ///< does not load the file
-  crashes   ///< ends or hangs, with the program it is part of
+  crashes   ///< crashes or never terminates
 };
 
 struct Reader;
@@ -67,19 +67,19 @@ struct Rule {
   std::string_view id;    ///< "SML3101"; never reused
   std::string_view name;  ///< kebab-case name of the fault: "unknown-joint"
   Severity severity = Severity::error;
-  std::string_view summary;    ///< one sentence: what it finds
-  std::string_view why{};      ///< why it matters, beyond the facts
+  std::string_view summary;    ///< one sentence: the fault that it finds
+  std::string_view why{};      ///< the reason why it matters, beyond the facts
   std::string_view remedy;     ///< what to do
-  std::string_view sources{};  ///< where that comes from, beyond the evidence of the facts
+  std::string_view sources{};  ///< sources of the rule, beyond the evidence of the facts
 
   /// Checks run by the linter; both null for findings that a reader or writer reports itself.
   void (*check_model)(const LinkedModel&, Findings&) = nullptr;
   void (*check_scene)(const LinkedScene&, Findings&) = nullptr;
 
-  /// Its findings are fine in general: it runs only for targets with a fact about it.
+  /// Only run for targets that have a fact about the rule: others are not affected.
   bool needs_target = false;
 
-  Tolerance tolerance{};  ///< use Findings::tolerance(), which knows the configuration
+  Tolerance tolerance{};  ///< use Findings::tolerance(), which includes the configuration
 
   /// The effects on readers. Facts about one reader are adjacent; the first matching one applies.
   std::span<const Fact> facts{};
@@ -89,7 +89,7 @@ struct Rule {
   bool blocks_building = false;  ///< no robot can be built from the file
 
   /// Ids and names of rules that this one has replaced. Comments, configurations and baselines may
-  /// still use them; no other rule ever gets them.
+  /// still use them; they are never given to another rule.
   std::span<const std::string_view> former{};
 };
 
@@ -110,7 +110,7 @@ enum class Applicability : std::uint8_t { safe, unsafe };
 /// A remedy as byte edits. Safe fixes never change what the model means to any reader that loads
 /// it.
 struct Fix {
-  /// A name that must be unique in its place: a key of a mapping, an attribute of an element.
+  /// A name that must be unique in its parent: a key of a mapping, or an attribute of an element.
   struct NewName {
     Span among;  ///< the mapping, the start tag, the robot
     std::string name;
@@ -135,31 +135,31 @@ struct Diagnostic {
   std::string named_pointer;
   /// The case of the rule, when readers distinguish cases: "dae", "hex"; may be empty.
   std::string construct;
-  /// Other rules that the finding also breaks: readers treat a misspelt `effort` as missing.
+  /// Other rules that the finding also breaks: to readers, a misspelt `effort` is missing.
   std::vector<const Rule*> consequences;
-  /// The severity before targets changed it; none when they did not.
+  /// The severity before targets changed it; none if they did not change it.
   std::optional<Severity> untargeted;
   std::vector<Label> labels;
   std::vector<std::string> notes;  ///< facts without a place
   std::string help_text;           ///< what to do; may be empty
-  std::vector<Fix> fixes;          ///< at most one today
+  std::vector<Fix> fixes;          ///< at most one at present
   /// The rule whose later findings were left out because of a limit; SML0002 means all rules.
   const Rule* left_out = nullptr;
 
-  // They return the finding, so that calls are chained: report(...).label(...).help(...).
+  // Calls can be chained: report(...).label(...).help(...).
   /// Adds a second place, with a short text.
   Diagnostic& label(Span place, std::string text);
   /// Adds a fact without a place.
   Diagnostic& note(std::string text);
-  /// Says what to do.
+  /// Adds the advice.
   Diagnostic& help(std::string text);
 };
 
 /// Collects diagnostics. Passed by reference through all stages; never prints, never throws.
 class DiagnosticSink {
  public:
-  /// Keeps at most `most` findings of each rule, and `all` of all rules together. The next one
-  /// becomes an SML0002 that reports this. `suggestions` limits the work of suggest().
+  /// Keeps at most `most` findings of each rule, and `all` findings in total. The next finding
+  /// becomes an SML0002. `suggestions` limits the work of suggest().
   explicit DiagnosticSink(std::uint64_t most = Limits{}.findings,
                           std::uint64_t suggestions = Limits{}.suggestions,
                           std::uint64_t all = Limits{}.all_findings)
@@ -167,15 +167,15 @@ class DiagnosticSink {
         most_suggestions_(suggestions),
         suggestions_left_(suggestions),
         most_of_all_(all) {}
-  /// Takes limits that a user may have raised.
+  /// Takes the limits of a run, which a user may have raised.
   explicit DiagnosticSink(const Limits& limits)
       : DiagnosticSink(limits.findings, limits.suggestions, limits.all_findings) {}
 
   /// The reference is valid until take(). Changes to a finding that is left out have no effect.
   Diagnostic& report(const Rule& rule, Span span, std::string message);
-  /// The known name nearest to `name`, for the finding reported last. None when that finding is
-  /// left out, or when all suggestions together exceed their limit, which an SML0002 reports. Use
-  /// it wherever the known names come from a file.
+  /// The known name nearest to `name`, for the finding reported last. None if that finding is left
+  /// out, or if all suggestions together exceed their limit, which an SML0002 reports. Use it for
+  /// known names that come from a file.
   std::optional<std::string_view> suggest(std::string_view name,
                                           std::span<const std::string_view> known);
 
@@ -208,7 +208,7 @@ class DiagnosticSink {
 /// All rules, ascending by id.
 std::span<const Rule* const> all_rules();
 
-/// Accepts an id ("SML3101") or a name ("unknown-joint"), also a former one; null when there is no
+/// Accepts an id ("SML3101") or a name ("unknown-joint"), also a former one; null if there is no
 /// such rule.
 const Rule* find_rule(std::string_view id_or_name);
 

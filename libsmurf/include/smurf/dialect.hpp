@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How programs interpret scenes: the same file gives different worlds.
+// The dialects of scenes: programs read different worlds from the same file.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ namespace smurf {
 struct EntityReading {
   std::optional<Pose> X_WE;  ///< absent: the reader does not load it
   Attachment parent, anchor;
-  JointPoseIndex joint_pose{};  ///< in SceneReading::joint_poses
+  JointPoseIndex joint_pose{};  ///< index in SceneReading::joint_poses
   /// How it differs from the documented meaning, or why the entity is not loaded: "reads the angles
   /// as radians". May be empty.
   std::string note;
@@ -36,15 +36,15 @@ struct Dialect {
   std::string_view help;
   /// Precondition: the scene was loaded without errors.
   SceneReading (*read)(const LinkedScene& scene) = nullptr;
-  /// The pose that the keys of an entity in `use` stand for, as far as it can be read alone.
+  /// The pose from the keys of an entity in `use`, as far as it does not depend on other entities.
   Pose (*pose_of)(const LinkedScene& scene, const SceneUse& use, const Entity& entity) = nullptr;
-  /// Whether what includes an entity moves it.
+  /// Whether the pose of the include moves the entity.
   bool (*is_moved_by_include)(const Entity& entity) = nullptr;
 };
 
 /// All dialects. `spec` comes first: it reads scenes as documented, as `load_scene` does.
 std::span<const Dialect* const> dialects();
-/// Null when there is none of that name.
+/// Null if there is no dialect of that name.
 const Dialect* find_dialect(std::string_view name);
 
 /// Gives the instances of a scene the poses, anchors and joint positions that a reader gives them.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What differs between two versions of a model or a scene for the robot, not for its files.
+// Compares two versions of a model or a scene: the robots, not the text of the files.
 #pragma once
 
 #include <cstddef>
@@ -38,47 +38,47 @@ std::string_view to_string(Change change);
 using DiffValue = std::variant<std::monostate, bool, double, std::string, std::vector<double>, Pose,
                                Quaternion, std::vector<std::string>>;
 
-/// One fact that differs. Names are those of the new version, of what was removed those of the old.
+/// One difference. Names are those of the new version; removed things have their old names.
 struct Difference {
   Change change = Change::changed;
   std::string kind{};                         ///< "joint"; empty: the file as a whole
   std::string name{};                         ///< may be empty
-  std::string owner{};                        ///< what it is part of: "link hand"; may be empty
-  std::string old_name{};                     ///< of what was renamed
-  std::string property{};                     ///< of what was changed: "limit.upper"
+  std::string owner{};                        ///< the parent: "link hand"; may be empty
+  std::string old_name{};                     ///< old name of a renamed thing
+  std::string property{};                     ///< the changed property: "limit.upper"
   DiffValue before{}, after{};                ///< of the property
-  std::string_view fallback{};                ///< what readers take where the value is absent
+  std::string_view fallback{};                ///< the value that readers use when it is absent
   std::string_view unit{};                    ///< may be empty
   std::span<const std::string_view> parts{};  ///< names of the numbers in the values; may be empty
   std::string detail{};                       ///< "moves 7 links"; may be empty
-  std::size_t number = 0;                     ///< of several without a name: which one, from 1
-  /// Where it is written, or would be; none when its element or entry is not in that version.
+  std::size_t number = 0;  ///< number (from 1) among several things without a name
+  /// Its place, or where it would be; none if its element or entry is not in that version.
   std::optional<Span> old_place{}, new_place{};
-  /// The compared models, by their index in both scenes, or 0 where two models are compared; none
-  /// for what belongs to a scene.
+  /// The compared models, by their index in both scenes, or 0 when two models are compared; none
+  /// for differences of the scene itself.
   std::optional<ModelIndex> old_model{}, new_model{};
 };
 
-/// The differences in the order of the new version, then what was removed. Both must be loaded into
-/// `sources`. Formatting, order, comments, and values that equal the default are ignored. When only
-/// one of the models has annotations, only the robots are compared.
+/// The differences in the order of the new version, followed by removed things. Both versions must
+/// be loaded into `sources`. Formatting, order, comments, and values that equal the default are
+/// ignored. If only one of the models has annotations, only the robots are compared.
 std::vector<Difference> diff(const LinkedModel& before, const LinkedModel& after,
                              const SourceMap& sources, const DiffOptions& options = {});
-/// The same with the models that both scenes place under one name.
+/// Compares two scenes, and the models that both have under one name.
 std::vector<Difference> diff(const LinkedScene& before, const LinkedScene& after,
                              const SourceMap& sources, const DiffOptions& options = {});
 
-/// The names of what is compared, for reports.
+/// The names of the compared versions, for reports.
 struct DiffInputs {
   std::string before, after;
   double tolerance = 0;
 };
 
-/// A paragraph of at most 80 columns each, or of the width of the terminal, and a line that counts
-/// them.
+/// One paragraph per difference, at most 80 columns or the width of the terminal, and a line with
+/// the count.
 std::string render_diff(std::span<const Difference> differences, const SourceMap& sources,
                         const TextStyle& style = {});
-/// The report of schemas/diff-report.schema.json.
+/// The report described by schemas/diff-report.schema.json.
 std::string render_diff_json(std::span<const Difference> differences, const SourceMap& sources,
                              const DiffInputs& inputs, const ToolName& tool);
 /// A self-contained HTML page with all differences, which can be searched and filtered. `picture`

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is named by the attributes of extensions of URDF and of SRDF.
+// The names in the attributes of URDF extensions and of SRDF.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace smurf {
 
-/// What the value of an attribute names, such as a link for `reference` of <gazebo>. Empty when the
-/// element has no such attribute.
+/// The kinds of things that the value of an attribute names, such as a link for `reference` of
+/// <gazebo>. Empty if the element has no such attribute.
 NameKinds names_in_extension(std::string_view parent, std::string_view element,
                              std::string_view attribute);
 

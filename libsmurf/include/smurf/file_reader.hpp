@@ -16,11 +16,11 @@ class CanonicalPaths;
 
 enum class ReadStatus : std::uint8_t { ok, not_found, not_a_file, too_large, denied };
 
-/// A file that was read, or why it was not.
+/// The content of a file, or the reason why it was not read.
 struct FileContent {
   ReadStatus status = ReadStatus::not_found;
   std::string text;    ///< set when status is ok
-  std::string reason;  ///< for a person, when status is not ok: "is a directory"
+  std::string reason;  ///< message for people, if status is not ok: "is a directory"
 };
 
 /// Reads the files that models and scenes name.
@@ -32,17 +32,17 @@ class FileReader {
   virtual FileContent read(const std::string& path, std::uint64_t max_bytes) const = 0;
   /// True for a regular file or a link to one; never opens it.
   virtual bool is_file(const std::string& path) const = 0;
-  /// Names (not paths) of the entries of a folder, sorted; empty when there is no such folder.
+  /// Names (not paths) of the entries of a folder, sorted; empty if there is no such folder.
   virtual std::vector<std::string> list(const std::string& folder) const = 0;
-  /// True when a path must stay unknown, even whether something is there: `is_file` is false then,
-  /// and `read` gives the reason.
+  /// True if nothing may be revealed about a path, not even whether a file exists there: `is_file`
+  /// is then false, and `read` gives the reason.
   virtual bool is_denied(const std::string&) const { return false; }
-  /// Equal for all names of one file or folder, whatever links they go through. The normalised path
-  /// when nothing else is known.
+  /// Equal for all paths to one file or folder, including paths through links. If nothing else is
+  /// known, the normalised path.
   virtual std::string identity(const std::string& path) const;
 };
 
-/// Files of the machine. Device files, pipes and sockets are refused, not opened.
+/// Files on disk. Device files, pipes and sockets are refused without opening them.
 class DiskFiles final : public FileReader {
  public:
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
@@ -51,23 +51,23 @@ class DiskFiles final : public FileReader {
   std::string identity(const std::string& path) const override;
 };
 
-/// Files of the machine inside of the allowed folders, after following symbolic links: what a model
+/// Files on disk inside the allowed folders, after following symbolic links: the files that a model
 /// from a stranger may name. All others are denied, whether they exist or not. The opened file is
-/// judged, not its path, so that a link that changes meanwhile leads nowhere else. Links and
+/// judged, not its path, so a link that is changed meanwhile does not lead elsewhere. Links and
 /// folders are looked up once: make a new reader after they have changed. Several threads may use
-/// it once everything is allowed.
+/// it once all files are allowed.
 class ConfinedFiles final : public FileReader {
  public:
   ConfinedFiles();
   ~ConfinedFiles() override;
-  /// A folder with all that is in it, or one file.
+  /// A folder with all its contents, or one file.
   void allow(const std::string& path);
-  /// The files in a folder that are not hidden, without the folders in it.
+  /// The files in a folder that are not hidden, without its subfolders.
   void allow_files_in(const std::string& folder);
-  /// The files of this name in a folder and in all folders in it.
+  /// The files of this name in a folder and in all its subfolders.
   void allow_named(const std::string& name, const std::string& folder);
-  /// Denies everything of this name, in any case, with its contents, wherever it is in an allowed
-  /// folder. `but` is a path in it that stays allowed; "": none.
+  /// Denies files and folders of this name, in any case, with their contents, anywhere in an
+  /// allowed folder. `but` is a path inside that stays allowed; "": none.
   void deny_named(const std::string& name, const std::string& but = {});
 
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
@@ -83,13 +83,13 @@ class ConfinedFiles final : public FileReader {
 
   DiskFiles disk_;
   std::unique_ptr<CanonicalPaths> canonical_;
-  std::unique_ptr<CanonicalPaths> ways_;  ///< no further than links may go
+  std::unique_ptr<CanonicalPaths> ways_;  ///< the limit for the length of chains of links
   std::unique_ptr<Allowed> allowed_;
   mutable std::mutex mutex_;
   mutable std::map<std::string, std::vector<std::string>> lists_;
 };
 
-/// Files in memory, in front of another reader when one is given (standard input, unsaved buffers).
+/// Files in memory, which override those of another reader (standard input, unsaved buffers).
 class MemoryFiles final : public FileReader {
  public:
   explicit MemoryFiles(const FileReader* behind = nullptr) : behind_(behind) {}

@@ -15,10 +15,10 @@ namespace smurf {
 /// A file as it is with the fixes.
 struct FixedText {
   std::string path;  ///< as the SourceMap names it
-  std::string text;  ///< the whole file; bytes that no fix touches are as they were
+  std::string text;  ///< the whole file; bytes that no fix changes are copied
 };
 
-/// What apply_fixes() changed.
+/// The changes of apply_fixes().
 struct AppliedFixes {
   std::vector<FixedText> texts;  ///< changed files only, sorted by path
   std::vector<Edit> edits;       ///< the same, one by one
@@ -26,9 +26,9 @@ struct AppliedFixes {
 };
 
 /// Applies the fixes of the diagnostics, in their order: the safe ones, and the unsafe ones too
-/// when `most` is unsafe. A fix is applied whole or not at all; one that touches what an earlier
-/// one touches is left for another round, because its bytes are no longer there, and so is one that
-/// gives a second key of a mapping the same new name.
+/// when `most` is unsafe. A fix is applied whole or not at all. A fix is left for another round if
+/// it overlaps an earlier fix, because its bytes have changed, or if it gives a second key of a
+/// mapping the same new name.
 AppliedFixes apply_fixes(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          Applicability most);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Solid shapes of a flat scene, wherever they were written: in a URDF, an entity or an old scene.
+// Solid shapes of a flat scene. They come from a URDF, an entity or an old scene.
 #pragma once
 
 #include <array>

@@ -24,8 +24,8 @@ struct Dialect;
 
 struct ValueMember;
 
-/// Other data of an entity, as far as both YAML and JSON can express it. Numbers keep the value of
-/// their text.
+/// Other data of an entity, as far as both YAML and JSON can express them. Numbers keep the value
+/// of their text.
 struct Value {
   using List = std::vector<Value>;
   using Object = std::vector<ValueMember>;
@@ -39,14 +39,14 @@ struct ValueMember {
 
 /// A model that instances share.
 struct FlatModel {
-  std::string id;    ///< unique; the file's stem where that is
+  std::string id;    ///< unique; the stem of the file if that is unique
   std::string type;  ///< "smurf" or "urdf"
   std::string file;
-  std::string urdf;  ///< the same as `file` for a URDF; empty when there is none
+  std::string urdf;  ///< equal to `file` for a URDF; empty if there is no URDF
   ModelIndex source{};
-  /// Mesh and texture files relative to the output's folder, by what the URDF writes.
+  /// Mesh and texture files relative to the output's folder, by the path in the URDF.
   std::map<std::string, std::string, std::less<>> resources;
-  /// Same, by the `diffuseTexture` of a material of the annotations.
+  /// Textures of annotated materials in the same way, by `diffuseTexture`.
   std::map<std::string, std::string, std::less<>> annotated_textures;
 };
 
@@ -57,13 +57,13 @@ struct FlatAttachment {
   std::string link;      ///< kind link
 };
 
-/// An entity in the world: a model, or shapes of its own.
+/// An entity in the world: a model, or a set of shapes.
 struct FlatInstance {
   std::string name;  ///< as written
   std::string path;  ///< unique: "outer/inner"
   std::string type;
   std::optional<std::size_t> model;  ///< in FlatScene::models
-  std::string file;                  ///< of an entity without model; may be empty
+  std::string file;                  ///< for an entity without model; may be empty
   std::string source_file;           ///< where the entity is written
   std::uint32_t source_line = 1;
   std::optional<Pose> X_WE;  ///< of the root link frame; absent when the scene has errors
@@ -73,7 +73,7 @@ struct FlatInstance {
   std::vector<std::pair<std::string, double>> joint_positions;
   Value::Object properties;       ///< all other keys
   std::vector<FlatShape> shapes;  ///< of an entity without model
-  /// X_WL of every link, in the model's order, when asked for.
+  /// X_WL of every link, in the model's order, if requested.
   std::vector<std::pair<std::string, Pose>> links;
 };
 
@@ -84,14 +84,14 @@ struct FlatPhysics {
   std::optional<double> cfm, erp;
 };
 
-/// The contents of an old scene other than shapes.
+/// The contents of an old scene except for its shapes.
 struct FlatOldScene {
-  std::size_t instance = 0;            ///< that names it
-  Value::List lights;                  ///< in the world frame, wherever the scene is placed
-  std::vector<Light> lamps;            ///< the same, read; their places are that of the entity
-  std::vector<std::string> movable;    ///< names of nodes that MARS lets move
-  std::vector<std::string> shapeless;  ///< names of nodes without a shape that is known here
-  /// Numbers of other things in it, by their names: "joint", "motor", ...; only those above 0.
+  std::size_t instance = 0;          ///< that names it
+  Value::List lights;                ///< in the world frame, wherever the scene is placed
+  std::vector<Light> lamps;          ///< the same lights, parsed; their place is that of the entity
+  std::vector<std::string> movable;  ///< names of nodes that can move in MARS
+  std::vector<std::string> shapeless;  ///< names of nodes whose shape is unknown
+  /// Numbers of its other objects, by kind: "joint", "motor", ...; only those above 0.
   std::vector<std::pair<std::string_view, std::size_t>> others;
 };
 
@@ -106,11 +106,11 @@ struct FlatScene {
   std::vector<FlatInstance> instances;  ///< depth-first, in file order
 };
 
-/// What a format writes of a model in each of its instances, besides links, shapes and the text of
-/// the URDF.
+/// The parts of a model that a format writes for each of its instances, besides links, shapes and
+/// the text of the URDF.
 struct RepeatedParts {
   std::uint64_t bytes = 0;
-  std::uint64_t names = 0;  ///< that the path of the instance is written before
+  std::uint64_t names = 0;  ///< names that get the path of the instance as a prefix
 };
 
 /// The parts that a format needs from flatten().
@@ -123,21 +123,21 @@ struct FlattenOptions {
   std::string output_folder = ".";
   /// Absolute path that relative paths start from.
   std::string current_folder = "/";
-  /// The contents of the old scenes; null: their entities have no shapes.
+  /// The contents of the old scenes; null: entities of old scenes have no shapes.
   const OldScenes* old_scenes = nullptr;
 };
 
-/// False, and a finding, when the result of flatten(), or what a format writes of it, would be
-/// larger than `limits.scene_bytes`.
+/// Reports a finding and returns false if the result of flatten(), or the text that a format makes
+/// of it, would exceed `limits.scene_bytes`.
 bool check_scene_size(const LinkedScene& scene, const SourceMap& sources,
                       const FlattenOptions& options, const Limits& limits, DiagnosticSink& sink);
 
-/// Never fails: entities with errors have no pose. Reads no files.
+/// Never fails: entities with errors have no pose. Does not read files.
 FlatScene flatten(const LinkedScene& scene, const SourceMap& sources,
                   const FlattenOptions& options);
 
-/// False, and a finding for each entity concerned, when poses or sizes are too large for the
-/// formats to compute with.
+/// Reports a finding for each entity with poses or sizes that are too large for computations, and
+/// returns false if there are any.
 bool check_flat_numbers(const FlatScene& flat, const LinkedScene& scene, DiagnosticSink& sink);
 
 /// One transform on the way from the world to an instance.
@@ -145,19 +145,19 @@ struct TransformStep {
   std::string what;  ///< "joint `j1` at 0.5 rad"
   Span span;         ///< where it is written; may be empty
   Pose X_step;       ///< relative to the step before
-  Pose X_W;          ///< all steps so far
+  Pose X_W;          ///< product of all steps so far
 };
 
 /// Longer chains are not shown: each parent in a chain of parents adds its joints.
 inline constexpr std::size_t kMostSteps = 10'000;
 
-/// The chain of transforms of an instance, from the world on; empty when the instance has no pose.
-/// One that is too long ends after kMostSteps + 1.
-/// `scene` is as loaded, or as apply_dialect() left it with this dialect.
+/// The chain of transforms from the world to an instance; empty if the instance has no pose. A
+/// longer chain ends after kMostSteps + 1 steps. `scene` is as loaded, or as apply_dialect()
+/// changed it for this dialect.
 std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex instance,
                                    const Dialect& dialect);
 
-/// An instance by its path, else the first by its name.
+/// The instance with this path, else the first instance with this name.
 std::optional<InstanceIndex> find_instance(const LinkedScene& scene, std::string_view name);
 
 }  // namespace smurf

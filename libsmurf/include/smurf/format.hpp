@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The SMURF format in words: every section and key with its type, unit and default. Made from the
-// tables by which files are read.
+// Describes the SMURF format: every section and key with its type, unit and default. Generated from
+// the tables that the readers use.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct KeyDescription {
   bool is_required = false;
 };
 
-/// A section of annotations, or another mapping with keys of its own.
+/// A section of annotations, or another mapping with a table of keys.
 struct FormatPart {
   std::string_view name;  ///< "motors"
   std::vector<std::string_view> aliases{};

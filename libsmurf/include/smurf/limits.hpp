@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bounds on what a file may demand. Reaching one is a diagnostic, never a crash or a hang.
+// Limits for untrusted files. Reaching one is a diagnostic, never a crash or a hang.
 #pragma once
 
 #include <array>
@@ -39,14 +39,14 @@ struct Limits {
   std::uint64_t suggestions = 200'000'000;
 };
 
-/// A limit as people know it: what `--limit` and docs/limits.md call it.
+/// A limit with the name that `--limit` and docs/limits.md use.
 struct LimitInfo {
   std::string_view name;
   std::uint64_t Limits::*value;
   std::uint64_t most;           ///< the largest safe value
   std::string_view counts;      ///< "nested lists and mappings"
-  std::string_view diagnostic;  ///< the rule that reports an excess; empty: a tool fails
-  std::string_view reason;      ///< for the default and for the largest value
+  std::string_view diagnostic;  ///< the rule that reports an excess; empty: the tool fails
+  std::string_view reason;      ///< the reason for the default and the largest value
 };
 
 inline constexpr std::array kLimits{

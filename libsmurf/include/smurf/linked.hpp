@@ -35,8 +35,8 @@ std::size_t to_size(Index index) {
   return static_cast<std::size_t>(index);
 }
 
-/// Which joint leads to which link. Only meaningful parts are filled: a joint whose ends are
-/// unknown has none, a link with two parents keeps the first.
+/// The tree of links and joints. Parts without meaning are empty: a joint with an unknown link has
+/// no ends. A link with two parents keeps the first.
 struct KinematicTree {
   std::vector<std::optional<LinkIndex>> joint_parent, joint_child;  ///< by joint
   std::vector<std::optional<JointIndex>> parent_joint;              ///< by link
@@ -45,19 +45,19 @@ struct KinematicTree {
   std::vector<LinkIndex> order;  ///< reachable from the roots, parents before children
 };
 
-/// Names of one kind, the first of equal names wins. Views point into the model.
+/// Names of one kind. Of equal names, the first is found. Views point into the model.
 class NameTable {
  public:
-  /// The index that the name already has; none when it is new.
+  /// The index of an earlier equal name; none if the name is new.
   std::optional<std::uint32_t> add(std::string_view name, std::uint32_t index);
-  /// Makes room for as many names.
+  /// Reserves memory for this number of names.
   void reserve(std::size_t count);
   std::optional<std::uint32_t> find(std::string_view name) const;
   bool contains(std::string_view name) const { return find(name).has_value(); }
   const std::vector<std::string_view>& names() const { return names_; }  ///< unique, in order
 
  private:
-  /// The slot that holds the name, or the empty one where it belongs.
+  /// The slot that contains the name, or the empty slot for it.
   std::size_t slot_of(std::string_view name) const;
   void rehash(std::size_t slots);
 
@@ -65,23 +65,23 @@ class NameTable {
   // memory than everything else here.
   std::vector<std::string_view> names_;
   std::vector<std::uint32_t> indices_;  ///< of names_
-  std::vector<std::uint32_t> slots_;    ///< places in names_, from 1; 0 is empty
+  std::vector<std::uint32_t> slots_;    ///< positions in names_, from 1; 0 is an empty slot
 };
 
-/// A path written in a URDF and the files it means, in the view of URDF readers (relative to the
-/// URDF's folder) and of MARS (relative to the .smurf's folder).
+/// A path in a URDF and the files that readers find for it: URDF readers relative to the folder of
+/// the URDF, MARS relative to the folder of the .smurf.
 struct MeshReference {
   Span span;
   std::string filename;  ///< as written
   bool is_texture = false;
 
   std::string path;     ///< resolved; empty when it cannot be (unknown package, other scheme)
-  bool exists = false;  ///< also true outside of the project, where nothing is looked up
-  /// When nothing is at `path`: a file whose path differs only in case or in `/` for `\`.
+  bool exists = false;  ///< also true outside of the project, where files are not looked up
+  /// If there is no file at `path`: a file whose path differs only in case or in `/` for `\`.
   std::string similar;
-  /// When there is no such file either: the name of a file beside `path` that resembles its name.
+  /// If that file does not exist either: the name of a file beside `path` with a similar name.
   std::string near_name;
-  const MeshFile* file = nullptr;  ///< what is at `path`; null when it was not opened
+  const MeshFile* file = nullptr;  ///< facts about the mesh at `path`; null if it was not opened
 
   /// The file that MARS opens: the .bobj of this mesh where there is one (smurf.cpp:1070-1111).
   /// Empty for a URDF without .smurf, and for addresses, which MARS does not understand.
@@ -96,10 +96,10 @@ struct TextureReference {
   std::string filename;  ///< as written
   std::string path;      ///< resolved
   bool exists = false;
-  bool is_denied = false;  ///< it lies outside of the project, so whether it exists is unknown
+  bool is_denied = false;  ///< it is outside of the project, and may exist or not
 };
 
-/// A file of a model and what is known of it.
+/// A file of a model and its parsed content.
 struct ModelFile {
   enum class Kind : std::uint8_t { main, urdf, annotation };
   Kind kind = Kind::annotation;
@@ -111,12 +111,12 @@ struct ModelFile {
 /// YAML) point into the SourceMap and into the vectors here, so the model is moved, not copied.
 struct LinkedModel {
   std::string path;       ///< as given: a .smurf, a .urdf or an annotation file
-  bool has_main = false;  ///< false for a URDF or annotation file on its own
+  bool has_main = false;  ///< false for a URDF or annotation file without a main file
   Model main;
   std::vector<ModelFile> files;  ///< in the order they were read
   Annotations annotations;       ///< of all files, merged
   std::optional<urdf::Robot> robot;
-  std::string urdf_path;  ///< empty when there is none
+  std::string urdf_path;  ///< empty if there is no URDF
   KinematicTree tree;
   NameTable link_names, joint_names, visual_names, collision_names, material_names;
   NameTable motor_names, sensor_names;
@@ -124,7 +124,7 @@ struct LinkedModel {
   std::vector<TextureReference> annotation_textures;
   /// Annotation files beside the main file, named like its own, that `files` does not list.
   std::vector<std::string> unlisted_files;
-  const UserSchemas* schemas = nullptr;  ///< those it was loaded with; may be null
+  const UserSchemas* schemas = nullptr;  ///< the schemas that were used for loading; may be null
   /// False when a file is missing or broken: names that seem unknown may be in it.
   bool is_complete = true;
 
@@ -136,16 +136,16 @@ struct LinkedModel {
 
   const urdf::Link& link(LinkIndex index) const { return robot->links[to_size(index)]; }
   const urdf::Joint& joint(JointIndex index) const { return robot->joints[to_size(index)]; }
-  /// The first of this name; null when there is none. Valid as long as the model.
+  /// The first link of this name; null if there is none. Valid as long as the model.
   const urdf::Link* find_link(std::string_view name) const;
   const urdf::Joint* find_joint(std::string_view name) const;
   const Motor* find_motor(std::string_view name) const;
   const Sensor* find_sensor(std::string_view name) const;
-  /// Same, as an index of the tree and of forward_kinematics().
+  /// The link as an index of the tree and of forward_kinematics().
   std::optional<LinkIndex> link_index(std::string_view name) const;
   std::optional<JointIndex> joint_index(std::string_view name) const;
 
-  /// The YAML document a span lies in; null when it is XML or unread.
+  /// The YAML document that contains a span; null for XML and unread files.
   const yaml::Document* document(SourceId source) const;
   /// The table of a kind; null for kinds without one.
   const NameTable* names(NameKind kind) const;
@@ -159,8 +159,8 @@ using JointPositions = std::map<std::string, double, std::less<>>;
 std::vector<std::optional<Pose>> forward_kinematics(const LinkedModel& model,
                                                     const JointPositions& positions);
 
-/// Positions of a named joint pose set; pose keys name motors or joints. None when there is no set
-/// of that name.
+/// Positions of a named joint pose set; pose keys name motors or joints. None if there is no set of
+/// that name.
 std::optional<JointPositions> joint_positions(const LinkedModel& model, std::string_view pose_name);
 
 /// The thing that an instance is fixed to, or placed relative to.
@@ -177,7 +177,7 @@ struct Attachment {
 struct Placement {
   Attachment parent;  ///< the frame of X_PE; none: the world
   Attachment anchor;
-  /// The own pose, composed with those of the includes up to the one that gives the parent.
+  /// The own pose, composed with those of the includes up to the include that gives the parent.
   Pose X_PE;
   bool is_known = true;  ///< false when a parent or a pose is unreadable
 };
@@ -186,7 +186,7 @@ struct Placement {
 struct SceneFile {
   std::string path;
   SourceId source{};
-  std::optional<yaml::Document> document;  ///< of a drawing (.svg): the scene that it means
+  std::optional<yaml::Document> document;  ///< for a drawing (.svg): the scene that it describes
   std::optional<xml::Document> drawing;
   Scene scene;
 };
@@ -216,12 +216,12 @@ struct Instance {
   std::string file;        ///< resolved; empty when there is none
   std::optional<ModelIndex> model;
   Placement placement;
-  JointPoseIndex joint_pose{};  ///< the named one; see LinkedScene::joint_positions()
+  JointPoseIndex joint_pose{};  ///< index for LinkedScene::joint_positions()
   /// World pose of the root link frame; absent when something it depends on is in error.
   std::optional<Pose> X_WE;
 };
 
-/// A loaded scene. A .smurf or .urdf counts as a scene of one entity; its scene file has no
+/// A loaded scene. A .smurf or .urdf is loaded as a scene of one entity, whose scene file has no
 /// document.
 struct LinkedScene {
   std::string path;
@@ -229,10 +229,10 @@ struct LinkedScene {
   std::vector<SceneUse> uses;        ///< the loaded scene first, outer uses before inner ones
   std::vector<LinkedModel> models;   ///< each file once
   std::vector<Instance> instances;   ///< depth-first, in file order
-  std::vector<DataFile> data_files;  ///< each once
-  /// The joint poses of the instances, each once; the first has all joints at zero.
+  std::vector<DataFile> data_files;  ///< each model once
+  /// The distinct joint poses of the instances; in the first, all joints are at zero.
   std::vector<JointPositions> joint_poses{1};
-  const UserSchemas* schemas = nullptr;  ///< those it was loaded with; may be null
+  const UserSchemas* schemas = nullptr;  ///< the schemas that were used for loading; may be null
   bool is_complete = true;               ///< false when a file is missing or broken
 
   LinkedScene() = default;
@@ -252,7 +252,7 @@ struct LinkedScene {
                      : nullptr;
   }
   const Instance& instance(InstanceIndex index) const { return instances[to_size(index)]; }
-  /// The positions of all joints but mimicking ones.
+  /// The positions of all joints that do not mimic another joint.
   const JointPositions& joint_positions(const Instance& instance) const {
     return joint_poses[to_size(instance.joint_pose)];
   }

@@ -17,33 +17,33 @@
 
 namespace smurf {
 
-/// Settings for some of the files only.
+/// Settings for the files that match a pattern.
 struct PathRules {
   std::function<bool(const std::string& path)> covers;
   std::vector<std::string> ignore;
   std::map<std::string, Severity> severities;
 };
 
-/// Which rules run, and their severities. Ids may be ids, names or prefixes ("SML3").
+/// The rules to run, and their severities. Ids may be ids, names or prefixes ("SML3").
 struct RuleSelection {
   std::vector<std::string> select;  ///< empty: all
   std::vector<std::string> ignore;
   std::map<std::string, Severity> severities;
   std::vector<const Reader*> targets;        ///< empty: no particular reader
   std::map<std::string, double> tolerances;  ///< by id or name
-  std::vector<PathRules> paths;              ///< where several cover a file, the last one wins
+  std::vector<PathRules> paths;              ///< if several match a file, the last one applies
 
   bool is_enabled(const Rule& rule) const;
-  /// The severity that is set, else the rule's own.
+  /// The severity from the settings, else that of the rule.
   double tolerance_of(const Rule& rule) const;
 };
 /// True when `pattern` is the rule's id or name, a former one, or a prefix of its id.
 bool matches(const Rule& rule, std::string_view pattern);
 
-/// doubtful_references() of a model, found when the first rule asks.
+/// The doubtful_references() of a model, found at the first request.
 class DoubtfulReferences {
  public:
-  /// The list is empty without a model.
+  /// The list is empty if there is no model.
   explicit DoubtfulReferences(const LinkedModel* model) : model_(model) {}
   std::span<const Reference> list() {
     if (!list_ && model_ != nullptr) list_ = doubtful_references(*model_);
@@ -70,7 +70,7 @@ class Findings {
                                           std::span<const std::string_view> known) {
     return sink_.suggest(name, known);
   }
-  /// The doubtful references of the model that is checked.
+  /// The doubtful references of the checked model.
   std::span<const Reference> doubtful_references() { return references_.list(); }
   /// Rule::tolerance, or the value from the configuration.
   double tolerance() const { return tolerance_; }
@@ -83,23 +83,23 @@ class Findings {
 };
 
 void lint_model(const LinkedModel& model, const RuleSelection& selection, DiagnosticSink& sink);
-/// The scene's own rules; its models are linted by lint_model.
+/// Runs the rules about the scene itself; lint_model() checks its models.
 void lint_scene(const LinkedScene& scene, const RuleSelection& selection, DiagnosticSink& sink);
 
 /// Fills the pointer of every diagnostic that has none, from the trees of the model or scene.
 void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics);
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics);
 
-/// Sorts by path, line, column and id, and drops repetitions (one file in two models).
+/// Sorts by path, line, column and id, and removes repetitions (a file may belong to two models).
 void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& sources);
 
-/// Applies the selection and the targets, then sort_findings(). Diagnostics are located before,
-/// because what a reader makes of a finding depends on its place.
-///
-/// With targets, a finding is an error when one of them reports an error, refuses the file or
-/// crashes, and a warning when one silently loses or changes something. When all of them
-/// load it as intended, a finding is one level milder. It keeps its severity when there is no fact
-/// about any reader, or when the body is impossible.
+/// Applies the selection and the targets, then sort_findings(). Diagnostics must
+/// be located before, because effects on readers depend on the place. With
+/// targets, a finding is an error if a target reports an error, refuses the file
+/// or crashes, and a warning if a target silently loses or changes something. If
+/// all targets load the file as intended, a finding is one level milder. It keeps
+/// its severity if there is no fact about any reader, or if the body is
+/// impossible.
 std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
                                const RuleSelection& selection);
 

@@ -19,8 +19,8 @@
 
 namespace smurf {
 
-/// Files that were read, to limit repeated reading: thousands of models may share one large URDF,
-/// and each keeps a copy.
+/// Remembers files, to limit repeated reading: thousands of models may share one large
+/// URDF, and each keeps a copy.
 struct ReadFiles {
   std::set<std::string> known;  ///< by identity
   std::uint64_t repeated = 0;   ///< bytes
@@ -30,20 +30,20 @@ struct ReadFiles {
 
 class ParsedFiles;
 
-/// Everything that loading needs. All of it must outlive the result.
+/// The input of loading. All of it must outlive the result.
 struct LoadContext {
   SourceMap& sources;
   const FileReader& files;
   DiagnosticSink& sink;
   Limits limits;
   std::map<std::string, std::string> packages;  ///< package:// names to folders
-  /// Folders that hold packages: those of ROS_PACKAGE_PATH, and share/ of AMENT_PREFIX_PATH.
+  /// Folders that contain packages: those of ROS_PACKAGE_PATH, and share/ of AMENT_PREFIX_PATH.
   std::vector<std::string> package_folders = {};
-  MeshLibrary* meshes = nullptr;         ///< null: meshes are looked up, but not opened
-  const UserSchemas* schemas = nullptr;  ///< of the user's own sections and entity types
+  MeshLibrary* meshes = nullptr;         ///< null: mesh files are looked up, but not opened
+  const UserSchemas* schemas = nullptr;  ///< for custom sections and entity types
   /// Shared by all models in memory at the same time.
   std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();
-  ParsedFiles* parsed = nullptr;  ///< by an earlier load; may be null
+  ParsedFiles* parsed = nullptr;  ///< results of an earlier load; may be null
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Reports all mistakes and returns
@@ -53,7 +53,7 @@ LinkedModel load_model(const std::string& path, LoadContext& context);
 /// Loads a .smurfs, a .smurfa or a drawing (.svg) with all scenes and models it names.
 LinkedScene load_scene(const std::string& path, LoadContext& context);
 
-/// Reads any XML file, an SRDF for example. None when it is missing or broken; that was reported.
+/// Reads any XML file, for example an SRDF. Reports a missing or broken file and returns none.
 std::optional<xml::Document> load_xml(const std::string& path, LoadContext& context);
 
 }  // namespace smurf

@@ -50,75 +50,75 @@ struct MeshDefect {
 /// Another file that a mesh names.
 struct MeshDependency {
   enum class Kind : std::uint8_t {
-    material_library,  ///< of OBJ, which names textures in turn
+    material_library,  ///< of OBJ; may refer to textures
     texture,
-    buffer  ///< of glTF, with its points
+    buffer  ///< of glTF; contains the points
   };
 
-  std::string filename;  ///< as written, without the quoting of the format
+  std::string filename;  ///< as written, but unquoted
   Kind kind = Kind::texture;
   std::uint32_t line = 0;    ///< 1-based; 0 in a binary file
-  std::uint64_t offset = 0;  ///< of the bytes with the name, quoted as the format has it
+  std::uint64_t offset = 0;  ///< of the bytes with the name, with its quotes
   std::uint64_t length = 0;
-  bool is_denied = false;  ///< it lies outside of the project, so whether it exists is unknown
+  bool is_denied = false;  ///< it is outside of the project, and may exist or not
 
-  /// The path that the name means: without `file://`, and with a blank for `%20`.
+  /// The path without `file://`, and with spaces for `%20`.
   std::string path() const;
 };
 
-/// All lengths are in the file's own unit and axes, before any scale of the URDF; glTF, whose y
-/// axis is up, is turned to z.
+/// Facts about a mesh. All lengths are in the file's own unit and axes, before any scale of the
+/// URDF; glTF, whose y axis is up, is turned to z.
 struct MeshFacts {
   MeshFormat format = MeshFormat::unknown;
   std::uint64_t bytes = 0;
-  std::uint64_t triangles = 0;  ///< polygons count as the triangles they fall into
-  std::uint64_t vertices = 0;   ///< as stored: binary STL stores three a triangle
+  std::uint64_t triangles = 0;  ///< each polygon counts as its triangles
+  std::uint64_t vertices = 0;   ///< as stored: binary STL stores three per triangle
   /// Encloses all vertices. For COLLADA and glTF it encloses the scene with the transforms of its
   /// nodes, and the turned boxes of turned nodes. Absent when there are none or they cannot be
   /// placed.
   std::optional<Box> box;
-  /// The enclosed volume; negative when the triangles face inward. Present only when the surface
-  /// looks closed, that is, when its area vectors add up to zero. Never present for COLLADA and
+  /// The enclosed volume; negative if the triangles face inward. Present only if the surface
+  /// looks closed, that is, if its area vectors add up to zero. Never present for COLLADA and
   /// glTF.
   std::optional<double> volume;
-  std::optional<double> unit_meters;  ///< COLLADA: metres a unit, when written
+  std::optional<double> unit_meters;  ///< COLLADA: metres per unit, if written
   char up_axis = '\0';                ///< COLLADA: 'X', 'Y' or 'Z', when written
   bool named_solid = false;           ///< binary STL whose header begins like an ASCII one
-  std::vector<std::string> extras;    ///< COLLADA: "lights", "cameras", "animations" that it holds
+  std::vector<std::string> extras;  ///< COLLADA: contents such as "lights", "cameras", "animations"
   std::vector<MeshDependency> dependencies;
   std::optional<MeshDefect> defect;
-  /// glTF: why triangles and box are unknown although nothing is broken: "has skins, which are not
-  /// read".
+  /// glTF: the reason why triangles and box are unknown although the file is not broken: "has
+  /// skins, which are not read".
   std::string unread;
 };
 
 /// The other files that a mesh file or a material library (.mtl) names. A name may be written
 /// several times.
 std::vector<MeshDependency> files_named_in(std::string_view bytes, std::string_view extension);
-/// New names by the old ones, as written. A new name has only characters that need no quoting.
+/// Old names, as written, and new names, which contain only characters that need no quotes.
 using FileNames = std::map<std::string, std::string>;
-/// The file with other names. All other bytes stay, except for sizes in a binary glTF.
+/// The file with new names. All other bytes are unchanged, except for sizes in a binary glTF.
 std::string with_other_names(std::string_view bytes, std::string_view extension,
                              const FileNames& names);
 
 /// A mesh file that was opened.
 struct MeshFile {
   ReadStatus status = ReadStatus::not_found;
-  std::string reason;  ///< for a person, when status is not ok
-  MeshFacts facts;     ///< when status is ok
+  std::string reason;  ///< message for people, if status is not ok
+  MeshFacts facts;     ///< if status is ok
   /// The files that it names and that are not there.
   std::vector<MeshDependency> lost;
 };
 
-/// The meshes of a run: each file is read once, however many models use it. What it returns stays
-/// valid while it lives.
+/// The meshes of a run: each file is read once, even if many models use it. Returned pointers are
+/// valid as long as the library.
 class MeshLibrary {
  public:
   const MeshFile& read(const std::string& path, const FileReader& files, const Limits& limits);
 
  private:
   std::map<std::string, std::string> keys_;  ///< of the files, by path
-  std::map<std::string, MeshFile> files_;    ///< one for all names of a file that links make
+  std::map<std::string, MeshFile> files_;    ///< one for all names that links give to a file
   std::map<std::string, std::vector<MeshDependency>> textures_;  ///< of material libraries
 };
 

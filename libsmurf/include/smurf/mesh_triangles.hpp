@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangles of a mesh file, for programs that show it. Only the caller keeps them.
+// The triangles of a mesh file, for programs that show it. The library does not keep them.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace smurf {
 
-/// The triangles of one colour, up to those of the next part.
+/// A part of a mesh with one colour. Its triangles precede those of the next part.
 struct MeshPart {
   std::uint32_t first_point = 0;
   std::uint32_t first_index = 0;
@@ -29,18 +29,18 @@ using TexturePoint = std::array<float, 2>;
 /// coordinates becomes two points.
 enum class TexturePoints : std::uint8_t { ignored, read };
 
-/// Before any scale of the URDF. COLLADA is in metres, as its unit says, and in its own axes, since
-/// RViz and Gazebo ignore its up_axis. glTF, whose y axis is up, is turned to z, as RViz turns
-/// it. All other files are as they are.
+/// Before any scale of the URDF. COLLADA is in metres, according to its unit, and in its own axes,
+/// because RViz and Gazebo ignore its up_axis. glTF, whose y axis is up, is rotated to z, as in
+/// RViz. All other files are not changed.
 struct MeshTriangles {
-  std::vector<std::array<float, 3>> points;  ///< no two of a part are equal
-  std::vector<std::uint32_t> indices;        ///< three a triangle, in the order of the file by part
-  std::string reason;                        ///< why there are none: "has no triangles"
-  std::vector<MeshPart> parts = {};          ///< all of them, in the order of points and indices
-  /// The texture coordinates of each point. Empty when they were not asked for, or when a corner of
-  /// a triangle has none.
+  std::vector<std::array<float, 3>> points;  ///< points of one part differ from each other
+  std::vector<std::uint32_t> indices;        ///< three per triangle, part by part in file order
+  std::string reason;                ///< the reason if there are no triangles: "has no triangles"
+  std::vector<MeshPart> parts = {};  ///< all of them, in the order of points and indices
+  /// The texture coordinates of each point. Empty if they were not requested, or if a corner of a
+  /// triangle has none.
   std::vector<TexturePoint> texture_points = {};
-  bool has_textures = false;  ///< the file names images for its triangles, or contains them
+  bool has_textures = false;  ///< the file refers to images for its triangles, or contains images
 };
 
 /// Reads a file that a mesh names, relative to the mesh.

@@ -13,19 +13,19 @@
 
 namespace smurf {
 
-/// Red, green, blue, alpha in 0..1; a component that is not written is absent.
+/// Red, green, blue, alpha in 0..1; components may be absent.
 struct Color {
   Field<double> r, g, b, a;
 };
 
 using NameList = std::vector<Spanned<std::string>>;
 
-/// The members of all entries of all sections. Keys without a member are still in the tree:
-/// `node` is their place in the document of `span.source`.
+/// Members that entries of all sections have. Keys without a member are only in the tree: `node` is
+/// the entry in the document of `span.source`.
 struct Annotation {
   Span span;
   yaml::NodeId node = yaml::kNoNode;
-  Span section;  ///< the section's key as written ("joints"), which not every reader knows
+  Span section;  ///< the section's key as written ("joints"); some readers do not know all of them
   Field<std::string> name;
 };
 
@@ -41,7 +41,7 @@ struct Motor : Annotation {
   Field<std::string> joint, type;
   Field<double> max_speed, max_effort;       ///< rad/s or m/s; N m or N
   Field<double> min_value, max_value;        ///< rad or m
-  Field<double> min_position, max_position;  ///< rad or m; newer names, they win in MARS
+  Field<double> min_position, max_position;  ///< rad or m; newer names, preferred by MARS
   Field<double> p, i, d;
   Field<std::string> mimic_motor;
   Field<double> mimic_multiplier, mimic_offset;
@@ -100,7 +100,7 @@ struct Light : Annotation {
   Field<std::string> node_name;
 };
 
-/// The content of `graphics`; MARS takes one mapping as well as a list.
+/// The content of `graphics`. MARS accepts a single mapping and a list.
 struct Graphics : Annotation {
   Field<Color> clear_color, fog_color;
   Field<bool> fog_enabled;
@@ -111,7 +111,7 @@ struct Graphics : Annotation {
 struct JointPoseSet : Annotation {
   /// The position of one joint.
   struct Entry {
-    Spanned<std::string> name;  ///< of a motor (MARS) or joint (Phobos)
+    Spanned<std::string> name;  ///< a motor (MARS) or joint (Phobos)
     Field<double> position;     ///< rad or m
   };
   std::vector<Entry> joints;
@@ -147,7 +147,7 @@ struct Submodel : Annotation {
   Field<NameList> stop;                        ///< links
 };
 
-/// A section the format does not define, kept whole.
+/// A section that the format does not define, kept as it is.
 struct CustomSection {
   Spanned<std::string> name;
   yaml::NodeId node = yaml::kNoNode;

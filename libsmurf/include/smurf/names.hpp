@@ -8,7 +8,7 @@
 
 namespace smurf {
 
-/// What has a name that others refer to. The order matters: see NameKinds.
+/// Kinds of things with names. The order matters: see NameKinds.
 enum class NameKind : std::uint8_t {
   motor,
   link,
@@ -21,14 +21,14 @@ enum class NameKind : std::uint8_t {
   pose,       ///< a set of joint positions
   entity,     ///< of a scene
   group,      ///< of an SRDF
-  extension,  ///< of a URDF: a transmission, a ros2_control, ...
+  extension,  ///< of a URDF: a transmission, a ros2_control element, ...
 };
 std::string_view to_string(NameKind kind);
 /// The kind of this name ("joint").
 std::optional<NameKind> find_name_kind(std::string_view name);
 
-/// A set of kinds: where a text may name a thing of several, it means the first one that has it, in
-/// the order of NameKind.
+/// A set of kinds. If a text may name things of several kinds, it refers to the first kind in the
+/// order of NameKind that has this name.
 class NameKinds {
  public:
   constexpr NameKinds() = default;

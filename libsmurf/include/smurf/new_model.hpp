@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A SMURF model that is to be written: values with the comments a person would have left.
+// A SMURF model to be written: values, with comments for people.
 #pragma once
 
 #include <cstdint>
@@ -30,21 +30,21 @@ NewValue list_value(std::string key, std::vector<NewValue> entries);
 /// A mapping of numbers on one line: "position", {{"x", 0}, {"y", 0}, {"z", 1}}.
 NewValue numbers_value(std::string key, const std::vector<std::pair<std::string, double>>& numbers);
 
-/// One annotation file; it holds one section.
+/// One annotation file with one section.
 struct NewFile {
-  std::string suffix;   ///< of its name: "motors" in arm_motors.yml
-  std::string comment;  ///< at the top; several lines are several comments
+  std::string suffix;   ///< part of the file name: "motors" in arm_motors.yml
+  std::string comment;  ///< at the top; each line becomes a comment line
   NewValue section;
 };
 
-/// All that a folder of a SMURF model is made from. Paths start from the folder of the output.
+/// The contents of the folder of a SMURF model. Paths start from the folder of the output.
 struct NewModel {
-  std::string main_path;  ///< "smurf/arm.smurf"; annotation files stand beside it
+  std::string main_path;  ///< "smurf/arm.smurf"; annotation files are written beside it
   std::string modelname;
   std::string urdf_entry;  ///< in `files`, from the folder of the main file
-  std::string urdf_path;   ///< "urdf/arm.urdf"; empty when the URDF stays where it is
+  std::string urdf_path;   ///< "urdf/arm.urdf"; empty if the URDF is not copied
   std::string urdf;        ///< its text
-  std::string source;      ///< what it was made from, for a comment
+  std::string source;      ///< name of the source, for a comment
   std::vector<NewFile> files;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes of MARS before SMURF: entities of type scn (a zip with XML in it), scene (XML) and yml.
+// Scenes of MARS before SMURF: entities of type scn (a zip that contains XML), scene (XML) and yml.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@ struct OldSceneFile {
 /// By the path of the entity's file.
 using OldScenes = std::map<std::string, OldSceneFile, std::less<>>;
 
-/// Reads the old scenes that a scene names, each once. What cannot be read is reported and absent.
+/// Reads the old scenes that a scene names, each once. Reports and omits files that cannot be read.
 OldScenes load_old_scenes(const LinkedScene& scene, LoadContext& context);
 
 }  // namespace smurf

@@ -8,7 +8,7 @@ namespace smurf {
 
 using Vector3 = std::array<double, 3>;
 
-/// Rotation as a quaternion with named components; unit length unless said otherwise.
+/// Rotation as a quaternion with named components; unit length unless stated otherwise.
 struct Quaternion {
   double w = 1;
   double x = 0;

@@ -15,7 +15,7 @@ namespace smurf {
 
 std::string_view to_string(Effect effect);
 
-/// A fact about all rules whose ids begin alike, such as those about numbers.
+/// A fact about all rules whose ids have a common beginning, such as rules about numbers.
 struct FamilyFact {
   std::string_view family;  ///< "SML18"
   Fact fact;
@@ -42,38 +42,38 @@ std::span<const Reader* const> all_readers();
 const Reader* find_target(std::string_view name);
 std::vector<std::string_view> target_names();
 
-/// The place of a finding, as facts name it: its XPath or YAML pointer without predicates and
-/// indices, then its construct: "/robot/link/collision/geometry/mesh/@filename/#dae".
+/// The path of a finding in the form that facts use: its XPath or YAML pointer without predicates
+/// and indices, then its construct: "/robot/link/collision/geometry/mesh/@filename/#dae".
 std::string fact_path(const Diagnostic& diagnostic);
-/// The worst effect of a finding and its consequences on the reader; null when it is not known. Of
-/// each rule, the first fact that fits reader and place applies: first those of the reader in the
-/// row of the rule, then those about the rule's family, then those of Reader::like.
+/// The worst effect of a finding and its consequences on the reader; null if it is unknown. For
+/// each rule, the first fact that fits reader and place applies, in this order: facts of the reader
+/// in the row of the rule, facts about the rule's family, facts of Reader::like.
 const Fact* find_fact(const Reader& reader, const Diagnostic& diagnostic);
-/// True when there is a fact about a rule: for this reader, or for any.
+/// Whether there is a fact about a rule: for this reader, or for any.
 bool has_facts(const Reader& reader, const Rule& rule);
 bool has_facts(const Rule& rule);
-/// All that is known about a rule, that of its family included, in the order of the readers.
+/// All facts about a rule and its family, in the order of the readers.
 std::vector<const Fact*> facts_about(const Rule& rule);
-/// How a fact is known: the version that was run, or "Drake joint.h:159".
+/// The evidence of a fact: the version that was run, or "Drake joint.h:159".
 std::string evidence_of(const Fact& fact);
 /// "MuJoCo (visual): discards visuals"
 std::string describe(const Fact& fact);
-/// All evidence of the facts about a rule, each once, and the rule's own sources.
+/// The evidence of all facts about a rule, without repetitions, and the rule's own sources.
 std::string sources_of(const Rule& rule);
 
-/// What a reader does with files, best first.
+/// Verdicts on files, best first.
 enum class Answer : std::uint8_t { takes, loses, unknown, refuses };
 std::string_view to_string(Answer answer);
 
-/// What becomes of the files in one reader, and why.
+/// The verdict of one reader on files, with reasons.
 struct TargetVerdict {
   const Reader* reader = nullptr;
-  std::size_t refusals = 0;     ///< findings it refuses or crashes on
+  std::size_t refusals = 0;     ///< findings at which it refuses the file or crashes
   std::size_t unknown = 0;      ///< errors without a fact about it
-  std::size_t losses = 0;       ///< findings that leave something out or make something else of it
-  std::size_t ignored = 0;      ///< of those that decide, suppressed by comments
-  std::size_t in_baseline = 0;  ///< of those that decide, suppressed by a baseline
-  const Fact* fact = nullptr;   ///< the worst of what it makes of them, and of which finding
+  std::size_t losses = 0;       ///< findings at which it loses or changes something
+  std::size_t ignored = 0;      ///< suppressed by comments, among the deciding findings
+  std::size_t in_baseline = 0;  ///< suppressed by a baseline, among the deciding findings
+  const Fact* fact = nullptr;   ///< the worst effect, and its finding
   const Rule* rule = nullptr;
   Span span{};
   std::vector<const Rule*> unknown_rules{};
@@ -85,7 +85,7 @@ struct TargetVerdict {
   /// Adds the verdict on more files.
   void add(const TargetVerdict& other);
 };
-/// Judges the findings for one target. Pass the findings before any of them are suppressed.
+/// Judges the findings for one target. Pass all findings, including suppressed ones.
 TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> diagnostics);
 
 }  // namespace smurf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who names what: every definition and every use of a name in a model or a scene.
+// Every definition and every use of a name in a model or a scene.
 #pragma once
 
 #include <cstdint>
@@ -18,39 +18,39 @@ struct Reference {
   static constexpr std::uint32_t kNothing = 0xffffffffU;
   enum class Notation : std::uint8_t { yaml, yaml_key, xml_attribute, xml_text };
 
-  /// The kind of what is named; for an unknown name, the first kind that the place may name.
+  /// The kind of the named thing; for an unknown name, the first allowed kind.
   NameKind kind{};
   Notation notation{};
   bool is_definition = false;
-  /// The name may be known elsewhere: in another robot of the scene, or to a program.
+  /// The name may be defined elsewhere: in another robot of the scene, or in a program.
   bool is_vague = false;
-  NameKinds kinds;  ///< all that the place may name
+  NameKinds kinds;  ///< all allowed kinds
   /// The yaml::NodeId or xml::ElementId; of a key, the node under it.
   std::uint32_t place = kNothing;
   std::string_view name;  ///< decoded
-  Span span;              ///< of the name: within quotes, and of `inertial_LINK` the LINK
+  Span span;              ///< span of the name without quotes; for `inertial_LINK`, span of LINK
   /// The whole text that contains the name: a YAML scalar with its quotes, or an attribute value
   /// without quotes. Where the text is a YAML alias, `span` is the alias.
   Span text;
-  /// The named thing, as NameTable has it: the index of a link, joint, motor or sensor; for a
-  /// visual or collision, that of its link; for an entity, its number in the scene files in order.
-  /// kNothing: the name is unknown.
+  /// The named thing as in NameTable: the index of a link, joint, motor or sensor; for a visual or
+  /// collision, the index of its link; for an entity, its number in the scene files. kNothing: the
+  /// name is unknown.
   std::uint32_t item = kNothing;
-  ModelIndex model{kNothing};  ///< in a scene: the model whose name it is; kNothing for entities
+  ModelIndex model{kNothing};  ///< in a scene: the model with the name; kNothing for entities
 
   bool is_known() const { return item != kNothing; }
 };
 
-/// All references of a model, file by file. In sections of users and extensions of vendors, which
-/// no reader knows, texts count as references when they equal the name of something.
+/// All references of a model, file by file. In custom sections and extensions that no reader knows,
+/// texts are references if they equal the name of something.
 std::vector<Reference> references_of(const LinkedModel& model);
 /// The references in an SRDF to the model. Their `name` points into the SRDF.
 std::vector<Reference> references_of(const LinkedModel& model, const xml::Document& srdf);
 /// All references of a scene: those in its scene files, then those in its models.
 std::vector<Reference> references_of(const LinkedScene& scene);
 
-/// The uses in a model that name nothing, or something of another kind than the place means first.
-/// The others are not kept, which makes it cheaper than references_of().
+/// The references in a model whose name is unknown, or names a thing of another kind than expected.
+/// Omits the others, so it is cheaper than references_of().
 std::vector<Reference> doubtful_references(const LinkedModel& model);
 
 }  // namespace smurf

@@ -30,10 +30,10 @@ struct Summary {
 /// Counts findings by severity; the caller sets the other counts.
 Summary summarize(std::span<const Diagnostic> diagnostics);
 
-/// How text is laid out for a terminal.
+/// The layout of text for a terminal.
 struct TextStyle {
   bool color = false;
-  int width = 0;  ///< columns of the terminal; 0: only lines above 2000 columns are cut
+  int width = 0;  ///< columns of the terminal; 0: cut only lines above 2000 columns
 };
 
 /// The tool that made a report.
@@ -50,25 +50,25 @@ std::string render_concise(const Diagnostic& diagnostic, const SourceMap& source
                            const TextStyle& style = {});
 /// "3 .xacro files were not checked: expand them first (xacro FILE | smurf-lint -)".
 std::string xacro_remark(std::size_t files);
-/// "found 1 error and 2 warnings in 3 files (1 model)" and a line end; further lines say what was
-/// suppressed and what was not checked.
+/// "found 1 error and 2 warnings in 3 files (1 model)" and a line end; further lines list
+/// suppressed findings and unchecked files.
 std::string render_summary(const Summary& summary, const TextStyle& style);
 /// Two columns: whether each reader loads the files, and the first reason with its place.
 std::string render_targets(std::span<const TargetVerdict> targets, const SourceMap& sources,
                            const TextStyle& style);
-/// One line a rule, the most frequent first: "  12  error    SML3101 unknown-joint". At most `most`
-/// lines.
+/// One line per rule, the most frequent first: "  12  error    SML3101 unknown-joint". At most
+/// `most` lines.
 std::string render_statistics(std::span<const Diagnostic> diagnostics, const TextStyle& style,
                               std::size_t most = std::numeric_limits<std::size_t>::max());
 
-/// What a report for a person shows.
+/// Options of a report for people.
 struct OverviewOptions {
   Severity least = Severity::warning;
   bool shows_all = false;  ///< all findings, however many
 };
-/// Findings for a person: errors first, then by file. Of one rule, three in a file; of one message,
-/// that of the first file; when some 150 lines are full, the names of the other files. Lines say
-/// how many findings were left out. `diagnostics` are sorted by file.
+/// Findings for people: errors first, then by file. Shows three findings per rule and file. Shows
+/// repeated messages only in the first file. After about 150 lines, it only names the other files.
+/// Counts the omitted findings. `diagnostics` are sorted by file.
 std::string render_overview(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                             const OverviewOptions& options, const TextStyle& style);
 /// The JSON report of schemas/lint-report.schema.json.
@@ -76,9 +76,9 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
                         const Summary& summary, const ToolName& tool,
                         std::span<const TargetVerdict> targets = {});
 
-/// JSON reports of parts of a check as the report of the whole; findings that two of them have are
-/// kept once. Files, models and scenes are added up: files in two parts are counted twice. Only the
-/// counts by severity are set in the summary here.
+/// Merges JSON reports of parts of a check; findings in two reports are kept once. Files, models
+/// and scenes are added up, so files in two parts are counted twice. In the summary, only the
+/// counts by severity are set here.
 struct NamedText {
   std::string name;
   std::string text;
@@ -95,8 +95,8 @@ MergedReport merge_json_reports(std::span<const NamedText> reports, const ToolNa
 /// Absolute for files outside.
 using RepositoryPath = std::function<std::string(const std::string& path)>;
 
-/// A SARIF 2.1.0 log with one run, as GitHub code scanning reads it; `homepage` is where `rules`
-/// are explained.
+/// A SARIF 2.1.0 log with one run, as GitHub code scanning reads it; `homepage` is the page that
+/// explains `rules`.
 std::string render_sarif(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          std::span<const Rule* const> rules, const ToolName& tool,
                          std::string_view homepage, const RepositoryPath& in_repository);
@@ -106,8 +106,8 @@ std::string render_github(std::span<const Diagnostic> diagnostics, const SourceM
 /// A GitLab code quality report.
 std::string render_gitlab(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                           const RepositoryPath& in_repository);
-/// A JUnit report: one test case a file, also for files without findings. Findings from
-/// `least_failure` on are failures, the others output; without it, nothing fails.
+/// A JUnit report: one test case per file, also for files without findings. Findings from
+/// `least_failure` on are failures, others are output; without it, there are no failures.
 std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          const ToolName& tool, std::optional<Severity> least_failure);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where files are in their repository.
+// Finds the paths of files in their repository.
 #pragma once
 
 #include <array>
@@ -10,21 +10,21 @@
 
 namespace smurf {
 
-/// Where a repository keeps its history, and with it tokens and the addresses of servers.
+/// Folders with the history of a repository, and with tokens and addresses of servers.
 inline constexpr std::array<std::string_view, 3> kHistories = {".git", ".hg", ".svn"};
 
-/// Paths from the top of the repository, sought from the current folder upward; from the current
-/// folder when there is none. Links are resolved, as code hosts know no file by two names.
+/// Makes paths relative to the top of the repository around the current folder; without one, to the
+/// current folder. Resolves links, because code hosts know each file by one name.
 RepositoryPath in_repository();
 
-/// Where a path leads.
+/// The target of a path.
 struct FollowedPath {
-  /// The first symbolic link on the way that lies in a repository and leads out of it, or to what
-  /// git keeps of it: it may have come with a pull request. "" when there is none.
+  /// The first symbolic link in the path that lies in a repository and leads out of it, or into its
+  /// git data: it may have come with a pull request. "" if there is none.
   std::string link_out;
-  std::string place;  ///< without links; what does not exist is as it is written
+  std::string place;  ///< without links; parts that do not exist are unchanged
 };
-/// Looks at each part of the path once, so that `place` is what was judged.
+/// Looks at each part of the path once, so `place` is the judged path.
 FollowedPath follow(const std::string& path);
 /// FollowedPath::link_out.
 std::string link_out_of_repository(const std::string& path);

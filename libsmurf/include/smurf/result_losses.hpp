@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which findings make the result of a conversion wrong. The others are just as true of the files it
-// is made from.
+// Selects the findings that make the result of a conversion wrong. All other findings are about the
+// input files.
 #pragma once
 
 #include <optional>
@@ -15,20 +15,20 @@
 
 namespace smurf {
 
-/// Why the exported URDF would be wrong with this finding, in words; none when it would not be:
-/// most faults of a robot are the same in its URDF, byte for byte.
+/// The reason why the exported URDF would be wrong because of this finding; none if it would be
+/// correct: most faults of a robot are copied to its URDF byte for byte.
 std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedModel& model,
                                         const UrdfExport& wanted);
 
-/// Why a model that is imported from a URDF would be wrong with this finding. All its values are
-/// needed.
+/// The reason why a model that is imported from a URDF would be wrong because of this finding. All
+/// its values are needed.
 std::optional<std::string> loss_in_model(const Diagnostic& finding);
 
-/// Why poses or shapes of a flattened scene would be wrong with this finding. A wrong mass or motor
-/// changes neither.
+/// The reason why poses or shapes of a flattened scene would be wrong because of this finding. A
+/// wrong mass or motor changes neither.
 std::optional<std::string> loss_in_scene(const Diagnostic& finding, const SourceMap& sources);
 
-/// True when urdfdom certainly survives a text with these findings: it crashes on some.
+/// Whether urdfdom is known not to crash on a text with these findings.
 bool may_ask_urdfdom(std::span<const Diagnostic> findings);
 
 /// The section of the annotations that a finding is about: "motors" of "/motors/3/joint".

@@ -49,11 +49,11 @@ struct Entity {
   bool position_is_mapping = false;
   Rotation rotation;
   Field<bool> root;
-  std::vector<JointPoseSet> poses;   ///< of this entity alone; MARS merges them before the model's
+  std::vector<JointPoseSet> poses;   ///< of this entity; MARS puts them before those of the model
   std::vector<CustomSection> extra;  ///< every key without a member above
 };
 
-/// Where a finding about the whole entity points: its name, else its first key.
+/// The place of a finding about the whole entity: its name, else its first key.
 Span place_of(const Entity& entity);
 
 /// Settings of the simulation.

@@ -44,19 +44,19 @@ struct Spanned {
   Span span;
 };
 
-/// One key or attribute of a file. Absent, unreadable and readable are three different things:
-/// `written` says the author wrote it, there is a value only when it could be understood.
+/// A key or attribute in a file. It has three states: absent, unreadable, readable. `written` is
+/// true if it is in the file; it has a value only if the value is readable.
 template <class T>
 class Field {
  public:
   Field() = default;
-  /// A value that is written at a place; `read` is none when it cannot be understood.
+  /// A value written at a place; `read` is none if the value is unreadable.
   Field(std::optional<T> read, Span place)
       : value_(read ? *std::move(read) : T{}), span(place), written(true), has_value_(read) {}
 
   bool has_value() const { return has_value_; }
   explicit operator bool() const { return has_value_; }
-  /// Precondition of these two: there is a value.
+  /// Precondition of these two functions: there is a value.
   const T& operator*() const { return value_; }
   const T* operator->() const { return &value_; }
   T& operator*() { return value_; }
@@ -69,7 +69,7 @@ class Field {
   }
 
  private:
-  T value_{};  // no std::optional: with it, each of the many fields of a robot takes 8 bytes more
+  T value_{};  // no std::optional, which adds 8 bytes to each of the many fields of a robot
 
  public:
   Span span;
@@ -79,7 +79,7 @@ class Field {
   bool has_value_ = false;
 };
 
-/// How spans change when another map takes over the sources of one.
+/// The new ids of sources after one map has taken over those of another.
 struct SourceShift {
   std::uint32_t first = 0;  ///< sources before it keep their ids
   std::uint32_t by = 0;
@@ -90,17 +90,17 @@ struct SourceShift {
   }
 };
 
-/// Owns every text that was read. References and views stay valid while the map lives. A copy
-/// shares the texts: each of thousands of checked files has those of its configuration.
+/// Owns the texts of all read files. References and views stay valid as long as the map. A copy
+/// shares the texts, because thousands of checked files use the same configuration.
 class SourceMap {
  public:
   /// `path` is the name shown to the user, with '/' separators.
   SourceId add(std::string path, std::string text);
-  /// Adds a file that cannot be read but is named in messages: it has a path and no text.
+  /// Adds a file without a text, to name it in messages about files that cannot be read.
   SourceId add_unreadable(std::string path);
   /// Takes over the sources of a map that began as a copy of the first `common` sources of this
-  /// one. A text that was taken before under the same path is kept once, so that views into the
-  /// texts of the other map may be lost.
+  /// map. A text that was already taken under the same path is kept once, so views into the texts
+  /// of the other map may become invalid.
   SourceShift take(SourceMap&& other, std::size_t common);
 
   const std::string& path(SourceId id) const { return at(id).path; }
@@ -111,13 +111,13 @@ class SourceMap {
 
   /// Precondition: offset <= text(id).size().
   Position position(SourceId id, std::uint32_t offset) const;
-  /// Where a 1-based line begins.
+  /// The offset of a 1-based line.
   std::uint32_t line_begin(SourceId id, std::uint32_t line) const {
     return line_start(at(id), line);
   }
-  /// Characters between two bytes that take two units of UTF-16.
+  /// The number of characters between two bytes that take two units in UTF-16.
   std::uint32_t wide_characters(Span span) const;
-  /// 1-based line that holds the byte.
+  /// The 1-based line that contains the byte.
   std::uint32_t line_of(SourceId id, std::uint32_t offset) const;
   std::uint32_t line_count(SourceId id) const;
   /// Bytes of a 1-based line without its line end.
@@ -127,14 +127,14 @@ class SourceMap {
   struct Source {
     std::string path;
     std::string text;
-    /// Line ends before each block of the text. A table of all lines would be a fifth as large as
-    /// the text itself, and most files are never asked for a line.
+    /// The number of line ends before each block of the text. A table of all lines would be a fifth
+    /// as large as the text, and most files are never asked for a line.
     std::vector<std::uint32_t> line_ends_before;
-    /// The same for characters, of texts in which not every character is a byte.
+    /// The number of characters before each block, for texts with characters of several bytes.
     std::vector<std::uint32_t> characters_before;
-    std::vector<std::uint32_t> wide_before;  ///< the same for those of two units in UTF-16
+    std::vector<std::uint32_t> wide_before;  ///< the number of characters with two units in UTF-16
     std::uint32_t line_count = 1;
-    bool is_ascii = true;  ///< a column is then a byte
+    bool is_ascii = true;  ///< then each byte is a column
     bool readable = true;
   };
   SourceId keep(Source source);

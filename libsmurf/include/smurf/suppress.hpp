@@ -28,13 +28,13 @@ class Suppressions {
  public:
   void add(const LinkedModel& model, const SourceMap& sources);
   void add(const LinkedScene& scene, const SourceMap& sources);
-  /// Adds the comments of another part of the run, after its sources were merged.
+  /// Adds the comments of another part of the run. Call it after merging its sources.
   void take(Suppressions&& other, const SourceShift& shift);
 
   /// Removes suppressed findings and returns their number. Reports mistakes in the comments:
-  /// malformed, of unknown rules, or without effect. The last only for comments in models that were
-  /// read as a whole, and for rules that `selection` lets run. Precondition: the diagnostics are
-  /// finished; afterwards they have to be finished again.
+  /// malformed comments, unknown rules, and comments without effect. The last are reported only for
+  /// completely read models, and for rules that `selection` runs. Precondition: the diagnostics are
+  /// finished; finish them again afterwards.
   std::size_t apply(std::vector<Diagnostic>& diagnostics, const SourceMap& sources,
                     const RuleSelection& selection);
 
@@ -50,7 +50,7 @@ class Suppressions {
     Span removal;         ///< delete this to remove the comment
     std::uint32_t begin;  ///< of the bytes it applies to
     std::uint32_t end;
-    std::string problem;  ///< why the comment is malformed; then the rest is empty
+    std::string problem;  ///< the reason why the comment is malformed; other members are then empty
     std::vector<Item> items;
     std::string rule_named;  ///< the first rule in its text, for the advice about a problem
   };
@@ -62,7 +62,7 @@ class Suppressions {
 
   template <class Document>
   void add(const Document& document, bool is_complete, const SourceMap& sources);
-  /// Marks the items that were needed; returns the indices of the findings that they suppress.
+  /// Marks the items that have an effect; returns the indices of the findings that they suppress.
   static std::vector<std::size_t> silence(std::span<const Diagnostic> diagnostics,
                                           std::vector<Comment>& comments);
   static void judge(const Comment& comment, const std::function<bool(const Item&)>& is_unused,
@@ -71,18 +71,18 @@ class Suppressions {
   std::map<std::string, File> files_;  ///< by path
 };
 
-/// False for mistakes in configurations, comments and baselines (SML9). They have no place of their
-/// own, so that one entry would suppress all of them.
+/// False for mistakes in configurations, comments and baselines (SML9). They have no pointer, so
+/// one entry would suppress all of them.
 bool may_be_in_baseline(const Diagnostic& diagnostic);
 
-/// The comment that suppresses a finding in a file: at the end of its line or, if it cannot be
-/// there, above its entry. None when neither is possible.
+/// The comment that suppresses a finding in a file: at the end of its line, else above its entry.
+/// None if both are impossible.
 std::optional<Edit> suppress_here(const Diagnostic& diagnostic, const yaml::Document& document,
                                   std::string_view text);
 std::optional<Edit> suppress_here(const Diagnostic& diagnostic, const xml::Document& document,
                                   std::string_view text);
 
-/// How a baseline names the file of a path: relative to its own folder.
+/// The name of a file in a baseline: its path relative to the folder of the baseline.
 using BaselinePath = std::function<std::string(const std::string& path)>;
 
 /// Findings at the time when the baseline was written:
@@ -101,11 +101,11 @@ class Baseline {
   void read(const yaml::Document& document, DiagnosticSink& sink);
   /// Removes recorded findings and returns their number. Precondition: as Suppressions::apply.
   std::size_t apply(std::vector<Diagnostic>& diagnostics, const SourceMap& sources);
-  /// Reports the entries that no finding of a file in `sources` has matched, of rules that ran.
+  /// Reports the entries of rules that ran, if no finding of a file in `sources` matched them.
   void report_stale(const SourceMap& sources, const RuleSelection& selection,
                     DiagnosticSink& sink) const;
 
-  /// Whether a text is a baseline that write() made: nothing else is overwritten by one.
+  /// Whether a text is a baseline that write() made: only baselines may be overwritten.
   static bool is_written(std::string_view text);
   /// The text of a baseline of these findings.
   std::string write(std::span<const Diagnostic> diagnostics, const SourceMap& sources) const;
@@ -121,7 +121,7 @@ class Baseline {
   void read_file(yaml::View rules, DiagnosticSink& sink);
 
   BaselinePath name_of_;
-  /// By file, then id of the rule, then named pointer: a long name of a file is kept once.
+  /// Ordered by file, then id of the rule, then named pointer, so a long file name is kept once.
   ByName<ByName<ByName<std::vector<Entry>>>> entries_;
 };
 

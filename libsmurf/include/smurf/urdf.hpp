@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A URDF as its author wrote it: document order, duplicates kept, absent values absent.
+// A URDF as its author wrote it: in document order, with duplicates and without defaults.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace smurf::urdf {
 
 /// A pose element. Units: metres, radians (fixed-axis roll, pitch, yaw).
 struct Origin {
-  xml::ElementId element = xml::kNoElement;  ///< kNoElement when not written
+  xml::ElementId element = xml::kNoElement;  ///< kNoElement if absent
   Field<Vector3> xyz;
   Field<Vector3> rpy;
 };
@@ -54,7 +54,7 @@ struct Capsule {
   Field<double> radius;  ///< m
   Field<double> length;  ///< m, of the cylindrical part
 };
-/// A mesh file as the URDF names it. LinkedModel::meshes says where it was found.
+/// A mesh with the file name in the URDF. LinkedModel::meshes has the file that was found.
 struct Mesh {
   Field<std::string> filename;
   Field<Vector3> scale;
@@ -69,7 +69,7 @@ struct Geometry {
   Shape shape;
 };
 
-/// A material of the robot, or one that a visual defines or names.
+/// A material of the robot, or a material that a visual defines or names.
 struct Material {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -78,7 +78,7 @@ struct Material {
   Field<std::string> texture;
 };
 
-/// What a link looks like.
+/// The appearance of a link.
 struct Visual {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -88,7 +88,7 @@ struct Visual {
   std::optional<Material> material;
 };
 
-/// What a link collides with.
+/// The shape of a link for collisions.
 struct Collision {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -107,7 +107,7 @@ struct Link {
   std::vector<Collision> collisions;
 };
 
-/// How a joint lets its child link move.
+/// The kinds of motion between parent and child link.
 enum class JointType : std::uint8_t {
   revolute,
   continuous,
@@ -115,10 +115,10 @@ enum class JointType : std::uint8_t {
   fixed,
   floating,
   planar,
-  unknown  ///< absent, or a word URDF does not define
+  unknown  ///< absent, or unknown in URDF
 };
 
-/// The range of a joint and what its motor can do.
+/// The range of a joint and the limits of its motor.
 struct Limit {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -160,7 +160,7 @@ struct Calibration {
   Field<double> rising, falling;
 };
 
-/// Connects two links. Its frame, in which its axis is, is that of the child at position 0.
+/// Connects two links. The joint and its axis are in the frame of the child at position 0.
 struct Joint {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -173,7 +173,7 @@ struct Joint {
   Field<Vector3> axis;  ///< as written, in the joint frame; not normalised
   std::optional<Limit> limit;
   std::optional<Dynamics> dynamics;
-  // Few joints have these, and each is larger than the rest that is optional.
+  // On the heap, because few joints have these members and each is large.
   std::unique_ptr<Mimic> mimic;
   std::unique_ptr<SafetyController> safety_controller;
   std::unique_ptr<Calibration> calibration;

@@ -16,14 +16,14 @@ namespace smurf {
 
 struct UserSchema;
 
-/// Limits the total work of checking values by schemas, so that many small values cost no more than
-/// a large one. For one model or scene.
+/// Limits the total work of checks by schemas in one model or scene, so that many small values cost
+/// no more than a large value.
 struct SchemaWork {
-  std::int64_t steps = 100'000;  ///< each value adds some for its size
+  std::int64_t steps = 100'000;  ///< a checked value adds steps in proportion to its size
 };
 
-/// Schemas by what they are for. Given to LoadContext, they are applied when the rules run, and
-/// what they name counts as known. The SourceMap they were read from must outlive them.
+/// Schemas of custom sections and entity types. With LoadContext, they are applied when the rules
+/// run, and their names count as known. Their SourceMap must outlive them.
 class UserSchemas {
  public:
   UserSchemas();
@@ -32,22 +32,22 @@ class UserSchemas {
   UserSchemas& operator=(UserSchemas&&) noexcept;
 
   /// Registers the schema in the text `schema` (JSON or YAML) for the annotation section `name`, in
-  /// models and in the data files of entities. False when it is broken, which is reported there;
-  /// the name is then still known.
+  /// models and in the data files of entities. Reports a broken schema and returns false; the name
+  /// still counts as known.
   bool add_section(std::string name, SourceId schema, const SourceMap& sources,
                    DiagnosticSink& sink);
   /// The same for the entities of a type; the schema describes all keys of the entity.
   bool add_entity_type(std::string type, SourceId schema, const SourceMap& sources,
                        DiagnosticSink& sink);
 
-  /// The names that schemas are registered for.
+  /// The names with a schema.
   std::vector<std::string_view> sections() const { return names_of(sections_); }
   std::vector<std::string_view> entity_types() const { return names_of(entity_types_); }
   bool has_section(std::string_view name) const { return sections_.contains(name); }
   bool has_entity_type(std::string_view type) const { return entity_types_.contains(type); }
 
-  /// Reports what the value breaks in its schema; nothing when there is no schema for it. The name
-  /// of the section is the value's key.
+  /// Reports violations of the schema for the value; nothing if there is no schema. The section is
+  /// named by the value's key.
   void check_section(yaml::View value, SchemaWork& work, Findings& findings) const;
   void check_entity(std::string_view type, yaml::View entity, SchemaWork& work,
                     Findings& findings) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values to text: deterministic, numbers as the shortest text that reads back.
+// Writes values as text: deterministic, numbers as the shortest text that reads back the same.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,12 @@ namespace smurf {
 /// Flat JSON as schemas/flat-scene.schema.json describes it. `links` writes the link poses too.
 std::string write_flat_json(const FlatScene& scene, bool links);
 
-/// All that was read of a model, each entry with its place, as schemas/model-dump.schema.json
-/// describes it: the URDF in SI units, annotations as their tables understand them. What could not
-/// be understood is left out. None when it would have more bytes than `most`.
+/// A model as JSON, each entry with its place, as described by schemas/model-dump.schema.json: the
+/// URDF in SI units, annotations with the types of their tables. Omits unreadable values. None if
+/// the text would have more than `most` bytes.
 std::optional<std::string> write_model_json(const LinkedModel& model, const SourceMap& sources,
                                             std::uint64_t most = Limits{}.scene_bytes);
-/// The same of a scene: its files, the instances with their poses in the world, and the models.
+/// A scene as JSON: its files, the instances with their poses in the world, and the models.
 std::optional<std::string> write_scene_json(const LinkedScene& scene, const SourceMap& sources,
                                             std::uint64_t most = Limits{}.scene_bytes);
 

@@ -17,33 +17,33 @@
 
 namespace smurf {
 
-/// How a format that can do both refers to models: by their files, or written out.
+/// How a format refers to models: by file name, or by writing them out.
 enum class SceneForm : std::uint8_t { reference, expand };
 
-/// Where the meshes and textures of a preview come from. Files are relative to the output's folder.
+/// The source of the meshes and textures of a preview. Files are relative to the output's folder.
 struct MeshSource {
-  /// Reads a mesh; null when there are no meshes. A writer calls it once for each file and kind,
-  /// because it keeps nothing.
+  /// Reads a mesh; null if there are no meshes. A writer calls it once for each file and kind,
+  /// because the result is not cached.
   std::function<MeshTriangles(const std::string& file, TexturePoints texture_points)> triangles;
-  /// Equal for names of one file that have the same triangles.
+  /// A key that is equal for all file names with the same triangles.
   std::function<std::string(const std::string& file)> identity;
-  /// Null when no image is at hand.
+  /// Null if images are not available.
   std::function<FileContent(const std::string& file)> image;
-  std::uint64_t most_bytes = Limits{}.scene_bytes;    ///< of all meshes, and of all images
+  std::uint64_t most_bytes = Limits{}.scene_bytes;    ///< limit for all meshes, and for all images
   std::uint64_t most_pixels = Limits{}.image_pixels;  ///< of all images
 };
 
-/// What a writer is given. Everything must outlive the call.
+/// The input of a writer. All of it must outlive the call.
 struct SceneExport {
   const FlatScene& flat;
-  const LinkedScene& scene;  ///< what `flat` was made of: instances are the same, in the same order
-  const SourceMap& sources;  ///< what `scene` was read from
-  DiagnosticSink& losses;    ///< receives what the format cannot express (SML82xx)
-  bool links = false;  ///< write the world poses of all links, where there is a place for them
+  const LinkedScene& scene;  ///< the source of `flat`: same instances, in the same order
+  const SourceMap& sources;  ///< the source files of `scene`
+  DiagnosticSink& losses;    ///< receives findings about losses (SML82xx)
+  bool links = false;        ///< write the world poses of all links, if the format supports them
   SceneForm form = SceneForm::expand;
   bool ground = false;        ///< add a floor at z = 0; SceneFormat::has_ground
-  bool names_copies = false;  ///< the files of models in `flat` are copies that will be made
-  MeshSource meshes = {};     ///< for previews; when there is none, meshes are lost
+  bool names_copies = false;  ///< model files in `flat` are copies that will be made
+  MeshSource meshes = {};     ///< for previews; without it, meshes are lost
   /// Limit of the text. A longer text is of no use and may end anywhere.
   std::uint64_t most_bytes = Limits{}.scene_bytes;
 };
@@ -53,27 +53,27 @@ struct SceneExport {
 struct SceneFormat {
   std::string_view name;  ///< of --format
   std::string_view help;
-  /// Instances without a pose, which only scenes with errors have, are left out.
+  /// Omits instances without a pose, which occur only in scenes with errors.
   std::string (*write)(const SceneExport& scene) = nullptr;
-  /// What its reader needs beside the result: a file name and its text.
+  /// A second file that the reader needs: its name and text.
   std::pair<std::string_view, std::string_view> companion = {};
   bool has_reference_form = false;
   bool has_expanded_form = true;
   bool has_ground = false;      ///< can add a floor to the expanded form
   bool repeats_models = false;  ///< writes the model of each instance out
-  /// What check_scene_size() counts before anything is written; null when nothing is repeated.
+  /// The parts that check_scene_size() counts in advance; null if nothing is repeated.
   RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;
-  /// Why this build cannot write it, and what to do; empty when it can. Null: every build can.
+  /// Why this build cannot write it, and what to do; empty if it can. Null: every build can.
   std::string_view (*obstacle)() = nullptr;
 };
 
 std::span<const SceneFormat* const> scene_formats();
-/// Null when there is none of that name.
+/// Null if there is no format of that name.
 const SceneFormat* find_scene_format(std::string_view name);
 
-/// The page of the format html with two versions of a scene over each other. Both were flattened
-/// for the same folder; meshes and limits are those of `after`. Empty when the page would be too
-/// large, and in a build without the viewer.
+/// A page of the format html that shows two versions of a scene together. Both were flattened for
+/// the same folder; meshes and limits are those of `after`. Empty if the page would be too large,
+/// or in a build without the viewer.
 std::string write_both_versions(const SceneExport& before, const SceneExport& after);
 
 }  // namespace smurf

@@ -21,7 +21,7 @@ inline constexpr std::uint32_t kNoText = 0xffffffffU;
 
 // Robots have hundreds of thousands of both, so values that follow from others are not stored.
 
-/// The decoded value of an attribute, when it differs from what is written.
+/// The decoded value of an attribute, if it differs from the written value.
 struct DecodedValue {
   const char* name = nullptr;  ///< of the attribute, in the source
   std::string value;
@@ -55,7 +55,7 @@ class Attribute {
   /// From the name to the closing quote, or to the end of a value without quotes.
   Span span() const { return {source_, begin_, value_end_ + (has_quotes() ? 1U : 0U)}; }
 
-  /// `decoded` must outlive this, and its name be that of the attribute.
+  /// `decoded` must outlive this object and have the name of the attribute.
   void set_value(const DecodedValue& decoded) {
     decoded_value = &decoded;
     is_decoded_ = true;
@@ -81,15 +81,15 @@ class Attribute {
   bool is_decoded_ = false;
 };
 
-/// Character data directly inside an element, the first piece only.
+/// Character data directly inside an element; only the first piece.
 struct Text {
-  std::string_view value;  ///< untrimmed; empty when a child comes before it
+  std::string_view value;  ///< untrimmed; empty if it comes after a child
   Span span;               ///< without the blanks around it
 };
 
 /// An element; its parent, siblings and attributes are indices of the document.
 struct Element {
-  const char* name_begin = nullptr;  ///< in the source, right behind the '<'
+  const char* name_begin = nullptr;  ///< in the source, directly after the '<'
   std::uint32_t name_size = 0;
   Span span;  ///< from '<' to the end of the end tag
   std::uint32_t tag_end = 0;
@@ -127,7 +127,7 @@ struct Document {
   ElementId root = kNoElement;
 
   View view() const;
-  /// The first child comes right behind its parent, because elements are in document order.
+  /// The first child comes directly after its parent, because elements are in document order.
   ElementId first_child(ElementId id) const {
     const std::size_t next = static_cast<std::size_t>(id) + 1;
     return next < elements.size() && elements[next].parent == id
@@ -201,9 +201,9 @@ class View {
 
 inline View Document::view() const { return {*this, root}; }
 
-/// "/robot/joint[@name='a']/limit", with positions where names do not tell siblings apart.
+/// "/robot/joint[@name='a']/limit", with positions if names do not distinguish siblings.
 std::string xpath(const Document& document, ElementId id);
-/// The same for many elements of one document: siblings are counted once.
+/// Makes paths of many elements of one document: siblings are counted once.
 class XPaths {
  public:
   explicit XPaths(const Document& document) : document_(&document) {}
@@ -213,7 +213,7 @@ class XPaths {
   void name_children(View parent);
 
   const Document* document_;
-  std::vector<std::string> steps_;  ///< by element; empty as long as nobody asked
+  std::vector<std::string> steps_;  ///< by element; empty until the first request
 };
 
 /// The deepest element whose span contains the byte.

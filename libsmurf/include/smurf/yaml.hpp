@@ -20,9 +20,9 @@ inline constexpr NodeId kNoNode{0xffffffffU};
 enum class Kind : std::uint8_t { null, scalar, sequence, mapping };
 enum class Style : std::uint8_t { plain, single_quoted, double_quoted, block };
 
-/// One node of the tree. An alias appears as a node of its own that refers to the anchored one.
-/// Models have hundreds of thousands of nodes, so what excludes each other shares its place: a
-/// scalar has a text, the others have children, and only members of a mapping have keys.
+/// One node of the tree. An alias is a separate node that refers to the anchored node. Models have
+/// hundreds of thousands of nodes, so members that exclude each other share memory: a scalar has a
+/// text, other nodes have children, and only members of a mapping have keys.
 class Node {
  public:
   Node(Kind kind, Span place) : span(place), kind_(kind) {
@@ -31,9 +31,9 @@ class Node {
 
   NodeId parent = kNoNode;
   NodeId next_sibling = kNoNode;
-  Span span;  ///< the value's bytes; empty, where an absent value would be
+  Span span;  ///< the value's bytes; an empty span at its position if it is absent
   Style style = Style::plain;
-  bool is_repeated = false;  ///< its key stands before it in the same mapping
+  bool is_repeated = false;  ///< an earlier key in the same mapping is equal
 
   Kind kind() const { return kind_; }
   /// The key's bytes when the parent is a mapping.
@@ -42,9 +42,9 @@ class Node {
   std::string_view key() const {
     return key_ == nullptr ? std::string_view() : std::string_view(key_, key_size_or_position_);
   }
-  /// Among the items of a sequence.
+  /// The position among the items of a sequence.
   std::uint32_t position() const { return key_ == nullptr ? key_size_or_position_ : 0; }
-  /// Decoded text of a scalar that is no alias; a view into the source or into the document.
+  /// Decoded text of a scalar that is not an alias; a view into the source or into the document.
   std::string_view text() const {
     return has_text() ? std::string_view(scalar_text, text_size_or_child_count_)
                       : std::string_view();
@@ -124,7 +124,7 @@ struct Document {
   View view() const;
 };
 
-/// What a plain scalar means in the YAML 1.2 core schema. Quoted and block scalars are always text.
+/// The type of a plain scalar in the YAML 1.2 core schema. Quoted and block scalars are text.
 enum class ScalarType : std::uint8_t { null, boolean, integer, number, text };
 ScalarType classify(std::string_view text, Style style);
 
@@ -148,7 +148,7 @@ class View {
   std::string_view text() const { return value().text(); }
   Style style() const { return value().style; }
   ScalarType type() const;
-  /// Number of a plain scalar that is one (YAML 1.2 core; infinities and NaN included).
+  /// The number if the scalar is plain and a number (YAML 1.2 core; infinities and NaN included).
   std::optional<double> number() const;
   std::optional<std::int64_t> integer() const;
   std::optional<bool> boolean() const;
@@ -157,7 +157,7 @@ class View {
   Span span() const { return node().span; }
   Span key_span() const { return node().key_span(); }
   std::string_view key() const { return node().key(); }
-  /// True for a duplicate key, which the YAML reader reports; readers take the first.
+  /// True for a duplicate key, which the YAML reader reports; readers use the first.
   bool is_repeated() const { return node().is_repeated; }
   /// The value's span, or the key's when the value is absent.
   Span place() const {
@@ -201,8 +201,8 @@ inline View Document::view() const { return {*this, root}; }
 
 /// JSON-pointer-like path of a node: "/motors/3/joint".
 std::string pointer(const Document& document, NodeId id);
-/// The same with names in place of positions where there are any: "/motors/name=elbow/joint". It
-/// stays valid when entries are added, removed or moved.
+/// The same with names instead of positions where possible: "/motors/name=elbow/joint". It stays
+/// valid when entries are added, removed or moved.
 std::string named_pointer(const Document& document, NodeId id);
 /// The deepest node whose key or value contains the byte.
 NodeId node_at(const Document& document, std::uint32_t offset);

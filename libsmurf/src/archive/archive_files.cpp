@@ -47,7 +47,7 @@ bool is_in_archive(std::string_view path) {
 
 struct ArchiveFiles::Opened {
   MemoryFiles files;
-  std::string reason;  ///< why it cannot be read; empty when it can
+  std::string reason;  ///< the reason why it cannot be read; empty if it can
 };
 
 struct ArchiveFiles::Place {

@@ -15,7 +15,7 @@
 namespace smurf {
 namespace {
 
-/// What minizip takes for a file.
+/// The largest values that minizip accepts.
 struct Memory {
   std::string_view bytes;
   std::size_t at = 0;
@@ -64,7 +64,7 @@ bool is_inside(std::string_view path) {
 /// A file in the archive, with its header.
 struct Packed {
   std::size_t begin = 0, end = 0;
-  bool has_sizes_behind = false;  ///< its sizes and checksum are behind it
+  bool has_sizes_behind = false;  ///< sizes and checksum follow the bytes
 
   bool is_followed_by(std::size_t next) const {
     if (!has_sizes_behind || next < end) return next == end;
@@ -98,11 +98,12 @@ class Reader {
     if (status != UNZ_END_OF_LIST_OF_FILE || !is_whole()) return fail("is a broken zip archive");
     std::sort(archive_.files.begin(), archive_.files.end(),
               [](const ArchivedFile& a, const ArchivedFile& b) { return a.path < b.path; });
-    // Some programs read the first of them, others the last.
+    // Some programs read the first of two files, others the last.
     const auto twice = std::adjacent_find(
         archive_.files.begin(), archive_.files.end(),
         [](const ArchivedFile& a, const ArchivedFile& b) { return a.path == b.path; });
-    if (twice != archive_.files.end()) return fail("contains two files '" + twice->path + "'");
+    if (twice != archive_.files.end())
+      return fail("contains two files named '" + twice->path + "'");
     return std::move(archive_);
   }
 
@@ -112,8 +113,9 @@ class Reader {
     return std::move(archive_);
   }
 
-  /// Whether every program finds the same files: some read the directory that the last trailer
-  /// names, others the files from the front, or all entries of a directory whatever their number.
+  /// Whether every program finds the same files. Some read the directory that the last trailer
+  /// names, some read the files from the front, and some read all entries of a directory, whatever
+  /// their number.
   bool is_whole() {
     constexpr std::size_t kTrailer = 22;
     constexpr std::size_t kPlaceOfComment = 20;
@@ -162,24 +164,24 @@ class Reader {
       return refuse("contains more than " + std::to_string(most_files) + " files; " +
                     raise_limit("archive-files"));
     }
-    // Otherwise a small archive could have the same bytes unpacked thousands of times.
+    // Otherwise, a small archive could refer to the same bytes thousands of times.
     if (info.compressed_size > packed_left_) return refuse("contains files that share their bytes");
     packed_left_ -= info.compressed_size;
     if ((info.flag & 1U) != 0) return refuse("is encrypted");
-    // minizip may have been built with bzip2.
+    // This minizip may support bzip2.
     if (info.compression_method != 0 && info.compression_method != Z_DEFLATED) {
       return refuse("contains the file '" + name +
-                    "', which is packed with another method than deflate");
+                    "', which is packed with a method other than deflate");
     }
     std::string text;
     if (!read(zip, text)) return false;
-    // minizip has compared the checksum only then.
+    // Only then has minizip compared the checksum.
     if (text.size() != info.uncompressed_size) return refuse("is a broken zip archive");
     archive_.files.push_back({path::normalize(name), std::move(text)});
     return true;
   }
 
-  /// Programs that unpack a stream read what is in front of the bytes, others the directory.
+  /// Programs that unpack a stream read the header before the bytes; others read the directory.
   bool check_header(std::size_t entry, const unz_file_info64& info, const std::string& name) {
     constexpr std::size_t kPlaceOfFile = 42;   // in an entry of the directory
     constexpr std::size_t kPlaceOfSizes = 26;  // of name and extra field, in the header of a file
@@ -190,8 +192,7 @@ class Reader {
       return refuse("is a broken zip archive");
     }
     if (!header.substr(kPlaceOfName).starts_with(name)) {
-      return refuse("contains the file '" + name +
-                    "', which has another name in front of its bytes");
+      return refuse("contains the file '" + name + "', whose header has another name");
     }
     const std::size_t end = begin + kPlaceOfName + read_uint16(header, kPlaceOfSizes) +
                             read_uint16(header, kPlaceOfSizes + 2) +
@@ -201,7 +202,7 @@ class Reader {
     return true;
   }
 
-  /// The size that the archive states is not believed.
+  /// The size in the archive may be wrong.
   bool read(unzFile zip, std::string& text) {
     if (unzOpenCurrentFile(zip) != UNZ_OK) return refuse("is a broken zip archive");
     char buffer[1U << 16U];
@@ -219,7 +220,7 @@ class Reader {
 
   Memory file_;
   ArchiveBudget& budget_;
-  std::uint64_t packed_left_;    ///< bytes of the archive that no file has been unpacked from
+  std::uint64_t packed_left_;    ///< bytes of the archive that belong to no unpacked file
   std::size_t directory_ = 0;    ///< where it begins
   std::size_t after_entry_ = 0;  ///< where the last entry of the directory ends
   std::vector<Packed> packed_;
@@ -228,7 +229,7 @@ class Reader {
 
 }  // namespace
 
-/// The growth is not limited in small archives.
+/// Small archives may grow by any factor.
 std::uint64_t ArchiveBudget::most_by_growth() const {
   constexpr std::uint64_t kFree = 8'000'000;
   return kFree + limits_.archive_growth * packed_;

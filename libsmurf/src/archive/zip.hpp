@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Zip archives, in memory. The only place that knows minizip.
+// Zip archives, in memory. This is the only place that uses minizip.
 #pragma once
 
 #include <cstdint>
@@ -18,23 +18,23 @@ struct ArchivedFile {
 
 struct Archive {
   std::vector<ArchivedFile> files;  ///< sorted by path
-  std::string reason;               ///< why it cannot be read, for a person; empty when it can
+  std::string reason;  ///< the reason why it cannot be read, for people; empty if it can
 };
 
-/// What all archives of a run may unpack to.
+/// The budget for unpacking all archives of a run.
 class ArchiveBudget {
  public:
   explicit ArchiveBudget(const Limits& limits) : limits_(limits) {}
 
   const Limits& limits() const { return limits_; }
-  /// An archive of so many bytes is going to be unpacked.
+  /// Call it before unpacking an archive of this size.
   void add_packed(std::uint64_t bytes) {
     packed_ += bytes;
     ++archives_;
   }
   /// Reserves `bytes`. Returns false and reserves nothing when they exceed the budget.
   bool take(std::uint64_t bytes);
-  /// What was too much: "unpacks to more than 100 bytes; raise the limit ...".
+  /// The reason of a failure: "unpacks to more than 100 bytes; raise the limit ...".
   std::string excess() const;
 
  private:
@@ -50,7 +50,7 @@ class ArchiveBudget {
 /// Unpacks an archive within the budget. An entry that is encrypted, broken or outside of the
 /// archive makes all of it unreadable.
 Archive read_zip(std::string_view bytes, ArchiveBudget& budget);
-/// The same for a single archive.
+/// Unpacks a single archive in the same way.
 inline Archive read_zip(std::string_view bytes, const Limits& limits) {
   ArchiveBudget budget(limits);
   return read_zip(bytes, budget);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sources, at be259df: Drake multibody/parsing/detail_urdf_parser.cc, detail_urdf_geometry.cc,
-// detail_common.cc and detail_collision_filter_group_resolver.cc; the ranges also from what these
-// call: shape_specification.cc, proximity_properties.cc, coulomb_friction.cc, multibody_plant.cc.
+// detail_common.cc and detail_collision_filter_group_resolver.cc; the ranges also from the files
+// that these call: shape_specification.cc, proximity_properties.cc, coulomb_friction.cc,
+// multibody_plant.cc.
 #include "ast/drake_language.hpp"
 
 #include <algorithm>

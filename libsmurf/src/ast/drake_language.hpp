@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Drake adds to URDF, as one table.
+// One table of Drake's extensions of URDF.
 #pragma once
 
 #include <cstdint>
@@ -32,24 +32,24 @@ struct AttributeSpec {
 
 enum class Occurs : std::uint8_t {
   any,           ///< any number of times
-  at_most_once,  ///< Drake reads the first
-  once,          ///< as before, and it must be there
+  at_most_once,  ///< Drake reads the first one
+  once,          ///< the same, and it is required
   never          ///< Drake refuses it
 };
 
-/// An element and its parent. Elements of URDF are listed for their children.
+/// An element and its parent. Elements of URDF are listed with the children that Drake reads.
 struct ElementSpec {
   std::string_view parent, name;
   Occurs occurs = Occurs::any;
   std::span<const AttributeSpec> attributes = {};
 };
 
-/// What Drake looks for in an element of this name.
+/// The elements and attributes that Drake reads in an element of this name.
 std::span<const ElementSpec> children_of(std::string_view parent);
 
-/// True for the name of an element or attribute that no other reader knows.
+/// Whether only Drake knows an element or attribute of this name.
 bool is_own_name(std::string_view name);
-/// True for the type of a joint that is written `drake:joint`.
+/// Whether a joint of this type is written `drake:joint`.
 bool is_own_joint_type(std::string_view type);
 
 }  // namespace smurf::drake

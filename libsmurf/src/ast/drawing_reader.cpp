@@ -41,7 +41,7 @@ std::optional<std::vector<double>> numbers(const std::vector<std::string_view>& 
   return values;
 }
 
-/// A rigid motion of the page.
+/// A rigid motion in the page.
 struct Motion {
   double cosine = 1, sine = 0, x = 0, y = 0;
 
@@ -51,13 +51,13 @@ struct Motion {
   }
 };
 
-/// What MARS reads of a group: the first elements of these names anywhere in it.
+/// The parts of a group that MARS reads: the first elements of these names anywhere in it.
 struct Group {
   xml::View element;
   std::optional<std::size_t> outer;  ///< the group around it
   xml::View title, description, path;
   bool has_groups = false;
-  std::optional<Motion> motion;  ///< with those of the groups around it; none when unreadable
+  std::optional<Motion> motion;  ///< combined with those of outer groups; none if unreadable
 };
 
 class DrawingReader {
@@ -74,7 +74,7 @@ class DrawingReader {
     for (Group& group : groups_) {
       group.motion = read_motion(group);
       if (group.has_groups) report_nesting(group);
-      if (group.has_groups && !group.title) continue;  // what it holds are the entities
+      if (group.has_groups && !group.title) continue;  // its contents are the entities
       if (auto entity = read(group, width, z)) entities.push_back(std::move(*entity));
     }
     return entities;
@@ -117,7 +117,7 @@ class DrawingReader {
     const xml::Attribute* width = root.attribute("width");
     if (width == nullptr) {
       sink_.report(rules::sml5042_drawing_width, root.name_span(),
-                   "the drawing has no `width`, from which MARS counts y");
+                   "the drawing has no `width`, from which MARS computes y");
       return std::nullopt;
     }
     const std::optional<double> value = parse_number(trimmed(width->value()));
@@ -157,8 +157,8 @@ class DrawingReader {
     const std::string_view inside = text.substr(open + 1, close - open - 1);
     const bool is_matrix = name == "matrix";
     if (!is_matrix && name != "translate") {
-      refuse_transform(*transform, "MARS does not know `" + name + "`, and takes its numbers for " +
-                                       "a translation or for nothing");
+      refuse_transform(*transform, "MARS does not know `" + name + "` and reads its numbers as " +
+                                       "a translation, or ignores them");
       return std::nullopt;
     }
     if (close + 1 != text.size()) {
@@ -181,7 +181,7 @@ class DrawingReader {
     return matrix_motion(*transform, *values);
   }
 
-  /// MARS takes the angle of the first column and leaves out the rest.
+  /// MARS computes the angle from the first column and ignores the rest.
   std::optional<Motion> matrix_motion(const xml::Attribute& transform,
                                       const std::vector<double>& m) {
     const double length = hypotenuse(m[0], m[1]);
@@ -207,7 +207,7 @@ class DrawingReader {
   void report_nesting(const Group& group) {
     const std::string what = group.title ? "this entity contains other groups"
                                          : "this group is not an entity, but MARS loads it as a "
-                                           "copy of the first group inside it";
+                                           "copy of the first group in it";
     const bool moves = group.element.attribute("transform") != nullptr;
     Diagnostic& diagnostic = sink_.report(
         rules::sml5043_nested_drawing_group, group.element.name_span(),
@@ -243,7 +243,7 @@ class DrawingReader {
     return entity;
   }
 
-  /// The bytes of a text without the blanks around it, where no character is written as an entity.
+  /// The bytes of a text without the spaces around it, if the text contains no XML references.
   static Span inner(Span span, xml::View element, std::string_view text) {
     const std::string_view whole = element.text();
     if (span.end - span.begin != whole.size()) return span;
@@ -252,7 +252,7 @@ class DrawingReader {
             span.begin + skipped + static_cast<std::uint32_t>(text.size())};
   }
 
-  /// Without `origin_z:` the height of the group before stays.
+  /// Without `origin_z:`, the height of the previous group applies.
   bool read_height(const Group& group, DrawnEntity& entity, double& z) {
     const std::string_view text =
         group.description ? trimmed(group.description.text()) : std::string_view();
@@ -299,8 +299,7 @@ class DrawingReader {
     if (point && point->size() == 2) return point;
     refuse_group(
         data != nullptr ? data->value_span() : group.path.name_span(),
-        "the path does not begin with `m X,Y`, which is where MARS looks for the origin of the "
-        "entity");
+        "the path does not begin with `m X,Y`, from which MARS reads the origin of the entity");
     return std::nullopt;
   }
 

@@ -14,13 +14,13 @@ struct DrawnEntity {
   Span group;                 ///< the element's name in its start tag
   Spanned<std::string> file;  ///< of the title, relative to the drawing
   double x = 0, y = 0;        ///< in the world, m
-  Span place;                 ///< what says so: the transform, else the path
+  Span place;                 ///< span of its source: the transform, else the path
   double yaw = 0;             ///< degrees, in (-180, 180]
   double z = 0;               ///< m
-  Span height;                ///< what says so; the group's name when nothing does
+  Span height;                ///< span of its source; the group's name if there is none
 };
 
-/// Reports groups that are no entities, and leaves them out.
+/// Reports groups that are not entities, and omits them.
 std::vector<DrawnEntity> read_drawing(const xml::Document& document, DiagnosticSink& sink);
 
 }  // namespace smurf

@@ -32,7 +32,7 @@ std::string type_of(const KeySpec& spec) {
   return text;
 }
 
-/// Entities have a part of their own, because three lists of a scene hold them.
+/// Entities are a separate part, because three lists of a scene contain them.
 bool has_own_part(const KeySpec& spec) { return spec.members.first == all_entity_keys().data(); }
 
 void add_key(FormatPart& part, const KeySpec& spec, const std::string& prefix) {

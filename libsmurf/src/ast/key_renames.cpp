@@ -16,7 +16,7 @@ bool KeyRenames::has(std::string_view name) {
 }
 
 void KeyRenames::offer(std::vector<Fix>& fixes, yaml::View key, std::string_view name) {
-  // Without dashes in front, a directive above would have no document to belong to.
+  // Without leading dashes, a directive above would not belong to a document.
   if (key.key().starts_with("---") || !is_free(name)) return;
   const auto place = within_quotes(key.key_span(), key.key());
   if (!place) return;

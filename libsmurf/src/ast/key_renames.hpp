@@ -12,17 +12,17 @@
 
 namespace smurf {
 
-/// Renames keys of one mapping, never to a key that it has already or gets by another fix of these.
-/// Its keys are searched once, because every key of a mapping may be misspelt.
+/// Renames keys of one mapping, but never to a key that exists or that another fix creates.
+/// Searches the keys once, because every key of a mapping may be misspelt.
 class KeyRenames {
  public:
   explicit KeyRenames(yaml::View mapping) : mapping_(mapping) {}
 
   bool has(std::string_view name);
-  /// The mapping does not have it, and it was not offered.
+  /// The mapping does not have the key, and no fix creates it.
   bool is_free(std::string_view name) { return !has(name) && !offered_.contains(name); }
-  /// Adds the fix that calls `key`, which is one of the mapping, by a name that is free; none when
-  /// it is not. Quotes of the key are kept. The name must outlive this object.
+  /// Adds a fix that renames `key` of the mapping, if the new name is free. Keeps the quotes of the
+  /// key. The name must outlive this object.
   void offer(std::vector<Fix>& fixes, yaml::View key, std::string_view name);
 
  private:

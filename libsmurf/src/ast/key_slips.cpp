@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keys that are missing, and keys that nobody knows because they are misspelt. Unknown keys as such
-// are welcome: annotation is open.
+// Reports missing and misspelt keys. Other unknown keys are allowed, because annotations are
+// open.
 #include <algorithm>
 #include <set>
 
@@ -29,12 +29,12 @@ bool differ_in_style(std::string_view a, std::string_view b) {
   }
 }
 
-/// The known key that an unknown one was meant to be. Stricter than for names of things: any key is
+/// The known key that an unknown key probably means. Stricter than for names of things: any key is
 /// allowed, and short words resemble each other by chance.
 std::optional<std::string_view> meant_key(std::string_view key,
                                           std::span<const std::string_view> known) {
   constexpr std::size_t kShortest = 3;
-  constexpr std::size_t kLong = 9;  // from this length on, two mistakes are still one word
+  constexpr std::size_t kLong = 9;  // keys of this length may differ by two edits
   constexpr std::size_t kLongest = 64;
   if (key.size() > kLongest) return std::nullopt;
   for (const std::string_view other : known) {
@@ -48,8 +48,8 @@ std::optional<std::string_view> meant_key(std::string_view key,
   return near;
 }
 
-/// The place is an empty or misspelt key; otherwise the entry's first key. Returns the misspelt
-/// key.
+/// The place for a finding: an empty or misspelt key, else the entry's first key. Returns the
+/// misspelt key.
 yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unknown,
                           yaml::View mapping, std::string_view what, KeyRenames& renames,
                           DiagnosticSink& sink) {
@@ -74,9 +74,9 @@ yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unkno
   return key;
 }
 
-/// The key of `entry` that comes before `key` in `other`; none when `other` does not help.
+/// The key of `entry` that comes before `key` in `other`; none if there is no such key.
 Span place_like(yaml::View entry, yaml::View other, std::string_view key) {
-  constexpr std::size_t kMostKeys = 100;  // each is searched for; entries of SMURF have up to 60
+  constexpr std::size_t kMostKeys = 100;  // for a linear search; SMURF entries have up to 60 keys
   if (!other.is_mapping() || entry.size() > kMostKeys || other.size() > kMostKeys) return {};
   if (!other.find(key)) return {};
   Span place;
@@ -90,7 +90,7 @@ Span place_like(yaml::View entry, yaml::View other, std::string_view key) {
 }  // namespace
 
 Span place_to_add(yaml::View entry, std::string_view key) {
-  constexpr int kMostOthers = 8;  // entries of one list look alike
+  constexpr int kMostOthers = 8;  // entries of one list are similar
   const yaml::Document& document = entry.document();
   const yaml::NodeId parent = document.nodes[static_cast<std::size_t>(entry.id())].parent;
   int others = 0;

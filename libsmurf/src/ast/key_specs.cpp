@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What rows of key tables say, for the reader, for messages and for the schemas.
+// Queries on the rows of the key tables, for the reader, messages and schemas.
 #include "ast/keys.hpp"
 
 #include <cmath>
@@ -42,7 +42,7 @@ const KeySpec* find_key(MoreKeys tables, std::string_view name) {
   return nullptr;
 }
 
-/// The type of a quoted scalar when the quotes are taken away.
+/// The type of a quoted scalar without its quotes.
 yaml::ScalarType type_without_quotes(yaml::View value) {
   return value.style() == yaml::Style::single_quoted || value.style() == yaml::Style::double_quoted
              ? yaml::classify(value.text(), yaml::Style::plain)

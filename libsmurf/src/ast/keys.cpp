@@ -21,8 +21,8 @@ namespace {
 
 std::string name_of(const KeySpec& spec) { return quoted(spec.name); }
 
-/// A help with an edit that replaces the value; not safe, because some reader understood the value
-/// as it is.
+/// A help with an edit that replaces the value. The fix is unsafe, because some reader understands
+/// the old value.
 void offer(Diagnostic& diagnostic, std::string help, Span place, std::string_view text) {
   diagnostic.help(std::move(help));
   diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(text)}}});
@@ -47,7 +47,8 @@ void report_not_number(const KeySpec& spec, yaml::View value, std::string_view e
   }
 }
 
-/// How readers with other grammars read a number or a text. JSON has one meaning.
+/// Differences between readers with other grammars for numbers and texts. In JSON, all readers
+/// agree.
 void check_notation(const KeySpec& spec, yaml::View value, double number, bool is_whole,
                     DiagnosticSink& sink) {
   if (is_in_all_notations(value.text(), is_whole)) return;
@@ -72,7 +73,7 @@ void check_notation(const KeySpec& spec, yaml::View value, double number, bool i
 void check_text(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   if (value.style() != yaml::Style::plain) return;
   const std::optional<std::string> in_yaml11 = text_by_yaml11(value.text());
-  if (!in_yaml11 || value.number()) return;  // a type or a version may be a number
+  if (!in_yaml11 || value.number()) return;  // types and versions may be numbers
   Diagnostic& diagnostic = sink.report(rules::sml4007_yaml_version, value.span(),
                                        "Phobos reads `" + std::string(value.text()) + "` of " +
                                            name_of(spec) + " as " + *in_yaml11);
@@ -85,8 +86,8 @@ bool has_range(const KeySpec& spec) {
   return spec.type == ValueType::color || std::isfinite(bounds_of(spec).maximum);
 }
 
-/// A number that can be computed with, or one that is outside of its range, which is reported
-/// there. Others are reported and have no value.
+/// Returns a finite number. Reports a number outside of its range, but returns it. Reports other
+/// values and returns none.
 std::optional<double> usable_number(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   const std::optional<double> number = value.number();
   if (!number || !std::isfinite(*number)) {
@@ -111,7 +112,7 @@ bool check_range(const KeySpec& spec, yaml::View value, double number, Diagnosti
   return false;
 }
 
-/// Numbers among the choices (types of old MARS files) are compared as numbers.
+/// Compares numeric choices (types of old MARS files) as numbers.
 bool is_choice(const KeySpec& spec, yaml::View value) {
   const std::optional<double> number = value.number();
   return std::any_of(spec.choices.begin(), spec.choices.end(), [&](std::string_view choice) {
@@ -249,8 +250,8 @@ std::string in_words(std::span<const std::string_view> names) {
   return words;
 }
 
-/// Components that must all be there, which ones depends on those that are. Others are 0 in MARS,
-/// which for a position or a speed may be meant.
+/// Components that must be complete; which ones are required depends on those that are present.
+/// MARS reads missing components as 0, which may be intended for a position or a speed.
 std::vector<std::string_view> missing_components(ValueType type, yaml::View value) {
   const auto names = components_of(type);
   std::span<const std::string_view> needed;
@@ -270,7 +271,7 @@ std::vector<std::string_view> missing_components(ValueType type, yaml::View valu
   return missing;
 }
 
-/// Unknown components, else missing ones: one finding.
+/// Reports unknown components, else missing ones, in one finding.
 void check_components(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   const auto names = components_of(spec.type);
   for (const yaml::View member : value) {
@@ -291,7 +292,7 @@ void check_components(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
               name_of(spec) + " has no " + in_words(missing) + ", which MARS reads as 0");
 }
 
-/// A mapping whose components, if they are there, must be numbers. Absent ones stay absent.
+/// A mapping whose components must be numbers. Absent components stay absent.
 bool read_components(const KeySpec& spec, yaml::View value, std::span<Field<double>> out,
                      DiagnosticSink& sink) {
   if (!value.is_mapping()) {
@@ -318,7 +319,8 @@ void read_vector3(const KeySpec& spec, yaml::View value, Target target, Diagnost
   store(target, value, vector);
 }
 
-/// One finding for all components: colours of 0 to 255 are wrong in each. `parts` are those given.
+/// One finding for all components, because colours from 0 to 255 are wrong in each. `parts` are the
+/// given components.
 void check_color_range(const KeySpec& spec, std::span<const Field<double>, 4> parts,
                        DiagnosticSink& sink) {
   const auto names = components_of(spec.type);
@@ -363,7 +365,7 @@ void check_number_map(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
     if (member.is_repeated()) continue;
     if (member.is_null()) {
       sink.report(rules::sml4008_incomplete_value, member.place(),
-                  quoted(member.key()) + " has no value and is left out");
+                  quoted(member.key()) + " has no value and is ignored");
       continue;
     }
     const KeySpec inner{.name = member.key(), .type = ValueType::number};
@@ -416,7 +418,7 @@ void read_value(const KeySpec& spec, yaml::View value, Target target, Diagnostic
   case ValueType::position:
     if (value.is_mapping()) return read_vector3(spec, value, target, sink);
     return read_number_list(spec, value, 3, target, sink);
-  case ValueType::rotation: return;  // its forms are told apart by the scene reader
+  case ValueType::rotation: return;  // the scene reader distinguishes its forms
   case ValueType::vector2:
   case ValueType::quaternion:
   case ValueType::orientation: read_components(spec, value, {}, sink); return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keys of annotations as tables: one row says what a key holds, where it goes and what it means.
-// The reader, the JSON schemas and the suggestions for misspelt keys are made from the same rows.
+// Keys of annotations as tables: one row defines type, target field and meaning of a key. The
+// reader, the JSON schemas and the suggestions for misspelt keys use the same rows.
 #pragma once
 
 #include <bitset>
@@ -21,12 +21,12 @@
 
 namespace smurf {
 
-/// How a value is written. Quoted text is text; a null means the same as an absent key.
+/// The form of a value. Quoted text is text; a null is treated as an absent key.
 enum class ValueType : std::uint8_t {
   text,          ///< any scalar
-  frame,         ///< any scalar; one that names no frame is reported where frames are looked up
+  frame,         ///< any scalar; an unknown frame is reported when frames are looked up
   number,        ///< finite plain number
-  integer,       ///< plain whole number; without bounds of its own it fits in 32 bits, as in MARS
+  integer,       ///< plain whole number; without explicit bounds it must fit in 32 bits, as in MARS
   boolean,       ///< true or false; 1 or 0
   names,         ///< text or list of texts
   name_list,     ///< list of texts
@@ -40,7 +40,7 @@ enum class ValueType : std::uint8_t {
   color,         ///< mapping r, g, b, a; each 0 to 1
   position,      ///< list of three numbers, or mapping x, y, z
   rotation,      ///< number, list of one, three or four numbers, or mapping w, x, y, z
-  mapping,       ///< of the keys in `members`, or of any
+  mapping,       ///< with the keys in `members`, or with any keys
   list,          ///< of mappings with the keys in `members`, or of anything
   any
 };
@@ -58,41 +58,41 @@ struct KeyTable {
   std::span<const KeySpec> keys() const;
 };
 
-/// What a text is the name of.
+/// The kinds of things that a text names.
 struct Naming {
-  NameKinds kinds = {};   ///< empty: it is no name
-  bool defines = false;   ///< the thing gets its name here
-  bool is_vague = false;  ///< it may be known elsewhere, so that only a misspelling is a fault
+  NameKinds kinds = {};   ///< empty: the text is not a name
+  bool defines = false;   ///< the text is the name of the entry
+  bool is_vague = false;  ///< the name may be defined elsewhere, so only misspellings are reported
 };
 constexpr Naming defines(NameKinds kinds) { return {kinds, true, false}; }
 constexpr Naming may_name(NameKinds kinds) { return {kinds, false, true}; }
 
-/// What is a node to MARS. It also knows the inertia of a link, as `inertial_LINK`.
+/// Kinds of nodes in MARS. The inertia of a link is a node called `inertial_LINK`.
 inline constexpr NameKinds kNodeKinds =
     NameKind::link | NameKind::visual | NameKind::collision | NameKind::node;
 
-/// What a key holds. The texts go into the schema.
+/// A key and its value. The texts go into the schema.
 struct KeySpec {
   std::string_view name;
   ValueType type = ValueType::any;
   std::string_view doc = {};   ///< one sentence
   std::string_view unit = {};  ///< "rad/s"; may be empty
   std::string_view fallback =
-      {};  ///< what MARS takes when it is absent, as JSON text; may be empty
+      {};  ///< the default of MARS if the key is absent, as JSON text; may be empty
   /// Titles of readers, separated by commas, "Rock" or "nobody"; empty: the readers of the section.
   std::string_view read_by = {};
   bool required = false;
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   bool positive = false;  ///< a number that must be above 0
-  bool is_limit = false;  ///< readers only compare it, and the largest double means "no limit"
-  std::span<const std::string_view> choices = {};  ///< of a text; empty: any
-  KeyTable members = {};                           ///< of a mapping, or of the mappings in a list
-  /// What its text names, or each text of its list, or each key of a number_map. References are
-  /// found by this (link/references.cpp), so that a new key that names something needs no more.
+  bool is_limit = false;  ///< only compared; the largest double means "no limit"
+  std::span<const std::string_view> choices = {};  ///< allowed texts; empty: any
+  KeyTable members = {};  ///< keys of a mapping, or of the mappings in a list
+  /// Kinds of things that its text names, or each text of its list, or each key of a number_map.
+  /// References are found by this (link/references.cpp).
   Naming names = {};
-  Naming (*names_in)(yaml::View entry) = nullptr;  ///< where that depends on the rest of the entry
-  bool is_path = false;  ///< of a file, relative to the folder of the file that it stands in
+  Naming (*names_in)(yaml::View entry) = nullptr;  ///< if it depends on the rest of the entry
+  bool is_path = false;  ///< the value is a file name, relative to the folder of its file
 };
 
 inline std::span<const KeySpec> KeyTable::keys() const { return {first, size}; }
@@ -104,7 +104,7 @@ struct Bounds {
 };
 Bounds bounds_of(const KeySpec& spec);
 
-/// The names of the numbers in a mapping of this type: x, y, z of a vector3. Empty for others.
+/// Names of the numbers in a mapping of this type: x, y, z for a vector3. Empty for other types.
 std::span<const std::string_view> components_of(ValueType type);
 
 template <class T>
@@ -112,7 +112,7 @@ using Member = std::variant<std::monostate, Field<std::string> T::*, Field<doubl
                             Field<std::int64_t> T::*, Field<bool> T::*, Field<NameList> T::*,
                             Field<Vector3> T::*, Field<Color> T::*>;
 
-/// A key and the member that keeps its value; without a member the value stays in the tree only.
+/// A key and the member for its value; without a member, the value is only in the tree.
 template <class T>
 struct Key {
   KeySpec spec;
@@ -127,53 +127,53 @@ using Target =
 /// of the choices), SML4003 (out of range), and SML4004 (missing key) inside `members`.
 void read_value(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink);
 
-/// Checks a mapping against a table that keeps no values; `what` names it in messages.
+/// Checks a mapping against a table without members; `what` names it in messages.
 void check_keys(std::span<const KeySpec> keys, yaml::View mapping, std::string_view what,
                 DiagnosticSink& sink);
 
-/// How the keys of a mapping differ from its tables.
+/// The differences between the keys of a mapping and its tables.
 struct KeyDifference {
-  std::vector<const KeySpec*> missing;  ///< required, but not given
-  std::vector<yaml::View> unknown;      ///< given, but in no table
-  std::vector<std::string_view> known;  ///< all keys of the tables, when slips are looked for
+  std::vector<const KeySpec*> missing;  ///< required, but absent
+  std::vector<yaml::View> unknown;      ///< present, but in no table
+  std::vector<std::string_view> known;  ///< all keys of the tables, for finding misspellings
 };
 
-/// Whether unknown keys that are nearly known ones are reported where the keys are read.
+/// Whether the reader of the keys reports misspelt keys.
 enum class Slips : std::uint8_t { ignored, reported };
 
-/// Reports SML4004 for each required key that `mapping`, a `what` ("motor"), does not hold, and
-/// SML4005 for each unknown key that is a misspelling of another one.
+/// Reports SML4004 for each required key that is absent in `mapping`, a `what` ("motor"), and
+/// SML4005 for each unknown key that is a misspelling of a known key.
 void report_difference(const KeyDifference& difference, yaml::View mapping, std::string_view what,
                        DiagnosticSink& sink);
 
-/// The type of a quoted scalar without its quotes; text for everything else.
+/// The type of a quoted scalar without its quotes; text for other scalars.
 yaml::ScalarType type_without_quotes(yaml::View value);
 
-/// The key of an entry after which a missing one would be looked for: where other entries of the
-/// list have it, else at the end.
+/// The key of an entry after which a missing key belongs: its position in other entries of the
+/// list, else at the end.
 Span place_to_add(yaml::View entry, std::string_view key);
 
 /// The bytes of a scalar within its quotes, if it has any, so that an edit keeps them (JSON).
 Span within_quotes(yaml::View value);
-/// Same, for a scalar that reads `text`; none where it is written otherwise: as a block or with
+/// The same bytes if they are exactly `text`; none for blocks and for scalars with
 /// escapes.
 std::optional<Span> within_quotes(Span scalar, std::string_view text);
 
 /// "a number", "a list of names": for messages.
 std::string_view describe(ValueType type);
-/// What is written there, for messages: "a list", "the text `abc`".
+/// A description of the value for messages: "a list", "the text `abc`".
 std::string describe(yaml::View value);
 
-/// Rows beside those of a section's own table: they keep no value and none of them is required.
+/// Rows in addition to the section's own table: they have no members and are optional.
 using MoreKeys = std::initializer_list<std::span<const KeySpec>>;
 
-/// Null when no table has the key; the first table that has it counts.
+/// The row in the first table that has the key; null if none has it.
 const KeySpec* find_key(MoreKeys tables, std::string_view name);
 
-/// No table whose values are kept is larger.
+/// No table with members is larger.
 inline constexpr std::size_t kMostKeys = 64;
 
-/// Reads `mapping` into `out` by tables. Keys without a row are left to the tree.
+/// Reads `mapping` into `out` by tables. Keys without a row stay in the tree.
 template <class T>
 void read_keys(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, T& out,
                std::string_view what, DiagnosticSink& sink, Slips slips = Slips::ignored) {
@@ -183,7 +183,7 @@ void read_keys(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, 
   KeyDifference difference;
   std::size_t i = 0;
   for (const yaml::View value : mapping) {
-    // Many write the keys in the order of the table: the search goes on from the last one.
+    // The search starts at the last row found, because most entries have the order of the table.
     std::size_t left = keys.size();
     while (left > 0 && keys[i].spec.name != value.key()) {
       i = i + 1 == keys.size() ? 0 : i + 1;
@@ -221,7 +221,7 @@ void read_keys(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, 
   report_difference(difference, mapping, what, sink);
 }
 
-/// Reads an entry of a list; `out` learns its place as well.
+/// Reads an entry of a list, and stores its place in `out`.
 template <class T>
 void read_entry(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, T& out,
                 std::string_view what, DiagnosticSink& sink, Slips slips = Slips::ignored) {
@@ -236,10 +236,10 @@ void read_entry(std::span<const Key<T>> keys, yaml::View mapping, T& out, std::s
   read_entry<T>(keys, {}, mapping, out, what, sink);
 }
 
-/// Which rows are wanted; null: all.
+/// Selects rows; null: all.
 using KeyFilter = bool (*)(const KeySpec&);
 
-/// All rows of an entry, for the schema; a name that an earlier table has is not repeated.
+/// All rows of an entry, for the schema; a name in several tables appears once.
 template <class T>
 std::vector<const KeySpec*> specs_of(std::span<const Key<T>> keys, MoreKeys more = {},
                                      KeyFilter takes = nullptr) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Words that readers know as values of keys. Plug-ins add others.
-// Sources: MARS MotorData.cpp:126-135, SensorManager.cpp, EntityFactoryManager.cpp; MARS 2
-// envire_smurf_loader Model.cpp; Phobos 2 representation.py.
+// The values that readers know for some keys. Plug-ins add others. Sources: MARS
+// MotorData.cpp:126-135, SensorManager.cpp, EntityFactoryManager.cpp; MARS 2 envire_smurf_loader
+// Model.cpp; Phobos 2 representation.py.
 #pragma once
 
 #include <span>

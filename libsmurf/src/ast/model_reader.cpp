@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The main file and annotation files. Shape only: nothing is opened or looked up.
+// Reads the main file and annotation files. Opens no other files and resolves no names.
 #include "ast/model_reader.hpp"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ bool is_main_key(std::string_view key) {
                      [key](const Key<Model>& row) { return row.spec.name == key; });
 }
 
-/// YAML is a superset of JSON, so every file kind may hold anything; ours are mappings.
+/// YAML is a superset of JSON, so a file may contain a value of any type; ours must be mappings.
 bool is_mapping(const yaml::Document& document, std::string_view what, DiagnosticSink& sink) {
   const yaml::View root = document.view();
   if (root && root.is_mapping()) return true;

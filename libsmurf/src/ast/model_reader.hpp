@@ -11,18 +11,18 @@
 
 namespace smurf {
 
-/// Reads a main file (.smurf). None when the root is not a mapping.
+/// Reads a main file (.smurf). None if the root is not a mapping.
 std::optional<Model> read_model(const yaml::Document& document, DiagnosticSink& sink);
 
-/// The keys of a main file that are not sections. Keys of a scene entity are not among them,
-/// although MARS lets a main file replace those of the entity that names it.
+/// The keys of a main file that are not sections. Keys of a scene entity are not included, although
+/// in MARS a main file can override those of the entity.
 std::span<const Key<Model>> main_keys();
 
-/// Reads an annotation file (.yml). None when the root is not a mapping.
+/// Reads an annotation file (.yml). None if the root is not a mapping.
 std::optional<Annotations> read_annotations(const yaml::Document& document, DiagnosticSink& sink);
 
-/// True for a file that keeps templates of parts under the names of sections: mappings from names
-/// to mappings. Such files are no annotation files unless a model lists them.
+/// Whether a file contains templates of parts under the names of sections: mappings from names to
+/// mappings. Such a file is an annotation file only if a model lists it.
 bool holds_templates(const yaml::Document& document);
 
 }  // namespace smurf

@@ -43,9 +43,8 @@ constexpr KeySpec kEntity[] = {
      .names = {NameKind::entity | NameKind::link}},
     {.name = "anchor",
      .type = frame,
-     .doc =
-         "What the root link is fixed to: `none`, `world`, `parent` (the link named by `parent`), "
-         "or `ENTITY::LINK`. Anchoring does not move the entity.",
+     .doc = "Frame that the root link is fixed to: `none`, `world`, `parent` (the link named by "
+            "`parent`), or `ENTITY::LINK`. Anchoring does not move the entity.",
      .fallback = "\"none\"",
      .names = {NameKind::entity | NameKind::link}},
     {.name = "pose",
@@ -59,9 +58,8 @@ constexpr KeySpec kEntity[] = {
      .read_by = "MARS 1"},
     {.name = "URI",
      .type = text,
-     .doc =
-         "File of an entity in scenes of Phobos 0.6; MARS replaces the key by the contents of that "
-         "file before it looks for one.",
+     .doc = "File of an entity in scenes of Phobos 0.6; MARS replaces the key by the contents of "
+            "the file.",
      .read_by = "MARS 1"},
     {.name = "root",
      .type = boolean,
@@ -72,7 +70,7 @@ constexpr KeySpec kEntity[] = {
      .read_by = "MARS 1"},
     {.name = "main_entity",
      .type = boolean,
-     .doc = "Marks the entity that MARS plug-ins treat as the main one.",
+     .doc = "Marks the entity that MARS plug-ins treat as the main entity.",
      .fallback = "false",
      .read_by = "MARS 1"},
     {.name = "assembly",
@@ -81,7 +79,7 @@ constexpr KeySpec kEntity[] = {
      .read_by = "MARS 1"},
     {.name = "data_package",
      .type = integer,
-     .doc = "What the joint of the anchor publishes: 0 nothing, 1 a reduced set.",
+     .doc = "Data that the joint of the anchor publishes: 0 none, 1 a reduced set.",
      .read_by = "MARS 1",
      .minimum = 0},
     {.name = "child",
@@ -188,9 +186,8 @@ constexpr KeySpec kScene[] = {
     {.name = "entities", .type = list, .doc = "The entities of the scene.", .members = kEntity},
     {.name = "smurfa",
      .type = list,
-     .doc =
-         "Entities of an assembly: only those with `root: true` are fixed to what the assembly is "
-         "fixed to.",
+     .doc = "Entities of an assembly; only entities with `root: true` get the anchor of the "
+            "assembly.",
      .read_by = "MARS 1, Phobos 2",
      .members = kEntity},
     {.name = "physics",

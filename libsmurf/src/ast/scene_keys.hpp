@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The keys of scenes and assemblies as tables: the scene reader, the JSON schema and the
-// suggestions for misspelt keys are made from the same rows.
+// suggestions for misspelt keys use the same rows.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace smurf {
 
-/// The keys of a scene file, with those of everything inside it as members: the entities of the
-/// three lists, physics, environment. `lights` is the annotation section of that name.
+/// The keys of a scene file, with the keys of nested mappings as members: the entities of the three
+/// lists, physics, environment. `lights` is the annotation section of that name.
 std::span<const KeySpec> scene_keys();
 
 /// Keys of one entity, of `physics` and of `environment`.
@@ -19,7 +19,7 @@ std::span<const KeySpec> all_entity_keys();
 std::span<const KeySpec> all_physics_keys();
 std::span<const KeySpec> environment_keys();
 
-/// The keys whose values are kept, and where. The forms of `rotation` are told apart by the reader.
+/// The keys with members. The reader distinguishes the forms of `rotation`.
 std::span<const Key<Entity>> entity_keys();
 std::span<const Key<Physics>> physics_keys();
 std::span<const Key<Physics>> ode_keys();

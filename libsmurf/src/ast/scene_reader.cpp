@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes and assemblies. Shape only: nothing is opened, looked up or composed.
+// Reads scenes and assemblies. Opens no other files, resolves no names and composes no poses.
 #include "ast/scene_reader.hpp"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class RotationReader {
       rotation_.values[index] = *number;
       return true;
     }
-    report_wrong_type(wanted::kValue, value, "`rotation` takes numbers, not " + describe(value),
+    report_wrong_type(wanted::kValue, value, "`rotation` must be numbers, not " + describe(value),
                       sink_);
     return false;
   }
@@ -53,9 +53,9 @@ class RotationReader {
   void read_list(yaml::View list) {
     const std::size_t size = list.size();
     if (size != 1 && size != 3 && size != 4) {
-      Diagnostic& diagnostic =
-          sink_.report(rules::sml5002_rotation_length, list.span(),
-                       "`rotation` has " + std::to_string(size) + " numbers, which means nothing");
+      Diagnostic& diagnostic = sink_.report(rules::sml5002_rotation_length, list.span(),
+                                            "`rotation` has " + std::to_string(size) +
+                                                " numbers, which no reader understands");
       diagnostic.help(
           "write one number (degrees about z), three (degrees about x, y, z) or four (quaternion "
           "w, x, y, z)");
@@ -86,7 +86,7 @@ class RotationReader {
     if (is_sound) rotation_.form = RotationForm::quaternion;
   }
 
-  /// Only a direction in four dimensions is a rotation; a length far from one is a rule's business.
+  /// The direction in four dimensions decides the rotation; a rule reports a length other than 1.
   void check_length() {
     if (rotation_.form != RotationForm::quaternion) return;
     const auto& [w, x, y, z] = rotation_.values;
@@ -163,7 +163,7 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
       scene.entities.push_back(read_entity(item, list, sink));
     } else {
       report_wrong_type(wanted::kEntity, item,
-                        "an entity of `" + key + "` is a mapping, not " + describe(item), sink);
+                        "an entry of `" + key + "` must be a mapping, not " + describe(item), sink);
     }
   }
 }
@@ -171,8 +171,8 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
 std::optional<Physics> read_physics(yaml::View value, DiagnosticSink& sink) {
   if (!value || value.is_null()) return std::nullopt;
   if (!value.is_mapping()) {
-    report_wrong_type(wanted::kMapping, value, "`physics` takes a mapping, not " + describe(value),
-                      sink);
+    report_wrong_type(wanted::kMapping, value,
+                      "`physics` must be a mapping, not " + describe(value), sink);
     return std::nullopt;
   }
   Physics physics;
@@ -188,7 +188,7 @@ void read_environment(yaml::View value, Scene& scene, DiagnosticSink& sink) {
   if (!value || value.is_null()) return;
   if (!value.is_mapping()) {
     report_wrong_type(wanted::kMapping, value,
-                      "`environment` takes a mapping, not " + describe(value), sink);
+                      "`environment` must be a mapping, not " + describe(value), sink);
     return;
   }
   scene.environment = value.id();

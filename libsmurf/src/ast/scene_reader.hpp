@@ -11,11 +11,11 @@
 
 namespace smurf {
 
-/// Reads a scene or assembly, and its first `most_entities`. None when the root is not a mapping.
+/// Reads a scene or assembly, up to `most_entities`. None if the root is not a mapping.
 std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& sink,
                                 std::size_t most_entities = SIZE_MAX);
 
-/// The keys of an entity, wherever they are written.
+/// The keys of an entity.
 Entity read_entity(yaml::View mapping, EntityList list, DiagnosticSink& sink);
 
 }  // namespace smurf

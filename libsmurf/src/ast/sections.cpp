@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reading sections by the table: known ones into typed entries, others kept whole.
+// Reads sections by the table: known sections as typed entries, others as YAML values.
 #include "ast/sections.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The annotation sections as one table. A new section is one file in sections/ and one line in
+// The annotation sections as one table. A new section needs one file in sections/ and one line in
 // sections.def.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace smurf {
 
-/// What the value of a section is.
+/// The type of the value of a section.
 enum class SectionForm : std::uint8_t {
   list,             ///< a list of entries
   list_or_mapping,  ///< a list of entries or a single entry
@@ -23,29 +23,29 @@ enum class SectionForm : std::uint8_t {
 struct SectionSpec {
   std::string_view name;                           ///< canonical: "motors"
   std::span<const std::string_view> aliases = {};  ///< other names of the same section: "motor"
-  std::string_view entry;                          ///< what one entry is: "motor"
+  std::string_view entry;                          ///< the noun for an entry: "motor"
   std::string_view doc;                            ///< one sentence, for the schema
-  std::string_view read_by;                        ///< the programs, as text
+  std::string_view read_by;                        ///< names of the programs
   SectionForm form = SectionForm::list;
-  /// All rows of an entry, or those that `takes` is true for.
+  /// All rows of an entry, or those for which `takes` is true.
   std::vector<const KeySpec*> (*filtered_keys)(KeyFilter takes) = nullptr;
   /// Reads one entry (a mapping) and appends it.
   void (*read)(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) = nullptr;
-  /// What it has appended, in file order.
+  /// The entries that were read, in file order.
   std::vector<const Annotation*> (*entries)(const Annotations& annotations) = nullptr;
 
   std::vector<const KeySpec*> keys() const { return filtered_keys(nullptr); }
 };
 
 std::span<const SectionSpec* const> all_sections();
-/// By canonical name or alias; null for a user's own section.
+/// Finds a section by canonical name or alias; null for a custom section.
 const SectionSpec* find_section(std::string_view name);
 
-/// Reads every section of a mapping; keys for which `is_taken` is true are left alone.
+/// Reads every section of a mapping, except for keys for which `is_taken` is true.
 void read_sections(yaml::View root, bool (*is_taken)(std::string_view key), Annotations& out,
                    DiagnosticSink& sink);
 
-/// How many items of a list are left from this one on, whatever they are; 1 outside of a list.
+/// The number of items of a list from this one on; 1 outside of a list.
 std::size_t items_from(yaml::View item);
 
 namespace sections {
@@ -55,7 +55,7 @@ namespace sections {
 #undef SMURF_SECTION
 
 /// Reserves memory for the rest of the list, because growing step by step needs up to three times
-/// the size for a while. A hostile list full of nulls gets no more than it has filled.
+/// the size. Reserves at most the current size, because a hostile list may contain only nulls.
 template <class T>
 void make_room(yaml::View entry, std::vector<T>& entries) {
   constexpr std::size_t kFirst = 1U << 14U;
@@ -63,7 +63,7 @@ void make_room(yaml::View entry, std::vector<T>& entries) {
   entries.reserve(entries.size() + std::min(items_from(entry), std::max(entries.size(), kFirst)));
 }
 
-/// The `read` of most sections: one table row per key, one vector of entries.
+/// The `read` function of most sections: one table row per key, one vector of entries.
 template <class T>
 void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view entry_name,
                yaml::View entry, Span section, std::vector<T>& entries, DiagnosticSink& sink) {
@@ -73,10 +73,10 @@ void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view ent
   read_entry(keys, more, entry, item, entry_name, sink, Slips::reported);
 }
 
-/// What the names in `id` of a sensor of this type are; none when MARS takes no `id`.
+/// The kind of the names in `id` of a sensor of this type; none if MARS does not read `id`.
 NameKinds measured_by(std::string_view type);
 
-/// The `entries` of most sections.
+/// The `entries` function of most sections.
 template <auto Member>
 std::vector<const Annotation*> entries_of(const Annotations& annotations) {
   std::vector<const Annotation*> entries;
@@ -85,8 +85,8 @@ std::vector<const Annotation*> entries_of(const Annotations& annotations) {
   return entries;
 }
 
-/// The keys that describe a node of MARS: entries of `collision`, `visuals`, `link` and `nodes`
-/// replace them one by one.
+/// The keys that describe a node of MARS. Entries of `collision`, `visuals`, `link` and `nodes`
+/// replace them individually.
 std::span<const KeySpec> node_keys();
 
 }  // namespace sections

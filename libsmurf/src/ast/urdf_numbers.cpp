@@ -21,7 +21,7 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// True for a text that is not a number, but is written like one.
+/// Whether a text is not a number, but resembles one.
 bool is_out_of_range(std::string_view text) {
   const std::size_t e = text.find('e');
   if (e == std::string_view::npos || e + 1 >= text.size()) return false;
@@ -47,13 +47,13 @@ std::vector<Token> split(std::string_view text) {
   return tokens;
 }
 
-/// Some readers refuse what has fewer digits than a double.
+/// Some readers refuse numbers below the precision of a double.
 bool is_subnormal(double value) {
   return value != 0 && std::fabs(value) < std::numeric_limits<double>::min();
 }
 
-/// Reads numbers that all readers read alike, as nearly all are; false for a text that needs a
-/// closer look.
+/// Reads numbers on which all readers agree, as on nearly all; false for a text that needs further
+/// checks.
 bool read_plain(std::string_view text, std::span<double> out) {
   std::size_t at = 0;
   for (double& value : out) {
@@ -95,7 +95,7 @@ class NumberReader {
   Token whole() const { return {0, static_cast<std::uint32_t>(text_.size())}; }
 
   bool has_residue() {
-    if (is_xacro(text_)) return true;  // the reader of the file reports it
+    if (is_xacro(text_)) return true;  // the reader of the file has reported it
     if (text_.find('%') != std::string_view::npos) {
       report_percent(place(whole()), text_, sink_);
       return true;
@@ -221,7 +221,7 @@ class NumberReader {
     return *value > 0 ? "hex" : "hex#not-positive";
   }
 
-  /// A number followed by letters: "1kg", "1.0f", "90deg".
+  /// A number with trailing letters: "1kg", "1.0f", "90deg".
   static bool has_suffix(std::string_view text) {
     std::size_t at = text.size();
     while (at > 0 && !is_digit(text[at - 1]) && text[at - 1] != '.') --at;

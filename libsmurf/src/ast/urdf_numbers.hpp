@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers in URDF attributes: one grammar, and a name for every way readers disagree about a text.
+// Numbers in URDF attributes: a strict grammar, and names for the deviations of readers.
 #pragma once
 
 #include <optional>
@@ -11,21 +11,21 @@
 
 namespace smurf {
 
-/// Reads as many numbers, separated by blanks, as `out` takes; false when it cannot. Reports
-/// SML18xx, SML1009 or SML1012 at the attribute's value. A text whose meaning is clear although
-/// some reader refuses it (a trailing blank, tabs) still gives values.
+/// Reads numbers separated by spaces into `out`; false if this fails. Reports SML18xx, SML1009 or
+/// SML1012 at the attribute's value. A text whose meaning is clear although some reader refuses it
+/// (trailing space, tabs) still gives values.
 bool read_numbers(const xml::Attribute& attribute, std::span<double> out, DiagnosticSink& sink);
 
-/// As C programs read it: "0x1F", "-0x1p-3". None for other texts.
+/// Reads a number as C programs do: "0x1F", "-0x1p-3". None for other texts.
 std::optional<double> parse_hexadecimal(std::string_view text);
 
 /// True for a decimal number that is too small for a double.
 bool is_underflow(std::string_view text);
 
-/// True when a value holds an expression of xacro, "${...}" or "$(...)".
+/// Whether a value contains a xacro expression, "${...}" or "$(...)".
 bool is_xacro(std::string_view value);
 
-/// Reports SML1012 for a value that holds `%`.
+/// Reports SML1012 for a value that contains `%`.
 void report_percent(Span place, std::string_view value, DiagnosticSink& sink);
 
 }  // namespace smurf

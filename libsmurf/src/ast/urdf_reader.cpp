@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elements to structs, in document order. What is absent or unreadable stays absent.
+// Reads elements into structs, in document order. Absent or unreadable values stay absent.
 #include "ast/urdf_reader.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class RobotReader {
   void robot(View root, urdf::Robot& robot) {
     text(root, "name", robot.name);
     text(root, "version", robot.version);
-    // These are large, and vectors that grow hold twice what they need.
+    // These elements are large, and growing vectors reserve up to twice the needed memory.
     const auto count = [&](std::string_view name) {
       return static_cast<std::size_t>(
           std::count_if(root.begin(), root.end(), [&](View child) { return is(child, name); }));
@@ -89,8 +89,8 @@ class RobotReader {
     out.set(value);
   }
 
-  /// Bounds on a joint are compared only, and often the largest double; inertias are turned and
-  /// added up.
+  /// Limits of joints are only compared, and are often the largest double; inertias are rotated and
+  /// added.
   static double largest_in(View element) {
     const std::string_view name = element.name();
     if (name == "inertia") return 1e300;
@@ -101,8 +101,8 @@ class RobotReader {
   void report_too_large(const xml::Attribute& attribute, double most) {
     sink_
         .report(rules::sml1810_overflow_underflow, attribute.value_span(),
-                quoted(attribute.name()) + " is larger than " + format_rounded(most) +
-                    ", and cannot be computed with")
+                quoted(attribute.name()) + " is too large: at most " + format_rounded(most) +
+                    " can be used in computations")
         .construct = "too-large";
   }
 
@@ -157,7 +157,7 @@ class RobotReader {
     const View element = child_of(parent, "geometry");
     if (!element) return;
     out.element = element.id();
-    // urdfdom takes the first child (link.cpp:224); so do we, foreign elements included.
+    // Like urdfdom (link.cpp:224), uses the first child, even if it is a foreign element.
     for (const View shape : element) {
       out.shape_element = shape.id();
       out.shape = this->shape(shape);
@@ -225,7 +225,7 @@ class RobotReader {
     }
   }
 
-  /// What a visual and a collision have.
+  /// Members that visuals and collisions share.
   template <class T>
   void geometry_use(View element, T& out) {
     place(element, out);
@@ -295,8 +295,8 @@ class RobotReader {
 
 constexpr std::string_view kExpression = "a xacro expression";
 
-/// The first trace of xacro of one kind, and how many more there are: their cause is one, the file
-/// was not expanded.
+/// The first xacro residue of one kind, and the number of others: they have one cause, that the
+/// file was not expanded.
 struct XacroTrace {
   Span first;
   std::string what;
@@ -319,8 +319,8 @@ struct XacroTrace {
   }
 };
 
-/// Readers ignore the elements and read the robot without them, but they fail on expressions, most
-/// of all in joints: so expressions in joints, other expressions, and elements are a finding each.
+/// Readers ignore xacro elements, but fail on expressions, especially in joints. So there is one
+/// finding each for expressions in joints, other expressions, and elements.
 void report_xacro(const xml::Document& document, DiagnosticSink& sink) {
   XacroTrace elements, in_joints, elsewhere;
   std::set<xml::ElementId> dropped;  // with all that is in them

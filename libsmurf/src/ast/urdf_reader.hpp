@@ -9,10 +9,10 @@
 
 namespace smurf {
 
-/// Reports SML11xx about shape and SML18xx about numbers; none when the root is not a robot.
+/// Reports SML11xx about structure and SML18xx about numbers; none if the root is not a robot.
 std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sink);
 
-/// The checks of the element table: unknown, misspelt and repeated elements and attributes.
+/// The checks by the element table: unknown, misspelt and repeated elements and attributes.
 void check_urdf_shape(const xml::Document& document, DiagnosticSink& sink);
 
 }  // namespace smurf

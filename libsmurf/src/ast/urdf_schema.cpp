@@ -12,7 +12,7 @@
 namespace smurf::urdf {
 namespace {
 
-/// Marks an attribute whose absence is reported by a rule of its own.
+/// Marks an attribute whose absence is reported by a separate rule.
 constexpr AttributeSpec usual(AttributeSpec spec) {
   spec.is_usual = true;
   return spec;
@@ -174,7 +174,7 @@ constexpr ElementSpec kElements[] = {
      {},
      "Pose in the frame of the enclosing element; for a joint, in the frame of the parent link."},
     {"visual", kVisualAttributes, kVisualChildren, kCollisionExtensions,
-     "What the link looks like."},
+     "The appearance of the link."},
     {"collision", kCollisionAttributes, kCollisionChildren, kCollisionExtensions,
      "The shape of the link for collision detection."},
     {"geometry", {}, kGeometryChildren, kGeometryExtensions, "One shape."},
@@ -188,7 +188,7 @@ constexpr ElementSpec kElements[] = {
      "A cylinder with half spheres at its ends, its axis along z; read since version 1.1 of URDF."},
     {"mesh", kMeshAttributes, {}, {}, "The triangles of a mesh file."},
     {"material", kMaterialAttributes, kMaterialChildren, kMaterialExtensions,
-     "A colour or a texture, under a name that visuals share."},
+     "A colour or a texture, with a name that visuals share."},
     {"color", kColorAttributes, {}, {}, "A colour."},
     {"texture", kTextureAttributes, {}, {}, "An image."},
     {"joint", kJointAttributes, kJointChildren, kJointExtensions,
@@ -234,7 +234,7 @@ constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
 
 std::optional<std::string_view> meant_name(std::string_view name,
                                            std::span<const std::string_view> known) {
-  // A prefix marks another vocabulary, which is no slip: what it replaces is missing.
+  // A prefix marks another vocabulary, not a misspelling; the element that it replaces is missing.
   if (name.find(':') != std::string_view::npos) return std::nullopt;
   if (const auto near = nearest(name, known)) return near;
   for (const auto& [other, own] : kOtherNames) {

@@ -11,7 +11,7 @@
 
 namespace smurf::urdf {
 
-/// The texts are for those who write a URDF; `values` are the only ones, where there are any.
+/// The texts are for authors of URDFs; `values`, if any, are the only allowed values.
 struct AttributeSpec {
   std::string_view name;
   bool required = false;
@@ -19,31 +19,31 @@ struct AttributeSpec {
   std::string_view unit = {};  ///< "rad or m"; may be empty
   std::string_view fallback = {};
   std::span<const std::string_view> values = {};
-  NameKinds names = {};   ///< what it may name; empty: nothing
-  bool is_usual = false;  ///< robots need it; other rules than that on missing attributes say so
+  NameKinds names = {};   ///< kinds of things that it may name; empty: it is not a name
+  bool is_usual = false;  ///< needed; its absence has a separate rule
 };
 
 struct ChildSpec {
   std::string_view name;
   bool single = false;
-  bool is_usual = false;  ///< the parent makes no sense without it
+  bool is_usual = false;  ///< the parent is useless without it
 };
 
 struct ElementSpec {
   std::string_view name;
   std::span<const AttributeSpec> attributes;
   std::span<const ChildSpec> children;
-  /// Children and attributes of vendors that some reader knows; their insides are not checked.
+  /// Children and attributes of vendors that some reader knows; their contents are not checked.
   std::span<const std::string_view> extensions;
   std::string_view doc = {};  ///< one sentence
 };
 
-/// All of them, `robot` first.
+/// All elements, `robot` first.
 std::span<const ElementSpec> all_element_specs();
-/// Null for a name the table does not hold.
+/// Null for a name that is not in the table.
 const ElementSpec* find_element_spec(std::string_view name);
-/// The one of `known` that somebody most likely meant by another name: the nearest, or what
-/// SDFormat, MJCF or plain English call it (`pose`, `file`, `torque`).
+/// The known name that was probably meant: the nearest name, or the URDF name for a word of
+/// SDFormat, MJCF or English (`pose`, `file`, `torque`).
 std::optional<std::string_view> meant_name(std::string_view name,
                                            std::span<const std::string_view> known);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The element table applied to a document: what is unknown, misspelt, misplaced, repeated or
-// absent.
+// Compares a document with the element table: finds unknown, misspelt, misplaced, repeated and
+// absent elements and attributes.
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -25,8 +25,8 @@ bool holds(std::span<const std::string_view> names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The place of a name in a table, its size when it is not there. Looked for from `first` on, as
-/// most files keep the order of the table.
+/// The position of a name in a table; the size of the table if it is absent. The search starts at
+/// `first`, because most files have the order of the table.
 template <class Spec>
 std::size_t index_of(std::span<const Spec> table, std::string_view name, std::size_t first) {
   for (std::size_t i = first; i < table.size(); ++i) {
@@ -38,7 +38,7 @@ std::size_t index_of(std::span<const Spec> table, std::string_view name, std::si
   return table.size();
 }
 
-/// The rule that reports a child that is not there.
+/// The rule that reports a missing child.
 struct Missing {
   std::string_view parent, child;
   const Rule* rule;
@@ -66,7 +66,7 @@ class ShapeChecker {
   void element(View element, const ElementSpec& spec) {
     attributes(element, spec);
     text(element);
-    std::uint64_t seen = 0;  // children by their place in the table, which is short
+    std::uint64_t seen = 0;  // children by their position in the short table
     bool is_repeated = false;
     for (const View child : element) {
       const std::size_t i = index_of(spec.children, child.name(), 0);
@@ -88,9 +88,9 @@ class ShapeChecker {
     return known->second;
   }
 
-  /// True when nothing is unknown and nothing is missing, as in nearly every element.
+  /// Whether nothing is unknown and nothing is missing, as in nearly every element.
   static bool has_what_it_needs(View element, const ElementSpec& spec) {
-    std::ptrdiff_t required = 0;  // of those that are there; none is twice
+    std::ptrdiff_t required = 0;  // bits of the children that are present; none occurs twice
     std::size_t next = 0;
     for (const xml::Attribute& at : element.attributes()) {
       const std::size_t i = index_of(spec.attributes, at.name(), next);
@@ -120,14 +120,14 @@ class ShapeChecker {
       }
       if (const auto meant = urdf::meant_name(name, absent)) {
         misspelt_attribute(element, attribute, *meant, is_required(spec, *meant));
-        // One finding per cause: the name that was meant is not reported as missing, too.
+        // One finding per cause: the name that was meant is not also reported as missing.
         std::erase(absent, *meant);
       } else {
         foreign.push_back(&attribute);
       }
     }
     if (required_attributes(element, spec, absent, foreign)) return;
-    // An empty geometry is reported as that (SML1110).
+    // SML1110 reports an empty geometry.
     if (element.name() == "geometry" && element.begin() == element.end()) return;
     for (const xml::Attribute* attribute : foreign) {
       add_foreign(rules::sml1107_unknown_attribute, attribute->name_span(),
@@ -158,21 +158,21 @@ class ShapeChecker {
                                 Fix::NewName{element.tag_span(), std::string(meant)}});
   }
 
-  /// A link without a name is no link, which matters more than what else is missing in it. The
-  /// material of a visual needs no name when its colour is in it.
+  /// For a link without a name, that is the only finding. The material of a visual needs no name if
+  /// it has a colour.
   static std::string owner_of_name(View element) {
     if (element.name() == "link") return "link";
     const bool is_look = element.name() == "material" && element.parent().name() == "visual";
     return is_look && !element.child("color") ? "colourless" : "";
   }
 
-  /// True when an attribute is missing; what is there instead is shown with it.
+  /// Whether an attribute is missing. Shows the text or child that may contain its value.
   bool required_attributes(View element, const ElementSpec& spec,
                            const std::vector<std::string_view>& absent,
                            const std::vector<const xml::Attribute*>& instead) {
     std::string missing;
     for (const AttributeSpec& attribute : spec.attributes) {
-      // Written as an element, it is reported as such.
+      // Reported as an attribute that is written as an element.
       if (!attribute.required || !holds(absent, attribute.name) || element.child(attribute.name)) {
         continue;
       }
@@ -192,8 +192,8 @@ class ShapeChecker {
     return true;
   }
 
-  /// URDF keeps everything in attributes. That an element has none of those it needs is reported
-  /// as such, whatever else it holds.
+  /// In URDF, all values are attributes. An element without any required attribute is reported as
+  /// such, even if it has other contents.
   void text(View element) {
     const Span place = element.text_span();
     const bool is_empty = element.attributes().empty();
@@ -218,7 +218,7 @@ class ShapeChecker {
                     [&](const AttributeSpec& a) { return a.name == name; })) {
       return attribute_as_element(parent, child, is_required(spec, name));
     }
-    // Robots contain elements of many vendors; only probable misspellings are reported there.
+    // Robots contain elements of many vendors, so only probable misspellings are reported there.
     std::vector<std::string_view> names;
     for (const ChildSpec& allowed : spec.children) names.push_back(allowed.name);
     const auto near = urdf::meant_name(name, names);
@@ -231,8 +231,8 @@ class ShapeChecker {
   void attribute_as_element(View parent, View child, bool is_required) {
     const std::string name(child.name());
     Diagnostic& diagnostic = sink_.report(rules::sml1106_unknown_element, child.name_span(),
-                                          quoted(name) + " is an attribute of " +
-                                              quoted(parent.name()) + ", not an element in it");
+                                          quoted(name) + " must be an attribute of " +
+                                              quoted(parent.name()) + ", not an element");
     diagnostic.severity = Severity::error;
     if (is_required) {
       diagnostic.consequences.push_back(&rules::sml1113_required_attribute_missing);
@@ -256,7 +256,7 @@ class ShapeChecker {
     diagnostic.help("did you mean " + quoted(*near) + "?");
   }
 
-  /// Names of another vocabulary occur in every joint; each name is one finding.
+  /// Names of other vocabularies occur in every joint; each name is reported once.
   void add_foreign(const Rule& rule, Span place, std::string message) {
     const auto [known, is_new] = foreign_by_message_.emplace(message, foreign_.size());
     if (is_new) foreign_.push_back({&rule, place, std::move(message), 0});
@@ -322,7 +322,7 @@ class ShapeChecker {
   };
 
   DiagnosticSink& sink_;
-  std::unordered_map<const ChildSpec*, const ElementSpec*> specs_;  ///< of children, once found
+  std::unordered_map<const ChildSpec*, const ElementSpec*> specs_;  ///< of children, a cache
   std::vector<Foreign> foreign_;
   std::map<std::string, std::size_t> foreign_by_message_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of the wrong kind (SML4001), with what was expected and found: readers treat a list in
-// place of a number, a text there, and a text in place of a mapping differently.
+// Values of the wrong kind (SML4001), with the expected and the found kind: readers treat, for
+// example, a list and a text in place of a number differently.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// What is wanted; the names are in the facts of SML4001, such as "#names-text".
+/// The expected type; its name is in the facts of SML4001, such as "#names-text".
 namespace wanted {
 inline constexpr std::string_view kValue = "value";      ///< a text, a number, true or false
 inline constexpr std::string_view kNames = "names";      ///< a list of names
@@ -21,7 +21,7 @@ inline constexpr std::string_view kEntry = "entry";    ///< an entry of a sectio
 inline constexpr std::string_view kEntity = "entity";  ///< an entity of a scene
 }  // namespace wanted
 
-/// Reports `message` at the value, whose construct says what is wanted and what is there.
+/// Reports `message` at the value. Its construct names the expected and the actual type.
 Diagnostic& report_wrong_type(std::string_view wanted, yaml::View value, std::string message,
                               DiagnosticSink& sink);
 

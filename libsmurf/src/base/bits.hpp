@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// std::bit_cast, which libc++ has since version 14 only.
+// std::bit_cast, which libc++ lacks before version 14.
 #pragma once
 
 #include <cstring>

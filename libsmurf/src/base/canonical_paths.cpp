@@ -12,7 +12,7 @@
 namespace smurf {
 namespace {
 
-/// A path that names no drive is on that of the current folder.
+/// A path without a drive is on the drive of the current folder.
 std::string root_of(const std::string& path) {
   return sys::kIgnoresCase && sys::without_drive(path) == path ? places::absolute("/") : "/";
 }
@@ -41,8 +41,8 @@ std::optional<std::string> CanonicalPaths::of(const std::string& path) const {
   return canonical;
 }
 
-/// Remembers only parent folders with short paths: the paths of thousands of nested folders would
-/// take megabytes.
+/// Remembers parent folders only if their paths are short: the paths of thousands of nested folders
+/// would need megabytes.
 std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) const {
   constexpr std::size_t kShort = 256;
   if (path.size() > path::kLongest) return std::nullopt;
@@ -66,11 +66,11 @@ std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) co
   if (at && !folder.empty()) remember(folder, *at);
   if (at) at = walk(*std::move(at), open, names.substr(way.size()), links, nullptr);
   if (!at) return places::whole(path);
-  // The names of the system, not those that were asked for.
+  // Names as the file system returns them, which may differ from the requested names.
   return sys::kIgnoresCase ? places::weakly_canonical(*at) : at;
 }
 
-/// A canonical folder. The last one is kept, because the next paths often begin in it as well.
+/// A canonical folder. The last one is kept, because the next paths often begin with it.
 OpenFolder CanonicalPaths::opened(const std::string& folder) const {
   const std::lock_guard lock(mutex_);
   if (!last_ || last_folder_ != folder) {
@@ -83,8 +83,8 @@ OpenFolder CanonicalPaths::opened(const std::string& folder) const {
   return OpenFolder(folder);
 }
 
-/// Name by name from a canonical folder, which is open: what ".." means is seen from where the
-/// links before it lead. `link_in` is the folder of the link that is followed.
+/// Goes name by name from a canonical folder, which stays open, so that ".." is resolved after the
+/// links before it. `link_in` is the folder of the link that is being followed.
 std::optional<std::string> CanonicalPaths::walk(std::string at, OpenFolder& folder,
                                                 std::string_view names, int& links,
                                                 const std::string* link_in) const {

@@ -14,17 +14,17 @@
 
 namespace smurf {
 
-/// Paths with their symbolic links followed, each looked at once and then remembered: for one run,
-/// not for a program that outlives what happens to its files. May be used by several threads.
+/// Resolves symbolic links in paths. Each path is looked up once and then remembered, so use it for
+/// one run only. Several threads may use it.
 class CanonicalPaths {
  public:
-  /// Whether a link that lies in `folder` may go through a place; both are canonical, but for the
-  /// last name of the place, which may be a link. One that may not leads there and no further.
+  /// Whether a link in `folder` may lead through a place. Both paths are canonical, but the last
+  /// name of the place may be a link. If it may not, the link is followed only to this place.
   using MayPass = std::function<bool(const std::string& folder, const std::string& place)>;
   explicit CanonicalPaths(MayPass may_pass = {}) : may_pass_(std::move(may_pass)) {}
 
-  /// What does not exist keeps its name, also where a link leads to it; none when it cannot be
-  /// told, as in a loop of links.
+  /// The canonical path. Parts that do not exist keep their names, even after a link. None if it is
+  /// unknown, as in a loop of links.
   std::optional<std::string> of(const std::string& path) const;
 
  private:
@@ -38,22 +38,22 @@ class CanonicalPaths {
   MayPass may_pass_;
   mutable std::mutex mutex_;
   mutable std::string last_folder_;
-  mutable std::optional<OpenFolder> last_;  ///< stays open: the way to it may be long
+  mutable std::optional<OpenFolder> last_;  ///< stays open, because its path may be long
   mutable std::map<std::string, std::string, std::less<>> known_;
 };
 
-/// A path that exists, with its links followed, looked at anew: with one walk of the system, where
-/// it can say so, and not one for each part. None when nothing is there.
+/// The canonical path of an existing path, without remembered results. Where the system supports
+/// it, this is one call instead of one per part. None if the path does not exist.
 std::optional<std::string> canonical_now(const std::string& path);
 
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path, const CanonicalPaths& paths);
 
-/// The same, but a denied path has the identity of its name, so that it does not show where it
-/// leads.
+/// The same, but a denied path is identified by its name, so its target is not
+/// revealed.
 std::string identity(const std::string& path, const CanonicalPaths& paths, const FileReader& files);
 
-/// `path` as seen from `folder`, which is an identity; "" when it lies elsewhere.
+/// The path of `path` relative to `folder`, which is an identity; "" if it is elsewhere.
 std::string path_inside(const std::string& path, std::string folder, const CanonicalPaths& paths);
 
 }  // namespace smurf

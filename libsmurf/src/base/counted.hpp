@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers of things in sentences.
+// Counts in sentences: "1 joint", "7 joints".
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@
 namespace smurf {
 namespace {
 
-constexpr std::size_t kMostMessage = 4000;  // bytes; several names that are shortened are below
+constexpr std::size_t kMostMessage = 4000;  // bytes; shorter than several quoted names
 
 constexpr const Rule* kRules[] = {
 #define SMURF_RULE(name) &rules::name,
@@ -28,8 +28,8 @@ using RulesByPlace = std::map<Place, std::vector<const Rule*>>;
 
 Place key_of(Span span) { return {span.source, span.begin, span.end}; }
 
-/// The entry whose place contains the span. It can be larger than the span: a rule may have marked
-/// the whole value "42 kg", and another finding only `kg`.
+/// The entry whose place contains the span. Its place may be larger than the span: one rule may
+/// mark the whole value "42 kg", and another only `kg`.
 RulesByPlace::const_iterator find_around(const RulesByPlace& rules, Span span) {
   const auto lies_in = [&](const Place& place) {
     const auto& [source, begin, end] = place;
@@ -116,11 +116,11 @@ std::optional<std::string_view> DiagnosticSink::suggest(std::string_view name,
 }
 
 std::vector<Diagnostic> DiagnosticSink::take() {
-  if (suggestions_end_) {  // later, because the finding that asked may still be changed
+  if (suggestions_end_) {  // later, because the finding may still be changed
     Diagnostic& told =
         report(rules::sml0002_file_too_large, *suggestions_end_,
-               "from here on no names are suggested: it took more than " +
-                   std::to_string(most_suggestions_) + " comparisons to find those before");
+               "from here on, no names are suggested: the suggestions so far took more than " +
+                   std::to_string(most_suggestions_) + " comparisons");
     told.severity = Severity::info;
     told.help(raise_limit("suggestions"));
     suggestions_end_.reset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Byte-range edits of a text: what is not edited stays identical.
+// Byte-range edits of a text: all other bytes stay identical.
 #pragma once
 
 #include <span>
@@ -10,19 +10,19 @@
 
 namespace smurf {
 
-/// Applies edits of one source to its text. Edits are applied in the order of their places; one
-/// that overlaps an earlier one is left out.
+/// Applies edits of one source to its text, in the order of their places. Skips an edit that
+/// overlaps an earlier one.
 std::string apply_edits(std::string_view text, std::span<const Edit> edits);
 
-/// Text as it is written inside an XML attribute of either quote, or in an element. What XML cannot
-/// hold at all becomes U+FFFD.
+/// Escapes a text for an XML attribute (in either quotes) or an element. Characters that XML does
+/// not allow become U+FFFD.
 std::string escape_xml(std::string_view text);
 
-/// Whether a text may take the place of any name as it is: of a plain or quoted one in YAML, and in
+/// Whether a text can replace any name unchanged: a plain or quoted name in YAML, and a name in
 /// XML.
 bool fits_everywhere(std::string_view text);
 
-/// Text as a YAML scalar that takes the place of `original`: quoted as that was, or where a plain
+/// A text as a YAML scalar that replaces `original`: with the same quotes, or quoted if a plain
 /// scalar could be misread.
 std::string yaml_like(std::string_view original, std::string_view text);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pages of web/ that are built in, and how data gets into them.
+// The embedded pages of web/; inserts data into them.
 #pragma once
 
 #include <span>
@@ -8,12 +8,12 @@
 
 namespace smurf {
 
-/// The texts before and after the data, in pieces that every compiler takes.
+/// The texts before and after the data, in pieces that are short enough for every compiler.
 struct EmbeddedPage {
   std::span<const std::string_view> head, tail;
 };
 
-/// The page with its data. Nothing in the data ends its block, or begins a comment or another
+/// The page with its data. The data cannot end their block or begin a comment or another
 /// block.
 std::string page_around(const EmbeddedPage& page, std::string_view json);
 

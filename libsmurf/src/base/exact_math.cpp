@@ -18,7 +18,7 @@ struct Double2 {
   double low;
 };
 
-/// Exact, like the two below it. Precondition: |a| >= |b|.
+/// Exact, like the next two functions. Precondition: |a| >= |b|.
 constexpr Double2 ordered_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
@@ -75,7 +75,7 @@ struct SineCosine2 {
   Double2 cosine;
 };
 
-/// The rest of the terms is too small for the digits of a number up to 1.
+/// The remaining terms are below the precision of a double for numbers up to 1.
 constexpr std::size_t kTerms = 13;
 using Coefficients = std::array<Double2, kTerms>;
 
@@ -92,9 +92,9 @@ constexpr Coefficients alternating_factorials(int first) {
 constexpr Coefficients kOfCosine = alternating_factorials(0);
 constexpr Coefficients kOfSine = alternating_factorials(1);  // over the angle
 
-/// The sum of the coefficients times the powers of the square, for angles up to pi/4.
+/// The sum of coefficients times powers of the square, for angles up to pi/4.
 Double2 series(const Double2& square, const Coefficients& all) {
-  constexpr std::size_t kPrecise = 5;  // of the others, the digits of a double are enough
+  constexpr std::size_t kPrecise = 5;  // for the other terms, a double is precise enough
   double rest = 0;
   for (std::size_t k = kTerms; k-- > kPrecise;) rest = all[k].high + square.high * rest;
   Double2 value{rest, 0};
@@ -102,7 +102,7 @@ Double2 series(const Double2& square, const Coefficients& all) {
   return value;
 }
 
-/// The angle less the nearest multiple of a quarter turn, and that multiple.
+/// The angle minus the nearest multiple of a quarter turn, and that multiple.
 Double2 reduced(double radians, int& quarter) {
   quarter = 0;
   if (std::fabs(radians) <= std::numbers::pi / 4) return {radians, 0};
@@ -148,10 +148,10 @@ double scaled_length(std::initializer_list<double> numbers, double scale) {
 }  // namespace
 
 SineCosine sine_cosine(double radians) {
-  // Nobody means a number with so many turns; the reduction would need more digits.
+  // Angles with so many turns are not meant; their reduction would need more digits.
   constexpr double kMost = 1e5;
   if (!(std::fabs(radians) < kMost)) return {std::sin(radians), std::cos(radians)};
-  if (std::fabs(radians) < 1e-150) return {radians, 1};  // the parts of products would be too small
+  if (std::fabs(radians) < 1e-150) return {radians, 1};  // the parts of products would underflow
   const auto [sine, cosine] = sine_cosine_2(radians);
   return {sine.high, cosine.high};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Functions of geometry whose results are the same on every system. Those of the C libraries differ
-// in the last digit, which would be seen in every pose that is written.
+// in the last digit, so every written pose would differ.
 #pragma once
 
 namespace smurf {
@@ -10,7 +10,7 @@ struct SineCosine {
   double cosine;
 };
 
-/// All of them round correctly, or nearly always: they compute with twice the digits of a double.
+/// Nearly always correctly rounded, since computed with twice the digits of a double.
 SineCosine sine_cosine(double radians);
 /// As std::atan2.
 double arc_tangent(double y, double x);

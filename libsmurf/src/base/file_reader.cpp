@@ -29,7 +29,7 @@ FileContent outside() {
   return {ReadStatus::denied, {}, "it lies outside of the project; --allow-outside reads it"};
 }
 
-/// A path with a zero byte would be read as the text before it.
+/// The system would end the path at a zero byte.
 bool has_zero(const std::string& path) { return path.find('\0') != std::string::npos; }
 
 FileContent read_all(const FoundFile& found, std::uint64_t max_bytes) {
@@ -104,7 +104,7 @@ struct ConfinedFiles::Allowed {
   Paths whole;  ///< with all that is in them
   Paths files_in;
   std::set<std::pair<std::string, std::string>, std::less<>> named;  ///< name and folder
-  std::map<std::string, std::string, std::less<>> denied;            ///< by name, what is not
+  std::map<std::string, std::string, std::less<>> denied;            ///< denied names
 
   bool holds(std::string_view path) const {
     if (everything || is_whole(path)) return true;
@@ -117,7 +117,7 @@ struct ConfinedFiles::Allowed {
     return !named.empty() && is_named(name, folder);
   }
 
-  /// Is it known to be there, because what is allowed is in it?
+  /// Whether the path is known to exist, because it contains an allowed path.
   bool is_above(const std::string& folder) const {
     const std::string inside = folder == "/" ? folder : folder + "/";
     const auto has = [&](const Paths& paths) {
@@ -131,7 +131,7 @@ struct ConfinedFiles::Allowed {
   }
 
  private:
-  /// A path inside of a denied folder may be allowed itself.
+  /// A path inside of a denied folder may be allowed.
   bool is_whole(std::string_view whole_path) const {
     for (std::string_view path = whole_path; path.size() > 1; path = path::parent(path)) {
       if (whole.contains(path)) return true;
@@ -140,7 +140,7 @@ struct ConfinedFiles::Allowed {
     return false;
   }
 
-  /// `inside` is `path`, or in it.
+  /// Whether `inside` is `path` or inside of it.
   bool is_denied(std::string_view path, std::string_view inside) const {
     const auto found = denied.find(path::to_lower(path::file_name(path)));
     if (found == denied.end()) return false;
@@ -162,8 +162,8 @@ ConfinedFiles::ConfinedFiles()
 }
 ConfinedFiles::~ConfinedFiles() = default;
 
-/// Decides again which links may be followed. A link that leaves the project and returns to it must
-/// not reveal whether the folders outside exist.
+/// Decides again which links may be followed. Otherwise, a link that leaves the project and returns
+/// to it could reveal whether folders outside exist.
 void ConfinedFiles::judge_ways_anew() {
   const auto is_known = [this](const std::string& place) {
     return allowed_->holds(place) || allowed_->is_above(place);
@@ -181,7 +181,7 @@ std::optional<std::string> ConfinedFiles::place_of(const std::string& path,
                                                    const CanonicalPaths& paths) const {
   auto canonical = paths.of(path);
   if (canonical || has_zero(path)) return canonical;
-  // A folder above may be closed to us.
+  // A parent folder may be unreadable.
   const FoundFile found(in_folder(path));
   return found.error() == 0 ? found.real_path() : std::nullopt;
 }

@@ -23,8 +23,8 @@ class FileEdits {
     });
   }
 
-  /// Edits that only meet conflict, too, because the order of two insertions would be arbitrary.
-  /// Deletions may meet.
+  /// Edits that touch also conflict, because the order of two insertions would be arbitrary.
+  /// Deletions may touch.
   bool is_free(const Edit& edit) const {
     const auto [first, last] = range(edit.span);
     return std::all_of(first, last, [&](const auto& one) {
@@ -47,7 +47,8 @@ class FileEdits {
 
   static bool is_deletion(const Edit& edit) { return edit.text.empty() && !edit.span.empty(); }
 
-  /// The accepted edits that overlap or meet the span; they are disjoint, so at most a few.
+  /// The accepted edits that overlap or touch the span; accepted edits are disjoint, so there are
+  /// at most a few.
   std::pair<Map::const_iterator, Map::const_iterator> range(Span span) const {
     auto first = edits_.upper_bound(span.begin);
     while (first != edits_.begin() && std::prev(first)->second.span.end >= span.begin) --first;

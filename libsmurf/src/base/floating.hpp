@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Floating-point numbers as text, as std::from_chars and std::to_chars do it. Those of doubles are
-// absent from libc++; there, and in the test that compares the two, `portable` does the same.
+// Converts floating-point numbers from and to text, as std::from_chars and std::to_chars do. libc++
+// lacks these for doubles; there, `portable` replaces them. A test compares the two.
 #pragma once
 
 #include <charconv>
@@ -11,10 +11,10 @@ namespace smurf {
 
 enum class Notation { shorter, fixed, scientific };
 
-/// The number that `text` begins with. Not changed when there is none, or when it is out of range,
-/// as are numbers so small that they would become 0.
+/// Reads the number at the beginning of `text`. The result is unchanged if there is none, or if it
+/// is out of range; numbers that would become 0 are out of range.
 std::from_chars_result read_floating(std::string_view text, double& value);
-/// The same for a number in base 16 without "0x".
+/// Reads a number in base 16 without "0x" in the same way.
 std::from_chars_result read_hexadecimal(std::string_view text, double& value);
 
 /// The shortest text that reads back as the same number. Precondition: finite.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Linux keeps a place without opening it (O_PATH) and tells in /proc where the place is. Elsewhere,
-// or where /proc is absent, the path is looked up, and what was opened must be what was found.
+// Linux can hold a file without opening it (O_PATH); /proc contains its current path. Elsewhere, or
+// without /proc, the path is looked up again, and the opened file must be the file that was found.
 #include "base/found_file.hpp"
 
 #include <array>

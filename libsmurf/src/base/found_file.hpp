@@ -22,23 +22,23 @@ class Descriptor {
   int number_;
 };
 
-/// The file that a path leads to. Devices and pipes are not opened, and what is opened later is the
-/// file that was found, even if the path has changed.
+/// The file at a path. Devices and pipes are not opened. A file that is opened later is the file
+/// that was found, even if the path has changed.
 class FoundFile {
  public:
   explicit FoundFile(const std::string& path);
 
-  /// 0, or the errno of why nothing was found.
+  /// 0, or the errno of the failure.
   int error() const { return error_; }
   const sys::Status& status() const { return status_; }
-  /// Where it really is, all links followed; none when it has no place in the file system.
+  /// Its real path, with all links followed; none if it has no path.
   std::optional<std::string> real_path() const;
   /// A descriptor to read a regular file or a folder, or -1 with errno.
   int open() const;
 
  private:
   std::string path_;
-  mutable std::optional<std::string> looked_up_;  ///< where the system does not keep places
+  mutable std::optional<std::string> looked_up_;  ///< for systems without paths of open files
   Descriptor place_;
   sys::Status status_{};
   int error_ = 0;

@@ -26,7 +26,7 @@ std::uint64_t next_key(std::uint64_t& state) {
 class Keys {
  public:
   Keys() {
-    // Emscripten's library has no device to read where it has no files.
+    // In Emscripten's library, there is no random device without files.
     try {
       std::random_device random;
       rest_ = std::uint64_t{random()} << 32U | random();
@@ -37,7 +37,7 @@ class Keys {
     for (std::uint64_t& key : first_) key = next_key(rest_);
   }
 
-  /// `state` begins as rest(); the keys of long texts come from it.
+  /// `state` is rest() at the beginning; it generates the keys for long texts.
   std::uint64_t at(std::size_t i, std::uint64_t& state) const {
     return i < first_.size() ? first_[i] : next_key(state);
   }

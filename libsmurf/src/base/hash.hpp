@@ -7,8 +7,8 @@
 
 namespace smurf {
 
-/// Below 2^32, and another in every run: nobody can write a file whose names all have the same
-/// hash, which would make tables of them slow.
+/// A hash below 2^32 that differs from run to run, so nobody can write a file in which all names
+/// have the same hash and make tables slow.
 std::size_t hash_of(std::string_view bytes);
 
 }  // namespace smurf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What limits count, and how a finding about one ends.
+// The units of limits, and the end of findings about a limit.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace smurf {
 
-/// The cost of a finding in `rechecked-bytes`: it takes as long as this many bytes.
+/// The cost of a finding in `rechecked-bytes`: as long as reading this many bytes.
 inline constexpr std::uint64_t kBytesOfFinding = 1200;
 
-/// `name` is that of a row of kLimits.
+/// `name` is the name of a row of kLimits.
 inline std::string raise_limit(std::string_view name) {
   return "raise the limit with `--limit " + std::string(name) + "=N`";
 }

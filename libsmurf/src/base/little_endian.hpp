@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Little-endian numbers of binary files, wherever they lie.
+// Little-endian numbers of binary files, at any alignment.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers in and out, independent of the locale.
+// Reads and prints numbers, independent of the locale.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace smurf {
 
-/// Decimal grammar [+-]?(digits[.digits]|.digits)([eE][+-]?digits)? over the whole text; no spaces,
-/// no hex, no inf or nan; out of range is no number either.
+/// Decimal grammar [+-]?(digits[.digits]|.digits)([eE][+-]?digits)? for the whole text; spaces,
+/// hex, inf, nan and numbers out of range are not accepted.
 std::optional<double> parse_number(std::string_view text);
 std::optional<std::int64_t> parse_integer(std::string_view text);
 

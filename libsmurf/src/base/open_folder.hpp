@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A folder that is open: what is in it is looked up without the way to it, which may be thousands
-// of folders long.
+// An open folder: looks up its entries without the path to it, which may be thousands of folders
+// long.
 #pragma once
 
 #include <optional>
@@ -19,22 +19,22 @@ class OpenFolder {
   OpenFolder& operator=(const OpenFolder&) = delete;
   OpenFolder(OpenFolder&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
 
-  /// The same folder, open once more. Not open when it may not be entered.
+  /// Opens the same folder again. Not open if access is denied.
   OpenFolder again() const;
 
   void open(const std::string& path);
   /// Opens a subfolder that is not a link, or "..". A missing subfolder counts as empty.
   void enter(const std::string& name);
-  /// Opens the folder above this one, whose path is `above`. This one need not exist: an editor may
-  /// name a new folder in a project.
+  /// Opens the parent of this folder; `above` is the path of the parent. This folder need not
+  /// exist: an editor may name a new folder in a project.
   void enter_above(const std::string& above);
   bool is_open() const { return number_ >= 0; }
 
-  /// True when there is an entry of this name, even a link that leads nowhere: a checkout must not
+  /// Whether there is an entry of this name, even a link without a target: a checkout must not
   /// learn what is outside of it.
   bool has(std::string_view name) const;
   bool has_any(std::span<const std::string_view> names) const;
-  /// Where a link leads, as it is written; none when this is no link.
+  /// The target of a link as it is written; none if this is not a link.
   std::optional<std::string> target_of(const std::string& name) const;
 
  private:

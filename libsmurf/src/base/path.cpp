@@ -8,13 +8,13 @@
 namespace smurf::path {
 namespace {
 
-/// May the text go on with ".", ".." or nothing where a part begins?
+/// Whether the text continues with ".", ".." or nothing at the start of a part.
 bool begins_oddly(std::string_view rest) {
   if (rest.empty() || rest.front() == '/') return true;
   return rest.front() == '.' && (rest.size() == 1 || rest[1] == '.' || rest[1] == '/');
 }
 
-/// Does a glance show that normalising changes nothing?
+/// Whether a quick check shows that normalising changes nothing.
 bool is_final(std::string_view path) {
   if (path.size() > kLongest) return true;
   if (!path.starts_with('/') && begins_oddly(path)) return false;
@@ -24,7 +24,7 @@ bool is_final(std::string_view path) {
   return true;
 }
 
-/// A path that names no drive is on that of the other.
+/// A path without a drive is on the drive of the other path.
 bool are_on_two_drives(std::string_view path, std::string_view other) {
   const auto drive_of = [](std::string_view one) {
     return sys::without_drive(one) == one ? std::string() : to_lower(one.substr(0, one.find(':')));

@@ -9,7 +9,7 @@
 
 namespace smurf::path {
 
-/// No system opens a longer name (PATH_MAX of Linux); such a name is never valid.
+/// No system opens a longer path (PATH_MAX of Linux); such a path is never valid.
 inline constexpr std::size_t kLongest = 4096;
 
 /// Folder part without the trailing '/'; "" when there is none, "/" for the root.
@@ -27,8 +27,8 @@ std::string join(std::string_view folder, std::string_view path);
 /// Resolves "." and ".." and doubled '/' in the text; "" becomes ".". Names longer than kLongest
 /// are not changed.
 std::string normalize(std::string_view path);
-/// A relative path from `folder` to `path` when both are of one kind, otherwise `path`.
-/// Both are normalised first; ".." inside `folder` beyond its start cannot be undone, then `path`.
+/// A relative path from `folder` to `path` if both are absolute or both are relative; otherwise
+/// `path`. Both are normalised first. Returns `path` if `folder` begins with "..".
 std::string relative(std::string_view path, std::string_view folder);
 std::string to_lower(std::string_view text);
 

@@ -34,7 +34,7 @@ std::size_t match_class(std::string_view pattern, char c, std::uint64_t& steps) 
   return 0;
 }
 
-/// Length of the front of `pattern` that takes one character, `c`; 0 when it does not take it.
+/// Length of the front of `pattern` that matches the character `c`; 0 if it does not match.
 std::size_t match_one(std::string_view pattern, char c, std::uint64_t& steps) {
   switch (pattern.front()) {
   case '?': return 1;
@@ -44,8 +44,8 @@ std::size_t match_one(std::string_view pattern, char c, std::uint64_t& steps) {
   }
 }
 
-/// A match with wildcards that span any number of items. Only the last wildcard ever has to take
-/// more, so that no pattern takes longer than its length times that of the text.
+/// A match with wildcards that span any number of items. Only the last wildcard is ever extended,
+/// so the time is at most the product of both lengths.
 template <class IsWild, class Match>
 bool match_all(std::size_t pattern_size, std::size_t size, IsWild is_wild, Match match,
                std::uint64_t& steps) {
@@ -123,7 +123,7 @@ void PathPatterns::add(std::string_view line) {
   if (!is_tied) pattern.names.emplace_back(kAnyFolders);
   for (const std::string_view name : path::names(line)) pattern.names.emplace_back(name);
   if (pattern.names.empty() || line.empty()) return;
-  // "a/**" means what is in the folder, not the folder.
+  // "a/**" matches the contents of the folder, not the folder.
   if (is_tied && pattern.names.size() > 1 && pattern.names.back() == kAnyFolders) {
     pattern.names.emplace_back("*");
   }

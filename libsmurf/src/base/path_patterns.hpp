@@ -13,9 +13,9 @@ namespace smurf {
 /// The verdict of patterns on a path.
 enum class PathVerdict : std::uint8_t { unmentioned, excluded, included };
 
-/// Paths are relative to the folder that the patterns are written for. `*`, `?` and `[a-z]` stay
-/// within a name, `**` spans folders, a slash before the end ties a pattern to the folder, one at
-/// the end means folders only, `!` takes an exclusion back, and the last pattern that fits counts.
+/// Paths are relative to the folder of the patterns. `*`, `?` and `[a-z]` match within a name, `**`
+/// any number of folders. A slash before the end makes a pattern relative to the folder, one at the
+/// end means folders only, `!` reverses an exclusion. The last matching pattern applies.
 class PathPatterns {
  public:
   /// The cost of comparing an ordinary pattern with a path; a long pattern costs a multiple.
@@ -27,10 +27,10 @@ class PathPatterns {
   bool empty() const { return patterns_.empty(); }
   std::size_t size() const { return patterns_.size(); }
 
-  /// The verdict on the path alone, without the folders above it. `steps` grows by the characters
-  /// that were compared.
+  /// The verdict on the path itself, ignoring its folders. `steps` grows by the number of compared
+  /// characters.
   PathVerdict judge(std::string_view path, bool is_folder, std::uint64_t* steps = nullptr) const;
-  /// Is a file excluded, itself or with a folder that contains it?
+  /// Whether a file or a folder that contains it is excluded.
   bool excludes(std::string_view file, std::uint64_t* steps = nullptr) const;
 
  private:

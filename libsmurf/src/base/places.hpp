@@ -14,7 +14,7 @@ namespace smurf::places {
 /// Also true for a link to a folder.
 bool is_folder(const std::string& path);
 bool exists(const std::string& path);
-/// These three do not follow links.
+/// These three functions do not follow links.
 bool is_plain_file(const std::string& path);
 bool is_link(const std::string& path);
 bool has_entry(const std::string& path);
@@ -22,21 +22,21 @@ bool has_entry(const std::string& path);
 bool is_same(const std::string& path, const std::string& other);
 
 std::optional<std::string> current_folder(std::error_code& error);
-/// The absolute path, not normalised. "" when there is no current folder.
+/// The absolute path, not normalised. "" if there is no current folder.
 std::string absolute(const std::string& path);
-/// The absolute path without links; none when nothing is there.
+/// The absolute path without links; none if it does not exist.
 std::optional<std::string> canonical(const std::string& path);
-/// The same, but the part that does not exist is kept as it is.
+/// The same, but parts that do not exist are kept.
 std::optional<std::string> weakly_canonical(const std::string& path);
 /// weakly_canonical() of the absolute path.
 std::optional<std::string> whole(const std::string& path);
-/// `path` as seen from `folder`, both canonical; "" when there is no way.
+/// The path of `path` relative to `folder`, both canonical; "" if there is none.
 std::string relative(const std::string& path, const std::string& folder);
 
 enum class Entry : std::uint8_t { file, folder, link, other };
 
 /// Calls `take` with the name and kind of each entry of a folder, until it returns false. The kind
-/// is the one that the folder lists, which saves a query of the file system for each entry.
+/// is known from listing the folder, which saves a query for each entry.
 std::error_code for_each_entry(const std::string& folder,
                                const std::function<bool(std::string name, Entry kind)>& take);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// By strtod and snprintf, which round correctly in every C library of today. They depend on
-// the locale of the process; WebAssembly, for which this is, has only one.
+// Uses strtod and snprintf, which round correctly in all current C libraries. They depend on the
+// locale of the process. WebAssembly, for which this file exists, has only one locale.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -48,7 +48,7 @@ std::size_t length_of_number(std::string_view text, bool (*is_wanted)(char),
   return end == exponent ? at : end;
 }
 
-/// `text` has no digit other than 0 before the exponent.
+/// Whether all digits of `text` before the exponent are 0.
 bool is_written_as_zero(std::string_view text, std::string_view exponents) {
   return text.substr(0, text.find_first_of(exponents)).find_first_not_of("-.0") ==
          std::string_view::npos;
@@ -115,8 +115,8 @@ bool reads_back(const Decimal& decimal, Float magnitude) {
   return again == magnitude;
 }
 
-/// Above a power of two numbers are wider apart than below it, and what is not nearest may be
-/// nearer than the next number is.
+/// Numbers above a power of two are farther apart than those below it, so a text that is not the
+/// nearest may still read back as this number.
 template <class Float>
 bool step_to_neighbour(Decimal& decimal, Float magnitude) {
   for (const int step : {1, -1}) {
@@ -131,8 +131,8 @@ bool step_to_neighbour(Decimal& decimal, Float magnitude) {
   return false;
 }
 
-/// A text of `digits10` digits survives the conversion to a number and back, so a shorter text is
-/// found by rounding to that many digits; but not for the smallest numbers.
+/// A text of `digits10` digits survives the conversion to a number and back, so rounding to that
+/// many digits finds a shorter text, except for the smallest numbers.
 template <class Float>
 Decimal shortest_decimal(Float magnitude) {
   using Limits = std::numeric_limits<Float>;
@@ -163,7 +163,7 @@ std::string fixed(const Decimal& decimal, double magnitude) {
     const auto point = static_cast<std::size_t>(before);
     return decimal.digits.substr(0, point) + "." + decimal.digits.substr(point);
   }
-  // All digits before the point are exact, also those that are not needed.
+  // All digits before the point are exact, even if fewer would be enough.
   std::array<char, 512> buffer;
   const int written = std::snprintf(buffer.data(), buffer.size(), "%.0f", magnitude);
   return {buffer.data(), static_cast<std::size_t>(written)};

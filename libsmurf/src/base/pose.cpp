@@ -21,7 +21,7 @@ SineCosine sine_cosine_of_degrees(double degrees) {
   const double rest = turn - 90.0 * quarter;
   const double radians = rest * (std::numbers::pi / 180.0);
   auto [s, c] = sine_cosine(radians);
-  // Half of a quarter turn: pi/4 is no double, and sine and cosine of what is next to it differ.
+  // Half of a quarter turn: pi/4 is not a double, and for its neighbours, sine and cosine differ.
   if (std::fabs(rest) == 45) c = std::numbers::sqrt2 / 2, s = std::copysign(c, rest);
   switch ((static_cast<int>(quarter) + 4) % 4) {
   case 0: return {s, c};
@@ -58,14 +58,14 @@ Vector3 rotate(const Quaternion& rotation, const Vector3& vector) {
 }
 
 double norm(const Quaternion& q) {
-  // In pairs, which rounds less than a running sum: normalized() finds its fixed point sooner.
+  // Adding in pairs rounds less than a running sum, so normalized() reaches its fixed point sooner.
   return std::sqrt((q.x * q.x + q.z * q.z) + (q.y * q.y + q.w * q.w));
 }
 
 Quaternion normalized(const Quaternion& q) {
   Quaternion unit = q;
-  // Rounding leaves a length next to 1; dividing again finds a fixed point, so that poses that are
-  // written and read back stay as they are.
+  // After rounding, the length is close to 1, but not exactly 1. Dividing again reaches a fixed
+  // point, so poses do not change when they are written and read.
   for (int i = 0; i < 4; ++i) {
     const double length = norm(unit);
     assert(length > 0);
@@ -105,7 +105,7 @@ double angle_between(const Quaternion& a, const Quaternion& b) {
 }
 
 Quaternion from_rpy(const Vector3& rpy) {
-  if (rpy == Vector3{}) return {};  // most are zero, and sines are slow
+  if (rpy == Vector3{}) return {};  // most angles are zero, and computing sines is slow
   const auto half = [](double angle) { return sine_cosine(angle / 2); };
   return normalized(from_half_angles(half(rpy[0]), half(rpy[1]), half(rpy[2])));
 }

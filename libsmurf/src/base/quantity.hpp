@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How large a length, an angle or a mass may be.
+// The largest allowed length, angle and mass.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace smurf {
 
-/// m, rad or kg. The poses, masses and inertias that any number of such quantities make
-/// together are finite; nothing that is built comes near it.
+/// m, rad or kg. Any number of such quantities gives finite poses, masses and inertias; real robots
+/// are far below this.
 inline constexpr double kLargestQuantity = 1e60;
 
 inline bool is_quantity(double value) { return std::fabs(value) <= kLargestQuantity; }
 
-/// The same of what quantities were composed to.
+/// The same limit for composed quantities.
 inline bool is_usable(const Pose& pose) {
   constexpr double kLargestSum = 1e10 * kLargestQuantity;
   const Quaternion& q = pose.orientation;

@@ -6,7 +6,7 @@
 namespace smurf {
 namespace {
 
-constexpr std::size_t kMostQuoted = 240;  // bytes; a line of names, no page of them
+constexpr std::size_t kMostQuoted = 240;  // bytes; about one line
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Texts of files inside messages. A hostile name has millions of bytes, a message must not.
+// Quotes texts of files in messages, shortened: a hostile name can have millions of bytes.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace smurf {
 
-/// At most `most` bytes and a few: the middle of what is longer is left out.
+/// At most about `most` bytes: omits the middle of a longer text.
 std::string shortened(std::string_view text, std::size_t most);
 
-/// As messages show what is written: in backquotes, shortened.
+/// A text as messages show it: shortened and in backquotes.
 std::string quoted(std::string_view text);
 
 }  // namespace smurf

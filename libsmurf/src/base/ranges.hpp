@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The few algorithms of std::ranges that are used here: the libc++ of Emscripten, and that of older
-// systems of Apple, has none.
+// The few algorithms of std::ranges that the project uses: the libc++ of Emscripten and of older
+// Apple systems lacks them.
 #pragma once
 
 #include <algorithm>

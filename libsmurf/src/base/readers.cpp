@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one table of readers, and how its facts are found.
+// The table of readers, and the search for facts.
 #include "base/readers.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ constexpr const Reader* kReaders[] = {
 #undef SMURF_READER
 };
 
-/// A predicate in an XPath may hold any name, so it is skipped by its brackets and quotes.
+/// Skips a predicate of an XPath by its brackets and quotes, because it may contain any name.
 std::string without_predicates(std::string_view pointer) {
   std::string path;
   char quote = '\0';
@@ -47,13 +47,14 @@ bool is_about_annotations(const Rule& rule) {
   return rule.id.starts_with("SML3") || rule.id.starts_with("SML4");
 }
 
-/// No reader is affected by what is wrong with a configuration, or by what a converter cannot
-/// write.
+/// Readers are not affected by mistakes in a configuration, or by the losses of a
+/// converter.
 bool is_about_robots(const Rule& rule) {
   return rule.reported_by == Tool::lint && !rule.id.starts_with("SML9");
 }
 
-/// The rule whose facts apply: for "further findings are left out", the rule of those findings.
+/// The rule whose facts apply: for "further findings are left out", the rule of the omitted
+/// findings.
 const Rule& subject_of(const Diagnostic& diagnostic) {
   return diagnostic.left_out == nullptr ? *diagnostic.rule : *diagnostic.left_out;
 }
@@ -167,7 +168,7 @@ bool has_facts(const Rule& rule) {
 std::vector<const Fact*> facts_about(const Rule& rule) {
   std::vector<const Fact*> known;
   for (const Reader* reader : kReaders) {
-    bool is_complete = false;  // a fact about all places leaves nothing to those of the family
+    bool is_complete = false;  // a fact about all places overrides those of the family
     for (const Fact& fact : rule.facts) {
       if (fact.reader != reader) continue;
       known.push_back(&fact);

@@ -34,7 +34,7 @@ std::span<const Rule* const> rules_matching(std::string_view pattern) {
   const auto place = places_by_name().find(pattern);
   if (place != places_by_name().end()) return rules.subspan(place->second, 1);
   if (!pattern.starts_with("SML")) return {};
-  // Rules are ascending by id, so that those of a prefix are neighbours.
+  // Rules are ascending by id, so the rules of a prefix are adjacent.
   const auto first =
       std::lower_bound(rules.begin(), rules.end(), pattern,
                        [](const Rule* rule, std::string_view wanted) { return rule->id < wanted; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rules as people name them: by id, by name, or several by what their ids begin with ("SML3").
+// Rules as users name them: by id, by name, or by a prefix of several ids ("SML3").
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace smurf {
 
-/// Whether the rule has replaced one of this id or name.
+/// Whether this id or name is a former one of the rule.
 bool has_former(const Rule& rule, std::string_view id_or_name);
 
-/// The rules that match; none for a pattern that matches no rule. Takes the same time however many
-/// rules there are, for there may be any number of patterns.
+/// The rules that match; empty if the pattern matches no rule. The time does not depend on the
+/// number of rules, because there may be any number of patterns.
 std::span<const Rule* const> rules_matching(std::string_view pattern);
 
 }  // namespace smurf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Declares every rule of rules.def. The rows themselves stand beside the code that reports them.
+// Declares every rule of rules.def. Each rule is defined beside the code that reports it.
 #pragma once
 
 #include "smurf/diagnostic.hpp"

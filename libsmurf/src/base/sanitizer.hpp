@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// 1 in a build with AddressSanitizer, which takes a multiple of the time and reserves more memory
-// than any useful limit allows.
+// 1 in a build with AddressSanitizer, which is several times slower and reserves more memory than
+// any useful limit allows.
 #if defined(__SANITIZE_ADDRESS__)
 #define SMURF_HAS_ADDRESS_SANITIZER 1
 #elif defined(__has_feature)

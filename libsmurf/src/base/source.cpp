@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Line ends are counted once per source, by blocks; lines and columns are found when a place is
+// Line ends are counted once per source, in blocks; lines and columns are computed when a place is
 // shown.
 #include "smurf/source.hpp"
 
@@ -12,7 +12,7 @@
 namespace smurf {
 namespace {
 
-constexpr std::size_t kBlock = 256;  // bytes, of which a finding looks through a dozen
+constexpr std::size_t kBlock = 256;  // bytes; a finding looks through a dozen blocks
 
 std::uint32_t line_ends(std::string_view text) {
   return static_cast<std::uint32_t>(count_of(text, '\n'));
@@ -30,7 +30,7 @@ std::uint32_t wide(std::string_view text) {
 
 using Counter = std::uint32_t (*)(std::string_view);
 
-/// What `count` finds before each block of the text; the last entry is for the block of its end.
+/// The result of `count` for the text before each block; the last entry is for the end of the text.
 std::vector<std::uint32_t> count_before_blocks(std::string_view text, Counter count) {
   std::vector<std::uint32_t> counts{0};
   counts.reserve(text.size() / kBlock + 1);
@@ -112,8 +112,8 @@ std::uint32_t SourceMap::line_of(SourceId id, std::uint32_t offset) const {
 std::uint32_t SourceMap::line_start(const Source& source, std::uint32_t line) {
   if (line == 1) return 0;
   const std::vector<std::uint32_t>& counts = source.line_ends_before;
-  // The line begins behind the line end of this number, which is in the last block before which
-  // there are fewer.
+  // The line begins after the line end of this number, which is in the last block before which
+  // there are fewer line ends.
   const std::uint32_t line_end = line - 1;
   const auto block = std::lower_bound(counts.begin(), counts.end(), line_end) - 1;
   std::size_t at = static_cast<std::size_t>(block - counts.begin()) * kBlock;

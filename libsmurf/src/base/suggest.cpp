@@ -14,7 +14,7 @@ namespace {
 
 // Long names are rarely misspelt beyond recognition; the bound also keeps hostile input cheap.
 constexpr std::size_t kLongestName = 200;
-// More names than that were made by a program, and a search for each of them is quadratic.
+// A program generated more names than that, and searching for each of them is quadratic.
 constexpr std::size_t kMostNames = 5000;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -24,7 +24,7 @@ bool differ_only_in_case(std::string_view a, std::string_view b) {
                     [](char x, char y) { return lower(x) == lower(y); });
 }
 
-/// One bit for each kind of character, whatever its case.
+/// One bit for each kind of character, ignoring case.
 std::uint64_t characters(std::string_view text) {
   std::uint64_t bits = 0;
   for (const char c : text)
@@ -32,12 +32,12 @@ std::uint64_t characters(std::string_view text) {
   return bits;
 }
 
-/// Every character that only one of the two has costs an edit.
+/// Every character that occurs in only one of the names costs an edit.
 int fewest_edits(std::uint64_t a, std::uint64_t b) {
   return std::max(std::popcount(a & ~b), std::popcount(b & ~a));
 }
 
-/// What both begin and end with costs no edit.
+/// Skips the common beginning and end of both names.
 void drop_common_ends(std::string_view& a, std::string_view& b) {
   const auto front = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
   const auto size = static_cast<std::size_t>(front.first - a.begin());
@@ -49,7 +49,8 @@ void drop_common_ends(std::string_view& a, std::string_view& b) {
   }
 }
 
-/// Optimal string alignment over three rows, in the band of cells that can stay within the limit.
+/// Optimal string alignment with three rows, restricted to the cells that can stay within the
+/// limit.
 int align(std::string_view a, std::string_view b, int limit) {
   using Row = std::array<int, kLongestName + 1>;
   std::array<Row, 3> rows;
@@ -82,7 +83,7 @@ int align(std::string_view a, std::string_view b, int limit) {
   return std::min(cell(rows[static_cast<std::size_t>(size_a % 3)], size_b), too_far);
 }
 
-/// Takes what it costs from `steps_left`, down to nothing.
+/// Subtracts the cost from `steps_left`, but not below 0.
 void spend(std::uint64_t steps, std::uint64_t& steps_left) {
   steps_left -= std::min(steps, steps_left);
 }
@@ -122,10 +123,10 @@ nearest(std::string_view name, std::span<const std::string_view> known, std::uin
   for (const std::string_view candidate : known) {
     if (candidate == name) return std::nullopt;
     spend(1, steps_left);
-    if (best == 0) continue;  // nothing is nearer; from here on, search only for the name itself
+    if (best == 0) continue;  // from here on, search only for the exact name
     spend(std::min(candidate.size(), kLongestName), steps_left);
     if (steps_left == 0) return std::nullopt;
-    if (differ_only_in_case(name, candidate)) {  // nearer than any other
+    if (differ_only_in_case(name, candidate)) {  // nearer than all others
       best = 0;
       found = candidate;
     }

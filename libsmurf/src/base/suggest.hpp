@@ -13,13 +13,13 @@ namespace smurf {
 /// differ only in case are one edit apart. Gives up above `limit` and returns limit + 1.
 int edit_distance(std::string_view a, std::string_view b, int limit);
 
-/// The known name that a misspelling may mean: at most a third of the length in edits, or equal
-/// except for case. Ties go to the first. None when `name` itself is known.
+/// The known name that a misspelling may mean: within a third of the length in edits, or equal
+/// except for case. Of equally near names, the first is used. None if `name` itself is known.
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known);
 
-/// The same with a bound: each comparison of two characters takes one step. None, and no steps
-/// left, when they do not suffice.
+/// The same with a limit: each comparison of two characters costs one step. If the steps do not
+/// suffice, returns none and sets them to 0.
 std::optional<std::string_view>
 nearest(std::string_view name, std::span<const std::string_view> known, std::uint64_t& steps_left);
 

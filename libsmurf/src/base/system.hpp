@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The calls of POSIX that open, name and replace files. Only the files of this name include the
-// headers of a system. For Windows, system_windows.cpp defines them. A drive is a folder in the
-// root there, as in "/C:/robots/arm.urdf", so that paths have one form on every system.
+// The calls of POSIX that open, name and replace files. Only system*.cpp include the headers of a
+// system. For Windows, system_windows.cpp defines them. A drive is a folder in the root there, as
+// in "/C:/robots/arm.urdf", so that paths have one form on every system.
 #pragma once
 
 #include <fcntl.h>
@@ -96,42 +96,42 @@ using ::unlinkat;
 using ::write;
 #endif
 
-/// The names in an open folder, which it closes; not sorted, without "." and "..".
+/// The names in an open folder, without "." and "..", unsorted. Closes the folder.
 std::vector<std::string> names_in(int folder);
 
-/// All links followed; none when nothing is there.
+/// The path with all links followed; none if it does not exist.
 std::optional<std::string> real_path(const std::string& path);
 
-/// Where an open file or folder is, when the system tells.
+/// The path of an open file or folder, if the system provides it.
 std::optional<std::string> place_of(int number);
 
 /// Gives an open file the permissions and, as far as allowed, the owner and the group of another
 /// one, but not the setuid, setgid and sticky bits. 0 or an errno.
 int adopt_owner(int number, const Status& other);
 
-/// Waits until a terminal or pipe that someone made non-blocking takes more.
+/// Waits until a terminal or pipe that someone made non-blocking accepts more.
 void wait_until_writable(int number);
 
 /// By default a program of POSIX may have 1,024 open files; it may raise that limit itself.
 void allow_open_files(std::size_t count);
 
-/// Why no file of this system can have the name; "" when one can.
+/// The reason why no file of this system can have the name; "" if one can.
 std::string_view why_no_name(std::string_view name);
 
-/// A path as a person or a variable gives it: "C:\robots" becomes "/C:/robots" on Windows.
+/// Converts a path from a person or a variable: "C:\robots" becomes "/C:/robots" on Windows.
 std::string from_user(std::string_view path);
 
-/// A path as other programs take it: "C:/robots" on Windows.
+/// Converts a path for other programs: "C:/robots" on Windows.
 std::string_view for_others(std::string_view path);
 
-/// Is every name of the path written as the file system has it? On Windows it finds a file by names
-/// in another case too, but what other systems do not find is to be reported.
+/// Whether every name of the path is written as the file system has it. Windows finds a file by
+/// names in another case, but other systems do not find it, so this is reported.
 bool is_named_so(const std::string& path);
 
-/// What is below the drive: "/robots" of "/C:/robots"; on other systems the path.
+/// The path without the drive: "/robots" for "/C:/robots"; unchanged on other systems.
 std::string_view without_drive(std::string_view path);
 
-/// The variable of the environment that names the folder of the user.
+/// The environment variable with the user's folder.
 const char* home();
 
 }  // namespace smurf::sys

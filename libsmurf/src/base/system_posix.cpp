@@ -57,7 +57,7 @@ void allow_open_files(std::size_t count) {
   rlimit limit{};
   if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= count + kOthers) return;
   limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, count + kOthers);
-  ::setrlimit(RLIMIT_NOFILE, &limit);  // what is not allowed shows when a file is opened
+  ::setrlimit(RLIMIT_NOFILE, &limit);  // a denial shows later, when a file is opened
 }
 
 std::string_view why_no_name(std::string_view /*name*/) { return {}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names for what may be called the same: "a", "a_2", "a_3".
+// Makes names unique: "a", "a_2", "a_3".
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ class UniqueNames {
   bool empty() const { return taken_.empty(); }
   void take(std::string name) { taken_.insert(std::move(name)); }
 
-  /// `base`, or with the first number that makes a name that is not taken.
+  /// `base`, with the first number that makes the name unique if necessary.
   std::string add(const std::string& base) {
     if (taken_.insert(base).second) return base;
     int& number = numbers_.try_emplace(base, 1).first->second;
@@ -27,7 +27,7 @@ class UniqueNames {
 
  private:
   std::set<std::string> taken_;
-  std::map<std::string, int> numbers_;  ///< the last that was tried, by base
+  std::map<std::string, int> numbers_;  ///< the last number that was tried, by base
 };
 
 }  // namespace smurf

@@ -71,7 +71,7 @@ std::size_t count_code_points(std::string_view text) {
 
 std::size_t ascii_prefix(std::string_view text) {
   std::size_t at = 0;
-  // Eight bytes a step: every byte of every file comes by here.
+  // Eight bytes per step, because every byte of every file is checked here.
   for (; at + sizeof(std::uint64_t) <= text.size(); at += sizeof(std::uint64_t)) {
     std::uint64_t word = 0;
     std::memcpy(&word, text.data() + at, sizeof word);

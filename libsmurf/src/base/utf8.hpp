@@ -9,12 +9,12 @@
 
 namespace smurf::utf8 {
 
-/// A byte of a sequence that is not its first.
+/// Whether the byte continues a sequence.
 inline bool is_continuation(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
-/// Counts lead bytes, so that any byte string has a count.
+/// Counts the first bytes of sequences, so any byte string has a count.
 std::size_t count_code_points(std::string_view text);
 
 /// Number of ASCII bytes at the front.
@@ -35,27 +35,27 @@ void append(std::string& text, char32_t code_point);
 
 inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  ///< U+FFFD
 
-/// C0 (tab and line ends too), DEL and C1, which is where some terminals begin a sequence as well.
+/// C0 (including tab and line ends), DEL and C1, where some terminals begin a sequence.
 inline bool is_control(char32_t code_point) {
   return code_point < 0x20 || (code_point >= 0x7F && code_point < 0xA0);
 }
 
-/// Line and paragraph separators, and marks that reorder what follows them on the screen.
+/// Line and paragraph separators, and marks that reorder the following text on the screen.
 inline bool is_layout(char32_t code_point) {
   return code_point == 0x061C || code_point == 0x200E || code_point == 0x200F ||
          (code_point >= 0x2028 && code_point <= 0x202E) ||
          (code_point >= 0x2066 && code_point <= 0x2069);
 }
 
-/// Whether a name may be suggested, and written into a file, as it is: valid UTF-8 without control
-/// characters, layout and what is no character.
+/// Whether a name may be suggested and written into a file unchanged: valid UTF-8 without control,
+/// layout and invalid characters.
 bool is_printable(std::string_view text);
 
 /// Appends "\\u001b", as JSON, YAML and messages have it. Precondition: below U+10000.
 void append_escape(std::string& text, char32_t code_point);
 
-/// For formats that cannot escape them: control characters (but tab and newline), invalid bytes,
-/// U+FFFE and U+FFFF become U+FFFD.
+/// For formats without escapes: control characters (except tab and newline), invalid bytes, U+FFFE
+/// and U+FFFF become U+FFFD.
 std::string replace_controls(std::string_view text);
 
 /// Columns a terminal uses: 2 for East Asian wide and emoji, 0 for combining marks.

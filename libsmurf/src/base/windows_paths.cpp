@@ -27,14 +27,14 @@ bool begins_with_drive(std::string_view path) {
          (path.size() == 2 || is_slash(path[2]));
 }
 
-/// "/C:" for "/C:/robots"; "" when there is no drive.
+/// "/C:" for "/C:/robots"; "" if there is no drive.
 std::string_view drive_of(std::string_view path) {
   if (path == kNetwork || path.starts_with("/UNC:/")) return path.substr(0, kNetwork.size());
   return path.starts_with('/') && begins_with_drive(path.substr(1)) ? path.substr(0, 3)
                                                                     : std::string_view();
 }
 
-/// Whether Windows takes the name for a device in every folder, as it does "NUL" and "com1.txt".
+/// Whether Windows treats the name as a device in every folder, such as "NUL" and "com1.txt".
 bool is_device(std::string_view name) {
   constexpr std::array<std::string_view, 7> kDevices = {"con",    "prn",     "aux",   "nul",
                                                         "conin$", "conout$", "clock$"};
@@ -158,8 +158,8 @@ std::string_view why_no_name(std::string_view name) {
   return is_device(name) ? "its name is that of a device of Windows" : "";
 }
 
-/// Replaces names that differ from those on disk only in case by those on disk. A path from the
-/// root of the current drive gets that drive, so that it can be compared with the current folder.
+/// Replaces names that differ only in case from those on disk. A path from the root of the current
+/// drive gets that drive, so it can be compared with the current folder.
 std::string from_user(std::string_view path) {
   std::string text = with_slashes(path);
   if (text.starts_with('/') && drive_of(text).empty()) {

@@ -8,15 +8,15 @@
 
 namespace smurf::sys {
 
-/// "\\?\C:\robots" for "/C:/robots". In this form no name means a device, a stream or a pattern,
-/// and paths can be long. Returns none and sets errno when no file can have the name.
+/// "\\?\C:\robots" for "/C:/robots". In this form, paths can be long, and names cannot mean a
+/// device, a stream or a pattern. Returns none and sets errno if no file can have the name.
 std::optional<std::wstring> to_windows(std::string_view path);
 
 /// "/C:/robots" for "\\?\C:\robots" or "C:\robots".
 std::string from_windows(std::wstring_view path);
 
 std::string to_utf8(std::wstring_view text);
-/// None when the text is not UTF-8.
+/// None if the text is not UTF-8.
 std::optional<std::wstring> to_utf16(std::string_view text);
 
 /// The absolute path with its drive, without ".", ".." and doubled '/'.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Words between the blanks of XML and YAML, and how they are compared.
+// Splits text at the blanks of XML and YAML, and compares words.
 #pragma once
 
 #include <initializer_list>
@@ -25,7 +25,7 @@ inline bool is_one_of(std::string_view text, std::initializer_list<std::string_v
   return false;
 }
 
-/// The next word of `text` at or after `at`, which becomes its end; empty when there is none.
+/// The next word of `text` from `at` on; moves `at` to its end. Empty if there is none.
 constexpr std::string_view next_word(std::string_view text, std::size_t& at) {
   while (at < text.size() && is_blank(text[at])) ++at;
   const std::size_t begin = at;
@@ -33,8 +33,8 @@ constexpr std::string_view next_word(std::string_view text, std::size_t& at) {
   return text.substr(begin, at - begin);
 }
 
-/// `a == b` without a call where the size, the first or the last byte differs, as in most
-/// comparisons of a look-up: of `ixx` and `ixy` it is the last.
+/// `a == b`, without a call if the size, the first or the last byte differs, as in most look-ups:
+/// `ixx` and `ixy` differ in the last byte.
 constexpr bool is_same(std::string_view a, std::string_view b) {
   return a.size() == b.size() &&
          (a.empty() || (a.front() == b.front() && a.back() == b.back() && a == b));

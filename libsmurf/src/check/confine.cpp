@@ -20,7 +20,7 @@
 namespace smurf {
 namespace {
 
-/// All of them are canonical folders.
+/// Canonical folders.
 bool is_around(std::string_view around, std::string_view folder) {
   return folder.starts_with(around) &&
          (around.ends_with('/') || folder.size() == around.size() || folder[around.size()] == '/');
@@ -39,14 +39,14 @@ bool is_home(std::string_view folder) {
   return home.size() > 1 && home.starts_with('/') && is_around(folder, home);
 }
 
-/// True for a folder that confine() does not treat as one project, such as a home folder.
+/// Whether confine() treats a folder as shared, such as a home folder.
 bool is_shared(std::string_view folder) {
   const std::string_view below = sys::without_drive(folder);
   if (below.size() <= 1 || is_home(folder)) return true;
   return path::parent(below) == "/" && !OpenFolder(std::string(folder)).has_any(kHistories);
 }
 
-/// The root of the project if no folder were shared. Walks upwards folder by folder, because paths
+/// The root of the project if no folder were shared. Walks upward folder by folder, because paths
 /// may be long.
 std::string_view widest_project_of(std::string_view folder) {
   std::string_view package;
@@ -71,8 +71,8 @@ std::string_view project_of(std::string_view folder) {
   return project;
 }
 
-/// The folder of an input; none when it is unknown. A link that leads out of its repository may
-/// have come with a pull request, so its target is not treated as a project of the user.
+/// The folder of an input; none if it is unknown. A link that leads out of its repository may have
+/// come with a pull request, so its target is not treated as a project of the user.
 std::optional<std::string> folder_of(const std::string& input) {
   const std::string link = link_out_of_repository(input);
   if (!link.empty()) return std::string(path::parent(link));
@@ -85,10 +85,10 @@ std::optional<std::string> folder_of(const std::string& input) {
 constexpr std::array<std::string_view, 3> kRuleFiles = {".gitignore", ".smurf-lintignore",
                                                         kConfigName};
 
-/// The only file in .git that affects what is checked.
+/// The only file in .git that affects the checked files.
 constexpr const char* kGitExclude = "info/exclude";
 
-/// The project around a folder and, above it, the files that say what is checked and how.
+/// The project around a folder and, above it, the files that configure the check.
 void allow_project(ConfinedFiles& files, const std::string& folder) {
   const std::string project(project_of(folder));
   if (!project.empty()) {

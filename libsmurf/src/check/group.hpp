@@ -16,13 +16,13 @@ namespace smurf {
 
 class CanonicalPaths;
 
-/// A budget of comparisons between files and the patterns of `paths`, shared by all configurations
+/// A limit on comparisons between files and the patterns of `paths`, shared by all configurations
 /// of a check.
 struct PathChecks {
   std::uint64_t left = Limits{}.path_checks;
-  bool is_exhausted = false;  ///< then patterns match nothing
+  bool is_exhausted = false;  ///< if true, patterns match nothing
 
-  /// False when fewer are left.
+  /// False if fewer remain.
   bool take(std::uint64_t count) {
     is_exhausted = is_exhausted || count > left;
     if (!is_exhausted) left -= count;
@@ -56,7 +56,7 @@ ReportWishes wishes_of(const CheckGroup& group);
 /// The targets of all groups, each once.
 std::vector<const Reader*> targets_of(const CheckGroups& groups);
 
-/// Whether two checks with these settings have the same findings in the same files. False when that
+/// Whether two checks with these settings give the same findings for the same files. False if that
 /// is unknown.
 bool is_same(const CheckSettings& a, const CheckSettings& b);
 

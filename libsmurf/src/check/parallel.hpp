@@ -14,7 +14,7 @@
 
 namespace smurf {
 
-/// The number of threads: as asked for, or with 0 that of the processors.
+/// The number of threads: as requested, or for 0 the number of processors.
 inline std::size_t count_of_jobs(unsigned jobs) {
   constexpr unsigned kMost = 256;
   return std::clamp(jobs > 0 ? jobs : std::thread::hardware_concurrency(), 1U, kMost);
@@ -30,7 +30,7 @@ class Threads {
     for (std::thread& thread : threads_) thread.join();
   }
 
-  /// False when the system cannot start another one.
+  /// False if the system cannot start another thread.
   bool start(const std::function<void()>& work) {
     try {
       threads_.emplace_back(work);
@@ -69,7 +69,7 @@ inline void for_each_parallel(std::size_t count, std::size_t jobs,
       }
       run(worker);
     });
-    if (!is_started) break;  // the others do the work
+    if (!is_started) break;  // the other threads do the work
   }
   {
     std::unique_lock lock(mutex);
@@ -79,12 +79,12 @@ inline void for_each_parallel(std::size_t count, std::size_t jobs,
 }
 
 /// Calls `work(worker, index)` as for_each_parallel() does and then, in the order of the indices
-/// and by one thread at a time, `take(index)`. After `take` has returned false, nothing is taken
-/// any more, so that what is taken does not depend on the number of threads.
+/// and one at a time, `take(index)`. After `take` has returned false, it is not called again, so
+/// the taken results do not depend on the number of threads.
 inline void for_each_in_order(std::size_t count, std::size_t jobs,
                               const std::function<void(std::size_t, std::size_t)>& work,
                               const std::function<bool(std::size_t)>& take) {
-  constexpr std::size_t kMostAhead = 64;  // each result that is not taken yet uses memory
+  constexpr std::size_t kMostAhead = 64;  // each result that waits for `take` uses memory
   std::mutex mutex;
   std::condition_variable has_room;
   std::vector<bool> is_done(count);
@@ -107,7 +107,7 @@ inline void for_each_in_order(std::size_t count, std::size_t jobs,
       work(worker, index);
       end(index);
     } catch (...) {
-      // Wake the threads that wait for this file: it will never be done.
+      // Wake the threads that wait for this file, which will never be finished.
       const std::lock_guard lock(mutex);
       is_over = true;
       has_room.notify_all();

@@ -25,7 +25,7 @@ Judged take(const Linked& linked, const SourceMap& sources, DiagnosticSink& sink
   return judged;
 }
 
-/// Paths relative to the folder of a file; a file outside of it starts with "..".
+/// The path of a file relative to a folder; for a file outside of it, the path starts with "..".
 BaselinePath relative_to_folder_of(const std::string& file) {
   const std::string folder(path::parent(places::whole(file).value_or("")));
   return [folder](const std::string& path) {
@@ -35,8 +35,9 @@ BaselinePath relative_to_folder_of(const std::string& file) {
   };
 }
 
-/// The findings that remain under the settings of the group. Adds the number of those that comments
-/// suppress to `suppressed`, and the effects of all findings on the targets to the verdicts.
+/// The findings that remain under the settings of the group. Adds the number of findings that
+/// comments suppress to `suppressed`, and the effects of all findings on the targets to the
+/// verdicts.
 std::vector<Diagnostic> settle(Judged&& judged, const CheckGroup& group, const SourceMap& sources,
                                std::size_t& suppressed, std::vector<TargetVerdict>& verdicts) {
   const RuleSelection& selection = group.selection;
@@ -82,7 +83,7 @@ std::size_t apply_baseline(const std::string& path, const CheckGroup& group, con
   return count;
 }
 
-/// Findings that decide a verdict and are not among `left` were suppressed.
+/// Findings that decide a verdict and are not in `left` were suppressed.
 void note_passed(const std::vector<Diagnostic>& left, std::size_t TargetVerdict::*counter,
                  std::vector<TargetVerdict>& verdicts) {
   for (TargetVerdict& verdict : verdicts) {
@@ -102,8 +103,8 @@ void report_path_checks(const CheckGroups& groups, const Desk& desk, const Sourc
   DiagnosticSink sink;
   sink.report(rules::sml0002_file_too_large, group->config.paths.front().pattern.text.span,
               "there are more than " + std::to_string(desk.limits.path_checks) +
-                  " comparisons of files with patterns of `paths`, and for what comes after them "
-                  "these settings do not count")
+                  " comparisons of files with patterns of `paths`; the remaining files are "
+                  "checked without these settings")
       .help(raise_limit("path-checks"));
   append(finish(sink.take(), sources, group->selection), found);
 }

@@ -23,13 +23,13 @@ struct Judged {
   Suppressions comments;
 };
 
-/// Runs the rules. `sink` holds what reading has found.
+/// Runs the rules. `sink` contains the findings of reading.
 Judged judge(const LinkedModel& model, const SourceMap& sources, const RuleSelection& selection,
              DiagnosticSink& sink);
 Judged judge(const LinkedScene& scene, const SourceMap& sources, const RuleSelection& selection,
              DiagnosticSink& sink);
 
-/// Names the places of findings that others made, and applies the selection.
+/// Locates findings of other code, and applies the selection.
 std::vector<Diagnostic> finish_others(const LinkedModel& model, std::vector<Diagnostic> found,
                                       const SourceMap& sources, const RuleSelection& selection);
 std::vector<Diagnostic> finish_others(const LinkedScene& scene, std::vector<Diagnostic> found,
@@ -40,7 +40,7 @@ struct Desk {
   const FileReader& files;
   const Limits& limits;
   const CanonicalPaths& paths;
-  std::size_t first_source = 0;  ///< earlier sources belong to other reports
+  std::size_t first_source = 0;  ///< the index of the first source of this report
 };
 
 /// The findings that remain under the settings of each configuration, with the findings in these.

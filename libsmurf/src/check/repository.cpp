@@ -14,7 +14,7 @@
 namespace smurf {
 namespace {
 
-/// The repository around folders, each of which is asked for once; "": none.
+/// The repository around a folder, looked up once per folder; "": none.
 class Repositories {
  public:
   const std::string& above(const std::string& folder) {
@@ -39,7 +39,7 @@ bool is_inside(const std::string& path, const std::string& folder) {
   return !inside.empty() && inside != ".." && !inside.starts_with("../");
 }
 
-/// `target` is where a link leads that lies in the repository at `root`; "": nowhere.
+/// `target` is the target of a link in the repository at `root`; "": none.
 bool leads_out(const std::string& target, const std::string& root) {
   if (root.empty()) return false;
   const auto has_target = [&](std::string_view history) {
@@ -59,7 +59,7 @@ RepositoryPath in_repository() {
     if (!whole) return path;
     return is_inside(*whole, root) ? places::relative(*whole, root) : *whole;
   };
-  // Thousands of findings may be in one file, and each of them asks.
+  // Thousands of findings may be in one file.
   return [find, known = std::map<std::string, std::string>()](const std::string& path) mutable {
     const auto [place, is_new] = known.try_emplace(path);
     if (is_new) place->second = find(path);

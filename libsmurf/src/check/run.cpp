@@ -17,7 +17,7 @@
 namespace smurf {
 namespace {
 
-constexpr std::size_t kMostParsed = 16U << 20U;  // bytes of texts; trees take about five times that
+constexpr std::size_t kMostParsed = 16U << 20U;  // bytes of texts; trees need five times as much
 
 void shift(Diagnostic& diagnostic, const SourceShift& by) {
   diagnostic.span = by(diagnostic.span);
@@ -27,7 +27,7 @@ void shift(Diagnostic& diagnostic, const SourceShift& by) {
   }
 }
 
-/// Whether a question was only about a text that is a source. A new answer then leaves meshes
+/// Whether a query was only about a text that is a source. A new answer then leaves meshes
 /// unchanged.
 bool is_of_source(const Recorder::Question& question, const Recorder::Answer& answer,
                   const SourceMap& sources) {
@@ -137,7 +137,7 @@ class Run {
 
   void remember(const std::vector<const PlannedFile*>& planned, std::vector<Outcome>&& outcomes) {
     for (std::size_t i = 0; i < planned.size(); ++i) {
-      if (outcomes[i].answers.empty()) continue;  // not checked: no room, or cancelled
+      if (outcomes[i].answers.empty()) continue;  // not checked: a limit, or cancelled
       parsed_bytes_ += outcomes[i].parsed.bytes();
       if (parsed_bytes_ > kMostParsed) outcomes[i].parsed = {};
       memory_.outcomes[planned[i]->path] = std::move(outcomes[i]);
@@ -241,7 +241,7 @@ class Run {
   }
 
   /// Records the files that were read for an outcome. Thousands of models may share one large URDF,
-  /// and each checks it again; false when that exceeds the limit.
+  /// and each checks it again; returns false if that exceeds the limit.
   bool has_room(const Outcome& outcome) {
     std::set<SourceId> again;
     for (std::size_t i = memory_.sources.size(); i < outcome.sources.size(); ++i) {
@@ -269,7 +269,7 @@ class Run {
     DiagnosticSink sink;
     const Span place{sources_.add_unreadable(path::normalize(planned.path)), 0, 0};
     sink.report(rules::sml0002_file_too_large, place,
-                "with this file, " + excess + "; neither it nor what comes after it was checked")
+                "with this file, " + excess + "; this file and all later ones were not checked")
         .help(raise_limit(limit));
     append(sink.take(), found_[planned.config].diagnostics);
   }
@@ -279,7 +279,7 @@ class Run {
     if (!has_room(outcome)) {
       return end_with(planned,
                       "more than " + std::to_string(limits.rechecked_bytes) +
-                          " bytes are checked again of files that others have read before",
+                          " bytes of files that were read before are checked again",
                       "rechecked-bytes");
     }
     if (!has_room_for_findings(outcome)) {
@@ -302,11 +302,11 @@ class Run {
   Memory& memory_;
   SourceMap& sources_;
   const std::size_t jobs_;
-  std::vector<MeshLibrary> shared_meshes_;        ///< of each thread, when nothing is kept
+  std::vector<MeshLibrary> shared_meshes_;        ///< of each thread, if nothing is kept
   std::vector<Judged> found_;                     ///< by configuration
   std::set<std::string> models_, scenes_, read_;  ///< by identity
   std::set<std::string> sources_read_;            ///< by identity
-  std::uint64_t rechecked_ = 0;                   ///< bytes of those that were read before
+  std::uint64_t rechecked_ = 0;                   ///< bytes of files that were read before
   std::uint64_t count_found_ = 0;                 ///< before settings and comments are applied
   bool is_over_ = false;                          ///< the remaining files are not checked
   std::set<std::string> used_;                    ///< paths of the outcomes used here

@@ -26,7 +26,7 @@ struct Outcome {
   std::set<std::string> models, scenes, read;  ///< by identity
   MeshLibrary meshes;                          ///< opened for it
   ParsedFiles parsed;
-  Recorder::Answers answers;  ///< on which it depends
+  Recorder::Answers answers;  ///< queries on which the result depends
   std::size_t config = 0;     ///< see PlannedFile::config
 };
 
@@ -34,7 +34,7 @@ struct Outcome {
 struct Memory {
   SourceMap sources;  ///< of the configurations
   CheckGroups groups;
-  Recorder::Answers answers;  ///< on which the configurations depend
+  Recorder::Answers answers;  ///< queries on which the configurations depend
   CheckSettings settings;
   std::vector<std::string> configs;
   std::map<std::string, Outcome> outcomes;  ///< by the planned path
@@ -44,7 +44,7 @@ struct Memory {
 /// The input of a check.
 struct Workshop {
   Desk desk;
-  Snapshot* snapshot;  ///< null: nothing is kept for another check
+  Snapshot* snapshot;  ///< null: keep nothing for another check
   Memory& memory;
 };
 

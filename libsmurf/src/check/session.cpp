@@ -41,7 +41,7 @@ bool is_readable(const std::string& path, const FileReader& files) {
   return status == ReadStatus::ok || status == ReadStatus::too_large;
 }
 
-/// The configuration for a file. One that was found but cannot be read is ignored.
+/// The configuration of a file. A configuration that cannot be read is ignored.
 std::string config_for(const std::string& path, const CheckSettings& settings,
                        const FileReader& files) {
   if (settings.is_isolated) return {};
@@ -98,7 +98,7 @@ struct Session::State {
       disk->allow(baseline);
     }
     archives.emplace(given == nullptr ? *disk : *given, limits);
-    if (!files) {  // else it has the texts, and the archives are in the same place
+    if (!files) {  // otherwise, it has the same texts and archives
       files.emplace(&*archives);
       for (const auto& [path, text] : texts) files->add(path, text.first);
     }
@@ -182,7 +182,7 @@ struct Session::State {
   std::vector<std::string> asked_for;
   std::map<std::string, std::string> asked_packages;
   bool allows_outside = false;
-  std::string baseline;  ///< "": none was named
+  std::string baseline;  ///< "": no file was named
   StampOf stamp_of_file;
   std::optional<ArchiveFiles> archives;
   std::optional<MemoryFiles> files;

@@ -6,7 +6,7 @@
 namespace smurf {
 namespace {
 
-// Texts of models are much smaller; many meshes are not, but of these the facts are kept.
+// Texts of models are much smaller. Many meshes are larger, but their facts are kept instead.
 constexpr std::uint64_t kMostOfFile = 8ULL << 20U;
 constexpr std::uint64_t kMostOfAll = 64ULL << 20U;
 

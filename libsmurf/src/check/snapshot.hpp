@@ -17,14 +17,14 @@
 
 namespace smurf {
 
-/// Keeps the texts that were read, so that a later check reads again only what has changed. May be
-/// used by several threads.
+/// Keeps the texts of files, so a later check reads only changed files. Several threads may use
+/// it.
 class Snapshot final : public FileReader {
  public:
   Snapshot(const FileReader& files, StampOf stamp_of)
       : files_(files), stamp_of_(std::move(stamp_of)) {}
 
-  /// Makes the next question about each file go to the disk again.
+  /// The next query about each file is answered from disk again.
   void begin() { ++round_; }
 
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
@@ -44,16 +44,16 @@ class Snapshot final : public FileReader {
   struct KnownList {
     std::string text;
     std::uint64_t version = 0;
-    std::uint64_t round = 0;  ///< in which it was last asked about
+    std::uint64_t round = 0;  ///< the check in which it was last queried
   };
   struct Known {
     FileStamp stamp;
     std::uint64_t version = 0;
-    std::uint64_t round = 0;             ///< in which it was last asked about
-    std::optional<FileContent> content;  ///< none when it is too large to be kept
+    std::uint64_t round = 0;             ///< the check in which it was last queried
+    std::optional<FileContent> content;  ///< none if the text is too large to keep
   };
   Known& know(const std::string& path) const;
-  /// The version stays when the content does.
+  /// The version changes only when the content changes.
   void compare(const std::string& path, Known& known) const;
   void keep(FileContent content, Known& known) const;
 
@@ -67,8 +67,8 @@ class Snapshot final : public FileReader {
   mutable std::uint64_t last_version_ = 0;
 };
 
-/// Records questions about files and their answers. While the answers stay the same, results that
-/// depend on them stay valid. For one thread.
+/// Records queries about files and their answers. Results that depend on them stay valid as long as
+/// the answers stay the same. Use it in one thread.
 class Recorder final : public FileReader {
  public:
   enum class Kind : std::uint8_t { content, is_file, list, is_denied, identity };
@@ -81,7 +81,7 @@ class Recorder final : public FileReader {
   };
   struct Answer {
     std::string text;
-    std::size_t count = 0;  ///< number of times it was asked
+    std::size_t count = 0;  ///< the number of queries
   };
   using Answers = std::map<Question, Answer>;
 
@@ -102,7 +102,7 @@ class Recorder final : public FileReader {
   mutable Answers answers_;
 };
 
-/// Whether these questions have the same answers now.
+/// Whether these queries have the same answers now.
 bool is_unchanged(const Recorder::Answers& answers, const Snapshot& files);
 
 }  // namespace smurf

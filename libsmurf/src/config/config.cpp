@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One table row a key: a new setting is one row and one function.
+// One table row per key: a new setting needs one row and one function.
 #include "smurf/config.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using Texts = std::vector<Spanned<std::string>>;
 using Levels = std::map<std::string, Spanned<Severity>>;
 using Files = std::map<std::string, Spanned<std::string>>;
 
-constexpr std::size_t kLongestChain = 16;  // of configurations that extend each other
+constexpr std::size_t kLongestChain = 16;  // limit for configurations that extend each other
 // Bytes. Thousands of folders may extend one configuration; a thousand sections may name one
 // schema.
 constexpr std::uint64_t kMostOfConfig = 100'000, kMostOfSchemas = 2'000'000;
@@ -59,7 +59,7 @@ class ConfigReader {
                std::span<const std::string_view> formats, ConfigOrigin origin)
       : sources_(sources), files_(files), sink_(sink), formats_(formats), origin_(origin) {}
 
-  /// `reference` is where another configuration names it; empty for the first.
+  /// `reference` is the place where another configuration names it; empty for the first.
   void read(const std::string& path, Span reference) {
     read_.insert(files_.identity(path));
     const std::optional<SourceId> source = open(path, reference, kMostOfConfig);
@@ -68,12 +68,12 @@ class ConfigReader {
     const yaml::View root = document ? document->view() : yaml::View();
     if (!root || root.is_null()) return;
     if (!root.is_mapping()) {
-      wrong(root, "the configuration is a mapping of settings, not " + describe(root));
+      wrong(root, "the configuration must be a mapping of settings, not " + describe(root));
       return;
     }
     chain_.push_back(path);
-    // Extended configurations come first, wherever they are named, so that own settings override
-    // them.
+    // Extended configurations are read first, wherever they are named, so the settings here
+    // override theirs.
     if (const yaml::View bases = root.find("extends"); bases && !bases.is_null()) read_bases(bases);
     folder_ = path::parent(path);
     read_mapping(root, kSettings, "setting");
@@ -111,7 +111,7 @@ class ConfigReader {
       const auto is_this = [&](const std::string& one) { return files_.identity(one) == id; };
       if (std::any_of(chain_.begin(), chain_.end(), is_this)) {
         wrong(item, "the configuration extends itself" +
-                        std::string(is_this(chain_.back()) ? "" : " by way of others"));
+                        std::string(is_this(chain_.back()) ? "" : " through other configurations"));
       } else if (chain_.size() >= kLongestChain) {
         wrong(item, std::to_string(kLongestChain) + " configurations extend each other already");
       } else if (!read_.contains(id)) {
@@ -209,7 +209,7 @@ class ConfigReader {
           std::find(formats_.begin(), formats_.end(), name) == formats_.end()) {
         report_word(item, name, "format", formats_);
       } else if (!file.empty() && origin_ == ConfigOrigin::found) {
-        wrong(item, "a configuration that was found beside the files names no file to write")
+        wrong(item, "a configuration that was found beside the files must not name a file to write")
             .help("name it on the command line, `--format " + name +
                   "=FILE`, or name the configuration with `--config`");
       } else if (!places.insert(place).second) {
@@ -271,7 +271,7 @@ class ConfigReader {
     if (diagnostic.help_text.empty()) diagnostic.help("known are " + listed(names));
   }
 
-  /// "there is no target `mujuco`", for a word out of few.
+  /// "there is no target `mujuco`", for one of few words.
   void report_word(yaml::View value, std::string_view word, std::string_view what,
                    std::span<const std::string_view> known) {
     Span place = value.span();
@@ -302,7 +302,7 @@ class ConfigReader {
 
   void expect(yaml::View value, std::string_view expected) {
     const std::string subject = value.key().empty() ? "an item" : quoted(value.key());
-    wrong(value, subject + " takes " + std::string(expected) + ", not " + describe(value));
+    wrong(value, subject + " must be " + std::string(expected) + ", not " + describe(value));
   }
 
   /// The items of a list or the values of a mapping.
@@ -311,8 +311,8 @@ class ConfigReader {
     std::size_t count = 0;
     for (const yaml::View entry : many) {
       if (++count > kMostEntries) {
-        wrong(entry, "this is entry " + std::to_string(count) + ", and only the first " +
-                         std::to_string(kMostEntries) + " count");
+        wrong(entry, "this is entry " + std::to_string(count) + "; only the first " +
+                         std::to_string(kMostEntries) + " are read");
         return;
       }
       visit(entry);
@@ -391,12 +391,12 @@ class ConfigReader {
     return source;
   }
 
-  /// A file that cannot be read is reported where it is named.
+  /// A file that cannot be read is reported at the place that names it.
   std::optional<SourceId> open(const std::string& path, Span reference, std::uint64_t most) {
     FileContent content = files_.read(path, most);
-    if (content.status == ReadStatus::too_large) content.reason += "; it may be no larger";
+    if (content.status == ReadStatus::too_large) content.reason += ", which is the limit";
     if (content.status == ReadStatus::ok) return sources_.add(path, std::move(content.text));
-    const bool is_named = reference != Span{};  // an absent path has a place as well
+    const bool is_named = reference != Span{};  // an absent path also has a place
     const Rule& rule = is_named ? rules::sml9002_wrong_setting : rules::sml0001_unreadable_file;
     if (!is_named) reference.source = sources_.add_unreadable(path);
     sink_.report(rule, reference, "cannot read " + quoted(path) + ": " + content.reason);

@@ -44,14 +44,14 @@ ValueForm form_of(ValueType type) {
   }
 }
 
-/// All kinds that the key may name, when that depends on the rest of the entry.
+/// All kinds that the key may name, if they depend on the rest of the entry.
 NameKinds kinds_of(const KeySpec& spec) {
   return spec.names_in == nullptr
              ? spec.names.kinds
              : NameKind::joint | NameKind::motor | NameKind::link | NameKind::collision;
 }
 
-/// `read_by` names the readers of the section, for keys without readers of their own.
+/// `read_by` names the readers of the section, for keys without separate readers.
 KeyHelp help_of(const KeySpec& spec, std::string_view owner, std::string_view read_by = {}) {
   KeyHelp help{std::string(owner), std::string(spec.name), spec.doc, describe(spec.type),
                spec.unit,          spec.fallback};
@@ -69,13 +69,13 @@ KeyHelp help_of(const KeySpec& spec, std::string_view owner, std::string_view re
   return help;
 }
 
-/// The keys that a place in a file may have, and what is below each.
+/// The keys that may occur at a place, and the keys below each of them.
 struct Place {
   std::string_view owner;
   std::vector<const KeySpec*> keys;
-  const SectionSpec* section = nullptr;  ///< its value, before an entry is chosen
-  const KeySpec* key = nullptr;          ///< whose value it is
-  std::string_view read_by = {};         ///< of the section or key around it
+  const SectionSpec* section = nullptr;  ///< the value of this key, before an entry is chosen
+  const KeySpec* key = nullptr;          ///< the key with this value
+  std::string_view read_by = {};         ///< readers of the section or key around it
 };
 
 std::vector<const KeySpec*> rows_of(std::span<const KeySpec> table) {
@@ -114,7 +114,7 @@ bool has_sections(KeyLanguage language) {
   return language == KeyLanguage::main || language == KeyLanguage::annotation;
 }
 
-/// A scene has one section of its own.
+/// A scene has a separate set of keys.
 const SectionSpec* section_at_root(KeyLanguage language, std::string_view name) {
   if (language == KeyLanguage::scene && name != "lights") return nullptr;
   return find_section(name);

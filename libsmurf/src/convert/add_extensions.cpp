@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motors as ros2_control or transmissions, sensors as those of Gazebo: the way back of
-// import_motors.cpp and import_sensors.cpp. What the URDF has already is not written twice.
+// Writes motors as ros2_control or transmissions and sensors as Gazebo sensors: the inverse of
+// import_motors.cpp and import_sensors.cpp. Things that the URDF already has are not repeated.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -64,7 +64,7 @@ std::string transmission(const urdf::Joint& joint, const Motor& motor) {
          "</transmission>";
 }
 
-/// One sensor of Gazebo from the keys of an annotation.
+/// Makes a sensor of Gazebo from the keys of an annotation.
 class SensorContent {
  public:
   SensorContent(const Sensor& sensor, yaml::View entry)
@@ -172,7 +172,7 @@ std::string gazebo_carrier(const LinkedModel& model, const Sensor& sensor) {
     return is_imu && sensor.id && !sensor.id->empty() ? sensor.id->front().value : std::string();
   }
   if (sensor.joint) return *sensor.joint;
-  // Phobos names the link, and means the joint that carries it.
+  // In Phobos, the named link means the joint that carries it.
   const auto link = sensor.link ? model.link_names.find(*sensor.link) : std::nullopt;
   if (!link || !model.tree.parent_joint[*link]) return {};
   return model.joint(*model.tree.parent_joint[*link]).name.value_or("");
@@ -277,7 +277,7 @@ void add_mujoco_settings(const LinkedModel& model, bool has_new_paths, XmlEdits&
   if (!settings) {
     edits.add_child(robot, "<mujoco>\n  " + compiler + "\n</mujoco>");
   } else if (const xml::View known = settings.child("compiler")) {
-    // A setting of the author stays, unless it is about paths that were rewritten.
+    // A setting of the author is kept, unless it concerns paths that were rewritten.
     if (has_new_paths || known.attribute("strippath") == nullptr) {
       edits.set_attribute(known, "strippath", "false");
     }

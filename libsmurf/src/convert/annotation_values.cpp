@@ -34,7 +34,7 @@ bool AnnotationValues::defines(const MaterialAnnotation& entry) const {
 
 bool AnnotationValues::says_color(const MaterialAnnotation& entry) const {
   const urdf::Material* material = entry.name ? definition(*entry.name) : nullptr;
-  if (!entry.diffuse_color) return true;  // unreadable or an old name, judged elsewhere
+  if (!entry.diffuse_color) return true;  // unreadable or an old name; reported by other code
   return material != nullptr && material->rgba && *material->rgba == rgba_of(*entry.diffuse_color);
 }
 
@@ -63,11 +63,11 @@ bool AnnotationValues::says_limit(const Motor& motor, std::string_view key) cons
   const bool is_bound = *value == LimitValue::lower || *value == LimitValue::upper;
   const auto wanted = limit_of(motor, *value);
   if (!wanted) return true;
-  // A joint without bounds turns all around, as a motor that is commanded within one turn does.
+  // A joint without bounds turns freely, as does a motor whose commands stay within one turn.
   if (is_bound && joint->type == urdf::JointType::continuous) {
     return std::fabs(*wanted) == std::numbers::pi;
   }
-  // Bounds that are not written are 0 to the readers of URDF.
+  // To readers of URDF, absent bounds are 0.
   const urdf::Limit limit = joint->limit.value_or(urdf::Limit{});
   const Field<double>& written = limit_field(limit, *value);
   return written ? *written == *wanted : is_bound && *wanted == 0;

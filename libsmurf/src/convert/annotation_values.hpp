@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// What is applied and what is lost is decided by the same comparisons.
+/// Comparisons that decide which values are applied and which are lost.
 class AnnotationValues {
  public:
   explicit AnnotationValues(const LinkedModel& model);
@@ -30,7 +30,7 @@ class AnnotationValues {
   bool says_mimic(const Motor& motor) const;
 
   const urdf::Joint* joint_of(const JointAnnotation& entry) const;
-  /// None when the key is no damping or friction.
+  /// None if the key is not about damping or friction.
   std::optional<bool> says_dynamics(const JointAnnotation& entry, yaml::View key) const;
 
  private:
@@ -38,16 +38,16 @@ class AnnotationValues {
   std::map<std::string_view, const urdf::Material*> materials_;
 };
 
-/// Absent components as Phobos takes them: black, opaque.
+/// Absent components as in Phobos: black and opaque.
 std::array<double, 4> rgba_of(const Color& color);
 /// The same colour with components between 0 and 1, as graphics show it.
 std::array<double, 4> visible(std::array<double, 4> rgba);
 
 enum class LimitValue : std::uint8_t { lower, upper, effort, velocity };
-/// The URDF value that a key of a motor is about.
+/// The value in the URDF that corresponds to a key of a motor.
 std::optional<LimitValue> limit_value(std::string_view key);
 const Field<double>& limit_field(const urdf::Limit& limit, LimitValue value);
-/// The value of the motor for it; the newer of two names takes precedence, as in MARS.
+/// The corresponding value of the motor; the newer of two names takes precedence, as in MARS.
 std::optional<double> limit_of(const Motor& motor, LimitValue value);
 
 enum class DynamicsValue : std::uint8_t { damping, friction };

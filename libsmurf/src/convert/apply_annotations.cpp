@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of the annotations that a URDF can express replace those of the URDF. Where both agree,
-// nothing changes.
+// Values of the annotations replace the values of the URDF, if a URDF can express them. Where both
+// agree, nothing changes.
 #include <map>
 #include <set>
 
@@ -50,7 +50,7 @@ class Application {
     diagnostic.label(first.joint.span, "the first one");
   }
 
-  /// All definitions of the name: which one counts differs from reader to reader.
+  /// All definitions of the name, because readers use different ones.
   void material(const MaterialAnnotation& entry) {
     if (!values_.defines(entry) || (!entry.diffuse_color && !entry.diffuse_texture)) return;
     if (!materials_.insert(*entry.name).second) return;
@@ -120,7 +120,7 @@ class Application {
   void mimic(const Motor& motor, const urdf::Joint& joint) {
     const urdf::Joint* leader = values_.leader_of(motor);
     if (leader == nullptr || leader == &joint || !leader->name || values_.says_mimic(motor)) return;
-    const double multiplier = motor.mimic_multiplier.value_or(0);  // as MARS takes it
+    const double multiplier = motor.mimic_multiplier.value_or(0);  // as in MARS
     const double offset = motor.mimic_offset.value_or(0);
     if (!joint.mimic) {
       edits_.add_child(view(joint.element),

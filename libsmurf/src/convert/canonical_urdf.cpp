@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One way to write a URDF, so that two versions differ where the robots differ: materials, then
-// links and joints in the order of the tree, then extensions as they stand; attributes in the order
-// of the specification; the shortest numbers; no comments.
+// Writes a URDF in canonical form, so that two versions differ only where the robots differ:
+// materials, then links and joints in the order of the tree, then unchanged extensions; attributes
+// in the order of the specification; the shortest numbers; no comments.
 #include <algorithm>
 #include <map>
 #include <span>
@@ -27,7 +27,7 @@ std::size_t rank(std::span<const std::string_view> order, std::string_view name)
   return static_cast<std::size_t>(std::find(order.begin(), order.end(), name) - order.begin());
 }
 
-/// Numbers in their shortest form, one blank between them; any other text as it is.
+/// Numbers in their shortest form, separated by single spaces; other texts unchanged.
 std::string canonical_value(std::string_view value) {
   std::string text;
   std::string_view rest = value;
@@ -100,14 +100,14 @@ class CanonicalWriter {
     is_written = true;
     std::vector<xml::View> children;
     for (const xml::View child : element) children.push_back(child);
-    // Readers use the first child of a geometry as its shape, whatever it is.
+    // Readers use the first child of a geometry as its shape, even if it is something else.
     if (element.name() != "geometry") {
       std::stable_sort(children.begin(), children.end(), [](xml::View a, xml::View b) {
         return rank(kChildren, a.name()) < rank(kChildren, b.name());
       });
     }
     const bool has_text = !trimmed(element.text()).empty();
-    if (has_text) {  // an extension: what its blanks mean is not known here
+    if (has_text) {  // an extension, in which spaces may have a meaning
       indent(depth);
       out_ += std::string(
                   text_.substr(element.span().begin, element.span().end - element.span().begin)) +
@@ -121,7 +121,7 @@ class CanonicalWriter {
     out_ += "</" + std::string(element.name()) + ">\n";
   }
 
-  /// Links and joints outside the tree like the others, extensions byte for byte.
+  /// Links and joints outside the tree are written like the others, extensions byte for byte.
   void raw_or_element(xml::View child) {
     if (child.name() == "link" || child.name() == "joint") return element(child, 1);
     indent(1);

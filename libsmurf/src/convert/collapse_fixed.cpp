@@ -52,18 +52,18 @@ class Collapse {
     return name && (keep_.contains(*name) || references_.needs(*name));
   }
 
-  /// The links that the parent is part of are known by now.
+  /// The parent has been handled before.
   bool may_collapse(const urdf::Link& link, const urdf::Joint& joint, std::size_t parent) const {
     if (joint.type != urdf::JointType::fixed || is_kept(link.name) || is_kept(joint.name)) {
       return false;
     }
-    if (is_world(name_of(parent))) return false;  // nothing becomes part of it
+    if (is_world(name_of(parent))) return false;  // no link is merged into it
     return references_.may_join(link, model_.robot->links[carrier_[parent]]);
   }
 
   void place(std::size_t link) {
     const auto parent_joint = model_.tree.parent_joint[link];
-    if (!parent_joint || parents_[link] > 1) return;  // in error, it hangs on all of them
+    if (!parent_joint || parents_[link] > 1) return;  // such a link is an error; it stays separate
     const std::size_t parent = to_size(*model_.tree.joint_parent[to_size(*parent_joint)]);
     if (!may_collapse(model_.robot->links[link], model_.joint(*parent_joint), parent)) return;
     carrier_[link] = carrier_[parent];
@@ -139,10 +139,10 @@ class Collapse {
   std::set<std::string_view> keep_;
   LinkReferences references_;
   XmlEdits& edits_;
-  std::vector<std::size_t> parents_;    ///< by link: joints that it is the child of
+  std::vector<std::size_t> parents_;    ///< by link: the joints of which it is the child
   std::vector<std::size_t> carrier_;    ///< by link
   std::vector<Pose> X_CL_;              ///< by link, in its carrier's frame
-  std::vector<MassProperties> bodies_;  ///< by link, with all that it carries
+  std::vector<MassProperties> bodies_;  ///< by link, with all links that it carries
   std::set<std::size_t> heavier_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The proof of a conversion: two models, compared by what a simulator computes from them.
+// Proves a conversion: compares the quantities that a simulator computes from the two models.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -33,19 +33,19 @@ class Comparison {
     if (!scope_.may_change_limits) same_limits();
     same_masses();
     constexpr int kConfigurations = 5;
-    std::mt19937 random(20260101);  // seeded: the same proof on every run
+    std::mt19937 random(20260101);  // fixed seed, so that every run gives the same proof
     for (int i = 0; i < kConfigurations; ++i) same_poses(i == 0 ? JointPositions{} : draw(random));
     return proof_;
   }
 
  private:
-  static constexpr double kTolerance = 1e-12;  // contract: equal to 1e-12 relative
+  static constexpr double kTolerance = 1e-12;  // promised: equal to 1e-12 relative
 
   void note(const std::string& difference) {
     if (proof_.difference.empty()) proof_.difference = difference;
   }
 
-  /// A link on a fixed joint that may be part of another one.
+  /// Whether a link on a fixed joint may have been merged into another link.
   void merges(const urdf::Link& link) {
     const auto index = link.name ? source_.link_names.find(*link.name) : std::nullopt;
     if (!scope_.may_merge_links || !index || !source_.tree.parent_joint[*index]) return;
@@ -90,7 +90,7 @@ class Comparison {
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const urdf::Joint& joint = joints[i];
       if (!joint.name || merged_joints_.contains(*joint.name)) continue;
-      if (*source_.joint_names.find(*joint.name) != i) continue;  // no reader takes a second one
+      if (*source_.joint_names.find(*joint.name) != i) continue;  // readers ignore a second one
       const urdf::Joint& other = result_joint(joint);
       bool differs = joint.type != other.type;
       const bool is_limited =

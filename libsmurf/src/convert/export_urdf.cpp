@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The export edits bytes; it never prints a tree unless asked for the canonical form (urdfdom's own
-// export loses names, extensions, comments and digits). Each step works on what the step before it
-// wrote, read again, so that no step has to know of another.
+// export loses names, extensions, comments and digits). Each step parses the output of the previous
+// step, so the steps are independent.
 #include <functional>
 #include <memory>
 
@@ -15,7 +15,7 @@
 namespace smurf {
 namespace {
 
-/// A text between two steps, with its model.
+/// The text between two steps, and its model.
 class Stepper {
  public:
   Stepper(const LinkedModel& model, std::string_view text) : model_(&model), text_(text) {}
@@ -76,7 +76,7 @@ std::vector<Edit> rebase_paths(const LinkedModel& model, const std::string& fold
     }
     const bool is_uri = mesh.filename.find("://") != std::string_view::npos;
     const bool is_relative = !mesh.filename.empty() && !path::is_absolute(mesh.filename);
-    // MARS opens no URI, and Phobos looks for packages in one place of its own.
+    // MARS does not open URIs, and Phobos looks for packages in only one folder.
     if (is_uri ? mesh.path.empty() || !mesh.exists : !is_relative) continue;
     const std::string target = path::join(current_folder, mesh.path);
     if (!is_uri && path::join(folder, mesh.filename) == target) continue;  // resolves as written
@@ -88,7 +88,7 @@ std::vector<Edit> rebase_paths(const LinkedModel& model, const std::string& fold
 std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
                         const UrdfExport& options, DiagnosticSink& sink) {
   Stepper steps(model, sources.text(model.robot->document.source));
-  // Both need the annotations and files around the URDF, so they come first.
+  // Both need the annotations and files around the URDF, so they are applied first.
   steps.edit([&](XmlEdits& edits) {
     passes::apply_annotations(model, options, sink, edits);
     passes::rewrite_paths(model, options, edits);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of a SMURF model that are made from a URDF, a section each.
+// Makes the sections of a SMURF model from a URDF, one function per section.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace smurf::import {
 
-/// What the parts share. Names that are given to unnamed collisions are collected as edits.
+/// State shared by the functions that make the sections. Collects names for unnamed collisions.
 struct Context {
   const LinkedModel& model;
   const SourceMap& sources;
@@ -27,7 +27,7 @@ struct Context {
   void keep_as_text(Span span, const std::string& what, const std::string& why);
 };
 
-/// A section's file, or none when there is nothing to say.
+/// The file of a section, or none if it has no entries.
 using Part = std::optional<NewFile>;
 Part motors(Context& context);
 Part sensors(Context& context);
@@ -37,18 +37,18 @@ Part poses(Context& context);
 Part urdf_extensions(Context& context);
 Part srdf_extensions(Context& context);
 
-/// A texture's path from the folder of the main file.
+/// The path of a texture from the folder of the main file.
 std::string texture_path(const UrdfImport& options, std::string_view path);
 
-/// Text inside an element without blanks around it.
+/// The text of an element, trimmed.
 std::string_view text_of(xml::View element);
-/// The text of a child; "" when there is none.
+/// The text of a child; "" if it is absent.
 std::string_view child_text(xml::View element, std::string_view child);
 std::string_view attribute_of(xml::View element, std::string_view name);
 /// The robot's children of this name that URDF does not define.
 std::vector<xml::View> extensions_of(const Context& context, std::string_view name);
 
-/// Gives each name once: "arm", "arm_2".
+/// Makes names unique: "arm", "arm_2".
 class UniqueNames {
  public:
   void take(const std::string& name) { taken_.insert(name); }
@@ -56,7 +56,7 @@ class UniqueNames {
 
  private:
   std::set<std::string> taken_;
-  std::map<std::string, int> counts_;  ///< so that many equal wishes stay linear
+  std::map<std::string, int> counts_;  ///< keeps many equal names linear
 };
 
 }  // namespace smurf::import

@@ -32,7 +32,8 @@ class MaterialMaker {
   }
 
  private:
-  /// The first definition of a name counts; uses without colour and texture are none.
+  /// The first definition of a name applies; an element without colour and texture is not a
+  /// definition.
   void add(const urdf::Material& material) {
     if (!material.name || (!material.rgba && !material.texture)) return;
     std::vector<NewValue> members = {text_value("name", *material.name)};
@@ -55,12 +56,12 @@ class MaterialMaker {
   }
 
   const Context& context_;
-  std::map<std::uint32_t, std::string> textures_;  ///< paths that exist, by place in the URDF
+  std::map<std::uint32_t, std::string> textures_;  ///< existing files, by place in the URDF
   std::set<std::string> seen_;
   std::vector<NewValue> entries_;
 };
 
-/// The elements' texts, moved to the left as a whole, by what they are about: "gazebo_base_link".
+/// The texts of elements, unindented, by their subject: "gazebo_base_link".
 NewValue texts_by_subject(const Context& context, const std::string& section,
                           const std::vector<xml::View>& elements) {
   std::vector<NewValue> entries;
@@ -115,7 +116,7 @@ Part joints(Context& context) {
     if (!(damping > 0) && !(friction > 0)) continue;
     std::vector<NewValue> members = {text_value("name", *joint.name)};
     if (damping > 0) {
-      // All four, because some readers want all or none.
+      // All four values, because some readers require all or none.
       members.push_back(number_value("springStiffness", 0));
       members.push_back(number_value("springDamping", damping));
       members.push_back(number_value("spring_const_constraint_axis1", 0));

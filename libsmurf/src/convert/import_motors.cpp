@@ -9,7 +9,7 @@
 namespace smurf::import {
 namespace {
 
-/// How a joint is driven, and who says so.
+/// How a joint is driven, and the element that states it.
 struct Drive {
   std::string type;  ///< of the motor
   std::string comment;
@@ -17,7 +17,7 @@ struct Drive {
   std::optional<double> speed, effort;
 };
 
-/// Drives by joint; a joint that several elements drive is driven as the first says.
+/// Drives by joint; if several elements drive a joint, the first one applies.
 using Drives = std::vector<std::optional<Drive>>;
 
 /// "hardware_interface/EffortJointInterface", "effort".
@@ -130,7 +130,7 @@ class MotorMaker {
     }
   }
 
-  /// MARS does not read <mimic>: a joint that follows a driven one needs a motor that follows.
+  /// MARS does not read <mimic>, so a joint that follows a driven joint needs a motor.
   void follow_mimics() {
     std::vector<std::vector<std::size_t>> followers(drives_.size());
     std::vector<std::size_t> driven;
@@ -184,7 +184,7 @@ class MotorMaker {
     }
     if (drive.lowest && (!low || *drive.lowest > *low)) low = drive.lowest;
     if (drive.highest && (!high || *drive.highest < *high)) high = drive.highest;
-    // The format's default is a turn, and bounds the URDF does not write are 0 to its readers.
+    // The default of the format is a full turn, but absent bounds in a URDF are 0.
     keys.push_back(number_value("minValue", low.value_or(0)));
     keys.push_back(number_value("maxValue", high.value_or(0)));
   }

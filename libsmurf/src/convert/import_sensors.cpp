@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sensors of Gazebo, ros2_control and old URDFs become those that MARS builds. MARS stops loading
-// at a type it does not know, so what has no counterpart makes no entry.
+// Converts sensors of Gazebo, ros2_control and old URDFs to sensors of MARS. MARS stops loading at
+// an unknown type, so sensors without a counterpart get no entry.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,7 +63,7 @@ class SensorMaker {
     entries_.push_back(std::move(entry));
   }
 
-  // ros2_control: one sensor per quantity for all joints that tell it.
+  // ros2_control: one sensor per quantity for all joints that provide it.
   struct JointQuantity {
     std::string_view interface;
     const char* name;
@@ -163,7 +163,7 @@ class SensorMaker {
         std::move(members));
   }
 
-  /// "type" and "link" first. Empty when there is no counterpart; `problem` may say why.
+  /// "type" and "link" first. Empty if there is no counterpart; `problem` may contain the reason.
   std::vector<NewValue> members_of(xml::View element, std::string_view type,
                                    const std::string& carrier, std::string& problem) {
     if (type == "force_torque") return force_torque_of(carrier, problem);
@@ -227,7 +227,7 @@ class SensorMaker {
         number_value("opening_width", *fov * kDegrees, "degrees; " + format_rounded(*fov) + " rad"),
         number_value("opening_height", vertical * kDegrees, "from the picture's proportions")};
     if (type != "camera") members.push_back(boolean_value("depth_image", true));
-    // Phobos reads the keys in this order, and takes a position only after an orientation.
+    // Phobos reads the keys in this order, and reads a position only after an orientation.
     members.push_back(orientation_value("orientation_offset", pose.orientation));
     members.push_back(
         numbers_value("position_offset",
@@ -289,8 +289,8 @@ class SensorMaker {
     return members;
   }
 
-  /// The collision that Gazebo's sensor names, or all of the link; for Phobos the link itself, as
-  /// it looks for links of these names.
+  /// The collision that Gazebo's sensor names, or all collisions of the link; for Phobos the link
+  /// itself, because Phobos looks for links of these names.
   std::vector<NewValue> contact(xml::View element, const std::string& link, std::string& problem) {
     if (context_.options.style == SmurfStyle::phobos) {
       return {text_value("type", "NodeContact"), text_value("link", link),
@@ -313,7 +313,7 @@ class SensorMaker {
             list_value("id", std::move(collisions))};
   }
 
-  /// Unnamed ones get a name in the written URDF, where there is one to write.
+  /// Unnamed collisions get a name in the written URDF, if one is written.
   std::vector<NewValue> collisions_of(const std::string& link) {
     const std::uint32_t index = *context_.model.link_names.find(link);
     std::vector<NewValue> names;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The URDF is kept, and annotations are added beside it. Entries of sections repeat parts of the
-// URDF, and text sections repeat what no section can express, so that readers of the annotations
-// miss nothing.
+// The URDF is kept, and annotations are added beside it. Entries of sections repeat parts
+// of the URDF; text sections repeat the rest, so that readers of the annotations miss
+// nothing.
 #include "base/edits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
@@ -19,7 +19,7 @@ std::string Context::line_of(Span span) const {
 
 void Context::keep_as_text(Span span, const std::string& what, const std::string& why) {
   Diagnostic& diagnostic = sink.report(rules::sml8101_kept_as_text, span,
-                                       what + " becomes no entry of a section: " + why);
+                                       what + " cannot become an entry of a section: " + why);
   diagnostic.note("its text is kept in the section of extensions");
 }
 

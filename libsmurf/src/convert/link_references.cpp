@@ -15,7 +15,7 @@ std::string_view attribute_of(xml::View element, std::string_view name) {
   return attribute != nullptr ? attribute->value() : std::string_view();
 }
 
-/// Equal texts mean equal elements, whatever their layout.
+/// Equal texts mean equal elements, independently of their layout.
 std::string signature(xml::View element) {
   std::vector<std::string> attributes;
   for (const xml::Attribute& one : element.attributes()) {
@@ -79,7 +79,7 @@ void LinkReferences::read_gazebo(xml::View gazebo, std::string_view link) {
   for (const xml::View child : gazebo) {
     const xml::View pose = child.child("pose");
     const bool is_simple_pose = !pose || pose.attributes().empty();
-    // A contact sensor names a collision by what Gazebo makes of the link's name.
+    // A contact sensor refers to a collision by the name that Gazebo derives from the link's name.
     const bool is_movable = child.name() == "sensor" && is_simple_pose && !child.child("contact");
     if (child.name() == "plugin" || (child.name() == "sensor" && !is_movable)) {
       needed_.insert(link);
@@ -93,14 +93,14 @@ void LinkReferences::read_gazebo(xml::View gazebo, std::string_view link) {
   }
 }
 
-/// The sensor's own name refers to nothing, and who carries it is known already.
+/// The sensor's own name is not a reference, and its carrier is already known.
 void LinkReferences::read_sensor(xml::View sensor) {
   for (const xml::View child : sensor) {
     if (child.name() != "parent") read_names(child);
   }
 }
 
-/// Every text and attribute value that is the name of a link or joint.
+/// Calls a function for every text and attribute value that is the name of a link or joint.
 void LinkReferences::read_names(xml::View element) {
   const auto add = [&](std::string_view text) {
     if (model_.link_names.contains(text) || model_.joint_names.contains(text)) needed_.insert(text);

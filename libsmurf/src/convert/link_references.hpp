@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the extensions of a URDF say about its links, as far as it matters when links are merged.
+// The references of URDF extensions to links that matter when links are merged.
 #pragma once
 
 #include <map>
@@ -17,15 +17,15 @@ class LinkReferences {
  public:
   explicit LinkReferences(const LinkedModel& model);
 
-  /// True when something refers to the link or joint itself: its frame, a plugin, a transmission, a
+  /// Whether something refers to the link or joint itself: its frame, a plugin, a transmission, a
   /// mimic, or an extension inside of it.
   bool needs(std::string_view name) const { return needed_.contains(name); }
 
-  /// True when the Gazebo settings of the link (friction, colour, ...) fit both links as one.
+  /// Whether the Gazebo settings of both links (friction, colour, ...) are compatible.
   bool may_join(const urdf::Link& link, const urdf::Link& carrier) const;
 
-  /// Moves the sensors of the link to the carrier; deletes settings that the carrier has as
-  /// well.
+  /// Moves the sensors of the link to its carrier; deletes settings that the carrier also
+  /// has.
   void move(const std::string& link, const std::string& carrier, const Pose& X_CL,
             XmlEdits& edits) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a URDF cannot express of a model. Neither values that it already has nor the names by which
-// annotations refer to it are losses.
+// Finds the parts of a model that a URDF cannot express. Values that the URDF already has and names
+// that refer to it are not losses.
 #include <map>
 #include <set>
 
@@ -13,7 +13,7 @@
 namespace smurf {
 namespace {
 
-/// Names of MARS's first format that are not applied, and what replaced them.
+/// Names of MARS's first format, which are not applied, and their replacements.
 constexpr std::pair<std::string_view, std::string_view> kOldNames[] = {
     {"diffuseFront", "diffuseColor"},
     {"texturename", "diffuseTexture"},
@@ -94,20 +94,20 @@ class LossReport {
                   const std::string& why) {
     Diagnostic& loss =
         lose(rule, entry.name ? entry.name.span : entry.span, title(entry, kind), why);
-    // All of the entry, not the key that it happens to begin with.
+    // The whole entry, not its first key.
     if (const yaml::Document* document = model_.document(entry.span.source)) {
       loss.pointer = yaml::pointer(*document, entry.node);
     }
   }
 
   void of_custom(const CustomSection& section) {
-    // Their text stands in the URDF, from which urdf2smurf took it.
+    // Their text is in the URDF from which urdf2smurf copied it.
     if (section.name.value == "urdf_extensions") return;
     lose(rules::sml8001_not_expressible, section.name.span, quoted(section.name.value),
          "has no place in a URDF");
   }
 
-  /// All keys but those that say which element the entry is about.
+  /// All keys except those that name the element of the entry.
   void of_keys(const Annotation& entry, std::string_view kind) {
     for (const yaml::View key : view(entry)) {
       if (is_one_of(key.key(), {"name", "link"}) || key.is_null()) continue;
@@ -121,7 +121,7 @@ class LossReport {
          quoted(key.key()) + " of " + title(entry, kind), "has no place in a URDF");
   }
 
-  /// True when the key is an old name; reports it then.
+  /// Reports a key with an old name and returns true.
   bool lose_old_name(const Annotation& entry, std::string_view kind, yaml::View key) {
     for (const auto& [old_name, name] : kOldNames) {
       if (key.key() != old_name) continue;
@@ -193,7 +193,7 @@ class LossReport {
   }
 
   void of_sensor(const Sensor& sensor) {
-    // A sensor that the URDF has already, as an extension, is not written twice.
+    // A sensor that is already in the URDF, as an extension, is not written twice.
     if (!options_.strips_extensions && sensor.name && sensors_.contains(*sensor.name)) return;
     const std::string_view type = passes::gazebo_type(sensor);
     if (type.empty()) {
@@ -231,7 +231,7 @@ class LossReport {
     }
   }
 
-  /// MARS has two keys for damping and takes the last; a URDF has one, which gets the first.
+  /// MARS has two keys for damping and uses the last; the URDF gets the first.
   void only_first(const Annotation& entry, yaml::View key) {
     const auto place = std::pair(*entry.name, *dynamics_value(key.key()));
     const auto [first, is_new] = dynamics_.emplace(place, key);
@@ -246,7 +246,7 @@ class LossReport {
   const UrdfExport& options_;
   DiagnosticSink& sink_;
   AnnotationValues values_;
-  std::set<std::string_view> sensors_, driven_joints_;  ///< of the URDF's extensions
+  std::set<std::string_view> sensors_, driven_joints_;  ///< names in the URDF's extensions
   std::map<std::pair<std::string, DynamicsValue>, yaml::View> dynamics_;  ///< by joint; applied
 };
 

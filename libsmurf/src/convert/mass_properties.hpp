@@ -9,7 +9,7 @@
 
 namespace smurf {
 
-/// About the centre of mass, expressed in one frame F.
+/// About the centre of mass, in the axes of one frame F.
 struct MassProperties {
   double mass = 0;                                    ///< kg
   Eigen::Vector3d center = Eigen::Vector3d::Zero();   ///< p_FC, m
@@ -18,12 +18,12 @@ struct MassProperties {
 
 /// The mass properties of one link in its link frame; absent values count as zero.
 MassProperties mass_properties(const urdf::Link& link);
-/// The same body seen from A: X_AB places the frame it is given in.
+/// The same body in the frame A; X_AB is the pose of its current frame.
 MassProperties transformed(const MassProperties& body_B, const Pose& X_AB);
-/// Both bodies as one (parallel axis theorem).
+/// Combines two bodies (parallel axis theorem).
 MassProperties combined(const MassProperties& a, const MassProperties& b);
-/// The mass properties of the whole robot in its root frame. `poses` are those that
-/// forward_kinematics() returns.
+/// The mass properties of the whole robot in its root frame. `poses` is the result of
+/// forward_kinematics().
 MassProperties total(const LinkedModel& model, const std::vector<std::optional<Pose>>& poses);
 
 }  // namespace smurf

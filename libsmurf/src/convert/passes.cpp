@@ -55,7 +55,7 @@ void add_prefix(const LinkedModel& model, const std::string& prefix, XmlEdits& e
     const bool has_prefix = one.kind == NameKind::link || one.kind == NameKind::joint ||
                             one.kind == NameKind::material || one.kind == NameKind::group ||
                             one.kind == NameKind::extension;
-    // A text that may name several things but names none is not a name.
+    // A text that may name things of several kinds, but names none, is not a name.
     const bool is_name = one.is_known() || one.kinds == one.kind;
     const bool is_of_world = one.kind == NameKind::link && is_world(one.name);
     if (one.span.source != urdf || !has_prefix || !is_name || is_of_world) continue;
@@ -78,7 +78,7 @@ void rewrite_paths(const LinkedModel& model, const UrdfExport& options, XmlEdits
   const std::string folder = path::join(options.current_folder, options.output_folder);
   for (const MeshReference& mesh : model.meshes) {
     const bool is_relative = is_relative_path(mesh.filename);
-    // Paths to missing files stay as they are, unless they are relative: those are re-based to the
+    // Paths to missing files are unchanged if they are absolute; relative paths are re-based to the
     // same missing file.
     if (!is_relative && (options.mesh_uri == MeshUri::rebase || !mesh.exists)) continue;
     const std::string target = path::join(options.current_folder, mesh.path);

@@ -10,8 +10,8 @@
 
 namespace smurf {
 
-/// Edits of the mesh and texture paths that do not resolve as they are written from the absolute
-/// `folder`, of URIs whose file was found, and of all that have `copies` (UrdfImport::copies).
+/// Edits for mesh and texture paths that do not resolve from the absolute `folder`, for URIs whose
+/// file was found, and for all paths with `copies` (UrdfImport::copies).
 std::vector<Edit> rebase_paths(const LinkedModel& model, const std::string& folder,
                                const std::string& current_folder,
                                const std::map<std::string, std::string>& copies = {});

@@ -10,7 +10,7 @@
 namespace smurf {
 namespace {
 
-/// What a reader of files reports itself: a value that is absent then, because it was not
+/// Rules that a reader of files reports itself: the value is then absent, because it was not
 /// understood.
 bool is_unread(const Rule& rule) {
   return rule.check_model == nullptr && rule.check_scene == nullptr;
@@ -28,7 +28,7 @@ bool takes_annotations(const UrdfExport& wanted) {
          wanted.adds_gazebo_sensors || wanted.actuation != Actuation::none;
 }
 
-/// Without a section, it is the whole file that is not understood.
+/// Without a section, the whole file is not understood.
 bool takes_section(const UrdfExport& wanted, std::string_view section) {
   const AppliedAnnotations& apply = wanted.apply;
   if (section.empty()) return takes_annotations(wanted);
@@ -45,8 +45,8 @@ bool computes(const UrdfExport& wanted) {
   return wanted.collapses_fixed || wanted.is_canonical || !wanted.version.empty();
 }
 
-/// Why MuJoCo would not load the exported URDF; none if it loads. Findings on package addresses and
-/// on mesh folders do not count, because the export replaces these.
+/// The reason why MuJoCo would not load the exported URDF; none if it loads. Findings on package
+/// addresses and mesh folders are not considered, because the export replaces these.
 std::optional<std::string> loss_for_mujoco(const Diagnostic& finding, const LinkedModel& model,
                                            const UrdfExport& wanted) {
   const Fact* fact = find_fact(readers::mujoco, finding);
@@ -59,7 +59,7 @@ std::optional<std::string> loss_for_mujoco(const Diagnostic& finding, const Link
   return "MuJoCo " + std::string(fact->makes);
 }
 
-/// urdfdom is what loads URDFs for nearly everybody, and is asked about the result.
+/// Nearly all programs load URDFs with urdfdom, so it checks the result.
 std::optional<std::string> loss_in_text(const Diagnostic& finding, const UrdfExport& wanted) {
   const Fact* fact = find_fact(readers::urdfdom, finding);
   if (fact != nullptr && fact->effect >= Effect::refuses) {
@@ -72,7 +72,7 @@ std::optional<std::string> loss_in_text(const Diagnostic& finding, const UrdfExp
   return std::nullopt;
 }
 
-/// True for what was read well, and what only MARS fails on: scenes are written for other programs.
+/// Whether only MARS fails on a readable value: scenes are written for other programs.
 bool is_for_mars_alone(const Rule& rule) {
   return rule.check_scene != nullptr && !rule.facts.empty() &&
          std::all_of(rule.facts.begin(), rule.facts.end(),
@@ -99,7 +99,7 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
     return "the .smurf decides which files the robot is made of";
   }
   if (!takes_section(wanted, section_of(finding))) return std::nullopt;
-  return "the options ask for annotations that are not right";
+  return "the options need annotations that have errors";
 }
 
 std::optional<std::string> loss_in_model(const Diagnostic& finding) {
@@ -124,7 +124,7 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Source
   case InputKind::drawing:
   case InputKind::other: break;
   }
-  return "it is not known where everything stands";
+  return "some poses are unknown";
 }
 
 bool may_ask_urdfdom(std::span<const Diagnostic> findings) {

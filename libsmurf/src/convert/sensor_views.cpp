@@ -17,10 +17,10 @@ namespace {
 constexpr double kRadians = std::numbers::pi / 180;
 constexpr double kFullTurn = 2 * std::numbers::pi;
 constexpr std::string_view kWide =
-    "its field of view is no rectangle: an opening is 180 degrees or more";
+    "its field of view is not a rectangle: an opening is 180 degrees or more";
 constexpr std::string_view kOther = "its field of view is not read";
 
-/// The number in a child; none when it is absent or cannot be computed with.
+/// The number in a child; none if it is absent or too large for computations.
 std::optional<double> number_in(xml::View element, std::string_view child) {
   if (!element) return std::nullopt;
   const std::optional<double> number = parse_number(import::child_text(element, child));

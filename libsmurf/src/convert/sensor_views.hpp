@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What sensors see: fields of view of cameras and rays of scans, in <gazebo> and in annotations.
+// Fields of view of cameras and rays of scans, from <gazebo> and from annotations.
 #pragma once
 
 #include <optional>
@@ -33,19 +33,19 @@ struct SensorView {
   Pose X_LS;
   std::optional<CameraView> camera;
   std::optional<ScanView> scan;
-  std::string_view why_unseen;  ///< why a field of view is not known; "" when there is none
+  std::string_view why_unseen;  ///< the reason why a field of view is unknown; "" if it is known
 };
 
-/// Vertical opening of a camera in degrees, from the horizontal one and the size of the picture in
-/// pixels; none when these are no opening and size.
+/// Vertical opening of a camera in degrees, from the horizontal opening and the size of the picture
+/// in pixels; none if these are invalid.
 std::optional<double> vertical_opening(double horizontal, double width, double height);
 /// The same from the keys of a camera of MARS.
 std::optional<double> vertical_opening(const SensorKeys& keys);
 
-/// What a <sensor> in <gazebo> sees. A sensor of another kind than cameras and rays has a pose
-/// only.
+/// The view of a <sensor> in <gazebo>. Sensors other than cameras and rays have only a
+/// pose.
 SensorView view_of(xml::View sensor);
-/// What a sensor of the annotations sees, which has these keys. A scan has a farthest distance.
+/// The view of a sensor of the annotations with these keys. A scan has a farthest distance.
 SensorView view_of(const Sensor& sensor, yaml::View keys);
 
 }  // namespace smurf

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// URDF 1.1 has capsules and quaternions, URDF 1.2 more limits of joints. An older version says the
-// first two in other words, and has none for the third.
+// URDF 1.1 has capsules and quaternions, URDF 1.2 more limits of joints. For an older version, the
+// first two are rewritten and the third is lost.
 #include <algorithm>
 
 #include "ast/urdf_numbers.hpp"
@@ -24,7 +24,7 @@ class Downgrade {
         replace_capsule(link, collision.element, collision.origin, collision.geometry);
       }
     }
-    // Readers of what claims to be 1.0 ignore a quaternion, and so does this one.
+    // Readers of URDF 1.0 ignore a quaternion, and so does this function.
     const Field<std::string>& version = model_.robot->version;
     if (version && *version != "1.0") replace_quaternions();
   }
@@ -57,7 +57,7 @@ class Downgrade {
       const xml::View element = edits_.view(static_cast<xml::ElementId>(i));
       const xml::Attribute* quaternion = element.attribute("quat_xyzw");
       if (quaternion == nullptr) continue;
-      DiagnosticSink known;  // what is no number was reported when the URDF was read
+      DiagnosticSink known;  // invalid numbers were reported when the URDF was read
       std::array<double, 4> xyzw{};
       if (!read_numbers(*quaternion, xyzw, known)) continue;
       const Quaternion q{xyzw[3], xyzw[0], xyzw[1], xyzw[2]};

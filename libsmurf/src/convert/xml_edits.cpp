@@ -9,7 +9,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-/// Line ends with the indentation become line ends.
+/// Line ends with indentation become line ends.
 std::string outdented(std::string_view text, std::string_view indentation) {
   const std::string line_start = "\n" + std::string(indentation);
   std::string result;
@@ -100,7 +100,7 @@ Edit XmlEdits::origin_edit(xml::View element, const urdf::Origin& origin, const 
   Edit edit{element.tag_span(), text};
   edit.span.begin = edit.span.end;
   if (element.begin() == element.end()) return edit;
-  // A line of its own, if the other children have one.
+  // On a separate line, if the other children are.
   const std::uint32_t first_child = (*element.begin()).span().begin;
   const std::string_view blanks = text_.substr(edit.span.end, first_child - edit.span.end);
   if (blanks.find_first_not_of(" \t\r\n") == std::string_view::npos) {
@@ -120,12 +120,12 @@ std::string XmlEdits::copy(xml::View element, std::vector<Edit> changes) const {
 }
 
 std::string_view XmlEdits::indentation(Span span) const {
-  constexpr std::size_t kLongestLine = 1000;  // a file may be one line, of many elements
+  constexpr std::size_t kLongestLine = 1000;  // one line may contain the whole file
   std::size_t begin = span.begin;
   while (begin > 0 && text_[begin - 1] != '\n') {
     if (span.begin - --begin > kLongestLine) return {};
   }
-  // Each line of a text that moves may get as many: what is deeper is not worth its room.
+  // Limits the indentation, which is repeated for each line of a moved text.
   constexpr std::size_t kDeepest = 40;
   std::size_t end = begin;
   while (end < span.begin && end - begin < kDeepest && is_blank(text_[end])) ++end;

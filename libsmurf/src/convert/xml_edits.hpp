@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edits of elements and attributes of an XML text, in the layout of what is there.
+// Edits elements and attributes of an XML text, keeping its layout.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@
 namespace smurf {
 
 using Attributes = std::vector<std::pair<std::string_view, std::string>>;
-/// <name a="..."/>, values escaped.
+/// <name a="..."/>, with escaped values.
 std::string new_element(std::string_view name, const Attributes& attributes);
 /// "1 0 0.5".
 std::string numbers_text(const Vector3& vector);
@@ -30,23 +30,23 @@ class XmlEdits {
 
   /// Sets the value, which is escaped; adds the attribute when the element has none.
   void set_attribute(xml::View element, std::string_view name, std::string_view value);
-  /// The same for a number; a value that is the number already keeps its digits.
+  /// The same for a number; if the number is unchanged, its digits are kept.
   void set_number(xml::View element, std::string_view name, double value);
-  /// Adds elements, as text, as the last children; a line each. Several calls for one element keep
-  /// their order.
+  /// Adds elements, given as text, as the last children, one per line. Several calls for one
+  /// element keep their order.
   void add_child(xml::View element, std::string_view child);
-  /// Takes an element away, with its line when it stands there alone.
+  /// Removes an element, with its line if nothing else is on it.
   void remove(xml::View element) { remove(element.span()); }
   void remove(Span span);
-  /// Takes an attribute away, with the blanks before it.
+  /// Removes an attribute with the spaces before it.
   void remove(const xml::Attribute& attribute);
-  /// Puts other elements, as text, in the place of one.
+  /// Replaces an element by other elements, given as text.
   void replace_element(xml::View element, std::string_view text);
   void replace(Span span, std::string text) { edits_.push_back({span, std::move(text)}); }
 
-  /// Sets the pose of an element that has an <origin>, or none yet.
+  /// Sets the pose of an element; adds an <origin> if there is none.
   Edit origin_edit(xml::View element, const urdf::Origin& origin, const Pose& pose) const;
-  /// The element's text with `changes` made inside of it, for add_child().
+  /// The element's text after `changes`, for add_child().
   std::string copy(xml::View element, std::vector<Edit> changes) const;
 
   xml::View view(xml::ElementId id) const { return {document_, id}; }
@@ -54,9 +54,9 @@ class XmlEdits {
   std::string apply() const;
 
  private:
-  /// Blanks before the element on its line, at most some dozens.
+  /// Spaces before the element on its line, limited to a few dozen.
   std::string_view indentation(Span span) const;
-  /// The lines of a text, all but the first one and empty ones indented.
+  /// Indents the lines of a text, except for the first one and empty lines.
   std::string indented(std::string_view text, std::string_view indentation) const;
   void close(xml::View element, std::string_view children, std::vector<Edit>& edits) const;
 

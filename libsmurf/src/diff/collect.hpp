@@ -13,11 +13,11 @@ enum class Scope : std::uint8_t { all, robot };
 
 /// Appends the things of a URDF.
 void collect_robot(const LinkedModel& model, Things& things);
-/// Appends those of the main file and the annotations.
+/// Appends the things of the main file and the annotations.
 void collect_annotations(const LinkedModel& model, YamlProperties& properties, Things& things);
 Things collect(const LinkedModel& model, Scope scope, YamlProperties& properties);
 
-/// Appends those of the scene files, each once however often it is included.
+/// Appends the things of the scene files, each file once, however often it is included.
 Things collect(const LinkedScene& scene, const SourceMap& sources, YamlProperties& properties);
 
 /// The order of places in files.

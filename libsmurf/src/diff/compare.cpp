@@ -16,7 +16,7 @@ namespace {
 
 using Form = Property::Form;
 
-/// True when readers treat it as if it were absent.
+/// Whether readers treat the value as absent.
 bool is_nothing(const Property& property) {
   if (property.is_default || property.form == Form::absent) return true;
   if (property.form == Form::texts) return property.texts.empty();
@@ -34,7 +34,7 @@ constexpr std::size_t kLongestName = 1000;
 /// The place for a property that one version lacks.
 Span beside(Span span) { return {span.source, span.begin, span.begin}; }
 
-/// Members with the same key, such as an attribute and an element of one name, are paired in their
+/// Pairs members with the same key, such as an attribute and an element of one name, in their
 /// order.
 class KeyCounter {
  public:
@@ -48,7 +48,7 @@ class KeyCounter {
   std::map<std::string, std::size_t> counts_;
 };
 
-/// A thing in both versions.
+/// A thing that is in both versions.
 class PropertyComparer {
  public:
   PropertyComparer(const Renames& renames, const DiffOptions& options, FileContents& contents,
@@ -59,7 +59,7 @@ class PropertyComparer {
         frame_(std::move(frame)),
         out_(out) {}
 
-  /// With `is_list`, the keys are the names of items.
+  /// With `is_list`, the keys are names of items.
   void compare_members(const Property& before, const Property& after, const std::string& path,
                        bool is_list = false) {
     std::map<std::string, const Property*> old_members;
@@ -182,8 +182,8 @@ class PropertyComparer {
 
   void report(const std::string& path, const Property& before, const Property& after) {
     Difference& difference = add(path, after);
-    // With its old name, a renamed thing would seem to differ, and what still has the old name
-    // would seem to be equal.
+    // With its old name, a renamed thing would seem to differ, and a different thing with the old
+    // name would seem to be equal.
     difference.before = value_of(
         before, [&](std::string_view name, Span place) { return renames_.translate(name, place); });
     difference.after = value_of(after);
@@ -235,11 +235,11 @@ class Comparison {
   static bool is_alone(const Things& things, const std::vector<std::size_t>& others,
                        std::size_t i) {
     const std::size_t parent = things.all[i].parent;
-    if (things.all[i].is_scene) return false;  // the entity that brings it is told
+    if (things.all[i].is_scene) return false;  // the entity that brings it is reported
     return parent == kNone || others[parent] != kNone;
   }
 
-  /// The number of a thing among the nameless ones in the same parent; 0 for the only one.
+  /// The number of a thing among things without name in the same parent; 0 for the only one.
   static std::vector<std::size_t> numbers_of(const Things& things) {
     std::vector<std::size_t> numbers(things.all.size());
     std::map<std::string, std::vector<std::size_t>> unnamed;
@@ -255,7 +255,7 @@ class Comparison {
     return numbers;
   }
 
-  /// Every difference of the thing repeats it, so its length is limited.
+  /// Every difference of the thing repeats this text, so its length is limited.
   static std::string shown_name(const Thing& thing) {
     return shortened(thing.path.empty() ? thing.name : thing.path, kLongestName);
   }
@@ -364,7 +364,7 @@ std::string_view FileContents::difference(const std::string& a, const std::strin
   return "the contents differ";
 }
 
-/// Not cryptographic: nobody can gain anything from a collision.
+/// Not cryptographic, because a collision gives no advantage to anyone.
 const std::string& FileContents::digest(const std::string& path) {
   const auto [place, is_new] = digests_.try_emplace(path);
   if (!is_new) return place->second;

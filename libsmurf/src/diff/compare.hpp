@@ -13,12 +13,12 @@
 
 namespace smurf {
 
-/// Tells whether two files have equal content. Reads each once.
+/// Compares the contents of files. Reads each file once.
 class FileContents {
  public:
   explicit FileContents(const DiffOptions& options) : options_(options) {}
   bool are_same(const std::string& a, const std::string& b);
-  /// Why two files are not the same.
+  /// The reason why two files are different.
   std::string_view difference(const std::string& a, const std::string& b);
 
  private:
@@ -28,7 +28,7 @@ class FileContents {
   std::map<std::string, std::string> digests_;  ///< by path; "": unreadable
 };
 
-/// The differences of all things, in the order of the new version, then what was removed.
+/// The differences of all things, in the order of the new version, followed by removed things.
 std::vector<Difference> compare(const Things& before, const Things& after, const Matching& matching,
                                 const Renames& renames, const DiffOptions& options,
                                 FileContents& contents);

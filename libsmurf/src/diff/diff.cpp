@@ -130,7 +130,7 @@ class SceneDiff {
     std::move(found.differences.begin(), found.differences.end(), std::back_inserter(of_models_));
   }
 
-  /// The number of entities that moved along with one: those in it and those placed on it.
+  /// The number of entities that move with an entity: those in it and those placed on it.
   void tell_effects(std::vector<Difference>& differences) const {
     std::map<std::string, Difference*> moved;
     for (Difference& one : differences) {
@@ -147,8 +147,8 @@ class SceneDiff {
     }
   }
 
-  /// The difference that moved each instance: its own, that of its parent, or that of a scene
-  /// around it; null: none.
+  /// The difference that moved each instance: its own, that of its parent, or that of an enclosing
+  /// scene; null: none.
   static std::vector<Difference*> causes_of(const LinkedScene& scene,
                                             const std::map<std::string, Difference*>& moved) {
     const auto own = [&](const std::string& path) {
@@ -164,7 +164,7 @@ class SceneDiff {
     std::vector<Difference*> causes(scene.instances.size());
     std::vector<char> is_known(scene.instances.size());
     for (std::size_t first = 0; first < causes.size(); ++first) {
-      std::vector<std::size_t> chain;  // from an instance to what it is placed on
+      std::vector<std::size_t> chain;  // from an instance to the instance it is placed on
       for (std::size_t i = first; !std::exchange(is_known[i], 1);) {
         chain.push_back(i);
         const Attachment& parent = scene.instances[i].placement.parent;

@@ -24,7 +24,7 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
 
 std::uint64_t hash_of_text(std::string_view text) { return std::hash<std::string_view>{}(text); }
 
-/// A name that may still get another one is as good as any.
+/// A name that may still be renamed matches every name.
 std::uint64_t hash_of_name(std::string_view text, Span place, const Renames& names) {
   return names.is_open(place) ? 1 : hash_of_text(names.translate(text, place));
 }
@@ -90,7 +90,7 @@ class Matcher {
 
  private:
   using Kind = std::optional<NameKind>;
-  using Parts = std::unordered_map<std::size_t, std::vector<std::size_t>>;  ///< by the whole
+  using Parts = std::unordered_map<std::size_t, std::vector<std::size_t>>;  ///< hash of the whole
   /// Ordered by kind and depth, so that a thing is matched before its parts.
   using Kinds = std::map<std::pair<Kind, std::size_t>, std::vector<std::size_t>>;
   /// Things of one kind that are matched together.
@@ -193,9 +193,9 @@ class Matcher {
     return thing.kind + '\0' + std::to_string(new_parent) + '\0' + std::string(more);
   }
 
-  /// Calls `visit` with all buckets of free things of a kind, in the order of the old version.
-  /// `more` returns the further criterion for a thing and its index; with none, the thing is
-  /// skipped.
+  /// Calls `visit` with all buckets of unmatched things of a kind, in the order of the old
+  /// version. `more` returns the further criterion for a thing and its index, or none to skip the
+  /// thing.
   template <class More, class Visit>
   void for_each_bucket(const Candidates& candidates, const More& more, const Visit& visit) {
     std::map<std::string, std::size_t> places;

@@ -9,15 +9,15 @@
 
 namespace smurf {
 
-/// The counterpart of each thing, by index; kNone: it has none.
+/// The counterpart of each thing, by index; kNone: there is none.
 struct Matching {
   std::vector<std::size_t> to_new, to_old;
 };
 
-/// Matches by names, then links and joints by the tree, and the rest by content. Adds the renames.
+/// Matches by names, then links and joints by the tree, then the rest by content. Adds the renames.
 Matching match(const Things& before, const Things& after, Renames& renames);
 
-/// A hash that ignores the order of properties. All names whose counterpart is still open count as
+/// A hash that ignores the order of properties. All names that are not matched yet are treated as
 /// equal. 0 for a thing without content.
 std::uint64_t hash_of(const Property& property, const Renames& names);
 

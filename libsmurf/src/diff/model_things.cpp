@@ -10,7 +10,7 @@
 namespace smurf {
 namespace {
 
-/// True for things that a URDF has, too: a difference must name the annotation.
+/// Whether a URDF has things of this kind, too: then a difference must name the annotation.
 constexpr std::string_view kOfRobot[] = {"link", "joint", "visual", "collision", "material"};
 
 std::string kind_of(const SectionSpec& section) {
@@ -18,7 +18,7 @@ std::string kind_of(const SectionSpec& section) {
   return std::string(section.entry) + (is_of_robot ? " annotation" : "");
 }
 
-/// The paths of its files are no property of a model.
+/// The paths of its files are not a property of a model.
 bool is_told(std::string_view key) { return key != "files"; }
 bool is_no_name(std::string_view key) { return key != "name"; }
 
@@ -108,7 +108,8 @@ void sort_by_place(std::vector<Reference>& references) {
   const auto is_first = [](const Reference& a, const Reference& b) {
     return is_before(a.span, b.span);
   };
-  // Sorting takes half as much memory again, and those of one file are in order.
+  // Sorting temporarily needs half as much memory again, and the things of one file are already in
+  // order.
   if (std::is_sorted(references.begin(), references.end(), is_first)) return;
   std::stable_sort(references.begin(), references.end(), is_first);
 }

@@ -21,28 +21,28 @@ namespace smurf {
 inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// A value, or a group of values with keys. A file of a megabyte has hundreds of thousands, so they
-/// point into the model where they can.
+/// refer to the model where possible.
 struct Property {
   enum class Form : std::uint8_t {
     absent,
     boolean,   ///< numbers[0] is 0 or 1
     number,    ///< numbers[0]
     text,      ///< text
-    texts,     ///< texts: a list of nothing else, as of names
+    texts,     ///< a list of texts only, such as names
     numbers,   ///< numbers
     rotation,  ///< numbers: w, x, y, z, of unit length
     pose,      ///< numbers: x, y, z, then w, x, y, z
     file,      ///< text: its name as written; path: its resolved path
     list,      ///< members, in their order
     group,     ///< members, in any order, with keys
-    choice     ///< a group of one of several types: text
+    choice     ///< one of several types for an element: text
   };
 
   std::string_view key;
-  Span key_span;  ///< place of a key that is a name and may be renamed; else empty
+  Span key_span;  ///< place of a key that is a renamable name; otherwise empty
   Span span;
   Form form = Form::absent;
-  bool is_default = false;  ///< equal to the readers' default
+  bool is_default = false;  ///< equal to the default of readers
   std::string_view unit;
   std::string_view fallback;
   std::span<const std::string_view> parts;  ///< names of `numbers`
@@ -57,15 +57,15 @@ struct Property {
   }
 };
 
-/// A link, motor, entity or the like, which is added, removed and renamed as a whole.
+/// A thing, such as a link, motor or entity, that is added, removed and renamed as a whole.
 struct Thing {
-  std::string kind;               ///< "link"
-  std::string name;               ///< may be empty
-  std::string path;               ///< in nested scenes, with the names around it; else empty
-  Span place;                     ///< of the name, else of the whole thing
-  std::optional<NameKind> names;  ///< the kind of name by which others refer to it
-  std::size_t parent = kNone;     ///< the thing that it is part of; has a smaller index
-  std::size_t brings = kNone;     ///< for an entity that includes a scene: the thing of that file
+  std::string kind;  ///< "link"
+  std::string name;  ///< may be empty
+  std::string path;  ///< in nested scenes, with the names of outer scenes; otherwise empty
+  Span place;        ///< place of the name, or of the whole thing
+  std::optional<NameKind> names;  ///< the kind of name that others use for it
+  std::size_t parent = kNone;     ///< the thing that contains it; has a smaller index
+  std::size_t brings = kNone;     ///< for an entity that includes a scene: that scene file
   bool is_scene = false;          ///< a scene file, identified by the entity that includes it
   Property properties;            ///< a group
 };
@@ -89,19 +89,19 @@ Property pose_property(std::string_view key, const Pose& pose, Span span);
 Property rotation_property(std::string_view key, const Quaternion& rotation, Span span);
 Property group_property(std::string_view key, Span span);
 
-/// Adds a member; a key that is taken gets a number.
+/// Adds a member; a number is added to an existing key.
 void add_member(Property& group, Property member);
 
 Pose pose_of(const Property& property);
 Quaternion rotation_of(const Property& property);
-/// Gives a text, which is written at a place, another name.
+/// Renames a text that is written at a place.
 using NameAt = std::function<std::string(std::string_view text, Span place)>;
-/// The value, with texts renamed by `name_at` if there is one.
+/// The value, after renaming texts with `name_at` if it is given.
 DiffValue value_of(const Property& property, const NameAt& name_at = {});
-/// One line for a person; for a group, its members; "none" when it is absent.
+/// One line for people; for a group, its members; "none" if it is absent.
 std::string summary_of(const Property& property);
 
-/// Whether both mean the same. `before` is the old text with the names of the new version.
+/// Whether both values mean the same. `before` is the old text with the names of the new version.
 bool is_same_leaf(const Property& before, std::string_view text_before, const Property& after,
                   double tolerance);
 

@@ -23,12 +23,12 @@ class Renames {
   /// The model of a name in a scene.
   void add(NameKind kind, std::string_view old_name, std::string_view new_name,
            ModelIndex model = ModelIndex{Reference::kNothing});
-  /// Call it when all things of this kind are matched.
+  /// Call it after matching all things of this kind.
   void close(NameKind kind) { closed_.insert(kind); }
 
   /// A text of the old version with the names of the new one.
   std::string translate(std::string_view text, Span place) const;
-  /// True when it contains a name of a kind that is not closed yet.
+  /// Whether it contains a name of a kind that is not fully matched yet.
   bool is_open(Span place) const;
   const std::map<std::pair<NameKind, std::string>, std::string>& of_model(ModelIndex model) const;
 

@@ -43,7 +43,7 @@ Ink ink_of(Change change) {
   return Ink::strong;
 }
 
-/// Adds the place at the right edge of the last line, or on a line of its own.
+/// Adds the place at the right edge of the last line, or on a separate line.
 void append_place(std::string& lines, const std::string& place, std::size_t columns) {
   const std::size_t begin = lines.rfind('\n');
   const std::size_t used = render::width_of(std::string_view(lines).substr(begin + 1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints differences as JSON, and as the page of web/diff around the JSON. web/diff/main.js reads
-// the members and documents those that only the page has.
+// the members, and documents those of the page alone.
 #include <array>
 #include <limits>
 
@@ -16,7 +16,7 @@ namespace {
 class JsonReport {
  public:
   explicit JsonReport(const SourceMap& sources) : sources_(sources) {}
-  /// With texts for people, and what to show in the picture, which may be empty.
+  /// Contains texts for people, and the selection in the picture, which may be empty.
   JsonReport(const SourceMap& sources, std::string_view picture)
       : sources_(sources), is_page_(true), picture_(picture) {}
 

@@ -27,7 +27,7 @@ const AttributeSpec* find_attribute(const ElementSpec* spec, std::string_view na
   return found == spec->attributes.end() ? nullptr : &*found;
 }
 
-/// True for the attributes of URDF that are names, addresses or words; all others are numbers.
+/// Whether an attribute of URDF is a name, address or word; all others are numbers.
 bool is_text(const AttributeSpec* spec) {
   if (spec == nullptr) return false;
   return !spec->names.empty() || !spec->values.empty() || spec->name == "name" ||
@@ -159,8 +159,8 @@ class RobotCollector {
     return only;
   }
 
-  /// The child elements that are compared. Readers take the first of elements that may occur once;
-  /// others are paired by name if all have one.
+  /// The child elements that are compared. Of elements that may occur once, readers use the first;
+  /// others are paired by name if all have a name.
   template <class IsLeftOut>
   void children(xml::View parent, Property& group, IsLeftOut is_left_out) {
     const ElementSpec* spec = urdf::find_element_spec(path::to_lower(parent.name()));
@@ -196,7 +196,7 @@ class RobotCollector {
   /// The child elements of one name.
   struct Siblings {
     bool have_names = true;
-    bool is_known = false;     ///< the first of them was read
+    bool is_known = false;     ///< the first element was read
     std::size_t list = kNone;  ///< the member of the group that contains them
   };
 

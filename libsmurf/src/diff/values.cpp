@@ -16,7 +16,7 @@ std::string with_unit(std::string text, std::string_view unit) {
   return text;
 }
 
-/// Nine digits are enough for robots. Where two numbers look the same then, all digits are shown.
+/// Nine digits are enough for robots. If two numbers then look the same, all digits are shown.
 std::string short_number(double value) { return format_rounded(value, 9); }
 
 std::string numbers_text(std::span<const double> values, std::string (*show)(double)) {
@@ -105,7 +105,7 @@ std::string text_of(const DiffValue& value, std::string_view unit,
   return "none";
 }
 
-/// A value of a difference, for which an absent one is what readers take.
+/// A value of a difference; for an absent value, the default of readers.
 std::string text_in(const Difference& difference, const DiffValue& value,
                     std::string (*show)(double)) {
   if (std::holds_alternative<std::monostate>(value)) return absent_text(difference);

@@ -13,20 +13,20 @@ namespace smurf {
 /// "upper limit" of "limit.upper".
 std::string label_of(std::string_view property);
 
-/// "0.35 kg"; "none" for nothing.
+/// "0.35 kg"; "none" for an absent value.
 std::string value_text(const DiffValue& value, std::string_view unit,
                        std::span<const std::string_view> parts);
 
-/// The values of what changed as two different texts.
+/// The old and the new value as two different texts.
 struct ValueTexts {
   std::string before, after;
 };
 ValueTexts value_texts(const Difference& difference);
 
-/// "+14.3 %" of a number that changed by a part of itself; else empty.
+/// "+14.3 %" for a changed number; otherwise empty.
 std::string percentage_of(const Difference& difference);
 
-/// "0.35 -> 0.4 kg (+14.3 %)"; for several numbers with names, only those that differ.
+/// "0.35 -> 0.4 kg (+14.3 %)"; of several numbers with names, only the changed ones.
 std::string change_text(const Difference& difference);
 
 }  // namespace smurf

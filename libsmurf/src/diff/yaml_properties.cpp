@@ -27,7 +27,7 @@ std::vector<double> numbers_in(yaml::View value) {
   return numbers;
 }
 
-/// Scalars without a row are read in this way: as text, not as numbers or booleans.
+/// The type of scalars without a row: text, not numbers or booleans.
 bool are_all_texts(yaml::View value) {
   return value.size() > 0 && std::all_of(value.begin(), value.end(), [](yaml::View item) {
            return item.is_scalar() && !finite(item) && !item.boolean();
@@ -97,7 +97,7 @@ Property YamlProperties::value(std::string_view key, yaml::View value, const Key
   return property;
 }
 
-/// A value of the wrong type is compared as written.
+/// A value of the wrong type is compared as it is written.
 Property YamlProperties::typed(const KeySpec& row, yaml::View value) {
   const Span span = value.place();
   const bool is_text = row.type == text || row.type == frame || row.type == names;

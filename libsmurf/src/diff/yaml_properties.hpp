@@ -28,13 +28,13 @@ class YamlProperties {
  private:
   Property typed(const KeySpec& row, yaml::View value);
   Property untyped(std::string_view key, yaml::View value);
-  /// A list whose items are texts, whatever they look like.
+  /// A list whose items are texts, even if they look like numbers.
   Property list_of_names(std::string_view key, yaml::View value);
   Property list(std::string_view key, yaml::View value, KeyTable members);
   Property components(const KeySpec& row, yaml::View value);
   const Property& fallback_of(const KeySpec& row);
 
-  /// A default, with the text that it points into.
+  /// A default, and the text that it points into.
   struct Fallback {
     SourceMap sources;
     std::optional<yaml::Document> document;

@@ -56,7 +56,7 @@ void apply_dialect(const Dialect& dialect, LinkedScene& scene, DiagnosticSink& s
 
 bool is_same_pose(const std::optional<Pose>& a, const std::optional<Pose>& b) {
   if (!a || !b) return !a && !b;
-  constexpr double kSame = 1e-9;  // m and rad: what the tests promise
+  constexpr double kSame = 1e-9;  // m and rad: the promised accuracy
   for (std::size_t i = 0; i < 3; ++i) {
     if (!(std::fabs(a->position[i] - b->position[i]) <= kSame)) return false;
   }
@@ -88,7 +88,7 @@ JointPositions positions_of_pose(const Entity& entity, const LinkedModel& model,
   return positions;
 }
 
-/// An entity may stand in many instances.
+/// An entity may have many instances.
 bool JointPoseTable::has_own(const Entity& entity, std::string_view pose) {
   if (entity.poses.empty()) return false;
   const auto [known, is_new] = has_own_.try_emplace({&entity, std::string(pose)});

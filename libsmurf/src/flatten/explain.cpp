@@ -28,7 +28,8 @@ class Explainer {
     steps_.push_back({std::move(what), span, X_step, X_W});
   }
 
-  /// The parents of an instance first. Chains of parents have no cycles here, since X_WE is known.
+  /// Adds the parents of an instance first. Chains of parents have no cycles here, because X_WE is
+  /// known.
   void add_instance(const Instance& instance) {
     std::vector<const Instance*> chain{&instance};
     while (chain.back()->placement.parent.kind == Attachment::Kind::link) {
@@ -41,7 +42,7 @@ class Explainer {
     }
   }
 
-  /// The includes whose poses an instance inherits, outermost first.
+  /// The includes whose poses an instance inherits, the outermost first.
   void add_includes(const Instance& instance) {
     std::vector<const SceneUse*> includes;
     const Entity* inner = &scene_.entity(instance);
@@ -63,7 +64,7 @@ class Explainer {
     const Entity& entity = scene_.entity(instance);
     Pose X_PE = dialect_.pose_of(scene_, scene_.use(instance), entity);
     const Pose X_WP = steps_.empty() ? Pose{} : steps_.back().X_W;
-    // When a dialect uses more than the keys of the scene, the step is the resulting transform.
+    // If a dialect uses more than the keys of the scene, the step is the resulting transform.
     if (!is_same_pose(X_WP * X_PE, instance.X_WE)) X_PE = inverse(X_WP) * *instance.X_WE;
     add("entity " + quoted(instance.path), place_of(entity), X_PE);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks the numbers of a flat scene. The keys of primitives and old scenes are read here
-// only.
+// Checks the numbers of a flat scene. No earlier stage reads the keys of primitives and old
+// scenes.
 #include "base/quantity.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
@@ -59,7 +59,7 @@ bool check_flat_numbers(const FlatScene& flat, const LinkedScene& scene, Diagnos
     is_sound = false;
     sink.report(rules::sml4003_out_of_range, place_of(scene.entity(scene.instances[index])),
                 "a size, a place or the mass of " + quoted(flat.instances[index].path) +
-                    " is too large to be computed with");
+                    " is too large for computations");
   };
   for (std::size_t i = 0; i < flat.instances.size(); ++i) {
     if (!is_usable(flat.instances[i])) report(i);
@@ -74,7 +74,7 @@ bool check_flat_numbers(const FlatScene& flat, const LinkedScene& scene, Diagnos
     if (physics && !is_usable(physics->gravity)) {
       is_sound = false;
       sink.report(rules::sml4003_out_of_range, physics->gravity.span,
-                  "gravity is too strong to be computed with");
+                  "gravity is too strong for computations");
     }
     for (const Light& light : file.scene.lights) {
       if (is_usable(light)) continue;

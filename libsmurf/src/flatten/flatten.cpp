@@ -32,7 +32,7 @@ class Flattener {
   }
 
  private:
-  /// Both sides are made absolute, so that ".." and mixed kinds of paths come out right.
+  /// Both paths are made absolute, so that ".." and mixed kinds of paths work.
   std::string relative(const std::string& path) {
     const auto [known, is_new] = relative_.try_emplace(path);
     if (is_new && !path.empty()) {
@@ -64,8 +64,8 @@ class Flattener {
     flat_.models.push_back(std::move(flat));
   }
 
-  /// The loaded scene's settings win over those of the scenes inside it, of which the last one
-  /// wins. A .smurfa inside says nothing about the world.
+  /// The settings of the loaded scene override those of included scenes; of these, the last one
+  /// applies. An included .smurfa has no world settings.
   void set_world() {
     for (std::size_t i = scene_.uses.size(); i-- > 0;) {
       const SceneFile& file = scene_.file(scene_.uses[i]);
@@ -132,8 +132,8 @@ class Flattener {
     return flat;
   }
 
-  /// The keys that no other member of an instance shows. They include `pose` and `root` for unknown
-  /// types, whose meaning there is unknown.
+  /// The keys that are in no other member of an instance, including `pose` and `root` of unknown
+  /// types, whose meaning is unknown.
   static Value::Object properties(const Instance& instance, const Entity& entity,
                                   const SceneFile& file) {
     Value::Object kept;
@@ -164,7 +164,7 @@ class Flattener {
     for (Light& lamp : rest.lamps) lamp.span = lamp.name.span = place;
   }
 
-  /// Read once: it is the same for all entities that have a name, and for all that have none.
+  /// Read once: it is the same for all entities with a name, and for all without one.
   const OldSceneContent& old_content(const OldSceneFile& file, const Instance& instance) {
     const auto [known, is_new] = old_contents_.try_emplace({&file, instance.name.empty()});
     if (!is_new) return known->second;

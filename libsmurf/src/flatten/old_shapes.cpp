@@ -15,7 +15,7 @@
 namespace smurf {
 namespace {
 
-/// Elements by their names, attributes first; an element without elements is its text.
+/// Finds elements by name, and attributes before elements; an element without children is its text.
 Value to_value(xml::View element) {
   Value::Object object;
   for (const xml::Attribute& attribute : element.attributes()) {
@@ -88,7 +88,7 @@ class NodeReader {
     for (std::size_t i = 0; i < nodes_.size(); ++i) compose(i);
   }
 
-  /// `rest` takes what shapes do not say.
+  /// `rest` gets the keys that do not describe shapes.
   std::vector<FlatShape> shapes(bool is_named, FlatOldScene& rest) const {
     const auto root = by_index_.find(1);
     const bool moves = is_named && root != by_index_.end();
@@ -110,7 +110,7 @@ class NodeReader {
   struct Node {
     const Value::Object* data = nullptr;
     double relative_to = 0;  // as it is written: not every number fits an integer
-    Pose X_SN;               ///< in the old scene, once it is composed
+    Pose X_SN;               ///< pose in the old scene, after composing parents
     bool is_composed = false;
   };
 
@@ -136,7 +136,7 @@ class NodeReader {
     return known->second;
   }
 
-  /// A node may be placed relative to another one. A circle ends where it began.
+  /// A node may be placed relative to another one. A cycle ends at its first node.
   void compose(std::size_t index) {
     std::vector<std::size_t> chain;
     for (std::size_t at = index; !nodes_[at].is_composed;) {

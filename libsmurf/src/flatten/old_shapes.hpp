@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contents of the scenes of MARS before SMURF.
+// The contents of MARS scenes from before SMURF.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace smurf {
 
 struct OldSceneContent {
-  std::vector<FlatShape> shapes;  ///< files of meshes are as MARS finds them
+  std::vector<FlatShape> shapes;  ///< mesh files as MARS finds them
   FlatOldScene rest;
 };
 

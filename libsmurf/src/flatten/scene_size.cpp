@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How large a scene is when it is written out: a small file may name a large one any number of
+// Computes the size of a scene when it is written out: a small file can name a large one many
 // times.
 #include <algorithm>
 #include <unordered_map>
@@ -24,7 +24,7 @@ class SizeCheck {
         of_model_(scene.models.size()),
         of_pose_(scene.joint_poses.size()) {}
 
-  /// The entity that no longer fits; null when all of them do.
+  /// The first entity that exceeds the limit; null if there is none.
   const Entity* run() {
     for (const SceneUse& use : scene_.uses) {
       total_ += world_of(scene_.file(use));
@@ -74,7 +74,7 @@ class SizeCheck {
     return scene_.instance(attachment.instance).path.size() + attachment.link.size();
   }
 
-  /// The keys of an entity, which are the same in each use of its scene.
+  /// The size of the keys of an entity, which are the same in each use of its scene.
   std::uint64_t of(const Entity& entity, const Instance& instance) {
     const SceneFile& file = scene_.file(scene_.use(instance));
     if (!file.document || (instance.model && entity.extra.empty())) return 0;
@@ -88,7 +88,7 @@ class SizeCheck {
     return known->second;
   }
 
-  /// What a value takes in memory, aliases followed. The walk ends where it is too much.
+  /// The memory for a value, including aliases. The walk ends when it is too much.
   std::uint64_t bytes_of(yaml::View value) const {
     constexpr std::uint64_t kNode = 40;
     std::uint64_t bytes = kNode + value.key().size() + value.text().size();
@@ -110,10 +110,10 @@ class SizeCheck {
     return *known;
   }
 
-  /// `names`: some formats write the path of the entity before each of them.
+  /// `names`: some formats write the path of the entity before each name.
   using ModelSize = RepeatedParts;
 
-  /// Formats write some hundred bytes for the shortest link or shape, and else what the URDF says.
+  /// Formats write some hundred bytes for the shortest link or shape, plus the text from the URDF.
   const ModelSize& of_model(ModelIndex index) {
     std::optional<ModelSize>& known = of_model_[to_size(index)];
     if (known) return *known;

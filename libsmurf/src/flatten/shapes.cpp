@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sizes and defaults as MARS has them (entity_generation primitives.cpp:115-150, NodeData.cpp,
+// Sizes and defaults of MARS (entity_generation primitives.cpp:115-150, NodeData.cpp,
 // NodePhysics.cpp); heightmaps as Phobos 0.7 writes them and as MARS reads a terrain node.
 #include "flatten/shapes.hpp"
 
@@ -10,7 +10,7 @@
 namespace smurf {
 namespace {
 
-/// A length from the first of the keys that holds one.
+/// A length from the first of the keys that contains one.
 double length_of(const Value::Object& object, std::initializer_list<std::string_view> keys,
                  double fallback) {
   for (const std::string_view key : keys) {
@@ -38,7 +38,7 @@ std::optional<Rgba> color_of(const Value::Object& properties) {
   return Rgba{component("r", 0), component("g", 0), component("b", 0), component("a", 1)};
 }
 
-/// `extend` of a round primitive holds its radius, then its length.
+/// `extend` of a round primitive contains its radius, then its length.
 std::optional<FlatGeometry> primitive(std::string_view type, const Value::Object& properties) {
   if (type == "plane") {
     const Vector3 extent = extent_of(properties, {10, 10, 0});

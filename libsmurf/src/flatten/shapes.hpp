@@ -9,17 +9,17 @@
 
 namespace smurf {
 
-/// The shape of a `primitive` or `heightmap`, from its properties; empty for other types.
-/// MARS lifts a box or sphere that has no position of its own by half a metre.
+/// The shape of a `primitive` or `heightmap`, from its properties; empty for other types. MARS
+/// lifts a box or sphere without a position by half a metre.
 std::vector<FlatShape> shapes_of(const FlatInstance& instance, bool has_position);
 
-/// A member of an object by its key; null when there is none.
+/// A member of an object by its key; null if there is none.
 const Value* find(const Value::Object& object, std::string_view key);
 /// The value as an object; null if it is not an object.
 const Value::Object* object_of(const Value* value);
 /// The value as text; empty if it is not a text.
 std::string text_of(const Value* value);
-/// A number, whichever way it is written.
+/// A number in any notation.
 std::optional<double> number_of(const Value* value);
 
 }  // namespace smurf

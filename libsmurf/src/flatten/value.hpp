@@ -7,7 +7,7 @@
 namespace smurf {
 
 /// Scalars by the YAML 1.2 core schema; infinities and NaN, which JSON lacks, stay text. Of equal
-/// keys the first counts.
+/// keys, the first is used.
 Value to_value(yaml::View node);
 Value::Object to_object(yaml::View mapping);
 

@@ -15,7 +15,7 @@ namespace {
 using Lines = std::vector<std::string>;
 
 constexpr double kDegree = std::numbers::pi / 180;  // rad
-constexpr std::size_t kMostNames = 8;               // of a list in a line
+constexpr std::size_t kMostNames = 8;               // the most items of a list in one line
 
 std::string number(double value) {
   // Rounding errors of a sine would only distract people.

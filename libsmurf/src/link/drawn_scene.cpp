@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MARS makes keys of every group (`file`, `orientation_z`, `origin_x`, `origin_y`, `origin_z`) and
-// merges the YAML file of its title over them (SMURFLoader.cpp:127-302, 564-578). The same is done
-// here with trees, so that a drawn scene is read, checked and flattened like a written one, and
-// every value still knows where it stands. `position` and `rotation`, which MARS leaves to the
-// plug-in, follow from those keys.
+// merges the YAML file of its title over them (SMURFLoader.cpp:127-302, 564-578). This file does
+// the same with trees, so that a drawn scene is read, checked and flattened like a written one, and
+// every value keeps its place. `position` and `rotation`, which MARS leaves to the plug-in, follow
+// from those keys.
 #include "link/drawn_scene.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 namespace smurf {
 namespace {
 
-/// A YAML tree that grows at its end.
+/// A YAML tree to which nodes are added at the end.
 class Tree {
  public:
   yaml::NodeId add(yaml::NodeId parent, yaml::Kind kind, Span span) {
@@ -47,7 +47,7 @@ class Tree {
     set_text(add_member(parent, key, yaml::Kind::scalar, span), format_number(value));
   }
 
-  /// The tree of a file, without making it a part of this one. Returns its root.
+  /// Copies the tree of a file into this one and returns its root, which is not yet a child.
   yaml::NodeId graft(const yaml::Document& other) {
     const auto first = static_cast<std::uint32_t>(document.nodes.size());
     const auto moved = [&](yaml::NodeId id) {
@@ -66,7 +66,7 @@ class Tree {
     return moved(other.root);
   }
 
-  /// Lets the members of `mapping` follow those of `parent`, however many parents share them.
+  /// Appends the members of `parent` to `mapping`; many mappings can share them.
   void share_members(yaml::NodeId parent, yaml::NodeId mapping) {
     if (at(mapping).first_child() != yaml::kNoNode) {
       append(parent, at(mapping).first_child(), at(mapping).child_count());
@@ -115,11 +115,11 @@ class DrawnSceneReader {
   }
 
  private:
-  /// The keys that a title's file adds to all entities of that title.
+  /// The keys that the YAML file of a title adds to all its entities.
   struct Keys {
     yaml::NodeId mapping = yaml::kNoNode;  ///< in the tree
     bool has_file = false, has_position = false, has_rotation = false;
-    /// `origin_x`, `origin_y`, `origin_z`, `orientation_z` where the file overrides them.
+    /// `origin_x`, `origin_y`, `origin_z`, `orientation_z`, if the file overrides them.
     std::optional<double> overridden[4];
     bool is_overridden[4] = {};
   };
@@ -153,7 +153,7 @@ class DrawnSceneReader {
     if (keys.mapping != yaml::kNoNode) tree_.share_members(entity, keys.mapping);
   }
 
-  /// Each entity is read with all keys of its file; a file of many may be named by many.
+  /// Each entity is read with all keys of its file, so many entities may repeat many keys.
   bool has_room(const Keys& keys, const DrawnEntity& drawn) {
     if (keys.mapping == yaml::kNoNode) return true;
     shared_ += tree_.at(keys.mapping).child_count();
@@ -167,11 +167,11 @@ class DrawnSceneReader {
     return false;
   }
 
-  /// None when the file is missing or broken, which is reported at its first title.
+  /// None if the file is missing or broken, which is reported at its first title.
   std::optional<Keys> keys_in(const Spanned<std::string>& title) {
     const std::string path = path::join(path::parent(file_.path), title.value);
     const std::string extension = path::to_lower(path::extension(path));
-    // MARS would take these for YAML with keys of an entity. They are the entity.
+    // MARS would read these files as YAML with keys of an entity, but they are entities.
     for (const std::string_view own : {".smurf", ".urdf", ".smurfs", ".smurfa"}) {
       if (extension == own) return Keys{};
     }
@@ -189,7 +189,7 @@ class DrawnSceneReader {
     const yaml::View root = data_files_.back().document.view();
     if (root && !root.is_mapping()) {
       context_.sink.report(rules::sml2011_root_not_mapping, root.span(),
-                           "the keys of a drawn entity are a mapping");
+                           "the keys of a drawn entity must be a mapping");
       return std::nullopt;
     }
     return keys_of(root, title, path);
@@ -218,7 +218,8 @@ class DrawnSceneReader {
     return keys;
   }
 
-  /// Paths of the YAML file start at its folder, those of the scene at the drawing's.
+  /// Paths in the YAML file are relative to its folder, those in the scene to the folder of the
+  /// drawing.
   void rebase_file(yaml::NodeId mapping, const std::string& path) {
     for (yaml::NodeId id = tree_.at(mapping).first_child(); id != yaml::kNoNode;
          id = tree_.at(id).next_sibling) {
@@ -237,7 +238,7 @@ class DrawnSceneReader {
   yaml::NodeId entities_ = yaml::kNoNode;
   std::map<std::string, std::optional<Keys>> keys_;  ///< by title
   std::map<std::string, std::optional<Keys>> keys_by_file_;
-  std::uint64_t shared_ = 0;  ///< keys that files add, counted for each entity
+  std::uint64_t shared_ = 0;  ///< keys added by files, counted for each entity
   bool is_full_ = false;
 };
 

@@ -12,11 +12,11 @@
 namespace smurf {
 
 /// One key for all names that links give to a file in one folder. Names in other folders have other
-/// keys, as what the file names in turn is relative to its folder.
+/// keys, because the file names other files relative to its folder.
 std::string key_of_file(const std::string& path, const FileReader& files);
 
-/// The name under which each file was first asked for. Links may give a file thousands of names,
-/// and each would be a file of its own.
+/// The first name under which each file was requested. Links may give a file thousands of names,
+/// and each would be read separately.
 class FirstNames {
  public:
   explicit FirstNames(const FileReader& files) : files_(files) {}
@@ -35,7 +35,7 @@ class FileIndex {
   bool exists(const std::string& path);
   /// Names in a folder, sorted.
   const std::vector<std::string>& list(const std::string& folder);
-  /// A file or folder whose path differs from `path` only in case, and can be written as it is.
+  /// A file or folder whose path differs from `path` only in case, and can be written unchanged.
   std::optional<std::string> in_other_case(const std::string& path, int most_folders = 32);
   const FileReader& files() const { return files_; }
 
@@ -44,7 +44,7 @@ class FileIndex {
   std::map<std::string, bool> known_;
   std::map<std::string, std::vector<std::string>> lists_;
   using Names = std::map<std::string, std::string>;
-  std::map<std::string, Names> lower_;  ///< first name of a folder, by itself in lower case
+  std::map<std::string, Names> lower_;  ///< the first name of a folder, by its name in lower case
 };
 
 }  // namespace smurf

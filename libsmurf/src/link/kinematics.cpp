@@ -89,7 +89,7 @@ KinematicTree build_tree(const LinkedModel& model) {
     const auto child = tree.joint_child[i] = find(joints[i].child);
     if (!parent || !child || *parent == *child) continue;
     std::optional<JointIndex>& above = tree.parent_joint[to_size(*child)];
-    if (above) continue;  // a second parent; the first one stays
+    if (above) continue;  // the first parent is kept
     above = joint;
     tree.child_joints[to_size(*parent)].push_back(joint);
   }
@@ -138,8 +138,8 @@ JointPositions to_joint_positions(const LinkedModel& model, const JointPoseSet& 
   JointPositions positions;
   for (const JointPoseSet::Entry& entry : set.joints) {
     if (!entry.position || !is_quantity(*entry.position)) continue;
-    // MARS moves the joint of the motor with this name (SimEntity.cpp:505-511); Phobos writes
-    // joint names. A motor named like another joint is a motor.
+    // In MARS, entries move the joint of the motor with this name (SimEntity.cpp:505-511); Phobos
+    // writes joint names. A name of both a motor and another joint means the motor.
     const Motor* motor = model.find_motor(entry.name.value);
     const bool drives = motor != nullptr && motor->joint;
     positions[drives ? *motor->joint : entry.name.value] = *entry.position;

@@ -6,23 +6,23 @@
 
 namespace smurf {
 
-/// Joins links by joints. Unknown ends stay empty; nothing is reported here, the rules look at the
-/// result. Precondition: model.robot is set and the name tables are filled.
+/// Builds the tree of links and joints. Unknown ends stay empty; rules report them. Precondition:
+/// model.robot is set and the name tables are filled.
 KinematicTree build_tree(const LinkedModel& model);
 
-/// The joint positions that a joint pose set means in a model.
-/// Whether the multipliers and offsets of the joints that a joint follows come to numbers that
-/// poses can be computed with.
+/// Whether the product of the multipliers and offsets along a
+/// joint's chain of leaders is small enough for computing
+/// poses.
 bool is_followable(const LinkedModel& model, const urdf::Joint& joint);
 
 JointPositions to_joint_positions(const LinkedModel& model, const JointPoseSet& set);
 
-/// What the poses of all links of a model take to compute: one step for each link, and more for
-/// each joint that follows one that follows another.
+/// The cost of computing the poses of all links of a model: one step for each link, and more for
+/// each joint in a chain of mimics.
 std::uint64_t steps_of_kinematics(const LinkedModel& model);
 
-/// Position of one joint, with mimic joints following their leader. The chain is bounded, so that a
-/// cycle of mimics (which a rule reports) ends.
+/// The position of one joint; mimic joints follow their leader. The length of the chain is limited,
+/// so a cycle of mimics (which a rule reports) ends.
 double position_of(const LinkedModel& model, const urdf::Joint& joint,
                    const JointPositions& positions);
 

@@ -87,16 +87,16 @@ class ModelLoader {
                                       : context_.sources;
   }
 
-  /// The limit, and less where most of them are empty: an entry takes up to 2 kB of memory, and
-  /// `{},` three bytes of a file.
+  /// The limit, which is lower if most entries are empty: an entry needs up to 2 kB of memory, but
+  /// `{},` only three bytes in a file.
   std::uint64_t most_entries() const {
-    constexpr std::uint64_t kFewestBytes = 16;  // of what people write as an entry
+    constexpr std::uint64_t kFewestBytes = 16;  // bytes of a typical entry
     constexpr std::uint64_t kFree = 50'000;
     const std::uint64_t limit = context_.limits.annotation_entries;
     return std::min(limit, std::max(kFree, limit / 10) + annotation_bytes_ / kFewestBytes);
   }
 
-  /// False when the model has too many entries with those of this file; that is reported.
+  /// Reports too many entries, including those of this file, and returns false.
   bool has_room(const yaml::Document& document, SourceId source) {
     if (!document.view() || !document.view().is_mapping()) return true;
     annotation_bytes_ += context_.sources.text(source).size();
@@ -156,7 +156,7 @@ class ModelLoader {
     find_unlisted(path);
   }
 
-  /// Whether `files` also lists this file, which is then not the one that another entry means.
+  /// Whether `files` also lists this file; then another entry does not mean it.
   bool is_listed(const std::string& path) {
     if (listed_.empty()) {
       const std::string_view folder =
@@ -175,8 +175,8 @@ class ModelLoader {
     });
   }
 
-  /// The content of an annotation file does not depend on its folder; the places of the meshes of a
-  /// URDF do.
+  /// The content of an annotation file does not depend on its folder, but the meshes of a URDF
+  /// do.
   std::string listed_key(const std::string& path) const {
     const bool is_urdf = path::to_lower(path::extension(path)) == ".urdf";
     return is_urdf ? key_of_file(path, context_.files) : context_.files.identity(path);
@@ -194,7 +194,7 @@ class ModelLoader {
             context_.sink.report(rules::sml2009_file_listed_twice, entry.span,
                                  "MARS reads " + quoted(entry.value) + " twice");
         diagnostic.label(first->second, "listed here before");
-        // Phobos leaves out what is directly behind its URDF.
+        // Phobos skips the entry after its URDF.
         const bool is_behind = read.size() == 1 && &entry == &(*model_.main.files)[1];
         if (!is_behind && path::to_lower(path::extension(path)) == ".urdf") {
           diagnostic.construct = "urdf";
@@ -216,10 +216,10 @@ class ModelLoader {
       } else if (is_annotation(extension)) {
         annotation_file(path, entry.span, rules::sml2001_missing_file);
       } else if (extension.size() <= 1 || extension.starts_with(".smurf")) {
-        model_.is_complete = false;  // names that it should define may be missed elsewhere
+        model_.is_complete = false;  // rules on unknown names need the names in this file
       }
     }
-    // Entries that are no texts are not in the list, and reported.
+    // The list does not contain entries that are not texts; they are reported.
     const yaml::View written = model_.files.front().document->view().find("files");
     if (written && written.is_sequence() && model_.main.files &&
         written.size() != model_.main.files->size()) {
@@ -245,7 +245,7 @@ class ModelLoader {
     const std::string prefix = std::string(path::stem(main_path)) + "_";
     for (const std::string& name : names_starting_with(prefix, folder)) {
       if (path::extension(name) != ".yml") continue;
-      if (!utf8::is_printable(name)) continue;  // no text can list it
+      if (!utf8::is_printable(name)) continue;  // a file name that cannot be written in a list
       const std::string_view section = path::stem(name).substr(prefix.size());
       if (find_section(section) == nullptr) continue;
       if (!is_listed(path::join(folder, name))) model_.unlisted_files.push_back(name);
@@ -279,7 +279,7 @@ class ModelLoader {
     return read_urdf(std::move(*document), context_.sink);
   }
 
-  /// Several URDFs: the last one wins, as in MARS; a rule reports it.
+  /// If there are several URDFs, the last one is used, as in MARS; a rule reports them.
   void urdf_file(const std::string& path, Span reference, const Rule& missing) {
     const auto source = read_listed(path, reference, missing);
     model_.urdf_path = path::normalize(path);
@@ -300,7 +300,7 @@ class ModelLoader {
     }
   }
 
-  /// Motors and sensors in a misspelt section are there, but not found.
+  /// Motors and sensors in a misspelt section exist, but are not found.
   void find_slips(const std::vector<CustomSection>& sections) {
     constexpr std::string_view kNaming[] = {"motors", "sensors"};
     for (const CustomSection& section : sections) {
@@ -320,7 +320,7 @@ class ModelLoader {
     name_all(robot.links, model_.link_names);
     name_all(robot.joints, model_.joint_names);
     name_all(robot.materials, model_.material_names);
-    model_.visual_names.reserve(robot.links.size());  // of robots as they mostly are
+    model_.visual_names.reserve(robot.links.size());  // initial size for a typical robot
     model_.collision_names.reserve(robot.links.size());
     for (std::size_t i = 0; i < robot.links.size(); ++i) {
       const auto index = static_cast<std::uint32_t>(i);
@@ -355,7 +355,7 @@ class ModelLoader {
       context_.sink.report(
           rules::sml1810_overflow_underflow,
           multiplier.written ? multiplier.span : joint.mimic->joint.span,
-          "the multipliers of the joints that this one follows come to more than " +
+          "the product of the multipliers of the joints that this one follows exceeds " +
               format_rounded(kLargestQuantity));
     }
   }
@@ -363,7 +363,7 @@ class ModelLoader {
   LoadContext& context_;
   LinkedModel model_;
   std::set<std::string> listed_;  ///< paths in `files`, when one of them does not exist
-  std::uint64_t entries_ = 0;     ///< of all lists of all annotation files
+  std::uint64_t entries_ = 0;     ///< in the `files` lists of all annotation files
   std::uint64_t annotation_bytes_ = 0;
 };
 

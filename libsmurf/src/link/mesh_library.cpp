@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mesh files and the files that these name in turn.
+// Reads mesh files, and the files that they name.
 #include <algorithm>
 #include <set>
 
@@ -12,7 +12,7 @@
 namespace smurf {
 namespace {
 
-/// Reads the files that a mesh names, as many bytes in all as a mesh may have.
+/// Reads the files that a mesh names, in total as many bytes as a mesh may have.
 MeshNeighbours neighbours_of(const std::string& path, const FileReader& files,
                              const Limits& limits) {
   return [&, bytes_left = limits.mesh_bytes](const std::string& name) mutable {
@@ -24,7 +24,7 @@ MeshNeighbours neighbours_of(const std::string& path, const FileReader& files,
 
 class Dependencies {
  public:
-  /// Material libraries of all meshes, with the textures that they name.
+  /// Material libraries of all meshes, and their textures.
   using Libraries = std::map<std::string, std::vector<MeshDependency>>;
 
   Dependencies(const std::string& mesh_path, const FileReader& files, Libraries& libraries)

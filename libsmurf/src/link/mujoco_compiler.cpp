@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// As MuJoCo 3.14 reads it, run: `meshdir`, else `assetdir`, goes before the path of each mesh, and
-// `strippath="true"` leaves nothing but the name of the file.
+// MuJoCo 3.14, run: puts `meshdir`, else `assetdir`, before the path of each mesh; with
+// `strippath="true"`, only the file name is kept.
 #include "link/mujoco_compiler.hpp"
 
 #include "base/path.hpp"
@@ -16,7 +16,7 @@ bool says(xml::View compiler, std::string_view name, std::string_view value) {
   return attribute != nullptr && attribute->value() == value;
 }
 
-/// Null when no folder is named.
+/// Null if no folder is named.
 const xml::Attribute* mesh_folder(xml::View compiler) {
   if (!compiler) return nullptr;
   const xml::Attribute* folder = compiler.attribute("meshdir");
@@ -49,7 +49,7 @@ class MeshSearch {
         rules::sml1647_mujoco_mesh_missing, place->value_span(),
         "MuJoCo looks for a mesh at " + quoted(first_) + ", where there is none");
     if (lost_ > 1) {
-      diagnostic.note(std::to_string(lost_ - 1) + " more are not where it looks either");
+      diagnostic.note(std::to_string(lost_ - 1) + " more meshes are missing, too");
     }
   }
 

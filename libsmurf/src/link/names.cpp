@@ -10,7 +10,7 @@
 namespace smurf {
 namespace {
 
-constexpr std::size_t kSlotsForName = 2;  // fewer make long ways
+constexpr std::size_t kSlotsForName = 2;  // fewer free slots make searches long
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void NameTable::rehash(std::size_t slots) {
 void NameTable::reserve(std::size_t count) {
   names_.reserve(count);
   indices_.reserve(count);
-  // Never full: a search ends at an empty slot.
+  // The table is never full, because a search ends at an empty slot.
   if (kSlotsForName * count >= slots_.size()) {
     rehash(std::max<std::size_t>(8, std::bit_ceil(kSlotsForName * count + 1)));
   }

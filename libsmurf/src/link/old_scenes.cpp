@@ -66,7 +66,7 @@ OldScenes load_old_scenes(const LinkedScene& scene, LoadContext& context) {
   for (const Instance& instance : scene.instances) {
     if (!is_old_scene(instance.type) || scenes.contains(instance.file)) continue;
     const Entity& entity = scene.entity(instance);
-    // What is missing has been reported.
+    // Missing files are already reported.
     if (!context.files.is_file(instance.file)) continue;
     scenes.emplace(instance.file, loader.load(instance.file, entity.file.span));
   }

@@ -16,24 +16,24 @@ class Packages {
  public:
   Packages(const LoadContext& context, std::string_view urdf_folder, FileIndex& index);
 
-  /// The file that NAME/REST means: in the folder given for the package; else in the nearest
-  /// folder upward that is called NAME, that holds REST itself (Phobos takes the parent of the
-  /// urdf/ folder, whatever its name) or whose package.xml says NAME; else in the folders that hold
-  /// packages. Empty when the package is unknown.
+  /// The file for NAME/REST. It is looked up in the folder given for the package; then in the
+  /// nearest parent folder that is called NAME, that contains REST (Phobos uses the parent of
+  /// urdf/, whatever its name), or whose package.xml has this name; then in the folders that
+  /// contain packages. Empty if the package is unknown.
   std::string find(const std::string& name_and_rest);
 
  private:
-  /// The package of this name in the folders that hold packages; empty when there is none.
+  /// The package of this name in the folders that contain packages; empty if there is none.
   std::string installed(const std::string& name);
-  /// The name in a folder's package.xml, empty when it has none.
+  /// The name in a folder's package.xml; empty if there is none.
   const std::string& package_name(const std::string& folder);
 
   const LoadContext& context_;
   FileIndex& index_;
-  std::vector<std::string> folders_;  ///< the URDF's and those above it
+  std::vector<std::string> folders_;  ///< the URDF's folder and its parents
   std::map<std::string, std::string> names_;
   /// The packages in the folders that contain packages, by name; earlier folders take precedence.
-  /// Made when it is first asked for.
+  /// Made at the first request.
   std::optional<std::map<std::string, std::vector<std::string>>> installed_;
 };
 

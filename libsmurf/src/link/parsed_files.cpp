@@ -16,7 +16,7 @@ bool is_same(const SourceMap& a, const SourceMap& b, SourceId source) {
          a.text(source) == b.text(source);
 }
 
-/// The entries of one file, which stand together.
+/// The adjacent entries of one file.
 template <class T>
 void move_entries(std::vector<T>& from, SourceId source, std::vector<T>& to) {
   const auto is_here = [&](const T& entry) { return entry.span.source == source; };
@@ -43,7 +43,7 @@ ParsedFiles::File* ParsedFiles::find(const SourceMap& sources, SourceId source) 
 }
 
 const SourceMap& ParsedFiles::home_of(const SourceMap& sources, SourceId source) {
-  if (!is_same(sources, before_, source)) return sources;  // as of the file that is edited
+  if (!is_same(sources, before_, source)) return sources;  // for example those of the edited file
   asked_for_.insert(source);
   File& file = files_[source] = {};
   for (std::size_t i = 0; i < static_cast<std::size_t>(source); ++i) file.text.add_unreadable({});

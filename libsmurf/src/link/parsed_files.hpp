@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of models as they were parsed, for the next check: a key stroke changes one file of many.
+// Keeps parsed files of models for the next check: a keystroke changes one file of many.
 #pragma once
 
 #include <cstddef>
@@ -12,23 +12,23 @@
 
 namespace smurf {
 
-/// Annotation files and robots that were the same in two checks. Those with findings of their own
-/// are left out, as parsing reports them.
+/// Annotation files and robots that were the same in two checks. Excludes files with findings,
+/// because parsing reports the findings.
 class ParsedFiles {
  public:
   struct File {
-    SourceMap text;  ///< this one, under its number; what was parsed points into it
+    SourceMap text;  ///< the source with its number; the parsed objects point into it
     std::optional<yaml::Document> document;
     Annotations annotations;
     std::optional<urdf::Robot> robot;
   };
 
-  /// The file of a source with the same text, to be moved from; null when it is not kept.
+  /// The file of a source with the same text, to be moved from; null if it is not kept.
   File* find(const SourceMap& sources, SourceId source);
-  /// Where to parse a source from: it has the same text and number there.
+  /// The source map for parsing a source: it contains the same text under the same number.
   const SourceMap& home_of(const SourceMap& sources, SourceId source);
 
-  /// Loading has ended and has reported `found`. Gives up what it has not asked for.
+  /// Loading has ended and has reported `found`. Releases files that were not requested.
   void end_loading(const SourceMap& sources, const DiagnosticSink& found);
   /// Takes back the files of a loaded model.
   void keep(LinkedModel&& model);
@@ -38,7 +38,7 @@ class ParsedFiles {
  private:
   std::map<SourceId, File> files_;
   std::set<SourceId> asked_for_, with_findings_;
-  bool has_lost_findings_ = false;  ///< in whatever file
+  bool has_lost_findings_ = false;  ///< in any file
   SourceMap before_;                ///< of the last check
 };
 

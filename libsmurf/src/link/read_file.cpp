@@ -33,7 +33,7 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
     context.sink
         .report(rules::sml0002_file_too_large, reference,
                 "with this file, more than " + std::to_string(context.limits.repeated_bytes) +
-                    " bytes are read again of files that other models read before")
+                    " bytes of files that other models have read are read again")
         .help(raise_limit("repeated-bytes"));
     return std::nullopt;
   }
@@ -87,7 +87,7 @@ std::optional<std::string> similar_name(std::string_view name, std::span<const s
 std::optional<std::string> similar_file(const std::string& path, const Rule& rule,
                                         const LoadContext& context,
                                         const std::function<bool(const std::string&)>& is_taken) {
-  constexpr std::uint64_t kMostSought = 20;  // a file may list a hundred thousand
+  constexpr std::uint64_t kMostSought = 20;  // `files` may have a hundred thousand entries
   if (context.sink.count_of(rule) > kMostSought) return std::nullopt;
   const std::string folder(path::parent(path));
   return similar_name(

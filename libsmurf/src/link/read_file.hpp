@@ -12,20 +12,20 @@
 
 namespace smurf {
 
-/// Reads a file into the source map. When it cannot be read, reports `rule` at `reference` (the
-/// text that names the file; empty for a path of the command line) and returns none. The message
-/// suggests a file with a similar name, except those that `is_taken`.
+/// Reads a file into the source map. If it cannot be read, reports `rule` at `reference` (the text
+/// that names the file; empty for a path of the command line) and returns none. The message
+/// suggests a file with a similar name for which `is_taken` is false.
 std::optional<SourceId> read_source(const std::string& path, Span reference, const Rule& rule,
                                     LoadContext& context,
                                     const std::function<bool(const std::string&)>& is_taken = {});
 
-/// The first of `names` with the same extension and a similar stem that `may_be` meant.
+/// The first of `names` with the same extension and a similar stem that `may_be` accepts.
 std::optional<std::string> similar_name(std::string_view name, std::span<const std::string> names,
                                         const std::function<bool(const std::string&)>& may_be);
 
-/// Names in the file's folder that differ from it only in case or little else, for "did you mean",
-/// unless they are no names that could be written, or their path `is_taken`. None when many
-/// findings of the rule were reported before.
+/// Similar names in the file's folder, for "did you mean", except for names that cannot be
+/// written and paths for which `is_taken` is true. None if many findings of the rule were
+/// reported before.
 std::optional<std::string>
 similar_file(const std::string& path, const Rule& rule, const LoadContext& context,
              const std::function<bool(const std::string&)>& is_taken = {});

@@ -51,7 +51,7 @@ NamePlace place_of_name(yaml::View scalar) {
 
 NamePlace place_of_key(yaml::View member) {
   const Span key = member.key_span();
-  const Span with_escapes{key.source, key.begin + 1, key.end - 1};  // which only quotes permit
+  const Span with_escapes{key.source, key.begin + 1, key.end - 1};  // only possible in quotes
   return {Reference::Notation::yaml_key, static_cast<std::uint32_t>(member.id()),
           within_quotes(key, member.key()).value_or(with_escapes), key};
 }

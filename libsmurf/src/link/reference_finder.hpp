@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only place that knows what refers to names: rows of key tables for YAML, elements and
+// The only code that knows where names are used: in rows of key tables for YAML, in elements and
 // attributes for URDF and SRDF.
 #pragma once
 
@@ -15,22 +15,22 @@
 
 namespace smurf {
 
-/// Where a name is written, as Reference has it.
+/// The place of a name, as in Reference.
 struct NamePlace {
   Reference::Notation notation{};
   std::uint32_t place = Reference::kNothing;
   Span span, text;
 };
-/// The place of the name in a scalar, in the text of a key, and in an attribute value.
+/// The place of the name in a scalar, in a key, or in an attribute value.
 NamePlace place_of_name(yaml::View scalar);
 NamePlace place_of_key(yaml::View member);
 NamePlace place_of_value(xml::View element, const xml::Attribute& attribute);
 /// A part of the name: `size` bytes from `offset` on.
 NamePlace part_of(NamePlace place, std::size_t offset, std::size_t size);
 
-/// A word for an address ("topicName"): "/arm/elbow" is no joint, whatever it is called.
+/// Whether a word means an address ("topicName"): "/arm/elbow" is then not a joint.
 bool is_address(std::string_view word);
-/// The kinds that a word ("jointName", "base_link") suggests for the thing that it names.
+/// The kinds of things that a word ("jointName", "base_link") suggests.
 NameKinds kinds_in_word(std::string_view word);
 
 class ReferenceFinder {
@@ -41,14 +41,14 @@ class ReferenceFinder {
   void read_annotations();
   void read_urdf();
   void read_srdf(const xml::Document& srdf);
-  /// A name by its row; lists and mappings of names likewise.
+  /// Reads the names in a value by its row, including lists and mappings of names.
   void read_key(const KeySpec& row, yaml::View value, yaml::View entry);
-  /// Joint pose sets, as `poses` has them.
+  /// Reads joint pose sets in the form of `poses`.
   void read_section(const SectionSpec& section, yaml::View value);
   void add(const Naming& naming, std::string_view name, const NamePlace& place);
   std::vector<Reference> take() { return std::exchange(found_, {}); }
 
-  /// The things of this name; none when nothing has it.
+  /// The things of this name; none if there are none.
   std::optional<std::uint32_t> find(NameKind kind, std::string_view name);
 
  private:
@@ -57,17 +57,17 @@ class ReferenceFinder {
   bool resolve(Reference& reference);
   bool add_known(NameKinds kinds, std::string_view name, const NamePlace& place);
 
-  using Rows = std::vector<const KeySpec*>;  ///< those of a section that name something
+  using Rows = std::vector<const KeySpec*>;  ///< rows of a section that name something
   void read_entry(const SectionSpec& section, const Rows& rows, yaml::View entry);
   void read_members(KeyTable members, yaml::View value);
-  /// Keys that no table has: their words decide whether they name something.
+  /// Keys without a row: their words decide whether they name something.
   void read_unknown(yaml::View value, std::string_view word);
 
   void read_field(const Naming& naming, const Field<std::string>& field, xml::ElementId element);
   void read_link(const urdf::Link& link);
   void read_end(const urdf::Joint& joint, std::string_view end, const Field<std::string>& link);
   void read_material(xml::View material);
-  /// The elements in it that URDF does not define.
+  /// Elements in it that URDF does not define.
   void read_inner(xml::View element);
   void read_extension(xml::View element);
   void read_attributes(xml::View element);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kSeparator = "::";
 
-/// The names in the files of a scene, but not those in its models.
+/// References in the files of a scene, but not in its models.
 class SceneFinder {
  public:
   explicit SceneFinder(const LinkedScene& scene) : scene_(scene) {
@@ -98,7 +98,7 @@ class SceneFinder {
                                          .item = item});
   }
 
-  /// `ENTITY::LINK`; other words are no names.
+  /// `ENTITY::LINK`; other texts are not names.
   void read_frame(yaml::View value, const Attachment& attachment) {
     const std::string_view text = value.text();
     const NamePlace place = place_of_name(value);
@@ -127,13 +127,13 @@ class SceneFinder {
   /// Poses, links and joints of the entity's own model.
   void read_of_model(const KeySpec& row, yaml::View value, const LinkedModel& model,
                      const Entity& entity) {
-    // Made once for each model: it has tables of the names in it.
+    // Made once for each model, because it contains tables of names.
     ReferenceFinder& finder =
         finders_.try_emplace(&model, model, ReferenceFinder::Keep::all).first->second;
     if (row.name == "poses") {
       finder.read_section(sections::poses, value);
     } else if (!row.names.kinds.empty()) {
-      // A pose set of the entity itself comes before those of its model.
+      // A pose set of the entity takes precedence over those of its model.
       const bool is_own =
           row.name == "pose" &&
           std::any_of(entity.poses.begin(), entity.poses.end(), [&](const JointPoseSet& one) {
@@ -142,7 +142,7 @@ class SceneFinder {
       if (!is_own) finder.read_key(row, value, value);
     }
     std::vector<Reference> found = finder.take();
-    // Nothing else has its name.
+    // Nothing else has a name of this kind.
     std::erase_if(found, [](const Reference& one) {
       return one.is_definition && one.kind == NameKind::pose;
     });
@@ -151,8 +151,8 @@ class SceneFinder {
 
   const LinkedScene& scene_;
   std::vector<std::uint32_t> first_entities_;  ///< by scene file
-  std::vector<const Instance*> instances_;     ///< by entity, the first one
-  std::vector<const SceneUse*> uses_;          ///< by including entity, the first one
+  std::vector<const Instance*> instances_;     ///< by entity; its first instance
+  std::vector<const SceneUse*> uses_;          ///< by including entity; its first use
   std::map<const LinkedModel*, ReferenceFinder> finders_;
   std::vector<Reference> found_;
 };

@@ -21,10 +21,10 @@ namespace {
 
 using Loaded = std::span<const std::vector<Reference>>;
 
-/// More would not be read.
+/// Longer lists would not be read.
 constexpr std::size_t kMostProblems = 20;
 
-/// The owner of the name: a loaded model, or the scene itself.
+/// The owner of a name: a loaded model, or the scene.
 struct Owner {
   std::size_t loaded = 0;
   ModelIndex model{};
@@ -53,7 +53,7 @@ std::string thing(NameKind kind, std::string_view name) {
   return std::string(to_string(kind)) + " " + quoted(name);
 }
 
-/// Whether a plain scalar would be read as this text, in block and in flow style.
+/// Whether a plain scalar would be read as this text in block and flow style.
 bool is_plain(std::string_view text) {
   constexpr std::string_view kIndicators = "-?:,[]{}#&*!|>'\"%@`";
   if (text.empty() || trimmed(text).size() != text.size() ||
@@ -128,7 +128,7 @@ class Renamer {
     return !rename.kind || *rename.kind == one.kind;
   }
 
-  /// Files are identified by their names, because several loads may have read the same one.
+  /// Files are identified by their paths, because several loads may have read the same file.
   std::pair<std::string_view, std::uint32_t> place_of(const Reference& one) const {
     return {sources_.path(one.span.source), one.span.begin};
   }
@@ -136,12 +136,12 @@ class Renamer {
   /// Finds the owners of the name; several models may share the file.
   void choose(const Rename& rename) {
     if (rename.to.empty() || !utf8::is_printable(rename.to)) {
-      return fail("'" + utf8::replace_controls(rename.to) + "' is no name");
+      return fail("'" + utf8::replace_controls(rename.to) + "' is not a name");
     }
     std::map<Owner, const Reference*> owners;
     std::set<NameKind> kinds;
     for_each([&](Owner owner, const Reference& one) {
-      // A material may be used and defined nowhere.
+      // A material may be used without a definition.
       const bool is_it = one.is_definition || one.kind == NameKind::material;
       if (!is_it || one.name != rename.from || !is_of(rename, one)) return;
       owners.emplace(owner, &one);
@@ -155,12 +155,12 @@ class Renamer {
         return fail("there are two: the " + thing(first.kind, rename.from) + " of " +
                     place_text(sources_, first.span) + " and that of " +
                     place_text(sources_, definition->span) +
-                    "; name the files of one of them only");
+                    "; pass only files that use one of them");
       }
       const auto [known, is_new] =
           new_names_.emplace(OwnedName{owner, first.kind, rename.from}, rename.to);
       if (!is_new && known->second != rename.to) {
-        return fail("the " + thing(first.kind, rename.from) + " is to get two names");
+        return fail("the " + thing(first.kind, rename.from) + " cannot get two names");
       }
     }
   }
@@ -190,7 +190,7 @@ class Renamer {
     std::set<OwnedName> wanted;
     for (const auto& [name, to] : new_names_) {
       if (!wanted.insert({name.owner, name.kind, to}).second) {
-        fail("two things are to get the name " + quoted(to));
+        fail("two things cannot get the same name " + quoted(to));
       }
     }
     for_each([&](Owner owner, const Reference& one) {
@@ -215,7 +215,7 @@ class Renamer {
         fail("the text at " + place_text(sources_, one.text) + " names two things");
       }
     });
-    // Other references in these texts would change with them.
+    // Other references in these texts would also change.
     for_each([&](Owner owner, const Reference& one) {
       if (!one.is_known() || new_names_.contains(OwnedName{owner, one.kind, one.name})) return;
       const auto text = texts_.find({sources_.path(one.text.source), one.text.begin});
@@ -240,7 +240,7 @@ class Renamer {
         notation == Reference::Notation::yaml || notation == Reference::Notation::yaml_key;
     const char first = raw.empty() ? '\0' : raw.front();
     if (is_yaml && (first == '|' || first == '>')) {
-      return fail("the name at " + place_text(sources_, whole) + " is a text of several lines");
+      return fail("the name at " + place_text(sources_, whole) + " spans several lines");
     }
     std::vector<Edit> plain;
     for (const auto& [begin, part] : text.parts) {
@@ -283,7 +283,7 @@ class Renamer {
   std::span<const Rename> renames_;
   const SourceMap& sources_;
   std::map<OwnedName, std::string> new_names_;
-  /// By file and position.
+  /// Sorted by file and position.
   std::map<std::pair<std::string_view, std::uint32_t>, ChangedText> texts_;
   Renamed result_;
 };
@@ -312,10 +312,10 @@ std::vector<std::string> changed_meanings(std::span<const std::vector<Reference>
         std::mismatch(old.begin(), old.end(), now.begin(), now.end(), means_the_same);
     if (b != now.end()) {
       changed.push_back(place_text(sources, b->span) + ": " + quoted(b->name) +
-                        " would mean something else than before");
+                        " would refer to something else than before");
     } else if (a != old.end()) {
       changed.push_back(place_text(sources, a->span) + ": " + quoted(a->name) +
-                        " would mean nothing any more");
+                        " would no longer refer to anything");
     }
   }
   return changed;

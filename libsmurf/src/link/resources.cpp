@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where readers look for meshes and textures. They do not agree: URDF readers start at the URDF,
-// MARS at the .smurf.
+// Finds meshes and textures where readers look for them: URDF readers start at the URDF, MARS at
+// the .smurf.
 #include "link/resources.hpp"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ class Resolver {
     return other && index_.exists(*other) ? *other : std::string();
   }
 
-  /// For the first missing files only: a robot may name a hundred thousand.
+  /// Only for the first missing files, because a robot may name a hundred thousand.
   std::string find_near(const MeshReference& reference) {
     constexpr int kMostSought = 20;
     if (reference.path.empty() || sought_ == kMostSought) return {};
@@ -134,7 +134,7 @@ class Resolver {
   std::string urdf_folder_;
   std::string main_folder_;
   bool has_main_;
-  int sought_ = 0;  ///< missing files for which find_near() looked
+  int sought_ = 0;  ///< number of missing files for which find_near() was called
   Packages packages_;
 };
 

@@ -65,7 +65,7 @@ class SceneExpander {
     return scene_.file(scene_.uses[to_size(use)]).scene.entities[index];
   }
 
-  /// Reads a scene the first time it is named; later uses share it. A broken one stays unknown.
+  /// Reads a scene at its first use; later uses share it. A broken scene stays unknown.
   std::optional<SceneIndex> scene_file(const std::string& path, Span reference,
                                        const Rule& missing) {
     const auto known = scene_files_.find(path);
@@ -118,7 +118,7 @@ class SceneExpander {
     for (std::size_t i = 0; i < count && !is_full_; ++i) {
       if (scene_.instances.size() + scene_.uses.size() > context_.limits.instances) {
         stop(entity(use, i),
-             "this is one entity too many: a scene has at most " +
+             "this entity exceeds the limit: a scene has at most " +
                  std::to_string(context_.limits.instances) + ", nested ones included",
              "instances");
       } else if (bytes_ > context_.limits.scene_bytes) {
@@ -216,7 +216,7 @@ class SceneExpander {
     return index;
   }
 
-  /// The files of types that the user has schemas for may hold sections with schemas.
+  /// The files of entity types with user schemas may contain sections with schemas.
   void read_data_file(const std::string& path, Span reference, const std::string& type) {
     if (context_.schemas == nullptr || !context_.schemas->has_entity_type(type)) return;
     const std::string extension = path::to_lower(path::extension(path));
@@ -227,7 +227,7 @@ class SceneExpander {
     if (document) scene_.data_files.push_back({*source, std::move(*document)});
   }
 
-  /// Files of other types are not read. A plug-in may look for its file elsewhere.
+  /// Files of other types are not read. A plug-in may look for its file in other folders.
   void check_data_file(const std::string& path, Span reference, const std::string& type) {
     const auto [known, is_new] = data_files_.emplace(first_names_.of(path), true);
     if (is_new) known->second = context_.files.is_file(path);
@@ -257,7 +257,7 @@ class SceneExpander {
     }
     if (!file) {
       lose_scene();
-      // The name stays known, so that references to it are not reported, too.
+      // The name stays known, so references to it are not also reported.
       file = empty_scene();
     }
     const UseIndex use = add_use({*file, use_path, outer, index, {}});
@@ -278,7 +278,7 @@ class SceneExpander {
   bool is_cyclic(UseIndex outer, const Entity& entity, const std::string& path) {
     const auto known = scene_files_.find(path);
     if (known == scene_files_.end() || !known->second) return false;
-    std::vector<SceneIndex> chain;  // from the innermost scene
+    std::vector<SceneIndex> chain;  // starting at the innermost scene
     for (std::optional<UseIndex> at = outer; at; at = scene_.uses[to_size(*at)].outer) {
       chain.push_back(scene_.uses[to_size(*at)].scene);
       if (chain.back() != *known->second) continue;
@@ -292,7 +292,7 @@ class SceneExpander {
     return false;
   }
 
-  /// "`a` includes `b` includes `a`"; of a long chain, its ends.
+  /// "`a` includes `b` includes `a`"; of a long chain, only its ends.
   std::string describe(const std::vector<SceneIndex>& chain) const {
     constexpr std::size_t kMostAtEnd = 4;
     const auto name = [&](SceneIndex scene) { return quoted(scene_.scenes[to_size(scene)].path); };
@@ -317,7 +317,7 @@ class SceneExpander {
     return true;
   }
 
-  /// Checks the file that every kind of entity needs. Reports one finding at most.
+  /// Checks the file that every kind of entity needs. Reports at most one finding.
   bool check_kind(UseIndex use, const Entity& entity, const std::string& type,
                   const std::string& path) {
     const EntityKind kind = kind_of(type);
@@ -328,7 +328,7 @@ class SceneExpander {
           context_.sink.report(rules::sml5005_entity_without_file, place_of(entity),
                                path.empty() ? "this entity has no `file`"
                                             : "this entity has no `type`, and `" + path +
-                                                  "` has no extension that tells it");
+                                                  "` has no extension that determines it");
       diagnostic.help("name the .smurf, .urdf or .smurfs of the entity");
       if (path.empty()) suggest_file(use, entity, diagnostic);
       return false;
@@ -341,7 +341,7 @@ class SceneExpander {
     if (kind == EntityKind::scene && !is_scene_file) {
       context_.sink.report(rules::sml5008_scene_extension, file_of(entity).span,
                            "an entity of type `" + type +
-                               "` needs a .smurfs or .smurfa, so that nothing is read from `" +
+                               "` needs a .smurfs or .smurfa, so nothing is read from `" +
                                std::string(path::file_name(path)) + "`");
       return false;
     }
@@ -364,7 +364,7 @@ class SceneExpander {
     return false;
   }
 
-  /// The place is then a misspelt key (`fiel`).
+  /// Then, the place is a misspelt key (`fiel`).
   void suggest_file(UseIndex use, const Entity& entity, Diagnostic& diagnostic) const {
     constexpr std::string_view kFile[] = {"file"};
     constexpr std::string_view kOtherWords[] = {"path",     "model", "uri",
@@ -389,7 +389,7 @@ class SceneExpander {
     const bool is_named = entity.name && !entity.name->empty();
     const std::string_view name = is_named ? *entity.name : file.empty() ? type : path::stem(file);
     std::string path;
-    path.reserve(around.size() + 1 + name.size());  // there may be 100 MB of paths, and no more
+    path.reserve(around.size() + 1 + name.size());  // paths may have 100 MB in total
     path += around;
     if (!path.empty()) path += '/';
     path += name;

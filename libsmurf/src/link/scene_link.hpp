@@ -14,54 +14,54 @@
 
 namespace smurf {
 
-/// What an entity is, by its type.
+/// The kind of an entity, by its type.
 enum class EntityKind : std::uint8_t {
   model,  ///< smurf, particle, urdf, and zsmurf
   scene,  ///< smurfs, smurfa, and zsmurfs, zsmurfa: included in place
-  other   ///< old scenes, primitives, types of plug-ins: carried along
+  other   ///< old scenes, primitives, types of plug-ins: kept without expansion
 };
 /// Type as written, else the extension of the file without the dot.
 std::string entity_type(const Entity& entity);
 EntityKind kind_of(std::string_view type);
-/// The type that was probably meant by a misspelt one; none for others, which plug-ins may have.
+/// The known type that a misspelt type probably means; none for other types, as of plug-ins.
 std::optional<std::string_view> type_meant(const LinkedScene& scene, std::string_view type);
-/// scn, scene and yml: scenes of MARS before SMURF, which have loaders of their own.
+/// scn, scene and yml: scenes of MARS before SMURF, which have separate loaders.
 bool is_old_scene(std::string_view type);
 
-/// 1. Reads the scene, the scenes inside it and their models; fills all of `scene` but placements.
-/// False when not even the scene itself could be read.
+/// 1. Reads the scene, its included scenes and their models; fills all of `scene` except
+/// placements. False if the scene itself could not be read.
 bool expand_scene(const std::string& path, LoadContext& context, LinkedScene& scene,
                   SceneNames& names);
 
-/// Reports files that `environment` names and MARS will hardly find.
+/// Reports files that `environment` names and MARS will probably not find.
 void check_world_files(const SceneFile& scene, LoadContext& context);
 
 /// 2. Fills the placements of uses and instances: parents, anchors, poses relative to the parent.
 void resolve_references(LoadContext& context, SceneNames& names, LinkedScene& scene);
 
-/// What a model is fixed to when its scene sets no anchor: the world when the annotation of its
-/// root link has the Phobos property `anchor: world`.
+/// The anchor of a model if its scene sets none: the world if the annotation of its root link has
+/// the Phobos property `anchor: world`.
 Attachment anchor_of_root(const LinkedModel& model);
 
 /// 3. Fills the joint positions of instances from their named joint pose sets.
 void resolve_joint_poses(LoadContext& context, LinkedScene& scene);
 
-/// 4. Fills X_WE, whatever the order of the entities.
+/// 4. Fills X_WE, independently of the order of entities.
 void compose_world_poses(LoadContext& context, LinkedScene& scene);
 
-/// The text that gives an instance its parent: the entity's own, or that of an enclosing include.
+/// The key that sets the parent of an instance: its own, or that of an enclosing include.
 Span parent_place(const LinkedScene& scene, const Instance& instance);
 
-/// Forward kinematics, once per model and joint pose as long as there is room for the results.
+/// Forward kinematics, computed once per model and joint pose as long as memory is available.
 class LinkFrames {
  public:
-  /// Poses X_EL by LinkIndex; empty when the instance has no model. Valid until the next call.
+  /// Poses X_EL by LinkIndex; empty if the instance has no model. Valid until the next call.
   const std::vector<std::optional<Pose>>& of(const LinkedScene& scene, const Instance& instance);
-  /// The same for another joint pose of `poses`. All calls must pass the same table.
+  /// The same for another joint pose in `poses`. All calls must pass the same table.
   const std::vector<std::optional<Pose>>& of(const LinkedScene& scene, ModelIndex model,
                                              JointPoseIndex pose,
                                              const std::vector<JointPositions>& poses);
-  /// What all of them took to compute.
+  /// The cost of all computations so far.
   std::uint64_t steps() const { return steps_; }
 
  private:

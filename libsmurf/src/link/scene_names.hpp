@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which entity a name in a scene means.
+// Finds the entity that a name in a scene means.
 #pragma once
 
 #include <map>
@@ -15,9 +15,9 @@ namespace smurf {
 /// An entity is an instance, or the include of a scene.
 using EntityIndex = std::variant<InstanceIndex, UseIndex>;
 
-/// Names are looked up in the scene file that uses them, then in the scenes around it, then
-/// anywhere (MARS has one table for all). Of equal names in one scene the first counts. Views point
-/// into the entities of the scene files.
+/// Names are looked up in the scene file that uses them, then in the enclosing scenes, then
+/// anywhere, because MARS has one table for all scenes. Of equal names in one scene, the first is
+/// used. Views point into the entities of the scene files.
 class SceneNames {
  public:
   void add_use() { scopes_.emplace_back(); }
@@ -25,7 +25,7 @@ class SceneNames {
 
   std::optional<EntityIndex> find(UseIndex scope, std::string_view name,
                                   const LinkedScene& scene) const;
-  /// A scene file could not be read, so that there may be more names.
+  /// A scene file could not be read, so there may be more names.
   void mark_incomplete() { is_complete_ = false; }
   bool is_complete() const { return is_complete_; }
   /// All known names, for suggestions.

@@ -32,7 +32,7 @@ void report_pose(const Entity& entity, const LinkedModel& model, LoadContext& co
     diagnostic.help("Phobos up to 0.7 writes this name always; the joints stay at zero");
     return;
   }
-  constexpr std::size_t kMostSets = 5000;  // more are not searched for a near name
+  constexpr std::size_t kMostSets = 5000;  // the most names that are compared for a suggestion
   if (entity.poses.size() + model.annotations.poses.size() > kMostSets) return;
   std::vector<std::string_view> known;
   for (const auto* sets : {&entity.poses, &model.annotations.poses}) {
@@ -50,7 +50,7 @@ void report_pose(const Entity& entity, const LinkedModel& model, LoadContext& co
   }
 }
 
-/// Instances share what is the same: their own set belongs to the entity, all others to the model.
+/// Instances share equal sets: an entity owns its own set, the model owns all others.
 class JointPoses {
  public:
   JointPoses(LoadContext& context, LinkedScene& scene)
@@ -97,7 +97,7 @@ class JointPoses {
 
   using Sets = std::map<std::string_view, const JointPoseSet*>;
 
-  /// The first of several equal names counts.
+  /// Of several equal names, the first is used.
   const Sets& sets_of(ModelIndex index) {
     std::optional<Sets>& sets = sets_[to_size(index)];
     if (sets) return *sets;
@@ -115,8 +115,8 @@ class JointPoses {
   std::unordered_map<const Entity*, std::optional<JointPoseIndex>> of_entity_;
 };
 
-/// Each instance hangs below at most one other, so the scene is a forest; a chain is walked up to
-/// something known and composed on the way back, without recursion.
+/// Each instance depends on at most one other, so the scene is a forest. A chain is followed to a
+/// known pose and composed on the way back, without recursion.
 class WorldPoses {
  public:
   WorldPoses(LoadContext& context, LinkedScene& scene)
@@ -137,7 +137,7 @@ class WorldPoses {
 
  private:
   enum class State : std::uint8_t { open, walking, done };
-  static constexpr std::uint64_t kStepsOfInstance = 30;  ///< links of a large robot
+  static constexpr std::uint64_t kStepsOfInstance = 30;  ///< number of links of a large robot
 
   std::optional<std::size_t> above(std::size_t index) const {
     const Placement& placement = scene_.instances[index].placement;
@@ -178,15 +178,17 @@ class WorldPoses {
     if (X_RL) instance.X_WE = *parent.X_WE * *X_RL * placement.X_PE;
   }
 
-  /// Few scenes place things at links of large robots that each have a joint pose of their own.
+  /// Few scenes place entities at links of large robots that each have a different joint pose.
   bool has_steps(const Instance& instance) {
     if (frames_.steps() <= most_steps_) return true;
     if (std::exchange(is_over_, true)) return false;
     sink_
-        .report(rules::sml5022_too_many_instances, parent_place(scene_, instance),
-                "from here on, entities at links have no pose: those before took more than " +
-                    std::to_string(most_steps_) +
-                    " poses of links; each joint pose set of a model needs those of all its links")
+        .report(
+            rules::sml5022_too_many_instances, parent_place(scene_, instance),
+            "from here on, entities at links have no pose: the entities before took more than " +
+                std::to_string(most_steps_) +
+                " poses of links; each joint pose set of a model needs the poses of all its "
+                "links")
         .help(raise_limit("instances"));
     return false;
   }
@@ -213,7 +215,7 @@ class WorldPoses {
       instance.placement.is_known = false;
       if (member == first || diagnostic.labels.size() >= kMostLabels) continue;
       diagnostic.label(parent_place(scene_, instance),
-                       "`" + instance.path + "` refers back from here");
+                       "`" + instance.path + "` refers to the first one again");
     }
   }
 
@@ -236,7 +238,7 @@ const std::vector<std::optional<Pose>>& LinkFrames::of(const LinkedScene& scene,
 const std::vector<std::optional<Pose>>& LinkFrames::of(const LinkedScene& scene, ModelIndex model,
                                                        JointPoseIndex pose,
                                                        const std::vector<JointPositions>& poses) {
-  // Many large models in many poses would take gigabytes; few scenes have as many links at all.
+  // Many large models in many poses would need gigabytes; few scenes have that many links.
   constexpr std::size_t kMostKept = 1'000'000;
   const auto known = frames_.find({model, pose});
   if (known != frames_.end()) return known->second;

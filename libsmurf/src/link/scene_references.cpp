@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parents and anchors: from words to frames. Whether they can be composed is another step.
+// Resolves the names of parents and anchors to frames. Another step composes the frames.
 #include <unordered_map>
 
 #include "base/edits.hpp"
@@ -12,7 +12,7 @@
 namespace smurf {
 namespace {
 
-/// What the name is instead of a link, and the index of the link that it belongs to.
+/// The kind of thing that has the name instead of a link, and the index of its link.
 std::optional<std::pair<std::string_view, std::uint32_t>> other_kind(const LinkedModel& model,
                                                                      std::string_view name) {
   if (const auto link = model.collision_names.find(name)) return std::pair("collision", *link);
@@ -34,7 +34,7 @@ class ReferenceResolver {
       : sink_(context.sink), sources_(context.sources), names_(names), scene_(scene) {}
 
   void run() {
-    // Outer uses come first, so that what a scene inherits is known before its entities.
+    // Outer uses come first, so inherited values are known before the entities.
     for (SceneUse& use : scene_.uses) {
       if (const Entity* including = scene_.entity(use)) {
         use.placement = place(*including, *use.outer, std::nullopt);
@@ -93,10 +93,10 @@ class ReferenceResolver {
 
   void report_case(const Reference& reference, const std::string& lower) {
     if (*reference.field == lower) return;
-    Diagnostic& diagnostic = sink_.report(rules::sml5106_world_case, reference.field.span,
-                                          quoted(reference.key) + " is " +
-                                              quoted(*reference.field) + ", which is taken as " +
-                                              quoted(lower) + " but is an unknown entity to MARS");
+    Diagnostic& diagnostic = sink_.report(
+        rules::sml5106_world_case, reference.field.span,
+        quoted(reference.key) + " is " + quoted(*reference.field) + ", which these tools read as " +
+            quoted(lower) + "; MARS looks for an entity of that name");
     diagnostic.help("write " + quoted(lower));
     diagnostic.fixes.push_back({Applicability::unsafe, {edit(reference, lower)}});
   }
@@ -106,7 +106,7 @@ class ReferenceResolver {
     const Reference reference{entity.anchor, "anchor", rules::sml5102_unknown_anchor, self};
     if (entity.anchor.written && !entity.anchor) return {};
     if (!entity.anchor || entity.anchor->empty()) {
-      // In a list `smurfa` only the root is fixed to what the assembly is fixed to.
+      // In a list `smurfa`, only the root gets the anchor of the assembly.
       const bool is_member = entity.list == EntityList::smurfa && !entity.root.value_or(false);
       return inherits && !is_member ? scene_.uses[to_size(use)].placement.anchor : Attachment{};
     }
@@ -124,7 +124,7 @@ class ReferenceResolver {
     return frame(reference, use).value_or(Attachment{});
   }
 
-  /// `ENTITY::LINK`. None when it cannot be resolved; the reason is reported unless it was before.
+  /// `ENTITY::LINK`. None if it cannot be resolved; the reason is reported once.
   std::optional<Attachment> frame(const Reference& reference, UseIndex use) {
     const std::string& text = *reference.field;
     const std::size_t separator = text.find("::");
@@ -151,7 +151,7 @@ class ReferenceResolver {
     const Instance& instance = scene_.instance(index);
     const Attachment attachment{Attachment::Kind::link, index, std::string(link)};
     if (kind_of(instance.type) == EntityKind::other) {
-      // The files of other types are not read. That does not matter to an anchor.
+      // The files of other types are not read, which does not matter for an anchor.
       if (reference.key == "anchor") return attachment;
       if (is_type_reported(instance.type)) return std::nullopt;
       Diagnostic& diagnostic =
@@ -175,7 +175,7 @@ class ReferenceResolver {
     return attachment;
   }
 
-  /// True when another finding reports that the type should be that of a model.
+  /// Whether another finding already reports that the type should be that of a model.
   static bool is_type_reported(std::string_view type) {
     constexpr std::string_view kModels[] = {"smurf", "urdf"};
     return type.empty() || nearest(type, kModels).has_value();
@@ -186,7 +186,7 @@ class ReferenceResolver {
     if (!place.empty()) diagnostic.label(place, std::move(text));
   }
 
-  /// A word that is neither a frame nor one of the reserved ones: an entity's name, or a
+  /// A word that is neither a frame nor reserved: an entity's name, or a
   /// misspelling.
   void report_word(const Reference& reference, UseIndex use) {
     const std::string& text = *reference.field;
@@ -223,7 +223,7 @@ class ReferenceResolver {
     return name ? std::optional(*name) : std::nullopt;
   }
 
-  /// "table::top" for "tabel", which is nearly the name of an entity.
+  /// "table::top" for "tabel", which resembles the name of an entity.
   std::optional<std::string> root_of_similar(UseIndex use, const std::string& text) {
     const auto name = sink_.suggest(text, names_.names());
     const auto entity = name ? names_.find(use, std::string(*name), scene_) : std::nullopt;
@@ -255,7 +255,7 @@ class ReferenceResolver {
 
   void report_include(const Reference& reference, UseIndex include, std::string_view name) {
     const SceneUse& use = scene_.uses[to_size(include)];
-    if (!scene_.file(use).document) return;  // a broken include is reported
+    if (!scene_.file(use).document) return;  // a broken include is already reported
     Diagnostic& diagnostic = sink_.report(rules::sml5103_parent_of_scene, reference.field.span,
                                           quoted(reference.key) + " names " + quoted(name) +
                                               ", which is an included scene and has no links");

@@ -9,7 +9,7 @@ namespace {
 
 struct WorldFile {
   std::string_view group, key;
-  bool is_beside_scene;  ///< when it exists there; else, as for the others, the working folder
+  bool is_beside_scene;  ///< relative to the scene if it exists there, else to the working folder
 };
 
 constexpr WorldFile kWorldFiles[] = {
@@ -27,7 +27,7 @@ void check_file(const WorldFile& file, yaml::View value, const std::string& scen
   if (!file.is_beside_scene) {
     Diagnostic& diagnostic =
         context.sink.report(rules::sml5305_path_from_working_folder, value.span(),
-                            "MARS looks for " + name + " in the folder it is started in");
+                            "MARS looks for " + name + " in the folder where it is started");
     diagnostic.severity = Severity::info;
     return;
   }
@@ -35,8 +35,8 @@ void check_file(const WorldFile& file, yaml::View value, const std::string& scen
   if (context.files.is_file(path) || !context.files.list(path).empty()) return;
   if (context.files.is_denied(path)) return;
   context.sink.report(rules::sml5305_path_from_working_folder, value.span(),
-                      "there is no `" + path + "`, so that MARS looks for " + name +
-                          " in the folder it is started in");
+                      "there is no `" + path + "`, so MARS looks for " + name +
+                          " in the folder where it is started");
 }
 
 }  // namespace

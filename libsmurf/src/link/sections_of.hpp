@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All lists of annotations, for what is done with each of them.
+// Visits all lists of annotations.
 #pragma once
 
 #include "smurf/model.hpp"
 
 namespace smurf {
 
-/// Calls `visit(list of a, same list of b)` for each list.
+/// Calls `visit(list in a, the same list in b)` for each list.
 template <class Visit>
 void for_each_section(Annotations& a, Annotations& b, const Visit& visit) {
   visit(a.materials, b.materials);

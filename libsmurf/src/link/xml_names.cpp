@@ -23,12 +23,12 @@ std::string_view attribute_of(xml::View element, std::string_view name) {
   return attribute != nullptr ? attribute->value() : std::string_view();
 }
 
-/// The attributes of extensions whose words do not say what they name.
+/// Attributes of extensions whose names do not show what they refer to.
 struct AttributeNames {
   std::string_view parent;  ///< "": any
   std::string_view element, attribute;
   Naming names;
-  /// A reader needs it; others are references when they name something.
+  /// A reader needs it; other texts are references only if something has that name.
   bool is_needed = false;
 };
 constexpr AttributeNames kAttributes[] = {
@@ -73,7 +73,7 @@ NameKinds kinds_of(xml::View element, std::string_view attribute) {
   return kinds == NameKind::link || kinds == NameKind::joint ? kinds : NameKinds();
 }
 
-/// The first `word` in `text` and all behind it taken away.
+/// Removes the first `word` in `text` and everything after it.
 std::string_view before(std::string_view text, std::string_view word) {
   return text.substr(0, text.find(word));
 }
@@ -98,12 +98,12 @@ void ReferenceFinder::read_field(const Naming& naming, const Field<std::string>&
       {Notation::xml_attribute, static_cast<std::uint32_t>(element), field.span, field.span});
 }
 
-/// All that a visual has, though readers take one.
+/// All materials of a visual, though readers use one.
 void ReferenceFinder::read_material(xml::View material) {
   const xml::Attribute* name = material.attribute("name");
   if (name == nullptr || name->value().empty()) return;
   const bool is_defined = material.begin() != material.end() ||
-                          !find(NameKind::material, name->value());  // readers pass it over
+                          !find(NameKind::material, name->value());  // readers ignore it
   add({NameKind::material, is_defined}, name->value(), place_of_value(material, *name));
 }
 
@@ -216,7 +216,7 @@ void ReferenceFinder::read_extension(xml::View element) {
   for (const xml::View child : element) read_extension(child);
 }
 
-/// Whatever an extension calls it: a text that is the name of a link or joint, or a list of such.
+/// In any extension: a text that is the name of a link or joint, or a list of such names.
 void ReferenceFinder::read_text(xml::View element) {
   const Span span = element.text_span();
   const std::string_view text = trimmed(element.text());
@@ -228,11 +228,11 @@ void ReferenceFinder::read_text(xml::View element) {
   if (is_address(word)) return;
   const NameKinds kinds = kinds_in_word(word);
   if (read_part(text, text, kinds, place)) return;
-  if (text.size() != span.end - span.begin) return;  // offsets would not be those of the bytes
+  if (text.size() != span.end - span.begin) return;  // offsets would differ from those in the file
   if (kinds == NameKind::collision || kinds == NameKind::visual) {
     return read_gazebo_name(text, place);
   }
-  // "base_link, tool0" or "robot::base_link"; prose has other words as well.
+  // Splits "base_link, tool0" or "robot::base_link"; prose contains other words as well.
   std::vector<std::string_view> parts;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find_first_of(" \t\r\n,;:", at), text.size());
@@ -257,9 +257,9 @@ bool ReferenceFinder::read_part(std::string_view text, std::string_view part, Na
          add_known(is_joint ? NameKind::link : NameKind::joint, part, at);
 }
 
-/// sdformat calls the shapes of a link LINK_collision and LINK_visual, with a number from the
-/// second on, and those of a link that became part of another one
-/// LINK_fixed_joint_lump__PART_collision.
+/// The name of a collision or visual in sdformat: LINK_collision or LINK_visual, with a
+/// number from the second on, and LINK_fixed_joint_lump__PART_collision for a part of a
+/// merged link.
 void ReferenceFinder::read_gazebo_name(std::string_view text, const NamePlace& place) {
   constexpr std::string_view kLump = "_fixed_joint_lump__";
   const auto read_link_of = [&](std::string_view name) {

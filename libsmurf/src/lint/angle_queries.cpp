@@ -11,7 +11,7 @@
 namespace smurf {
 namespace {
 
-/// "0 0 0" and similar texts, as most are.
+/// "0 0 0" and similar texts, which are the most frequent.
 bool is_plainly_zero(std::string_view numbers) {
   return std::all_of(numbers.begin(), numbers.end(),
                      [](char c) { return c == '0' || c == '.' || c == ' '; });
@@ -55,7 +55,8 @@ std::optional<double> intended_right_angle(const WrittenNumber& angle) {
   if (decimals < 2 || turns == 0 || std::fabs(turns) > 4) return std::nullopt;
   const double intended = turns * kRightAngle;
   const double error = std::fabs(angle.value - intended);
-  // Cut, the error is below one unit of the last decimal; rounded, below half of one.
+  // The error of a truncated number is below one unit of the last decimal; of a rounded number,
+  // below half a unit.
   if (error <= kExact || error >= std::pow(10.0, -static_cast<double>(decimals))) {
     return std::nullopt;
   }
@@ -64,7 +65,7 @@ std::optional<double> intended_right_angle(const WrittenNumber& angle) {
 
 std::optional<double> degrees_of_radians(double number) {
   constexpr double kAngles[] = {30, 45, 60, 90, 120, 135, 150, 180, 270, 360};
-  constexpr double kRelativeTolerance = 1.2e-3;  // as near as three digits of pi bring them
+  constexpr double kRelativeTolerance = 1.2e-3;  // the error of pi with three digits
   for (const double degrees : kAngles) {
     const double radians = degrees * std::numbers::pi / 180;
     if (std::fabs(std::fabs(number) - radians) > kRelativeTolerance * radians) continue;

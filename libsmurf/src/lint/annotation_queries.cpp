@@ -99,7 +99,7 @@ std::vector<TopLevelKey> top_level_keys(const LinkedModel& model) {
 
 Span place_in_files(const LinkedModel& model, SourceId source) {
   if (!model.is_complete || !model.main.files) return {};
-  std::size_t index = 0;  // of the file in `files` of the model, where the main file is the first
+  std::size_t index = 0;  // number of the file in `files` of the model; the main file is the first
   std::set<std::string> read;
   for (const Spanned<std::string>& entry : *model.main.files) {
     const std::string extension = path::to_lower(path::extension(entry.value));
@@ -160,7 +160,7 @@ const Field<double>& upper_bound(const Motor& motor) {
 }
 
 bool is_clearly_less(double a, double b) {
-  constexpr double kRounding = 0.002;  // relative; numbers are often rounded to three digits
+  constexpr double kRounding = 0.002;  // relative; numbers often have only three digits
   return b - a > kRounding * std::max({1.0, std::fabs(a), std::fabs(b)});
 }
 

@@ -11,20 +11,20 @@
 
 namespace smurf {
 
-/// The mapping of an entry as written, with the keys that have no member.
+/// The mapping of an entry, including keys without a member.
 yaml::View mapping_of(const LinkedModel& model, const Annotation& entry);
 
-/// The finite number under a key; none when it is absent or no number.
+/// The finite number under a key; none if it is absent or not a number.
 std::optional<double> number_at(yaml::View mapping, std::string_view key);
 /// The scalar under a key, with its place.
 std::optional<Spanned<std::string>> text_at(yaml::View mapping, std::string_view key);
 /// The scalars of the list under a key.
 NameList texts_at(yaml::View mapping, std::string_view key);
 
-/// True when an unknown key of the mapping is a misspelling of `key`, which is then reported.
+/// Whether an unknown key is a misspelling of `key`, which is then reported elsewhere.
 bool has_misspelt(yaml::View mapping, std::string_view key);
-/// Same, for a rule that reports nothing then. To readers the key is missing, so the misspelling is
-/// marked as a fault of this rule, too.
+/// The same for a rule that then reports nothing. To readers, the key is missing, so the
+/// misspelling is also marked as a fault of this rule.
 bool is_slip(yaml::View mapping, std::string_view key, Findings& findings);
 
 /// Reports `name: 5` and `name: yes` of an entry, which Phobos reads as values of Python.
@@ -37,38 +37,38 @@ struct TopLevelKey {
   const ModelFile& file;
   yaml::View value;
 };
-/// All of them in the order in which MARS meets them: main file first, then `files`. Repeated keys
-/// are left out.
+/// All top-level keys in the order in which MARS reads them: main file first, then `files`.
+/// Repeated keys are omitted.
 std::vector<TopLevelKey> top_level_keys(const LinkedModel& model);
 
-/// Where `files` lists the file of this source; empty when it does not, or a file was not read.
+/// The entry in `files` for the file of this source; empty if it is absent or was not read.
 Span place_in_files(const LinkedModel& model, SourceId source);
 
-/// The motors without those that drive a joint which an earlier one drives, and which is reported.
+/// The motors, except for motors that drive the joint of an earlier motor, which is reported.
 std::vector<const Motor*> leading_motors(const LinkedModel& model);
 
-/// The length of the quaternion that an orientation is written as; none for other forms.
+/// The length of the quaternion of an orientation; none for other forms.
 std::optional<double> quaternion_length(yaml::View orientation);
 
-/// How MARS controls a motor, by its type.
+/// The control mode of a motor in MARS, by its type.
 enum class MotorControl : std::uint8_t { position, velocity, torque };
 MotorControl control_in_mars(const Motor& motor);
 
-/// The joint that a motor drives; null when it is unknown.
+/// The joint that a motor drives; null if it is unknown.
 const urdf::Joint* joint_of(const LinkedModel& model, const Motor& motor);
-/// The joint that an entry of a pose names, or the joint of the motor that it names; null when it
-/// is unknown.
+/// The joint that an entry of a pose names, or the joint of the named motor; null if it is
+/// unknown.
 const urdf::Joint* joint_of(const LinkedModel& model, const JointPoseSet::Entry& entry);
 
-/// Bounds of the commanded position as MARS reads them: the newer names win.
+/// Bounds of the commanded position in MARS: the newer names take precedence.
 const Field<double>& lower_bound(const Motor& motor);
 const Field<double>& upper_bound(const Motor& motor);
 
-/// Numbers of 2.094 and 2.0944 are the same bound.
+/// Whether two bounds are equal up to rounding, such as 2.094 and 2.0944.
 bool is_clearly_less(double a, double b);
 
-/// True when no thing of this kind has the name, but the author meant one: the name resembles that
-/// of such a thing, or is the name of another kind of thing.
+/// Whether no thing of this kind has the name, but the author probably meant one: the name
+/// resembles a known name, or is the name of a thing of another kind.
 bool is_slip(const LinkedModel& model, NameKind kind, std::string_view name);
 
 }  // namespace smurf

@@ -73,7 +73,7 @@ std::size_t Baseline::apply(std::vector<Diagnostic>& diagnostics, const SourceMa
   });
 }
 
-constexpr std::size_t kLongestId = 40;  // a hostile one may have any length
+constexpr std::size_t kLongestId = 40;  // a hostile list may have any length
 
 void Baseline::report_stale(const SourceMap& sources, const RuleSelection& selection,
                             DiagnosticSink& sink) const {

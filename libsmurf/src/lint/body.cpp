@@ -21,7 +21,7 @@ Eigen::Matrix3d rotation_of(const urdf::Origin& origin) {
 /// Adds a shape to the box; false if the size of the shape is unknown, or not positive.
 bool add(const LinkedModel& model, const urdf::Origin& origin, const urdf::Geometry& geometry,
          std::optional<Box>& all) {
-  // The unit of a mesh is itself in doubt, and judged by the rules of meshes.
+  // The unit of a mesh may be wrong, and other rules report it.
   if (std::holds_alternative<urdf::Mesh>(geometry.shape)) return false;
   const std::optional<Box> box = bounding_box(model, geometry);
   if (!box) return false;
@@ -108,11 +108,11 @@ double ratio_to_block(const Body& body, const Extent& extent) {
 
 std::optional<std::string_view> likely_unit(double ratio) {
   struct Unit {
-    double factor;  ///< of the value in kg m^2
+    double factor;  ///< factor to kg m^2
     std::string_view name;
   };
   constexpr Unit kUnits[] = {{1e9, "g mm2"}, {1e6, "kg mm2"}, {1e7, "g cm2"}, {1e4, "kg cm2"}};
-  constexpr double kSpread = 2;  // links are no homogeneous blocks
+  constexpr double kSpread = 2;  // tolerance, because links are not homogeneous blocks
   for (const Unit& unit : kUnits) {
     if (ratio > unit.factor / kSpread && ratio < unit.factor * kSpread) return unit.name;
   }

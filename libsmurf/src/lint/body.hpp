@@ -9,7 +9,7 @@
 
 namespace smurf {
 
-/// The axis-aligned box around all visuals and collisions of a link, in its frame, m.
+/// The axis-aligned box around all visuals and collisions of a link, in the link's frame, m.
 struct Extent {
   Vector3 low{}, high{};
 
@@ -19,7 +19,7 @@ struct Extent {
   Extent grown(double margin) const;
   bool contains(const Vector3& point) const;
 };
-/// Lighter bodies are frames of sensors and similar links, whose numbers are made up and matter
+/// kg; lighter bodies are frames of sensors and similar links, whose made-up numbers matter
 /// little.
 inline constexpr double kNegligibleMass = 0.01;  // kg
 /// Density of osmium; nothing is heavier.
@@ -29,7 +29,7 @@ inline constexpr double kLightestMaterial = 0.01;  // kg/m3
 /// Parts of a robot are nearer to each other; farther origins are reported (SML1442).
 inline constexpr double kFarthestOrigin = 10;  // m
 
-/// None when the link has no shape, or a shape of unknown size, such as a mesh.
+/// None if the link has no shape, or a shape of unknown size, such as a mesh.
 std::optional<Extent> extent_of(const LinkedModel& model, const urdf::Link& link);
 
 struct Body {
@@ -39,17 +39,17 @@ struct Body {
   /// link: what the box around the body bounds. kg m^2
   Vector3 second_moments{};
 };
-/// None unless mass and inertia are readable and those of some body.
+/// None unless mass and inertia are readable and physically possible.
 std::optional<Body> body_of(const urdf::Inertial& inertial);
 
-/// How many times the second moments exceed what any mass inside the box can have (Bhatia-Davis:
-/// at most m (high - c)(c - low) along each axis); along the worst axis. None when the centre of
-/// mass lies outside or on the boundary.
+/// The factor by which the second moments exceed those of any mass inside the box (Bhatia-Davis: at
+/// most m (high - c)(c - low) along each axis), for the worst axis. None if the centre of mass lies
+/// outside or on the boundary.
 std::optional<double> excess_over(const Body& body, const Extent& extent);
 
-/// The inertia (its trace) against that of a homogeneous block that fills the box.
+/// The ratio of the inertia (its trace) to that of a homogeneous block that fills the box.
 double ratio_to_block(const Body& body, const Extent& extent);
-/// The unit that an inertia so many times too large was written in: "kg mm2" for about 1e6.
+/// The unit of an inertia that is too large by this factor: "kg mm2" for about 1e6.
 std::optional<std::string_view> likely_unit(double ratio);
 
 }  // namespace smurf

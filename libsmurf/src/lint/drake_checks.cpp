@@ -17,7 +17,7 @@
 namespace smurf::drake {
 namespace {
 
-/// Where the value of an attribute stands, or the name of the element without one.
+/// The place of the value of an attribute; without the attribute, the name of the element.
 Span place_of(xml::View element, std::string_view attribute) {
   const xml::Attribute* found = element.attribute(attribute);
   return found == nullptr ? element.name_span() : found->value_span();
@@ -51,7 +51,7 @@ void check_type(xml::View joint, std::string_view type, Findings& findings) {
   const Span place = place_of(joint, "type");
   if (is_standard_type(type)) {
     findings.report(place, "a joint of the type " + quoted(type) + " is written `joint`")
-        .help("write `joint` in the place of `drake:joint`");
+        .help("write `joint` instead of `drake:joint`");
     return;
   }
   Diagnostic& diagnostic = findings.report(place, quoted(type) + " is not a type of `drake:joint`");
@@ -226,7 +226,7 @@ void check_proximity(xml::View proximity, const Names&, Findings& findings) {
   }
   const xml::View modulus = proximity.child("drake:hydroelastic_modulus");
   if (rigid && modulus) {
-    report_unread(modulus, "Drake reads no `drake:hydroelastic_modulus` of what is rigid",
+    report_unread(modulus, "Drake does not read `drake:hydroelastic_modulus` of a rigid shape",
                   findings);
   }
   const xml::View sliding = proximity.child("drake:mu_dynamic");
@@ -238,7 +238,7 @@ void check_proximity(xml::View proximity, const Names&, Findings& findings) {
   }
 }
 
-/// The number that is the text of an element of `drake_compliance`; reports what is none.
+/// The number in the text of an element of `drake_compliance`; reports other texts.
 std::optional<double> friction(xml::View compliance, std::string_view name, Findings& findings) {
   const xml::View element = compliance.child(name);
   if (!element) return std::nullopt;
@@ -253,14 +253,15 @@ std::optional<double> friction(xml::View compliance, std::string_view name, Find
 void check_compliance(xml::View compliance, const Names&, Findings& findings) {
   for (const std::string_view name : {"youngs_modulus", "dissipation"}) {
     const xml::View element = compliance.child(name);
-    if (element) report_unread(element, "Drake reads no " + quoted(name) + " any more", findings);
+    if (element)
+      report_unread(element, "Drake does not read " + quoted(name) + " any more", findings);
   }
   const xml::View properties = compliance.parent().child("drake:proximity_properties");
   if (properties && (properties.child("drake:mu_dynamic") || properties.child("drake:mu_static"))) {
-    return report_unread(
-        compliance,
-        "Drake reads no `drake_compliance` beside the friction in `drake:proximity_properties`",
-        findings);
+    return report_unread(compliance,
+                         "Drake does not read `drake_compliance` beside the friction in "
+                         "`drake:proximity_properties`",
+                         findings);
   }
   const bool has_static = static_cast<bool>(compliance.child("static_friction"));
   const bool has_dynamic = static_cast<bool>(compliance.child("dynamic_friction"));
@@ -286,7 +287,7 @@ void check_visual(xml::View visual, const Names&, Findings& findings) {
 
 void check_surface_axis(xml::View surface, const Names&, Findings& findings) {
   if (value_of(surface.parent(), "name") == "world") {
-    return report_unread(surface, "the link `world` has no surface that moves", findings);
+    return report_unread(surface, "the link `world` has no moving surface", findings);
   }
   const auto axis = vector_in(surface, "axis");
   if (axis && length_of(*axis) == 0) {

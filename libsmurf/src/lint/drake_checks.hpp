@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Drake refuses, or does not read, in an element of its own as a whole: what no table of
-// elements and attributes says.
+// Faults of whole Drake elements, which a table of elements and attributes cannot describe: Drake
+// refuses or ignores such an element.
 #pragma once
 
 #include "lint/drake_queries.hpp"
@@ -10,10 +10,10 @@ namespace smurf::drake {
 /// The construct of elements that Drake ignores while it loads the file.
 inline constexpr std::string_view kUnread = "unread";
 
-/// Does nothing for elements without such faults.
+/// Reports faults that the table of Drake's language does not cover.
 void check_meaning(xml::View element, const Names& names, Findings& findings);
 
-/// True when a joint of this type has such an element.
+/// Whether a joint of this type has such an element.
 bool is_read_in(xml::View joint, std::string_view child);
 
 }  // namespace smurf::drake

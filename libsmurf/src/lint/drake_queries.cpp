@@ -10,8 +10,8 @@
 namespace smurf::drake {
 namespace {
 
-/// As `>>` of a C++ stream takes a number, which stops at the first character that cannot be part
-/// of one; it knows neither "nan" nor "inf".
+/// Reads a number like `>>` of a C++ stream, which stops at the first character that cannot be part
+/// of one, and does not read "nan" and "inf".
 bool read_number(std::string_view& text, double& value) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\v\f"), text.size()));
   std::string_view digits = text;
@@ -104,7 +104,7 @@ bool Names::is_body(std::string_view name) const {
 
 bool Names::is_frame(std::string_view name) const {
   if (frames_.elements.contains(name)) return true;
-  // Drake makes these itself, for joints with an origin.
+  // Drake creates these frames for joints with an origin.
   for (const std::string_view suffix : {"_parent", "_child"}) {
     if (!name.ends_with(suffix)) continue;
     if (joints_.elements.contains(name.substr(0, name.size() - suffix.size()))) return true;
@@ -117,7 +117,7 @@ void Names::report_unknown(std::string_view kind, std::string_view name, Span pl
   const std::string noun(kind);
   Diagnostic& diagnostic = findings.report(
       place, subject + " names the " + noun + " " + quoted(name) + ", which " +
-                 (name == "world" ? "is the world itself in Drake" : "the model does not have"));
+                 (name == "world" ? "is the world in Drake" : "the model does not have"));
   if (name == "world") return;
   diagnostic.caret = "no such " + noun;
   const Table& table = kind == "joint" ? joints_ : kind == "frame" ? frames_ : groups_;

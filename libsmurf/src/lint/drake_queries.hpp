@@ -13,33 +13,33 @@
 
 namespace smurf::drake {
 
-/// A note where other readers miss such a joint.
+/// A note for findings about a joint that is missing to other readers.
 inline constexpr const char* kJointNote =
     "it is a `drake:joint`, which only Drake reads: check the file with `--target drake`";
 
 /// The `drake:joint` elements of the robot: joints that only Drake reads.
 std::vector<xml::View> own_joints(const LinkedModel& model);
-/// The values of an attribute of theirs ("name"), or of an element in them ("child", "link").
+/// The values of an attribute of these joints ("name"), or of an element in them ("child", "link").
 std::set<std::string_view> names_in(const std::vector<xml::View>& elements,
                                     std::string_view attribute);
 std::set<std::string_view> names_in(const std::vector<xml::View>& elements, std::string_view child,
                                     std::string_view attribute);
 
-/// The value of an attribute; empty without.
+/// The value of an attribute; empty if it is absent.
 std::string_view value_of(xml::View element, std::string_view attribute);
-/// True for a link or joint that Drake is told not to read.
+/// Whether Drake is told to ignore a link or joint.
 bool is_passed_over(xml::View element);
 
-/// The numbers in front of what is none; of "nan" and "inf" it reads none.
+/// The numbers at the beginning of a text, before any other word, even "nan" and "inf".
 std::vector<double> read_numbers(std::string_view text);
 
-/// What has a name in a robot, to Drake.
+/// The things that have a name in Drake.
 class Names {
  public:
   explicit Names(const LinkedModel& model);
 
   const LinkedModel& model() const { return model_; }
-  /// The first of this name; false when Drake makes no such joint.
+  /// The first thing of this name; false if Drake does not make such a joint.
   xml::View joint(std::string_view name) const { return joints_.find(name); }
   xml::View group(std::string_view name) const { return groups_.find(name); }
   bool is_body(std::string_view name) const;

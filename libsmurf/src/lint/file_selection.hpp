@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a selection says of one file, found out once: thousands of findings may ask, and a
-// configuration may have a thousand patterns.
+// Evaluates a selection once per file: there may be thousands of findings, and a configuration may
+// have a thousand patterns.
 #pragma once
 
 #include <optional>
@@ -17,9 +17,9 @@ class FileSelection {
   /// The selection must outlive it.
   FileSelection(const RuleSelection& selection, const std::string& path);
 
-  /// True when findings of the rule in the file are reported.
+  /// Whether findings of the rule in the file are reported.
   bool is_enabled(const Rule& rule) { return answer(rule).is_enabled; }
-  /// The severity that the user has set; none when it is not set.
+  /// The severity set by the user; none if it is not set.
   std::optional<Severity> severity(const Rule& rule) { return answer(rule).severity; }
 
  private:
@@ -30,7 +30,7 @@ class FileSelection {
   const Answer& answer(const Rule& rule);
 
   const RuleSelection& selection_;
-  std::vector<const PathRules*> paths_;  ///< those that cover the file
+  std::vector<const PathRules*> paths_;  ///< settings that match the file
   std::unordered_map<const Rule*, Answer> answers_;
 };
 

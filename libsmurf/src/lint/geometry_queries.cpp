@@ -74,7 +74,7 @@ const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh) {
 std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& geometry) {
   const std::optional<Box> box = box_of(model, geometry.shape);
   if (!box) return std::nullopt;
-  // A misspelt scale is reported where it stands, and which one was meant is not known.
+  // A misspelt scale is reported at its place, and its meaning is unknown.
   const bool is_mesh = std::holds_alternative<urdf::Mesh>(geometry.shape);
   if (is_mesh && has_slip(model, geometry.shape_element, "scale")) return std::nullopt;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -21,17 +21,17 @@ struct GeometryUse {
   const urdf::Origin& origin;
   const urdf::Geometry& geometry;
 
-  /// Null when the shape is another.
+  /// Null if the shape is of another type.
   const urdf::Mesh* mesh() const { return std::get_if<urdf::Mesh>(&geometry.shape); }
 };
 
-/// The file that a mesh of the URDF means; null when it names none.
+/// The file of a mesh of the URDF; null if it names none.
 const MeshReference* find_reference(const LinkedModel& model, const urdf::Mesh& mesh);
-/// The facts about the file of a mesh; null when the file was not opened or cannot be read.
+/// The facts about a mesh file; null if the file was not opened or cannot be read.
 const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh);
 
-/// The box of a shape in its own frame, in metres, with the mesh's scale. COLLADA is placed as its
-/// triangles are (smurf/mesh_triangles.hpp). None when the size is unknown or not finite.
+/// The box of a shape in its own frame, in metres, with the mesh's scale. COLLADA is placed like
+/// its triangles (smurf/mesh_triangles.hpp). None if the size is unknown or not finite.
 std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& geometry);
 
 /// The axis-aligned box, in frame A, around a box given in frame B.
@@ -39,10 +39,10 @@ Box moved(const Box& box, const Pose& X_AB);
 /// The smallest box around both.
 Box united(const Box& a, const Box& b);
 
-/// True for the shapes that most readers know: those of URDF 1.0, and the capsule.
+/// Whether most readers know the shape: shapes of URDF 1.0, and the capsule.
 bool is_shape(std::string_view element_name);
 
-/// Calls `visit` for every visual and collision, in document order within each kind of a link.
+/// Calls `visit` for every visual and collision: for each kind, link by link in document order.
 void for_each_geometry(const LinkedModel& model,
                        const std::function<void(const GeometryUse&)>& visit);
 

@@ -9,14 +9,14 @@
 
 namespace smurf {
 
-/// Collects places with the same defect; they become one finding, at the first place.
+/// Collects places with the same defect, to report one finding at the first place.
 class Habit {
  public:
-  /// The message of the first place is the one that is shown.
+  /// The message of the first place is shown.
   void add(Span place, std::string message);
   bool is_first() const { return count_ == 0; }
-  /// Reports it, and how many more there are: "3 more `others` in this file". Null when there is
-  /// none.
+  /// Reports the finding with the number of other places: "3 more `others` in this file". Null if
+  /// there are no places.
   Diagnostic* report(std::string_view others, Findings& findings) const;
 
  private:

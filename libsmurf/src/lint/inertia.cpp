@@ -25,7 +25,7 @@ std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& ine
     if (!*entry) return std::nullopt;
     scale = std::fmax(scale, std::fabs(**entry));
   }
-  if (is_diagonal(inertial)) {  // most are, and the solver takes a hundred times as long
+  if (is_diagonal(inertial)) {  // as most are; the solver is a hundred times slower
     std::array<double, 3> moments = {*inertial.ixx, *inertial.iyy, *inertial.izz};
     std::sort(moments.begin(), moments.end());
     return moments;

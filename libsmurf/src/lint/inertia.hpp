@@ -9,25 +9,25 @@
 
 namespace smurf {
 
-/// True when all six entries are written, readable or not.
+/// Whether all six entries are written, readable or not.
 bool is_written(const urdf::Inertial& inertial);
 /// Principal moments, ascending, kg m^2; none unless all six entries are readable.
 std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& inertial);
 
-/// True when all products of inertia are 0.
+/// Whether all products of inertia are 0.
 bool is_diagonal(const urdf::Inertial& inertial);
 
-/// True when the smallest of ascending moments is positive beyond rounding.
+/// Whether the smallest of ascending moments is positive, apart from rounding errors.
 bool is_positive_definite(const std::array<double, 3>& moments);
 
-/// How far the largest of ascending moments exceeds the sum of the others, relative to it; not
-/// positive for a body.
+/// The amount by which the largest of ascending moments exceeds the sum of the others, relative to
+/// it; not positive for a possible body.
 double triangle_excess(const std::array<double, 3>& moments);
-/// A larger excess is no rounding: flat bodies printed with three digits stay below 5e-3, real
-/// mistakes lie above 1e-2 (5512 inertials of the Tola/Corke dataset).
+/// A larger excess is not caused by rounding: flat bodies printed with three digits stay below
+/// 5e-3, real mistakes are above 1e-2 (5512 inertials of the Tola/Corke dataset).
 inline constexpr double kImpossibleExcess = 1e-2;
 
-/// True for the unit tensor that CAD tools and templates leave.
+/// Whether the inertia is the unit tensor, a placeholder of CAD tools and templates.
 bool is_unit_tensor(const urdf::Inertial& inertial);
 
 }  // namespace smurf

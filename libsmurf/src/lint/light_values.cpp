@@ -17,7 +17,7 @@ struct Needed {
   bool of_spots_only = false;
 };
 
-/// The keys without a default in MARS. Colours have one.
+/// The keys without a default in MARS. Colours have defaults.
 constexpr Needed kNeeded[] = {
     {"type", [](const Light& light) { return light.type.written; }},
     {"position", [](const Light& light) { return light.position.written; }},
@@ -32,7 +32,7 @@ constexpr Needed kNeeded[] = {
 };
 constexpr std::int64_t kSpot = 2;
 
-/// True for an unknown key that is nearly this one; it is reported as a misspelling.
+/// Whether an unknown key is a misspelling of this key; then it is reported elsewhere.
 bool is_misspelt(yaml::View mapping, std::string_view key) {
   std::vector<std::string_view> known;
   for (const Needed& needed : kNeeded) known.push_back(needed.key);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From byte spans back to YAML pointers and XPaths: rules report places, people and programs want
-// names of places too.
+// Finds the YAML pointer or XPath of a byte span: rules report spans, users and programs also need
+// names of places.
 #include <algorithm>
 #include <iterator>
 #include <span>
@@ -43,7 +43,7 @@ void point(Diagnostic& diagnostic, const xml::Document& document, xml::XPaths& p
   diagnostic.named_pointer = diagnostic.pointer;
 }
 
-/// Findings that were not located yet, by their source: a scene may have thousands of both.
+/// Findings without a location, by their source: a scene may have thousands of both.
 class BySource {
  public:
   explicit BySource(std::span<Diagnostic> diagnostics) {
@@ -52,7 +52,7 @@ class BySource {
     }
   }
 
-  /// Once: models may share a file.
+  /// Only once, because models may share a file.
   std::vector<Diagnostic*> take(SourceId source) {
     const auto found = found_.extract(source);
     return found ? std::move(found.mapped()) : std::vector<Diagnostic*>();
@@ -80,15 +80,16 @@ const Part* part_at(const std::vector<Part>& parts, Span place) {
   return place.begin < part.span.end ? &part : nullptr;
 }
 
-/// True when the link moves only with the body that it is fixed to, or not at all.
+/// Whether the link moves only together with the body to which it is fixed, or not at all.
 bool is_carried(const LinkedModel& model, const urdf::Link& link) {
   const auto index = static_cast<std::size_t>(&link - model.robot->links.data());
   const auto above = model.tree.parent_joint[index];
   return !above || model.joint(*above).type == urdf::JointType::fixed;
 }
 
-/// What readers make of inertials depends on what moves, "#carried" or by itself,
-/// "#alone/inertia/@ixx/", and of the parts of a joint on its type: "#in-fixed/limit/@lower/".
+/// Effects on readers depend on motion and on the type of the joint. So inertials get the construct
+/// "#carried" or, if the link moves by itself, "#alone/inertia/@ixx/"; parts of joints get
+/// "#in-fixed/limit/@lower/".
 void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
   std::vector<bool> alone;
   for (Diagnostic* diagnostic : found) {
@@ -116,7 +117,7 @@ void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
 }
 constexpr std::string_view kDrakeIgnored = "#drake-ignored";
 
-/// Marks what is found in links and joints with `drake_ignore="true"`, which Drake skips.
+/// Marks findings in links and joints with `drake_ignore="true"`, which Drake skips.
 void mark_ignored(const xml::Document& document, std::span<Diagnostic* const> found) {
   std::vector<Span> ignored;  // in the order of the file
   for (const xml::View element : document.view()) {
@@ -134,7 +135,7 @@ void mark_ignored(const xml::Document& document, std::span<Diagnostic* const> fo
   }
 }
 
-/// A fault of YAML matters more in the file that names the others, even where it has no tree.
+/// A fault of YAML matters more in the file that lists the others, even if it has no tree.
 void locate_in(const std::optional<yaml::Document>& document, SourceId source,
                std::string_view kind, BySource& found) {
   for (Diagnostic* diagnostic : found.take(source)) {

@@ -29,7 +29,7 @@ bool is_malformed_package(std::string_view filename) {
   return package.empty() || filename.size() <= kPackage.size() + package.size() + 1;
 }
 
-/// The format that a reader expects by the extension; unknown when several or none do.
+/// The format that a reader expects for the extension; unknown if several or none are possible.
 MeshFormat expected_format(std::string_view filename) {
   const std::string extension = path::to_lower(path::extension(filename));
   if (extension == ".stl") return MeshFormat::stl_binary;
@@ -115,7 +115,7 @@ bool OpenedMesh::is_collision() const {
 
 std::vector<OpenedMesh> opened_meshes(const LinkedModel& model) {
   std::vector<OpenedMesh> meshes;
-  if (model.meshes.empty()) return meshes;  // spares ten rules the way through all geometries
+  if (model.meshes.empty()) return meshes;  // ten rules use it, so the geometries are searched once
   std::unordered_map<const MeshFile*, std::size_t> by_file;
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (use.mesh() == nullptr) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Questions about mesh files: which cannot be found and why, what those that were opened hold, and
-// who uses them.
+// Questions about mesh files: why a file cannot be found, the contents of opened files, and their
+// users.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace smurf {
 
-/// Why nothing can be loaded from a path. One rule reports each cause, so that a path gets one
+/// The reason why a path cannot be loaded. One rule reports each reason, so each path gets one
 /// finding.
 enum class PathFault : std::uint8_t {
   none,
@@ -40,13 +40,13 @@ struct PathUses {
 /// The paths of a model that have this fault.
 std::vector<PathUses> paths_with(const LinkedModel& model, PathFault fault);
 
-/// A fix that writes another path wherever this one stands.
+/// A fix that replaces the path wherever it occurs.
 Fix rewrite(const PathUses& path, std::string_view filename, Applicability applicability);
 
 /// NAME of package://NAME/REST; empty for other paths.
 std::string_view package_of(std::string_view filename);
 
-/// True when an opened file holds something else than its extension says (SML1645).
+/// Whether the format of an opened file differs from its extension (SML1645).
 bool has_other_format(const MeshReference& reference);
 
 /// A mesh file that was opened and read, and the visuals and collisions that use it.
@@ -58,17 +58,17 @@ struct OpenedMesh {
 
   bool is_collision() const;
 };
-/// Mesh files in the order of their first use; those that could not be read are left out.
+/// Mesh files in the order of their first use, except for files that could not be read.
 std::vector<OpenedMesh> opened_meshes(const LinkedModel& model);
 
-/// One finding for the meshes that have something in common, at the first of them: `one` says what
-/// when there is one such file, `many` what follows "12 mesh files". Null when there is none.
+/// Reports one finding for several meshes, at the first of them. `one` is the message for one file,
+/// `many` the text after "12 mesh files". Null if there are no meshes.
 Diagnostic* report_meshes(const LinkedModel& model,
                           const std::function<bool(const OpenedMesh&)>& is_at_fault,
                           std::string_view one, std::string_view many, Findings& findings);
 
-/// One finding, at the first of these references, for all files that MARS turns; none without
-/// references. `kind` is as in "12 STL files".
+/// Reports one finding, at the first reference, for all files that MARS rotates; nothing if there
+/// are no references. `kind` is as in "12 STL files".
 void report_turned(const std::vector<const MeshReference*>& turned, std::string message,
                    std::string_view kind, Findings& findings);
 

@@ -12,7 +12,7 @@ std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_
 std::vector<bool> endless_mimics(const LinkedModel& model) {
   const auto count = static_cast<std::uint32_t>(model.robot->joints.size());
   std::vector<bool> is_endless(count, false);
-  std::vector<std::uint32_t> seen_from(count, count);  // each joint is walked over once
+  std::vector<std::uint32_t> seen_from(count, count);  // each joint is visited once
   for (std::uint32_t start = 0; start < count; ++start) {
     std::vector<std::uint32_t> walked;
     std::optional<std::uint32_t> at = start;

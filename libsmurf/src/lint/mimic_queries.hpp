@@ -10,10 +10,10 @@
 
 namespace smurf {
 
-/// Position of the joint that this one mimics; none when it mimics no joint or an unknown one.
+/// Index of the joint that this joint mimics; none if it mimics no joint or an unknown one.
 std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_t joint);
 
-/// For each joint, true if its chain of leaders ends in a cycle.
+/// For each joint, whether its chain of leaders ends in a cycle.
 std::vector<bool> endless_mimics(const LinkedModel& model);
 
 }  // namespace smurf

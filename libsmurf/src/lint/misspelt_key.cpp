@@ -21,7 +21,7 @@ constexpr std::pair<std::string_view, std::string_view> kOtherWords[] = {
     {"size", "extend"},     {"extent", "extend"},        {"extents", "extend"},
 };
 
-/// Null when no reader has another word for it, or the value would not fit.
+/// Null if no reader has another word for it, or if the value does not fit.
 const KeySpec* meant_by_other_word(yaml::View value, KeyRenames& renames,
                                    std::span<const KeySpec> keys) {
   for (const auto& [word, key] : kOtherWords) {
@@ -45,7 +45,7 @@ bool takes_value(const KeySpec& spec, yaml::View value) {
 const KeySpec* misspelt_key(yaml::View value, KeyRenames& renames, std::span<const KeySpec> keys) {
   std::vector<std::string_view> names;
   for (const KeySpec& spec : keys) {
-    if (spec.name != "URI") names.push_back(spec.name);  // nobody should write it
+    if (spec.name != "URI") names.push_back(spec.name);  // should not be suggested
   }
   if (const KeySpec* other = meant_by_other_word(value, renames, keys)) return other;
   const auto near = nearest(value.key(), names);

@@ -11,8 +11,8 @@ namespace smurf {
 
 bool takes_value(const KeySpec& spec, yaml::View value);
 
-/// The key of `keys` that was meant by a key, of the mapping of `renames`, that none of them is:
-/// near, absent, and one that takes the value. Null when there is none.
+/// The key of `keys` that an unknown key of the mapping of `renames` probably means: it is similar,
+/// absent, and accepts the value. Null if there is none.
 const KeySpec* misspelt_key(yaml::View value, KeyRenames& renames, std::span<const KeySpec> keys);
 
 }  // namespace smurf

@@ -31,9 +31,9 @@ bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 }  // namespace
 
 NameFault name_fault(std::string_view name) {
-  // Nearly all names are sound, and every rule on names asks.
+  // Checked first, because nearly all names are sound and every rule on names calls this.
   if (is_identifier(name) && !name.starts_with("__")) return NameFault::none;
-  if (name.empty() || is_xacro(name)) return NameFault::none;  // rules of their own
+  if (name.empty() || is_xacro(name)) return NameFault::none;  // separate rules report them
   if (is_blank(name.front()) || is_blank(name.back())) return NameFault::blank;
   if (name.find('/') != std::string_view::npos) return NameFault::slash;
   if (name.find("::") != std::string_view::npos) return NameFault::double_colon;
@@ -86,7 +86,7 @@ std::vector<NameCollision>
 name_collisions(const LinkedModel& model,
                 const std::function<std::string(std::string_view)>& fold) {
   std::vector<NameCollision> collisions;
-  bool has_changed = false;  // if none does, no two become equal
+  bool has_changed = false;  // without such a character, no two names become equal
   for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
     has_changed = has_changed || fold(*name) != *name;
   });

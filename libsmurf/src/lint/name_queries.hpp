@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Faults of the names of links and joints, other than being unknown.
+// Faults in the names of links and joints; unknown names are checked elsewhere.
 #pragma once
 
 #include <functional>
@@ -16,9 +16,9 @@ enum class NameFault : std::uint8_t {
   blank,         ///< begins or ends with one
   slash,         ///< holds `/`
   double_colon,  ///< holds `::`
-  reserved,      ///< `__name__`, which sdformat keeps for itself
+  reserved,      ///< `__name__`, which sdformat reserves
   non_ascii,
-  irregular  ///< no identifier: other characters than letters, digits and `_`, or a digit in front
+  irregular  ///< not an identifier: other characters than letters, digits and `_`, or a digit first
 };
 NameFault name_fault(std::string_view name);
 
@@ -26,18 +26,18 @@ NameFault name_fault(std::string_view name);
 void for_each_name(const LinkedModel& model,
                    const std::function<void(std::string_view, const Field<std::string>&)>& visit);
 
-/// The first link without a name, or with one that xacro was to make. Null when all have one.
+/// The first link without a name, or with an unexpanded xacro name. Null if there is none.
 const urdf::Link* link_without_name(const LinkedModel& model);
 
-/// Reports a joint, `who`, that names a link which the robot does not have. Where a link has no
-/// name
-/// (`unnamed`, else null), that is the fault: null is returned then.
+/// Reports a joint, `who`, that names an unknown link. If some link has no
+/// name (`unnamed`, otherwise null), that link is the fault; then returns
+/// null.
 Diagnostic* check_link_of_joint(const LinkedModel& model, const Reference& link,
                                 const std::string& who, const urdf::Link* unnamed,
                                 Findings& findings);
 
-/// The name that Isaac and USD use: `_` for what is no letter, digit or underscore, and `a_` before
-/// a digit or underscore in front.
+/// The name in Isaac and USD: `_` replaces characters other than letters, digits and underscores,
+/// and `a_` is put before a leading digit or underscore.
 std::string as_identifier(std::string_view name);
 
 /// Different names of links, or of joints, that become equal.

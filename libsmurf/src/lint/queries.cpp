@@ -31,7 +31,7 @@ Span visual_or_collision(const LinkedModel& model, NameKind kind, std::string_vi
   return {};
 }
 
-/// Where the element has an attribute or a child whose name is nearly `name`; empty without.
+/// The place of an attribute or child with a name similar to `name`; empty if there is none.
 Span find_slip(const LinkedModel& model, xml::ElementId element, std::string_view name) {
   const xml::View view(model.robot->document, element);
   const std::string_view known[] = {name};
@@ -44,7 +44,7 @@ Span find_slip(const LinkedModel& model, xml::ElementId element, std::string_vie
   return {};
 }
 
-/// An entry without a name, or with that of another, may be the one that is looked for.
+/// The missing entry may have no name or a wrong name.
 template <class Entries>
 bool are_all_named(const Entries& entries, const NameTable& names) {
   return names.names().size() == entries.size() && !names.contains("");
@@ -88,7 +88,7 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
       findings.report(place, subject + " names the " + kind_name + " " + quoted(name) +
                                  ", which the model does not have");
   for (const NameKind other : kKinds) {
-    // A motor is often named like its joint, so that is no hint for who needs a joint.
+    // A motor often has the name of its joint, so such a motor is not suggested for a joint.
     const bool is_annotation = other == NameKind::motor || other == NameKind::sensor;
     if (other == kind || is_annotation || !names(model, other).contains(name)) continue;
     diagnostic.message = subject + " needs a " + kind_name + ", but " + quoted(name) + " is a " +

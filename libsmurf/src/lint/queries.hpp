@@ -12,17 +12,17 @@
 
 namespace smurf {
 
-/// The names of a kind that is in the table of the model: neither of nodes, poses, entities, groups
-/// nor extensions.
+/// The names of a kind with a table in the model: not nodes, poses, entities, groups and
+/// extensions.
 const NameTable& names(const LinkedModel& model, NameKind kind);
-/// Where the thing of this kind and name is defined.
+/// The place where the thing of this kind and name is defined.
 Span definition(const LinkedModel& model, NameKind kind, std::string_view name);
 
-/// True when a name of this kind can be judged: the files that define such names were all read.
+/// Whether names of this kind can be checked: all files that define such names were read.
 bool can_judge(const LinkedModel& model, NameKind kind);
 
-/// The subject of a message. Its text is made only when there is something to report, which is
-/// rare; until then, this refers to the entry or element.
+/// The subject of a message. The text is made only when something is reported, which is rare; until
+/// then, this refers to the entry or element.
 class Subject {
  public:
   Subject(const char* words) : words_(words) {}
@@ -45,9 +45,9 @@ inline Subject subject(std::string_view kind, const Annotation& annotation) {
 /// As title().
 Subject subject(const urdf::Joint& joint);
 
-/// Reports a reference to a name that is not there: "`subject` names the joint `x`, ...". Says when
-/// the name exists as another kind, else suggests the nearest. Does nothing and returns null when
-/// it is known.
+/// Reports a reference to an unknown name: "`subject` names the joint `x`, ...". Notes a thing
+/// of another kind with this name, or suggests the nearest name. Returns null if the name is
+/// known.
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
                             Span place, const Subject& subject, Findings& findings);
 
@@ -58,7 +58,7 @@ void check_references(const LinkedModel& model, NameKind kind, const Field<NameL
 /// The place of a YAML scalar within its quotes, if it has any, so that an edit keeps them.
 Span within_quotes(const LinkedModel& model, Span place);
 
-/// Calls `visit` for every link (joint) of the robot, if there is one.
+/// Calls `visit` for every link (or joint) of the robot, if there is one.
 void for_each_link(const LinkedModel& model, const std::function<void(const urdf::Link&)>& visit);
 void for_each_joint(const LinkedModel& model, const std::function<void(const urdf::Joint&)>& visit);
 
@@ -66,27 +66,27 @@ void for_each_joint(const LinkedModel& model, const std::function<void(const urd
 void for_each_material(const LinkedModel& model,
                        const std::function<void(const urdf::Material&)>& visit);
 
-/// What the names in `id` of a sensor of this type are before all; none when MARS takes no `id`.
+/// The main kind of the names in `id` of a sensor of this type; none if MARS does not read `id`.
 std::optional<NameKind> sensor_target(std::string_view type);
 /// Phobos 2 makes collisions that the URDF does not have from entries with a geometry.
 bool creates_collision(const LinkedModel& model, const CollisionAnnotation& entry);
 bool is_section_name(std::string_view key);
-/// The numbers of a text that are numbers, in order; what is wrong with the others is reported
-/// where the URDF is read.
+/// The words of a text that are numbers, in order; the reader of the URDF reports the
+/// others.
 std::vector<double> numbers_in(std::string_view text);
 
 /// "link `a`" at its name; "link" at its element when it has none.
 std::string title(const urdf::Link& link);
 std::string title(const urdf::Joint& joint);
-/// The name's place, or that of the element's name when there is none.
+/// The name's place, or the place of the element's name if it has none.
 Span name_place(const LinkedModel& model, const urdf::Link& link);
 Span name_place(const LinkedModel& model, const urdf::Joint& joint);
 /// The `inertia` element's name, or the inertial's.
 Span inertia_place(const LinkedModel& model, const urdf::Inertial& inertial);
-/// True when the element has an attribute or a child whose name is nearly `name`.
+/// Whether the element has an attribute or a child with a name similar to `name`.
 bool has_slip(const LinkedModel& model, xml::ElementId element, std::string_view name);
-/// Same, for a rule that reports nothing then, because the misspelling is reported at its place. To
-/// readers the element is missing, so the misspelling is marked as a fault of this rule, too.
+/// The same for a rule that then reports nothing, because the misspelling is reported at its place.
+/// To readers, the element is missing, so the misspelling is also marked as a fault of this rule.
 bool is_slip(const LinkedModel& model, xml::ElementId element, std::string_view name,
              Findings& findings);
 /// Place of an element's name in its start tag.

@@ -16,7 +16,7 @@ bool is_in_yaml(const Reference& reference) {
          reference.notation == Reference::Notation::yaml_key;
 }
 
-/// The name of the entry itself, under whatever key it has it.
+/// The name of the entry, under any key.
 std::string_view name_of(const AnnotationPlace& place) {
   if (place.section == "submodels") return place.entry.key();
   const bool is_mechanism = place.section == "submechanisms" || place.section == "exoskeletons";
@@ -36,7 +36,7 @@ bool is_first(yaml::View entry) {
   return entry.document().nodes[static_cast<std::size_t>(entry.id())].position() == 0;
 }
 
-/// What readers make of an unknown name depends on the entry that has it.
+/// The effect of an unknown name on readers depends on the entry.
 std::string_view construct_of(const LinkedModel& model, const AnnotationPlace& place) {
   if (place.section == "collision" && place.key == "link") {
     const yaml::View name = place.entry.find("name");
@@ -114,7 +114,7 @@ std::string subject_of(const AnnotationPlace& place) {
   const SectionSpec* section = find_section(place.section);
   if (section == nullptr) return "this entry";
   if (place.key == "name") return "this " + std::string(section->entry) + " entry";
-  // For MARS 2 it is the name.
+  // In MARS 2, `link` is the name.
   if (section == &sections::link && place.key == "link") return "this link entry";
   const std::string_view name = name_of(place);
   const std::string noun = noun_of(*section);

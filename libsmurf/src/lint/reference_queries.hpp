@@ -12,35 +12,35 @@ namespace smurf {
 
 /// The place of a name in the annotations.
 struct AnnotationPlace {
-  std::string_view section;  ///< canonical ("motors"); empty in a URDF
-  std::string_view key;      ///< of the entry; what is inside of its value has the same
+  std::string_view section;  ///< canonical name ("motors"); empty in a URDF
+  std::string_view key;      ///< key of the entry; nested values have the same
   yaml::View entry;
 };
 AnnotationPlace annotation_place(const LinkedModel& model, const Reference& reference);
 
-/// The name with its quotes, which is where findings point.
+/// The name with its quotes, to which findings point.
 Span place_of(const Reference& reference);
 
-/// The element of a URDF in which it stands; false for annotations.
+/// Gets the element of a URDF that contains the name; false for annotations.
 xml::View element_of(const LinkedModel& model, const Reference& reference);
 
-/// Withdraws a fix that writes this name, which would be another mistake at this place. The hint
-/// stays: it may tell what went wrong.
+/// Removes a fix that would write this name, because it would be another mistake at this place. The
+/// hint is kept, because it may explain the mistake.
 void withhold_fix(Diagnostic* diagnostic, std::string_view name);
 
-/// The other end of the joint whose `<parent>` or `<child>` this is.
+/// The link at the other end of the joint with this `<parent>` or `<child>`.
 std::string_view other_link(xml::View end);
 
-/// "motor `elbow`", "this joint entry": who names it in the annotations.
+/// The subject of a message, for annotations: "motor `elbow`", "this joint entry".
 std::string subject_of(const AnnotationPlace& place);
-/// "joint `elbow`" of an element, or "a joint without name".
+/// The subject of a message, for elements: "joint `elbow`", or "a joint without name".
 std::string subject_of(xml::View joint);
 
-/// As check_reference(), for what annotations name.
+/// check_reference() for names in annotations.
 Diagnostic* report_unknown(const LinkedModel& model, const Reference& reference,
                            Findings& findings);
-/// Reports all names of a kind that annotations need and nothing has, but for those of joint poses
-/// and those at places that are to be passed over.
+/// Reports all unknown names of a kind in annotations, except for those in joint poses and at
+/// places to skip.
 void report_unknown(const LinkedModel& model, NameKind kind, Findings& findings,
                     const std::function<bool(const AnnotationPlace&)>& is_passed_over = {});
 

@@ -16,10 +16,10 @@
 namespace smurf {
 namespace {
 
-/// The joints by name that stay joints in sdformat although they are fixed.
+/// The names of fixed joints that sdformat does not merge.
 using KeptJoints = std::set<std::string_view>;
 
-/// By link: the topmost link of its body. Links that no root reaches are bodies of their own.
+/// By link: the topmost link of its body. Links that no root reaches are separate bodies.
 std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept = {}) {
   std::vector<std::size_t> body(model.robot ? model.robot->links.size() : 0);
   std::iota(body.begin(), body.end(), std::size_t{0});
@@ -33,7 +33,7 @@ std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept
   return body;
 }
 
-/// As sdformat 12.3 reads a flag, run: in any case, from the attribute where there is one.
+/// Reads a flag like sdformat 12.3 (run): in any case, from the attribute if there is one.
 bool is_set(xml::View flag) {
   const xml::Attribute* value = flag.attribute("value");
   const std::string text = path::to_lower(value != nullptr ? value->value() : flag.text());
@@ -86,7 +86,7 @@ Eigen::Matrix3d of_point(double mass, const Eigen::Vector3d& at) {
   return mass * (at.squaredNorm() * Eigen::Matrix3d::Identity() - at * at.transpose());
 }
 
-/// `X_BL` is the pose of the link in its body. What cannot be read is another finding.
+/// `X_BL` is the pose of the link in its body. Unreadable values are reported by other rules.
 void add(const urdf::Inertial& inertial, const Pose& X_BL, Sums& sums) {
   const Pose X_BI = X_BL * to_pose(inertial.origin);
   const Quaternion& q = X_BI.orientation;
@@ -103,7 +103,7 @@ void add(const urdf::Inertial& inertial, const Pose& X_BL, Sums& sums) {
   sums.moments += R * tensor * R.transpose() + of_point(mass, center);
 }
 
-/// gz-math MassMatrix3::IsValid, which sdformat asks.
+/// gz-math MassMatrix3::IsValid, which sdformat calls.
 bool is_sound(const Sums& sums) {
   if (!(sums.mass > 0)) return false;
   const Eigen::Matrix3d about_center = sums.moments - of_point(sums.mass, sums.first / sums.mass);
@@ -122,7 +122,7 @@ std::vector<bool> massless_bodies(const LinkedModel& model) {
   for (const LinkIndex link : model.tree.order) {
     const std::size_t i = to_size(link);
     const std::optional<urdf::Inertial>& inertial = model.link(link).inertial;
-    // An unreadable mass is another finding; the mass may have any value.
+    // If the mass is unreadable, which another rule reports, any mass is possible.
     if (inertial ? inertial->mass.value_or(1) > 0 : !model.link(link).collisions.empty()) {
       has_mass[body[i]] = true;
     }
@@ -140,7 +140,7 @@ bool has_fixed_mass(const LinkedModel& model, LinkIndex start) {
   while (!queue.empty()) {
     const LinkIndex link = queue.back();
     queue.pop_back();
-    if (model.link(link).inertial) return true;  // a wrong mass is another rule's finding
+    if (model.link(link).inertial) return true;  // another rule reports a wrong mass
     for (const JointIndex below : model.tree.child_joints[to_size(link)]) {
       if (model.joint(below).type == urdf::JointType::fixed) {
         queue.push_back(*model.tree.joint_child[to_size(below)]);
@@ -167,7 +167,7 @@ std::vector<bool> fixed_to_heavier(const LinkedModel& model) {
 
 std::vector<bool> alone_in_motion(const LinkedModel& model) {
   const std::vector<std::size_t> body = bodies(model);
-  std::vector<std::size_t> count(body.size(), 0);  // of inertials, by the topmost link
+  std::vector<std::size_t> count(body.size(), 0);  // number of inertials, by the topmost link
   for (std::size_t i = 0; i < body.size(); ++i) {
     count[body[i]] += model.robot->links[i].inertial ? 1 : 0;
   }
@@ -180,7 +180,7 @@ std::vector<bool> alone_in_motion(const LinkedModel& model) {
 
 std::vector<bool> sound_together(const LinkedModel& model) {
   const std::vector<std::size_t> body = bodies_of_sdformat(model);
-  std::vector<Pose> poses(body.size());  // of links in their bodies
+  std::vector<Pose> poses(body.size());  // poses of links in their bodies
   for (const LinkIndex link : model.tree.order) {
     const std::size_t i = to_size(link);
     if (body[i] == i) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bodies that fixed joints make of links.
+// Bodies: links that fixed joints combine.
 #pragma once
 
 #include <vector>
@@ -8,26 +8,26 @@
 
 namespace smurf {
 
-/// By link: is it part of a body that moves and has no mass, nor collisions that a reader could
-/// compute one from?
+/// By link: whether it is part of a moving body without mass and without collisions from which a
+/// reader could compute one.
 std::vector<bool> massless_bodies(const LinkedModel& model);
 
 /// True when the link, or a link fixed to it, has an inertial.
 bool has_fixed_mass(const LinkedModel& model, LinkIndex link);
 
-/// By link: does it hang by a fixed joint on others that weigh at least as much? Readers can take
-/// them for one body then, whatever its own mass and inertia are.
+/// By link: whether it is fixed to links that weigh at least as much. Readers can then treat them
+/// as one body, so its own mass and inertia matter little.
 std::vector<bool> fixed_to_heavier(const LinkedModel& model);
 
-/// By link: the mass (kg) of the body that sdformat makes of it and other links: those that fixed
-/// joints connect, except for joints that a Gazebo element keeps.
+/// By link: the mass (kg) of the body into which sdformat merges it. Fixed joints merge links,
+/// except for joints that a Gazebo element keeps.
 std::vector<double> masses_of_bodies(const LinkedModel& model);
 
-/// By link: is it the only one with an inertial in a body that moves?
+/// By link: whether it is the only link with an inertial in a moving body.
 std::vector<bool> alone_in_motion(const LinkedModel& model);
 
-/// By link: do the inertials that sdformat makes one body of come to one that it takes,
-/// whatever each of them is? Like gz-math, it takes a moment of 0.
+/// By link: whether the sum of the inertials that sdformat merges is acceptable to it, even if each
+/// is not. Like gz-math, it accepts a moment of 0.
 std::vector<bool> sound_together(const LinkedModel& model);
 
 }  // namespace smurf

@@ -9,7 +9,7 @@
 
 namespace smurf {
 
-/// An entity as it is used once: as an instance or as an include.
+/// A use of an entity: as an instance or as an include.
 struct Use {
   const LinkedScene& scene;
   const Entity& entity;
@@ -19,8 +19,8 @@ struct Use {
 
   /// True inside an included scene.
   bool is_nested() const { return around.outer.has_value(); }
-  /// True when MARS gives it the pose, parent and anchor of the include around it: it compares the
-  /// word `world` exactly and takes any other parent for one of its own.
+  /// Whether MARS gives it the pose, parent and anchor of the enclosing include. MARS compares the
+  /// word `world` exactly and treats any other text as a parent.
   bool inherits_in_mars() const { return is_nested() && !has_parent_in_mars(); }
   bool has_parent_in_mars() const {
     return entity.parent.written && entity.parent.value() != "world";
@@ -43,13 +43,13 @@ yaml::View mapping_of(const SceneFile& file, const Entity& entity);
 /// The place of the key `type`; without it, that of the file, whose extension decides the type.
 Span type_place(const Entity& entity);
 
-/// The value of a top-level key that MARS reads here; none in an assembly, where it reads no world.
+/// The value of a top-level key that MARS reads here; none in an assembly, which has no world.
 yaml::View world_value(const SceneFile& file, std::string_view key);
 
-/// True for an entity type that the user registered a schema for, and so knows.
+/// Whether the user has registered a schema for this entity type.
 bool has_schema(const LinkedScene& scene, std::string_view type);
 
-/// A misspelling of `key` among the keys of an entity that does not have `key`; null if none.
+/// A misspelling of `key` in an entity that does not have `key`; null if there is none.
 const CustomSection* slip_of(const Entity& entity, std::string_view key);
 
 /// "entity `Eve`", or "this entity".

@@ -20,7 +20,7 @@ std::size_t start_of_line(std::string_view text, std::size_t at) {
   return before == std::string_view::npos ? 0 : before + 1;
 }
 
-/// A line of its own above `at`, when nothing stands before `at` in its line but "- ".
+/// The place for a separate line above `at`, if only "- " comes before `at` in its line.
 std::optional<Edit> line_above(SourceId source, std::string_view text, std::size_t at,
                                const std::string& comment) {
   const std::size_t line = start_of_line(text, at);
@@ -47,8 +47,8 @@ bool is_between_tags(const xml::Document& document, std::string_view text, std::
   return open == std::string_view::npos || (close != std::string_view::npos && open < close);
 }
 
-/// Whether the XML declaration comes after a place. A comment there would make the file ill-formed
-/// for more readers.
+/// Whether the XML declaration comes after a place. A comment there would break the file for more
+/// readers.
 bool is_before_declaration(const xml::Document& document, std::string_view text, std::uint32_t at) {
   const std::size_t root =
       document.elements.empty() ? text.size() : document.elements[0].span.begin;

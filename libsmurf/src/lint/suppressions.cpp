@@ -55,9 +55,9 @@ class Lines {
   Line line_;
 };
 
-/// Whether smurf-lint reports all findings of the rules of that name here.
-/// Findings that depend on targets appear only when each reader with an opinion is a target, and
-/// those of the other tools (SML6, SML8) never.
+/// Whether smurf-lint reports all findings of the rules of that name here. Findings that depend on
+/// targets are reported only if all readers with a fact are targets. Findings of the other tools
+/// (SML6, SML8) are never reported.
 bool has_run(std::string_view name, const RuleSelection& selection, FileSelection& file) {
   const auto has_run_in_full = [&](const Rule& rule) {
     if (rule.reported_by != Tool::lint) return false;
@@ -75,7 +75,7 @@ bool has_run(std::string_view name, const RuleSelection& selection, FileSelectio
                      [&](const Rule* rule) { return has_run_in_full(*rule); });
 }
 
-/// "there is no rule `SML31O1`", and which is meant.
+/// "there is no rule `SML31O1`", and a suggestion.
 void report_unknown_rule(Span span, std::string_view name, DiagnosticSink& sink) {
   Diagnostic& diagnostic = sink.report(rules::sml9102_unknown_rule, span,
                                        "there is no rule `" + std::string(name) + "`");
@@ -179,7 +179,7 @@ class Suppressions::Reader {
     const Line first = lines_.around(span.begin);
     const Line last = lines_.around(span.end);
     Comment comment{span, span, 0, 0, {}, {}, {}};
-    if (first.text_begin == span.begin && last.text_end <= span.end) {  // there is nothing else
+    if (first.text_begin == span.begin && last.text_end <= span.end) {  // nothing else
       const std::size_t after = std::min(last.end + 1, text_.size());
       comment.removal = {source_, offset(first.begin), offset(after)};
     } else {
@@ -211,8 +211,8 @@ class Suppressions::Reader {
     return "ID";
   }
 
-  /// Not where a reader of YAML 1.1 ends the line earlier and reads on behind, and not where the
-  /// comment parts a text of XML in two.
+  /// False if a reader of YAML 1.1 would end the line earlier and read the rest, or if the comment
+  /// would split a text in XML.
   bool is_removable(Span span) const {
     const std::string_view comment = text_.substr(span.begin, span.end - span.begin);
     for (const std::string_view line_end : {"\u0085", "\u2028", "\u2029"}) {
@@ -247,7 +247,8 @@ class Suppressions::Reader {
     if (comment.items.empty()) comment.problem = "it names no rule";
   }
 
-  /// "SML3101, unknown-link"; an item goes with the comma before it, the first with that behind it.
+  /// "SML3101, unknown-link". An item is removed with the comma before it, the first item with the
+  /// comma after it.
   void read_items(std::string_view list, std::size_t at, Comment& comment) const {
     std::size_t begin = 0;
     while (begin <= list.size()) {
@@ -274,8 +275,8 @@ class Suppressions::Reader {
   Lines lines_;
 };
 
-/// A file is read once, but several models may use it. It counts as complete only when it is
-/// complete in each of them.
+/// A file is read once, but several models may use it. It is complete only if it is complete in all
+/// of them.
 template <class Document>
 void Suppressions::add(const Document& document, bool is_complete, const SourceMap& sources) {
   const auto [file, is_new] = files_.try_emplace(sources.path(document.source));
@@ -347,7 +348,7 @@ std::size_t Suppressions::apply(std::vector<Diagnostic>& diagnostics, const Sour
   DiagnosticSink sink;
   for (const auto& [path, file] : files_) {
     if (file.comments.empty()) continue;
-    std::map<std::string_view, bool> have_run;  // of which many items may ask
+    std::map<std::string_view, bool> have_run;  // many items may query it
     FileSelection selected(selection, path);
     const auto is_unused = [&, &file = file](const Item& item) {
       if (item.is_used || !file.is_complete) return false;
@@ -362,7 +363,7 @@ std::size_t Suppressions::apply(std::vector<Diagnostic>& diagnostics, const Sour
   return count;
 }
 
-/// A sweep over the file, so that many comments and many findings cost no more than sorting them.
+/// A sweep over the file, so the cost of many comments and findings is that of sorting them.
 std::vector<std::size_t> Suppressions::silence(std::span<const Diagnostic> diagnostics,
                                                std::vector<Comment>& comments) {
   struct Scope {
@@ -379,7 +380,7 @@ std::vector<std::size_t> Suppressions::silence(std::span<const Diagnostic> diagn
   for (auto& [name, scopes] : by_name) {
     std::stable_sort(scopes.begin(), scopes.end(),
                      [](const Scope& a, const Scope& b) { return a.begin < b.begin; });
-    std::multimap<std::uint32_t, Item*> around;  // by their ends: the first is the narrowest
+    std::multimap<std::uint32_t, Item*> around;  // sorted by end: the first is the narrowest
     auto next = scopes.begin();
     for (std::size_t i = 0; i < diagnostics.size(); ++i) {
       if (!matches(*diagnostics[i].rule, name)) continue;
@@ -409,7 +410,7 @@ void Suppressions::judge(const Comment& comment, const std::function<bool(const 
       report_unknown_rule(item.span, item.name, sink);
     } else if (is_unused(item)) {
       Diagnostic& diagnostic = sink.report(rules::sml9103_unused_suppression, item.span,
-                                           "nothing here raises `" + item.name + "`");
+                                           "there is no finding of `" + item.name + "` here");
       diagnostic.help("remove it");
       const Span removal = is_all_unused ? comment.removal : item.removal;
       if (!removal.empty()) diagnostic.fixes.push_back({Applicability::safe, {{removal, ""}}});

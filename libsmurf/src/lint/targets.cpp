@@ -20,7 +20,8 @@ Severity milder(Severity severity) {
   return severity == Severity::error ? Severity::warning : Severity::info;
 }
 
-/// What its author wrote for this reader: a construct with its name, such as "#drake-joint".
+/// An element that its author wrote for this reader: its construct contains the reader's name, such
+/// as "#drake-joint".
 bool is_meant(const Fact& fact) {
   if (fact.effect != Effect::takes || !fact.where.starts_with('#')) return false;
   const std::string_view construct = fact.where.substr(1);
@@ -29,7 +30,7 @@ bool is_meant(const Fact& fact) {
 
 /// The effects of a finding on the targets.
 struct Judgement {
-  /// Facts other than that it is taken, each with the targets it holds for.
+  /// Facts except those that the file loads, each with its targets.
   std::vector<std::pair<const Fact*, std::string>> stumbles;
   bool is_known = true;  ///< of every target
   bool is_meant = true;  ///< written for every target
@@ -61,12 +62,12 @@ Severity severity_for(const Diagnostic& diagnostic, const Judgement& judgement) 
   for (const auto& [fact, names] : judgement.stumbles) {
     severity = std::max(severity, severity_of(fact->effect));
   }
-  // An error stays one while a target may refuse it.
+  // An error stays an error as long as a target may refuse the file.
   const bool is_open = !judgement.is_known && diagnostic.severity == Severity::error;
   if (diagnostic.rule->is_impossible || (is_open && !diagnostic.rule->needs_target)) {
     return std::max(severity, diagnostic.severity);
   }
-  const bool is_fine = diagnostic.rule->needs_target;  // unless one of the targets stumbles
+  const bool is_fine = diagnostic.rule->needs_target;  // unless one of the targets fails
   return judgement.stumbles.empty() && !is_fine ? milder(diagnostic.severity) : severity;
 }
 
@@ -83,7 +84,8 @@ void apply_targets(std::vector<Diagnostic>& diagnostics, std::span<const Reader*
     for (const auto& [fact, names] : judgement.stumbles) {
       diagnostic.note(names + ": " + std::string(fact->makes));
     }
-    // A part that a target ignores is no reason to report what is fine in general.
+    // If a target only ignores a part, that is no reason to report findings that are harmless in
+    // general.
     if (diagnostic.rule->needs_target && diagnostic.severity == Severity::info) continue;
     kept.push_back(std::move(diagnostic));
   }

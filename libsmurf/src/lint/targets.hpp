@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// Sets severities, notes what each target makes of a finding, and drops what only concerns others.
+/// Sets severities, notes the effects on each target, and removes findings about other readers.
 void apply_targets(std::vector<Diagnostic>& diagnostics, std::span<const Reader* const> targets);
 
 }  // namespace smurf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The .bobj of MARS (gui_helper_functions.cpp:390-599): records of a tag and numbers, without any
-// header or count. MARS checks no index, so what is reported here it reads out of bounds.
+// header or count. MARS does not check indices: it reads out of bounds where this reader reports a
+// fault.
 #include <array>
 #include <cmath>
 
@@ -13,7 +14,7 @@ namespace {
 
 enum Tag : std::int32_t { vertex = 1, texture = 2, normal = 3, face = 4, color = 5 };
 
-/// Bytes of a record after its tag; 0 for what is no tag.
+/// Bytes of a record after its tag; 0 for an unknown tag.
 std::size_t payload(std::int32_t tag) {
   switch (tag) {
   case vertex:
@@ -37,7 +38,7 @@ class BobjReader {
     facts_.box = box_.box();
     if (facts_.defect) return;
     facts_.volume = surface_.volume();
-    // MARS reads chunks of this size and forgets the records that the last full one leaves over.
+    // MARS reads chunks of this size and loses the records that the last full chunk leaves over.
     constexpr std::size_t kChunk = 256;
     if (bytes_.size() % kChunk == 0) {
       facts_.defect = {"its size is a multiple of 256 bytes, of which MARS loses the last triangle",
@@ -91,7 +92,7 @@ class BobjReader {
   bool check(const std::string& what, std::int32_t index, std::size_t count) {
     if (index >= 1 && static_cast<std::size_t>(index) <= count) return true;
     return fail("a triangle names the " + what + " " + std::to_string(index) + ", but " +
-                std::to_string(count) + " come before it");
+                std::to_string(count) + " precede it");
   }
 
   /// Always false.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // COLLADA: units, axes, counts, and the box of the positions through the nodes of the scene.
-// Nothing is rendered, so materials, normals and animations stay unread.
+// Ignores materials, normals and animations.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -80,7 +80,7 @@ class ColladaReader {
     if (!array) return;
     const std::vector<double> all = numbers(array.text());
     if (!is_finite(all)) {
-      fail(array, "the coordinates of the vertices are not all numbers");
+      fail(array, "some coordinates of the vertices are not numbers");
       return;
     }
     const Layout layout = layout_of(source);

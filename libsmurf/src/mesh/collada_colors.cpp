@@ -9,7 +9,7 @@ namespace {
 
 using xml::View;
 
-/// A child of a child, and so on; null when one of them is absent.
+/// A descendant by names; null if one of them is absent.
 View descend(View element, std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) {
     if (!element) return {};
@@ -18,7 +18,7 @@ View descend(View element, std::initializer_list<std::string_view> names) {
   return element;
 }
 
-/// The first <diffuse> of an effect; null when it has none.
+/// The first <diffuse> of an effect; null if there is none.
 View diffuse_of(View effect, std::string_view child) {
   const View technique = descend(effect, {"profile_COMMON", "technique"});
   for (const std::string_view shading : {"phong", "lambert", "blinn"}) {
@@ -31,7 +31,7 @@ std::optional<Rgba> color_of(View effect) {
   if (const View color = diffuse_of(effect, "color")) {
     const std::vector<double> all = numbers(color.text());
     if (all.size() < 3 || all.size() > 4 || !is_finite(all)) return std::nullopt;
-    // What the fourth number means depends on <transparent>, which exporters write in all ways.
+    // The meaning of the fourth number depends on <transparent>, and exporters disagree about it.
     Rgba rgba{0, 0, 0, 1};
     for (std::size_t i = 0; i < 3; ++i) rgba[i] = std::clamp(all[i], 0.0, 1.0);
     return rgba;

@@ -11,7 +11,7 @@
 
 namespace smurf::collada {
 
-/// The ids of materials by the symbols that a geometry has for them.
+/// The ids of materials, by their symbols in a geometry.
 using Bindings = std::map<std::string_view, std::string_view>;
 Bindings bindings_of(xml::View instance);
 
@@ -21,7 +21,7 @@ class Colors {
 
   /// None for a texture.
   std::optional<Rgba> of(std::string_view material) const;
-  /// Whether any effect of the file has one.
+  /// Whether any effect of the file has a texture.
   bool has_textures() const { return has_textures_; }
 
  private:

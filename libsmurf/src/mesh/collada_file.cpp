@@ -15,7 +15,8 @@ namespace smurf::collada {
 using xml::View;
 
 File::File(std::string_view text) {
-  // The tree takes some hundred bytes an element; real files have few, as numbers lie in lists.
+  // The tree needs some hundred bytes per element; real files have few elements, because numbers
+  // are in lists.
   constexpr auto kMostElements = 1000000;
   has_too_many_elements_ = std::count(text.begin(), text.end(), '<') > kMostElements;
   if (has_too_many_elements_) return;
@@ -23,7 +24,7 @@ File::File(std::string_view text) {
   DiagnosticSink sink;
   document_ = parse_xml(sources_, source, Limits{}, sink);
   if (document_) return;
-  defect_ = {"it is no XML", 0, 1};
+  defect_ = {"it is not XML", 0, 1};
   for (const Diagnostic& diagnostic : sink.diagnostics()) {
     if (diagnostic.severity != Severity::error) continue;
     defect_ = {diagnostic.message, diagnostic.span.begin,
@@ -95,7 +96,7 @@ Layout layout_of(View source) {
   const View technique = source.child("technique_common");
   const View accessor = technique ? technique.child("accessor") : View();
   if (!accessor) return layout;
-  constexpr std::int64_t kMost = 1 << 30;  // one that does not fit would become 0
+  constexpr std::int64_t kMost = 1 << 30;  // a number out of range would become 0
   const auto stride = parse_integer(value(accessor, "stride"));
   if (stride && *stride >= 3) layout.stride = static_cast<std::size_t>(std::min(*stride, kMost));
   const auto offset = parse_integer(value(accessor, "offset"));

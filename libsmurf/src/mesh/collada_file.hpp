@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the two readers of COLLADA share: one looks for facts, the other for triangles.
+// Code that the two COLLADA readers share: one finds facts, the other triangles.
 #pragma once
 
 #include <optional>
@@ -14,17 +14,17 @@
 
 namespace smurf::collada {
 
-/// A file as a tree. Stays where it is, because the tree points into it.
+/// A file as a tree. Cannot be moved, because the tree points into it.
 class File {
  public:
   explicit File(std::string_view text);
   File(const File&) = delete;
   File& operator=(const File&) = delete;
 
-  /// Null when the file is no XML, or has too many elements.
+  /// Null if the file is not XML, or has too many elements.
   const xml::Document* document() const { return document_ ? &*document_ : nullptr; }
   bool has_too_many_elements() const { return has_too_many_elements_; }
-  /// Why it is no XML.
+  /// The reason why it is not XML.
   const std::optional<MeshDefect>& defect() const { return defect_; }
   /// A defect at an element.
   MeshDefect defect_at(xml::View element, std::string what) const;
@@ -39,32 +39,32 @@ class File {
   bool has_too_many_elements_ = false;
 };
 
-/// The value of an attribute; empty when the element does not have it.
+/// The value of an attribute; empty if it is absent.
 std::string_view value(xml::View element, std::string_view attribute);
 std::string_view trimmed_text(xml::View element);
-/// The id in a reference to an element of the same file; empty for any other.
+/// The id in a reference to an element of the same file; empty for other references.
 std::string_view id_in(std::string_view reference);
-/// The numbers in a text; each word that is no number becomes NaN.
+/// The numbers in a text; each word that is not a number becomes NaN.
 std::vector<double> numbers(std::string_view text);
 bool is_finite(const std::vector<double>& all);
 
 /// The <source> with the positions of a mesh.
 xml::View positions_of(xml::View mesh);
-/// Where the coordinates of a point are in the numbers of a source.
+/// The positions of the coordinates of a point in a source.
 struct Layout {
   std::size_t offset = 0, stride = 3;
-  std::size_t axes[3] = {0, 1, 2};  ///< from the beginning of a point
+  std::size_t axes[3] = {0, 1, 2};  ///< offsets from the beginning of a point
 
-  /// The number of points in so many numbers.
+  /// The number of points in a list of numbers.
   std::size_t points(std::size_t numbers) const;
 };
 Layout layout_of(xml::View source);
 
-/// Metres in a unit of the file; none when it is not written.
+/// Metres per unit of the file; none if it is not written.
 std::optional<double> unit_of(xml::View asset);
 
-/// Applies a child of a node to the transform of the node when it is <matrix>, <translate>,
-/// <rotate> or <scale>. False when it has the wrong numbers.
+/// Applies <matrix>, <translate>, <rotate> or <scale> in a node to the transform of the node. False
+/// if it has the wrong numbers.
 bool transform(xml::View element, Affine& X);
 
 }  // namespace smurf::collada

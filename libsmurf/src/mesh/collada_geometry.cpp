@@ -18,7 +18,7 @@ bool has_triangles(std::string_view element) {
   return std::find(std::begin(kNames), std::end(kNames), element) != std::end(kNames);
 }
 
-/// Every second triangle of a strip names its corners the other way around.
+/// Every second triangle of a strip has the opposite order of corners.
 void add_strip(const std::vector<std::uint32_t>& strip, std::vector<std::uint32_t>& corners) {
   for (std::size_t i = 2; i < strip.size(); ++i) {
     const bool is_turned = i % 2 == 1;
@@ -53,9 +53,9 @@ Geometry GeometryReader::read(View element) {
 bool GeometryReader::read_points(View mesh, Geometry& geometry) {
   const View source = positions_of(mesh);
   const View array = source ? source.child("float_array") : View();
-  if (!array) return fail(mesh, "the points of the mesh are not there");
+  if (!array) return fail(mesh, "the points of the mesh are missing");
   const std::vector<double> all = numbers(array.text());
-  if (!is_finite(all)) return fail(array, "the coordinates of the vertices are not all numbers");
+  if (!is_finite(all)) return fail(array, "some coordinates of the vertices are not numbers");
   const Layout layout = layout_of(source);
   const std::size_t count = layout.points(all.size());
   geometry.points.reserve(count);

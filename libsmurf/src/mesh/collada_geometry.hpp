@@ -16,23 +16,23 @@ struct Geometry {
   /// Triangles with one material.
   struct Part {
     std::string_view material;           ///< a symbol that the instances bind
-    std::vector<std::uint32_t> corners;  ///< three a triangle, in `points`
+    std::vector<std::uint32_t> corners;  ///< three per triangle, in `points`
   };
   std::vector<Vector3> points;
-  /// The texture coordinates of each point. Empty when they were not asked for, or when no
-  /// primitive has any.
+  /// The texture coordinates of each point. Empty if they were not requested, or if no primitive
+  /// has any.
   std::vector<TexturePoint> texture_points;
   std::vector<Part> parts;
 };
 
-/// What is wrong at an element.
+/// A problem at an element.
 struct Problem {
   xml::View element;
   std::string what;
-  bool is_defect = true;  ///< otherwise the file is sound, and only not read here
+  bool is_defect = true;  ///< false: the file is sound, but this reader does not support it
 };
 
-/// Reads one after the other; the first problem ends it.
+/// Reads geometries one after the other; stops at the first problem.
 class GeometryReader {
  public:
   explicit GeometryReader(TexturePoints texture_points)
@@ -43,13 +43,13 @@ class GeometryReader {
   const std::optional<Problem>& problem() const { return problem_; }
 
  private:
-  /// What the indices in the lists of a primitive mean.
+  /// The meaning of the indices in the lists of a primitive.
   struct Indices {
-    std::size_t stride = 1;  ///< from a corner to the next
-    std::size_t offset = 0;  ///< of the index of the point
+    std::size_t stride = 1;  ///< distance from one corner to the next
+    std::size_t offset = 0;  ///< offset of the index of the point
     /// The place of the index of the texture coordinates among the indices of a corner.
     std::size_t texture_offset = 0;
-    const std::vector<TexturePoint>* textures = nullptr;  ///< null when the corners have none
+    const std::vector<TexturePoint>* textures = nullptr;  ///< null: the corners have none
   };
   bool read_points(xml::View mesh, Geometry& geometry);
   void read_primitives(xml::View element, Geometry& geometry);
@@ -60,10 +60,10 @@ class GeometryReader {
   bool fail(xml::View element, std::string what, bool is_defect = true);
 
   bool wants_textures_;
-  std::size_t points_ = 0;  ///< of the geometry as written
+  std::size_t points_ = 0;  ///< the geometry as written
   std::optional<TextureSources> sources_;
   TexturedPoints textured_;
-  std::vector<std::uint32_t> corners_;  ///< of the list read last
+  std::vector<std::uint32_t> corners_;  ///< the last list that was read
   std::vector<std::int64_t> textures_;  ///< of its corners
   PolygonSplitter splitter_;
   std::optional<Problem> problem_;

@@ -12,7 +12,7 @@ using xml::View;
 
 /// The accessor of texture coordinates names S and T, or U and V, as its first two parameters.
 std::vector<TexturePoint> read(View source) {
-  constexpr std::int64_t kMost = 1 << 30;  // keeps the conversion to size_t from overflowing to 0
+  constexpr std::int64_t kMost = 1 << 30;  // prevents an overflow of the conversion to size_t
   const View array = source.child("float_array");
   const View technique = source.child("technique_common");
   const View accessor = technique ? technique.child("accessor") : View();

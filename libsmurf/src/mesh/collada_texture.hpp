@@ -13,12 +13,12 @@
 
 namespace smurf::collada {
 
-/// Each source is read once, however many primitives name it.
+/// Each source is read once, even if many primitives name it.
 class TextureSources {
  public:
   explicit TextureSources(xml::View mesh);
 
-  /// What an <input> names; null when it is not there.
+  /// The source that an <input> names; null if it does not exist.
   const std::vector<TexturePoint>* of(xml::View input);
 
  private:
@@ -26,7 +26,7 @@ class TextureSources {
   std::unordered_map<xml::ElementId, std::vector<TexturePoint>> read_;
 };
 
-/// Makes one point of each pair of a point and texture coordinates, because triangles have one
+/// Makes one point for each pair of a point and texture coordinates, because triangles have one
 /// index for both.
 class TexturedPoints {
  public:

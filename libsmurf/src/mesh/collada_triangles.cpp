@@ -18,10 +18,10 @@ namespace {
 using xml::View;
 using namespace collada;
 
-/// A node may name another, and so on: together they are a tree, of which this is the depth.
+/// Limits the depth of nodes that refer to other nodes.
 constexpr std::size_t kMostLevels = 256;
-/// Nodes that name others twice double with each level. A file without such names has fewer
-/// elements.
+/// If nodes refer to others twice, their number doubles with each level. A file without such
+/// references has fewer elements.
 constexpr std::size_t kMostSteps = 4'000'000;
 
 class ColladaTriangles {
@@ -36,7 +36,7 @@ class ColladaTriangles {
     if (colors_.has_textures()) triangles.note_textures();
   }
 
-  /// Why there are none.
+  /// The reason why there are no triangles.
   std::string read() {
     index();
     Affine X_unit;
@@ -45,7 +45,7 @@ class ColladaTriangles {
       X_unit = scaling({unit, unit, unit});
     }
     const View scene = scene_of();
-    if (!scene) return "has no scene that says where its parts are";
+    if (!scene) return "has no scene that places its parts";
     for (const View child : scene) {
       if (child.name() == "node" && !node(child, X_unit)) break;
     }
@@ -79,7 +79,7 @@ class ColladaTriangles {
     for (const View child : element) index_nodes(child);
   }
 
-  /// The scene that the file shows, else its only one.
+  /// The scene that the file displays, otherwise its only scene.
   View scene_of() const {
     if (const View shown = root_.child("scene")) {
       if (const View instance = shown.child("instance_visual_scene")) {
@@ -126,7 +126,7 @@ class ColladaTriangles {
     const auto& known = is_node ? node_of_id_ : geometry_of_id_;
     const auto found = known.find(id_in(url));
     if (found == known.end()) {
-      return fail(element, "nothing has the id " + quoted(id_in(url)));
+      return fail(element, "there is no element with the id " + quoted(id_in(url)));
     }
     return is_node ? node(found->second, X) : place(found->second, element, X);
   }
@@ -144,7 +144,7 @@ class ColladaTriangles {
     if (is_unknown) bound->second = bindings_of(instance);
     for (const Geometry::Part& part : geometry.parts) {
       const auto id = bound->second.find(part.material);
-      // Exporters that bind nothing mean the material itself.
+      // In exporters that bind nothing, the symbol is the material.
       triangles_.set_color(colors_.of(id == bound->second.end() ? part.material : id->second));
       for (std::size_t i = 0; i < part.corners.size(); i += 3) {
         const auto point = [&](std::size_t corner) {

@@ -15,21 +15,21 @@ namespace smurf {
 void read_binary_stl(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface);
 void read_ascii_stl(std::string_view text, MeshFacts& facts, SurfaceSum& surface);
 void read_obj(std::string_view text, MeshFacts& facts, SurfaceSum& surface);
-/// Also collects its triangles with their texture coordinates.
+/// Also collects the triangles, with their texture coordinates.
 MeshFacts read_textured_obj(std::string_view text, TriangleCollector& triangles);
 void read_collada(std::string_view text, MeshFacts& facts);
 void read_bobj(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface);
 void read_gltf(std::string_view bytes, const MeshNeighbours& neighbours, MeshFacts& facts);
 
-/// Reads triangles, in metres and the axes of URDF. Returns why there are none: "is broken: ...",
-/// which is empty when they were read, whatever `triangles` has to say.
+/// Reads triangles, in metres and the axes of URDF. Returns the reason if this failed: "is broken:
+/// ...". The reason is empty if they were read, even if `triangles` has a reason.
 std::string read_collada_triangles(std::string_view text, TriangleCollector& triangles);
 std::string read_gltf_triangles(std::string_view bytes, const MeshNeighbours& neighbours,
                                 TriangleCollector& triangles);
 /// "is broken: the file ends inside a facet (line 3)".
 std::string why_broken(const MeshDefect& defect);
 
-/// Size of a binary STL: a header of 80 bytes, a count, 50 bytes a triangle.
+/// Size of a binary STL: a header of 80 bytes, a count, 50 bytes per triangle.
 inline constexpr std::size_t kStlHeaderBytes = 84;
 inline constexpr std::size_t kStlTriangleBytes = 50;
 /// The count in the header. Precondition: at least kStlHeaderBytes bytes.

@@ -9,7 +9,7 @@ namespace {
 
 using namespace gltf;
 
-/// A part of the light of a colour as a value of a screen (sRGB).
+/// Converts a linear amount of light to sRGB.
 double screen_value(double light) {
   const double c = std::fmin(std::fmax(light, 0), 1);
   return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;

@@ -13,13 +13,13 @@
 namespace smurf::gltf {
 namespace {
 
-/// A value of JSON takes up to fifty bytes of memory; large files have their numbers in buffers.
+/// A value of JSON needs up to fifty bytes of memory; in large files, the numbers are in buffers.
 constexpr std::size_t kMostValues = 1'000'000;
 constexpr std::size_t kMostLevels = 64;
 /// Sums and products of larger numbers might overflow.
 constexpr std::uint64_t kMost = std::uint64_t{1} << 40U;
 
-/// What is inside of texts does not count. A text that is no JSON may have any result.
+/// Ignores the contents of texts. The result for a text that is not JSON is arbitrary.
 bool is_too_complex(std::string_view text) {
   std::size_t values = 0;
   std::size_t level = 0;
@@ -54,7 +54,7 @@ std::size_t size_of(std::uint64_t type) {
   }
 }
 
-/// Extensions that do not change where the triangles are.
+/// Extensions that do not move triangles.
 bool is_harmless(std::string_view extension) {
   for (const std::string_view start :
        {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "KHR_xmp"}) {
@@ -148,7 +148,7 @@ bool Data::read_binary(std::string_view bytes) {
     if (chunk == 0) {
       text_offset_ = at;
       has_json = type == kJson && read_json(content);
-      if (!has_json) return fail_broken("the first chunk is no JSON");
+      if (!has_json) return fail_broken("the first chunk is not JSON");
     } else if (type == kBinary) {
       chunk_ = content;
       has_chunk_ = true;
@@ -162,10 +162,11 @@ bool Data::read_json(std::string_view text) {
   if (is_too_complex(text)) return fail_unread("has too much JSON to be read");
   text_ = text;
   json_ = Json::parse(text.begin(), text.end(), nullptr, false);
-  if (!json_.is_object()) return fail_broken("it is no JSON");
+  if (!json_.is_object()) return fail_broken("it is not JSON");
   const Json* asset = member(json_, "asset");
   const Json* version = asset == nullptr ? nullptr : member(*asset, "version");
-  if (version == nullptr || !version->is_string()) return fail_broken("it has no version of glTF");
+  if (version == nullptr || !version->is_string())
+    return fail_broken("it does not state the version of glTF");
   const auto& written = version->get_ref<const std::string&>();
   return written.starts_with("2.") ||
          fail_unread("is glTF " + shortened(utf8::replace_controls(written), 20) +
@@ -192,7 +193,7 @@ const Json* Data::item(const char* list, const Json* index) {
   if (items != nullptr && items->is_array() && place && *place < items->size()) {
     return &(*items)[static_cast<std::size_t>(*place)];
   }
-  fail_broken("it names one of its " + std::string(list) + " that is not there");
+  fail_broken("it refers to one of its " + std::string(list) + " that does not exist");
   return nullptr;
 }
 
@@ -220,13 +221,13 @@ std::optional<Accessor> Data::accessor(const Json* index, std::string_view type)
   const auto stride = number(*view, "byteStride", size);
   if (!start || !length || !offset || !count || size == 0 || !stride || *stride < size ||
       !is_text(member(*written, "type"), type)) {
-    fail_broken("an accessor is not as it should be");
+    fail_broken("an accessor is invalid");
     return std::nullopt;
   }
   if (*start + *length > bytes->size() ||
       (*count > 0 &&
        (*count > kMost / *stride || *offset + (*count - 1) * *stride + size > *length))) {
-    fail_broken("an accessor names bytes beyond the end of its buffer");
+    fail_broken("an accessor refers to bytes beyond the end of its buffer");
     return std::nullopt;
   }
   if (*count == 0) return Accessor{{}, size, 0, *component, *natural(index)};
@@ -254,7 +255,7 @@ bool Data::read_buffer(const Json& buffer, std::string_view& bytes) {
     const bool is_base64 = comma != std::string_view::npos && comma + 1 >= kBase64.size() &&
                            uri.substr(0, comma + 1).ends_with(kBase64);
     auto content = is_base64 ? from_base64(uri.substr(comma + 1)) : std::nullopt;
-    if (!content) return fail_broken("the data of a buffer is no base64");
+    if (!content) return fail_broken("the data of a buffer is not base64");
     bytes = contents_.emplace_back(std::move(*content));
     bytes_ += bytes.size();
     return true;
@@ -262,7 +263,7 @@ bool Data::read_buffer(const Json& buffer, std::string_view& bytes) {
   const std::string name = decoded_uri(uri);
   const std::string shown = smurf::quoted(utf8::replace_controls(name));
   if (path::is_absolute(name) || name.find(':') != std::string::npos) {
-    return fail_unread("has its points in " + shown + ", which is no file beside it");
+    return fail_unread("has its points in " + shown + ", which is not a file beside it");
   }
   if (!read_file(name, bytes)) return false;
   const auto length = natural(member(buffer, "byteLength"));
@@ -278,7 +279,7 @@ bool Data::read_file(const std::string& name, std::string_view& bytes) {
     FileContent content = neighbours_ ? neighbours_(name) : FileContent{};
     const std::string shown = smurf::quoted(utf8::replace_controls(name));
     if (content.status == ReadStatus::not_found) {
-      return fail_unread("has its points in " + shown + ", which is not there");
+      return fail_unread("has its points in " + shown + ", which does not exist");
     }
     if (content.status != ReadStatus::ok) {
       return fail_unread("has its points in " + shown +

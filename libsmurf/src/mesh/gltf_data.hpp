@@ -20,7 +20,7 @@ namespace smurf::gltf {
 
 using Json = nlohmann::json;
 
-/// Null when `object` is no object, or has no such member.
+/// Null if `object` is not an object, or has no such member.
 const Json* member(const Json& object, const char* name);
 /// Returns the value as a natural number, or none if it is not one.
 std::optional<std::uint64_t> natural(const Json* value);
@@ -28,20 +28,20 @@ bool is_text(const Json* value, std::string_view text);
 /// Finite numbers only.
 bool read_numbers(const Json* list, std::span<double> numbers);
 
-/// The numbers of an accessor, read when they are asked for: accessors may overlap any number of
-/// times.
+/// The numbers of an accessor. They are read one by one, because accessors may overlap any number
+/// of times.
 struct Accessor {
-  std::string_view bytes;  ///< from the first number on
+  std::string_view bytes;  ///< bytes from the first number on
   std::size_t stride = 0;
   std::uint64_t count = 0;
   std::uint64_t type = 0;    ///< of a component
-  std::uint64_t number = 0;  ///< in the list of accessors
+  std::uint64_t number = 0;  ///< index in the list of accessors
 
-  /// Precondition: the type is one of indices, and place < count.
+  /// Precondition: the type is an index type, and place < count.
   std::uint32_t index(std::uint64_t place) const;
   /// Precondition: the type is float, and place < count.
   Vector3 point(std::uint64_t place) const;
-  /// Precondition: the accessor has two components, no integers of four bytes, and place < count.
+  /// Precondition: two components, which are not integers of four bytes, and place < count.
   std::array<double, 2> texture_point(std::uint64_t place) const;
 };
 
@@ -51,31 +51,31 @@ inline constexpr std::uint64_t kShort = 5123;
 inline constexpr std::uint64_t kInt = 5125;
 inline constexpr std::uint64_t kFloat = 5126;
 
-/// What is not broken may be beyond this reader.
+/// Reads the data of a file. A file that is not broken may still be unsupported.
 inline constexpr std::string_view kBroken = "is broken: ";
 
 class Data {
  public:
-  /// Both must outlive this.
+  /// Both must outlive this object.
   Data(std::string_view bytes, const MeshNeighbours& neighbours);
 
-  /// Why the file cannot be read; empty while it can. A broken one begins with kBroken.
+  /// The reason why the file cannot be read, or empty. For a broken file, it begins with kBroken.
   const std::string& reason() const { return reason_; }
   bool is_broken() const { return reason_.starts_with(kBroken); }
-  /// The name, as written, of the file that ends before its data; empty when none does.
+  /// The name, as written, of the file that is too short for its data; empty if there is none.
   const std::string& short_buffer() const { return short_buffer_; }
   /// Always false.
   bool fail_broken(const std::string& what);
   bool fail_unread(std::string what);
 
   const Json& json() const { return json_; }
-  /// The bytes of the JSON, and where they begin in the file.
+  /// The bytes of the JSON, and their offset in the file.
   std::string_view text() const { return text_; }
   std::size_t text_offset() const { return text_offset_; }
   bool is_binary() const { return text_offset_ > 0; }
   /// The number of bytes read, of the file and all its buffers.
   std::uint64_t bytes() const { return bytes_; }
-  /// An item of a list of the file; null, and a reason, when it is not there.
+  /// An item of a list of the file; if it does not exist, null and a reason.
   const Json* item(const char* list, const Json* index);
   /// Reads an accessor of this type ("VEC3"). On failure, returns none and sets the reason.
   std::optional<Accessor> accessor(const Json* index, std::string_view type);
@@ -86,7 +86,7 @@ class Data {
   bool check_extensions();
   std::optional<std::string_view> buffer(const Json* index);
   bool read_buffer(const Json& buffer, std::string_view& bytes);
-  /// The content of a file beside this one, which is read once, whatever number of buffers name it.
+  /// The content of a file beside this one. It is read once, even if many buffers name it.
   bool read_file(const std::string& name, std::string_view& bytes);
 
   const MeshNeighbours& neighbours_;
@@ -95,7 +95,7 @@ class Data {
   bool has_chunk_ = false;
   std::map<std::uint64_t, std::string_view> buffers_;
   std::map<std::string, std::string_view> files_;  ///< by name
-  std::deque<std::string> contents_;               ///< of files and embedded buffers
+  std::deque<std::string> contents_;               ///< bytes of files and embedded buffers
   std::string_view text_;
   std::size_t text_offset_ = 0;
   std::uint64_t bytes_;

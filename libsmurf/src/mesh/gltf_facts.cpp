@@ -12,7 +12,7 @@ namespace {
 
 using namespace gltf;
 
-/// Reads each mesh once, however many nodes place it.
+/// Reads each mesh once, even if many nodes place it.
 class GltfFacts {
  public:
   GltfFacts(Data& data, MeshFacts& facts) : data_(data), facts_(facts) {}
@@ -71,13 +71,13 @@ class GltfFacts {
   MeshFacts& facts_;
   std::map<std::uint64_t, Mesh> meshes_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, BoxSum> boxes_;  ///< by accessors
-  std::set<std::uint64_t> points_;                                   ///< accessors that are counted
+  std::set<std::uint64_t> points_;                                   ///< accessors counted so far
   BoxSum box_;
   std::size_t steps_ = 0;
   std::uint64_t corners_ = 0;
 };
 
-/// The name of a buffer, to say where it is too short.
+/// The name of a buffer, for messages about a buffer that is too short.
 const MeshDependency* find_buffer(const MeshFacts& facts, const Data& data) {
   for (const MeshDependency& named : facts.dependencies) {
     if (named.kind == MeshDependency::Kind::buffer && data.short_buffer() == named.filename) {

@@ -8,7 +8,7 @@
 namespace smurf::gltf {
 namespace {
 
-/// Tells how far a parser has read.
+/// Tracks how far a parser has read.
 class TrackedByte {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -96,7 +96,7 @@ class UriFinder : public Json::json_sax_t {
     return true;
   }
 
-  /// The place after the quotation mark that begins the text that ends at `end`. Quotation marks
+  /// The position after the opening quotation mark of the text that ends at `end`. Quotation marks
   /// inside the text have backslashes.
   std::size_t begin_of_text(std::size_t end) const {
     for (std::size_t at = end; at > 0; --at) {
@@ -144,7 +144,7 @@ bool names_files(const Json& json) {
 
 std::vector<MeshDependency> names_in(const Data& data) {
   std::vector<MeshDependency> found;
-  if (!names_files(data.json())) return found;  // spares parsing it again
+  if (!names_files(data.json())) return found;  // saves parsing it again
   UriFinder(data.text(), found).find();
   for (MeshDependency& named : found) {
     named.offset += data.text_offset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The files that glTF 2.0 names, and where they are named.
+// The files that a glTF 2.0 file names, with the places of the names.
 #pragma once
 
 #include <vector>

@@ -26,13 +26,15 @@ class Nodes {
  private:
   struct Placed {
     const Json* index;
-    Affine X_MP;  ///< of the parent in the mesh
+    Affine X_MP;  ///< transform of the parent in the mesh
   };
 
-  /// In reverse, so that the first is the first to be taken.
+  /// In reverse order, so that the first is handled first.
   bool push(const Json* indices, const Affine& X) {
     if (indices == nullptr) return true;
-    if (!indices->is_array()) return data_.fail_broken("the nodes of a scene or node are no list");
+    if (!indices->is_array())
+      return data_.fail_broken("the nodes of a scene or node are not a "
+                               "list");
     for (std::size_t i = indices->size(); i-- > 0;) left_.push_back({&(*indices)[i], X});
     return true;
   }
@@ -41,7 +43,7 @@ class Nodes {
     const Json* shown = member(data_.json(), "scene");
     const Json first = 0U;
     if (shown == nullptr && member(data_.json(), "scenes") == nullptr) {
-      return data_.fail_unread("has no scene that says where its parts are");
+      return data_.fail_unread("has no scene that places its parts");
     }
     const Json* scene = data_.item("scenes", shown == nullptr ? &first : shown);
     return scene != nullptr && push(member(*scene, "nodes"), X);
@@ -54,7 +56,7 @@ class Nodes {
     if (is_placed_[index]) return data_.fail_broken("a node is named twice");
     is_placed_[index] = true;
     Affine X = placed.X_MP;
-    if (!transform(*node, X)) return data_.fail_broken("the transform of a node is no transform");
+    if (!transform(*node, X)) return data_.fail_broken("the transform of a node is invalid");
     if (const Json* mesh = member(*node, "mesh")) {
       if (member(*node, "skin") != nullptr) {
         return data_.fail_unread("has skins, which are not read");
@@ -113,7 +115,7 @@ std::optional<Primitive> read(Data& data, const Json& written, std::uint64_t mod
   const auto points = data.accessor(position, "VEC3");
   if (!points) return std::nullopt;
   if (points->type != kFloat) {
-    data.fail_broken("the points of a primitive are no floats");
+    data.fail_broken("the points of a primitive are not floats");
     return std::nullopt;
   }
   const Json* written_indices = member(written, "indices");
@@ -123,7 +125,7 @@ std::optional<Primitive> read(Data& data, const Json& written, std::uint64_t mod
   const auto indices = data.accessor(written_indices, "SCALAR");
   if (!indices) return std::nullopt;
   if (indices->type == kFloat) {
-    data.fail_broken("the indices of a primitive are no integers");
+    data.fail_broken("the indices of a primitive are not integers");
     return std::nullopt;
   }
   return Primitive{*points, indices, indices->count, mode, &written};
@@ -140,7 +142,7 @@ std::optional<Vector3> point_of(Data& data, const Primitive& primitive, std::uin
   }
   const Vector3 point = primitive.points.point(place);
   if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2])) {
-    data.fail_broken("the coordinates of a point are not all numbers");
+    data.fail_broken("some coordinates of a point are not numbers");
     return std::nullopt;
   }
   return point;

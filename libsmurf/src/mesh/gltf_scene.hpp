@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The meshes of glTF 2.0 where the nodes of its scene place them. The y axis of glTF is up. It is
-// turned to z, as RViz (ros2/rviz pull request 1482), Drake and Meshcat turn it; Gazebo does not.
+// The meshes of glTF 2.0, placed by the nodes of its scene. The y axis of glTF is up. It is turned
+// to z, as RViz (ros2/rviz pull request 1482), Drake and Meshcat turn it; Gazebo does not.
 #pragma once
 
 #include <cstdint>
@@ -36,19 +36,19 @@ inline std::uint64_t place_of(const Primitive& primitive, std::uint64_t corner) 
 /// `data`.
 std::optional<Vector3> point_of(Data& data, const Primitive& primitive, std::uint64_t corner);
 
-/// Why files with too many repeated parts are not read.
+/// The reason for files with too many repeated parts.
 inline constexpr const char* kRepeats = "repeats too many parts to be read";
 
-/// Takes a mesh, its number and its transform. False stops.
+/// Receives a mesh, its number and its transform. Returns false to stop.
 using MeshVisitor = std::function<bool(const Json& mesh, std::uint64_t number, const Affine& X)>;
 /// Visits each mesh of the scene once for each node that places it. On failure, sets the reason in
 /// `data`.
 void visit_meshes(Data& data, const MeshVisitor& visit);
 
-/// Takes a part of a mesh. False stops.
+/// Receives a part of a mesh. Returns false to stop.
 using PrimitiveVisitor = std::function<bool(const Primitive& primitive)>;
-/// Each part of a mesh that has triangles. `steps` counts the parts of all meshes, which nodes may
-/// name any number of times. False, and a reason of `data`, when something is wrong.
+/// Visits each part of a mesh that has triangles. `steps` counts the parts of all meshes, which
+/// nodes may name any number of times. On failure, returns false and sets the reason in `data`.
 bool visit_primitives(Data& data, const Json& mesh, std::size_t& steps,
                       const PrimitiveVisitor& visit);
 

@@ -59,7 +59,7 @@ MeshFormat format_of_mesh(std::string_view bytes, std::string_view written_exten
     if (is_obj(bytes)) return obj;
     return unknown;
   }
-  // A size that does not fit the count: cut short, most likely.
+  // The size does not fit the count: the file is probably truncated.
   return extension == ".stl" ? stl_binary : unknown;
 }
 

@@ -10,14 +10,14 @@
 
 namespace smurf {
 
-/// Takes the corners of every triangle whose points are known when it is named.
+/// Receives the corners of every triangle whose points precede it in the file.
 using TriangleVisitor = std::function<void(const Vector3& a, const Vector3& b, const Vector3& c)>;
 
-/// Reads a whole mesh file. What is broken is a defect of the result; nothing is reported here,
-/// as the place a person looks at is where the mesh is used. `extension` (".stl", any case) helps
-/// only when the bytes alone could be several things. `visit` may be empty; COLLADA and glTF, whose
-/// triangles only read_triangles() places, have nothing for it. `neighbours` reads the buffers
-/// that a glTF names.
+/// Reads a whole mesh file. Defects are in the result and not reported, because findings
+/// belong at the place that uses the mesh. `extension` (".stl", any case) is used only if
+/// the bytes are ambiguous. `visit` may be empty; it receives no triangles of COLLADA and
+/// glTF, which only read_triangles() places. `neighbours` reads the buffers that a glTF
+/// names.
 MeshFacts read_mesh(std::string_view bytes, std::string_view extension,
                     const TriangleVisitor& visit = {}, const MeshNeighbours& neighbours = {});
 

@@ -11,7 +11,7 @@
 namespace smurf {
 namespace {
 
-constexpr std::size_t kLength = 8;  ///< of a binary glTF
+constexpr std::size_t kLength = 8;  ///< bytes of the header of a binary glTF
 constexpr std::size_t kFirstChunk = 12;
 constexpr std::size_t kInChunk = 20;
 

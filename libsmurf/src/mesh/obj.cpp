@@ -14,7 +14,7 @@
 namespace smurf {
 namespace {
 
-/// A line that was joined from several ones is in no place of the text.
+/// A line that was joined from several lines is not contained in the text.
 MeshDependency named_in(std::string_view text, std::string_view name, MeshDependency::Kind kind,
                         std::uint32_t line) {
   const std::less<> is_before;
@@ -29,7 +29,7 @@ MeshDependency named_in(std::string_view text, std::string_view name, MeshDepend
 
 class ObjReader {
  public:
-  /// `textured` gets the triangles with their texture coordinates; it may be null.
+  /// `textured` receives the triangles with their texture coordinates; it may be null.
   ObjReader(std::string_view text, MeshFacts& facts, SurfaceSum& surface,
             TriangleCollector* textured)
       : text_(text), words_(text), facts_(facts), surface_(surface), textured_(textured) {}
@@ -44,7 +44,7 @@ class ObjReader {
         statement(keyword, line);
         continue;
       }
-      std::string joined;  // a line that ends in a backslash goes on in the next one
+      std::string joined;  // a line that ends in a backslash continues in the next one
       for (; line.ends_with('\\'); line = words_.next_line()) {
         joined += line.substr(0, line.size() - 1);
         joined += ' ';
@@ -150,7 +150,7 @@ class ObjReader {
     facts_.triangles += corners - 2;
   }
 
-  /// None for a vertex that comes later, if at all.
+  /// None for a vertex that follows later or is missing.
   std::optional<Vector3> find(std::int64_t index) {
     const auto count = static_cast<std::int64_t>(points_.size());
     if (index < -count) {
@@ -178,14 +178,14 @@ class ObjReader {
   std::uint32_t line_ = 1;
   std::uint64_t offset_ = 0;
   std::vector<std::array<float, 3>> points_;
-  /// The greatest vertex that a face names before it is there.
+  /// The greatest index of a vertex that a face names before the vertex.
   std::uint64_t latest_ = 0;
   std::uint32_t latest_line_ = 0;
   std::uint64_t latest_offset_ = 0;
   BoxSum box_;
   SurfaceSum& surface_;
   TriangleCollector* textured_;
-  std::vector<TexturePoint> textures_;  ///< when there is somebody to get them
+  std::vector<TexturePoint> textures_;  ///< if they were requested
 };
 
 }  // namespace
@@ -212,7 +212,7 @@ std::vector<MeshDependency> read_material_library(std::string_view text) {
     std::string_view rest = words.rest_of_line();
     const bool is_map = keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" ||
                         keyword == "decal" || keyword == "norm" || keyword == "refl";
-    // Options (-s 1 1 1) come first and have any number of values; such a line is not understood.
+    // Options (-s 1 1 1) come first and have any number of values; such lines are not supported.
     if (!is_map || rest.empty() || rest.front() == '-') continue;
     textures.push_back(named_in(text, rest, MeshDependency::Kind::texture, line));
   }

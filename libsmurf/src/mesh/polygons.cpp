@@ -34,7 +34,7 @@ double turn(const Corner& a, const Corner& b, const Corner& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// True when no corner turns the other way.
+/// Whether all corners turn in the same direction.
 template <class Corner>
 bool is_convex(const std::vector<Corner>& corners) {
   const std::size_t count = corners.size();
@@ -54,7 +54,7 @@ void PolygonSplitter::split(std::span<const std::uint32_t> corners,
   const double sizes[] = {std::fabs(area[0]), std::fabs(area[1]), std::fabs(area[2])};
   const std::size_t flat =
       sizes[0] > sizes[1] ? (sizes[0] > sizes[2] ? 0 : 2) : (sizes[1] > sizes[2] ? 1 : 2);
-  // The two other axes, in the order that makes the polygon turn counterclockwise.
+  // The two other axes, in the order in which the polygon is counterclockwise.
   std::size_t x = (flat + 1) % 3;
   std::size_t y = (flat + 2) % 3;
   if (area[flat] < 0) std::swap(x, y);
@@ -101,7 +101,7 @@ void PolygonSplitter::cut(std::vector<std::uint32_t>& triangles) {
     place %= left_.size();
     tried = 0;
   }
-  // The polygon crosses itself when it has no ear; then any triangles are as good.
+  // A polygon without an ear crosses itself; then any triangles will do.
   for (std::size_t i = 2; i < left_.size(); ++i) {
     triangles.insert(triangles.end(), {left_[0].index, left_[i - 1].index, left_[i].index});
   }

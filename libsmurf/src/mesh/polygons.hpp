@@ -12,8 +12,8 @@ namespace smurf {
 
 class PolygonSplitter {
  public:
-  /// Appends three corners for each triangle. Corners are places in `points`. A polygon that is not
-  /// convex is cut along its inside, unless it has too many corners.
+  /// Appends three corners per triangle. Corners are indices into `points`. A polygon that is not
+  /// convex is divided inside its outline, unless it has too many corners.
   void split(std::span<const std::uint32_t> corners, const std::vector<Vector3>& points,
              std::vector<std::uint32_t>& triangles);
 
@@ -26,7 +26,7 @@ class PolygonSplitter {
   void cut(std::vector<std::uint32_t>& triangles);
 
   std::vector<Corner> left_;
-  /// Limits the work for all polygons together: cutting one takes time cubic in its corners.
+  /// Limits the total work for polygons, because dividing one takes cubic time in its corners.
   std::uint64_t steps_left_ = 50'000'000;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Binary STL: 80 bytes of header, a count, 50 bytes a triangle. ASCII STL: words.
+// Binary STL: 80 bytes of header, a count, 50 bytes per triangle. ASCII STL: words.
 #include <algorithm>
 #include <cmath>
 

@@ -57,8 +57,8 @@ void SurfaceSum::add(const Vector3& a, const Vector3& b, const Vector3& c) {
 }
 
 std::optional<double> SurfaceSum::volume() const {
-  // Single precision of the files leaves 1e-6 of the area; a missing triangle of a mesh of a
-  // thousand shows with 1e-3.
+  // Single precision causes errors of 1e-6 of the area; a missing triangle in a mesh of a thousand
+  // causes 1e-3.
   constexpr double kClosed = 1e-4;
   if (!(area_ > 0) || !(length(area_vector_) <= kClosed * area_)) return std::nullopt;
   return volume_;

@@ -18,22 +18,22 @@ class BoxSum {
   /// The corners of a box, transformed.
   void add_corners(const Box& box, const Affine& X);
   const std::optional<Box>& box() const { return box_; }
-  /// The box around all points. None when there are none, or when transforms made one infinite.
+  /// The box around all points. None if there are none, or if a transform made a point infinite.
   std::optional<Box> finite_box() const;
 
  private:
   std::optional<Box> box_;
 };
 
-/// Volume by signed tetrahedra over the first point, so that a mesh far from the origin keeps its
-/// digits.
+/// Volume by signed tetrahedra from the first point, so a mesh far from the origin keeps its
+/// precision.
 class SurfaceSum {
  public:
-  /// Hands every triangle on to `visit`, if there is one; it must outlive this.
+  /// Passes every triangle to `visit`, if it is set; it must outlive this object.
   explicit SurfaceSum(const TriangleVisitor& visit) : visit_(visit) {}
 
   void add(const Vector3& a, const Vector3& b, const Vector3& c);
-  /// None when the surface has a hole that shows in the sum of its area vectors.
+  /// None if the sum of area vectors shows a hole in the surface.
   std::optional<double> volume() const;
 
  private:

@@ -9,11 +9,11 @@
 namespace smurf {
 namespace {
 
-/// A primitive of a preview has one colour, so the number of colours is that of its primitives.
+/// A primitive of a preview has one colour, so this limits the number of primitives.
 constexpr std::size_t kMostColors = 256;
 /// Larger numbers overflow in the programs that show them.
 constexpr double kFarthest = 1e15;
-/// Texture coordinates beyond this are a mistake: they repeat the image a million times.
+/// Larger texture coordinates are a mistake: they repeat the image a million times.
 constexpr double kMostRepeated = 1e6;
 
 }  // namespace

@@ -16,34 +16,34 @@
 
 namespace smurf {
 
-/// Stands for the texture coordinates of a corner that has none.
+/// The texture coordinates of a corner that has none.
 inline constexpr TexturePoint kNoTexturePoint{std::numeric_limits<float>::quiet_NaN(),
                                               std::numeric_limits<float>::quiet_NaN()};
 /// The texture coordinates of the three corners of a triangle.
 using TextureCorners = std::array<TexturePoint, 3>;
-/// Texture coordinates from any two numbers; kNoTexturePoint when one of them is too large to be
-/// meant.
+/// Texture coordinates from two numbers; kNoTexturePoint if a number is implausibly
+/// large.
 TexturePoint texture_point(double u, double v);
 
 class TriangleCollector {
  public:
   TriangleCollector(std::size_t most_triangles, TexturePoints texture_points);
 
-  /// The colour of the triangles that follow.
+  /// Sets the colour of the following triangles.
   void set_color(const std::optional<Rgba>& color);
-  /// False when there are too many triangles, or when a coordinate is beyond all measure: there is
-  /// a reason then, and the reader of the file may stop.
-  /// Texture coordinates are ignored unless they were asked for.
+  /// Adds a triangle. If there are too many triangles, or if a coordinate is too large, sets a
+  /// reason and returns false; the reader of the file may then stop. Ignores texture coordinates if
+  /// they were not requested.
   bool add(const Vector3& a, const Vector3& b, const Vector3& c,
            const TextureCorners& textures = {kNoTexturePoint, kNoTexturePoint, kNoTexturePoint});
   bool wants_texture_points() const { return texture_points_ == TexturePoints::read; }
   /// The file has textures.
   void note_textures() { has_textures_ = true; }
-  /// "has more than 3000000 triangles"; empty while all is well.
+  /// "has more than 3000000 triangles"; empty if there is no problem.
   const std::string& reason() const { return reason_; }
   std::size_t triangles() const { return triangles_; }
 
-  /// All triangles, or none and the reason.
+  /// All triangles; or no triangles, and the reason.
   MeshTriangles take();
 
  private:
@@ -61,7 +61,7 @@ class TriangleCollector {
     std::vector<Point> points;
     std::vector<std::uint32_t> indices;
     Known<3> known;
-    std::vector<TexturePoint> texture_points;  ///< of each point, when they were asked for
+    std::vector<TexturePoint> texture_points;  ///< for each point, if requested
     Known<5> known_textured;
   };
   static std::optional<Point> to_single(const Vector3& point);

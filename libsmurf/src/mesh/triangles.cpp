@@ -10,11 +10,11 @@
 namespace smurf {
 namespace {
 
-/// The nodes of a small file can place its triangles any number of times. An STL of the largest
-/// size has fewer.
+/// Nodes of a small file can place triangles any number of times. This is more than an STL of the
+/// largest size has.
 constexpr std::size_t kMostPlaced = 3'000'000;
 
-/// Texture coordinates are read of an OBJ alone.
+/// This function reads texture coordinates of OBJ only.
 MeshFacts read_plain_facts(std::string_view bytes, std::string_view extension,
                            TriangleCollector& triangles) {
   const bool is_obj = format_of_mesh(bytes, extension) == MeshFormat::obj;
@@ -41,9 +41,9 @@ std::string read_plain(std::string_view bytes, std::string_view extension,
   if (facts.defect) return why_broken(*facts.defect);
   if (facts.format == MeshFormat::unknown) return "is of an unknown format";
   if (facts.format == MeshFormat::lfs_pointer) return "is a Git LFS pointer";
-  // An OBJ may name points before they are there.
+  // An OBJ may refer to points that come later.
   if (triangles.reason().empty() && triangles.triangles() != facts.triangles) {
-    return "names points that come later";
+    return "refers to points that come later in the file";
   }
   if (neighbours && has_textures(facts, neighbours)) triangles.note_textures();
   return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of files that are written as addresses.
+// File names that are written as URIs.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace smurf {
 
-/// `%20` is a blank, and so on for all bytes.
+/// Decodes `%20` and other percent escapes.
 std::string decoded_uri(std::string_view uri);
 
 }  // namespace smurf

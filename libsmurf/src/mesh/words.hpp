@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The words of a text and the lines they stand in.
+// The words of a text and their lines.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ class Words {
 
   /// The next word; empty at the end.
   std::string_view next();
-  /// The rest of the line without blanks around it; may be empty.
+  /// The rest of the line without surrounding spaces; may be empty.
   std::string_view rest_of_line();
-  /// The line after this one, in the same way; empty at the end.
+  /// The next line, in the same form; empty at the end.
   std::string_view next_line();
   bool is_at_end();
 
-  /// Line (1-based) and byte of the word read last.
+  /// Line (1-based) and byte of the last word.
   std::uint32_t line() const { return line_; }
   std::uint64_t offset() const { return begin_; }
 

@@ -21,7 +21,7 @@ std::string_view command(Severity severity) {
   return "notice";
 }
 
-/// Workflow commands end with the line and take ':' and ',' for separators of properties.
+/// Workflow commands end at the line end and separate properties by ':' and ','.
 std::string escape_command(std::string_view value, bool is_property) {
   std::string out;
   for (const char c : value) {
@@ -46,7 +46,7 @@ std::string_view gitlab_severity(Severity severity) {
   return "info";
 }
 
-/// FNV-1a; all that is asked of a fingerprint is that it stays the same.
+/// FNV-1a, because a fingerprint only needs to be stable.
 std::string fingerprint(std::string_view text) {
   std::uint64_t hash = 0xCBF29CE484222325U;
   for (const char c : text) {
@@ -91,7 +91,7 @@ std::string render_gitlab(std::span<const Diagnostic> diagnostics, const SourceM
     const auto [begin, end] = render::region_of(diagnostic.span, sources);
     const std::string path = in_repository(render::path_of(diagnostic.span, sources));
     const std::string id(diagnostic.rule->id);
-    // Not the line: a finding is the same one after lines or entries were added above it.
+    // Without the line number: a finding is the same after lines or entries were added above it.
     const std::string identity = id + "\n" + path + "\n" + diagnostic.named_pointer;
     const std::string number = std::to_string(++occurrences[identity]);
     // GitLab shows the description only.

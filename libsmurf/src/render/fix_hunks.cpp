@@ -12,8 +12,8 @@ namespace smurf::render {
 namespace {
 
 constexpr std::size_t kMostHunks = 20;
-constexpr std::uint32_t kMostAround = 80;  ///< bytes of a line before and after the change
-constexpr std::size_t kMostBytes = 4000;   ///< of each side of a hunk
+constexpr std::uint32_t kMostAround = 80;  ///< bytes before and after the change in a line
+constexpr std::size_t kMostBytes = 4000;   ///< bytes of each side of a hunk
 constexpr std::string_view kEllipsis = "...";
 
 /// The part of a text that a hunk shows.

@@ -8,8 +8,8 @@
 
 namespace smurf::render {
 
-/// [{"file", "line", "before", "after"}] with whole lines; very long lines are cut. At most 20
-/// hunks of some kilobytes each; the last one has "is_cut" when any was cut or left out.
+/// [{"file", "line", "before", "after"}] with whole lines; very long lines are truncated. At most
+/// 20 hunks of some kilobytes each; the last one has "is_cut" if any hunk was truncated or omitted.
 Json fix_hunks(const Fix& fix, const SourceMap& sources);
 
 }  // namespace smurf::render

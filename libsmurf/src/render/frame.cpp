@@ -9,11 +9,11 @@
 namespace smurf::render {
 namespace {
 
-constexpr std::uint32_t kLongBracket = 6;  ///< lines of a mark that are all shown
-constexpr std::uint32_t kBracketHead = 4;  ///< of a longer one
+constexpr std::uint32_t kLongBracket = 6;  ///< lines of a mark that is shown completely
+constexpr std::uint32_t kBracketHead = 4;  ///< lines shown of a longer mark
 constexpr std::uint32_t kBracketTail = 2;
-/// Without a terminal, lines are cut only for the sake of files that are one line: with a finding
-/// in each of its n elements, such a file would be printed n times.
+/// Without a terminal, only very long lines are truncated: a file that is one line with n findings
+/// would be printed n times.
 constexpr int kUncutColumns = 500;
 
 }  // namespace
@@ -80,7 +80,7 @@ std::string Frame::draw() const {
   return out + row("", "");
 }
 
-/// A single line left out is shown: it takes no more room than the dots.
+/// A gap of a single line is shown, because dots would take as much space.
 std::string Frame::gap(std::uint32_t before, std::uint32_t after) const {
   if (after == before + 1) return {};
   if (after == before + 2) return source_rows(before + 1);
@@ -125,7 +125,7 @@ std::string Frame::bracket(std::uint32_t line, bool opens_beside) const {
   return "  ";
 }
 
-/// Columns for a source line.
+/// Columns available for a source line.
 int Frame::room() const {
   if (style_.width <= 0) return kUncutColumns;
   return style_.width - static_cast<int>(gutter_) - 3 - (has_bracket_ ? 2 : 0);

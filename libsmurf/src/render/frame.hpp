@@ -23,14 +23,14 @@ struct Mark {
   char line = '-';
 };
 
-/// A frame has a main mark, which may span lines, and others, of which the first line is shown.
+/// A frame has a main mark, which may span lines, and others, which are shown on their first line.
 class Frame {
  public:
-  /// Precondition: the spans lie inside readable sources; those of `others` in that of `main`.
+  /// Precondition: the spans are inside readable sources, and `others` are in the source of `main`.
   Frame(const SourceMap& sources, const TextStyle& style, Mark main, std::vector<Mark> others,
         std::uint32_t context_lines);
 
-  /// Digits of the largest line number: what the rows before and after are indented by.
+  /// Digits of the largest line number, by which the rows before and after are indented.
   std::size_t gutter() const { return gutter_; }
   /// The rows with their gutters, from the first empty one to the last.
   std::string draw() const;

@@ -29,7 +29,7 @@ struct Lines {
   friend bool operator<(const Lines& a, const Lines& b) { return a.first < b.first; }
 };
 
-/// Names and messages as in the terminal, which shows control characters.
+/// Names and messages as in the terminal, with visible control characters.
 void make_visible(Json& json) {
   if (json.is_string()) {
     json = render::escape(json.get_ref<const std::string&>());
@@ -58,7 +58,7 @@ class Excerpts {
     }
   }
 
-  /// By the number of the source: [{"first", "lines"}], or "" for a source that is left out.
+  /// By number of the source: [{"first", "lines"}], or "" for an omitted source.
   Json json() {
     Json all = Json::object();
     std::size_t left = kMostText;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the reports made of JSON have in common.
+// Code that the JSON-based reports share.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace smurf::render {
 
 using Json = nlohmann::ordered_json;
 
-/// The text of a value whose lines after the first are indented by `indent` columns more. Invalid
-/// UTF-8, which a path or a scalar may hold, becomes U+FFFD. The library escapes C0 only: DEL and
-/// C1, which can stand in strings alone, are escaped here.
+/// Prints a value, whose lines after the first are indented by `indent` more columns. Invalid
+/// UTF-8, which a path or a scalar may contain, becomes U+FFFD. The library escapes C0 only, so DEL
+/// and C1, which occur only in strings, are escaped here.
 inline void append(std::string& out, const Json& json, std::size_t indent) {
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
   std::size_t copied = 0;
@@ -43,14 +43,14 @@ inline std::string dump(const Json& json) {
   return out += '\n';
 }
 
-/// Writes a report with a long list element by element: a tree of all of them takes four times the
-/// memory of their text. `report` has an empty list under `key`, `depth` lists and objects deep;
-/// `to_json` makes an element of each item.
+/// Writes a report with a long list element by element, because a tree of all elements needs four
+/// times the memory of their text. `report` has an empty list under `key`, nested in `depth` lists
+/// and objects; `to_json` converts an item.
 template <class Items, class ToJson>
 std::string dump_with_list(const Json& report, std::string_view key, std::size_t depth,
                            const Items& items, ToJson to_json) {
   const std::string frame = dump(report);
-  // Finds the key: strings contain no line ends, and no equal key has the same depth.
+  // Finds the key: strings do not contain line ends, and no other equal key has the same depth.
   const std::string line = "\n" + std::string(2 * depth, ' ') + "\"" + std::string(key) + "\": [";
   const std::size_t begin = key.empty() ? 1 : frame.find(line) + line.size();
   std::string out = frame.substr(0, begin);
@@ -66,7 +66,7 @@ std::string dump_with_list(const Json& report, std::string_view key, std::size_t
 
 inline Json text(std::string_view view) { return std::string(view); }
 
-/// Lines and columns of a span; 1:1 to 1:1 where there is no text.
+/// Lines and columns of a span; 1:1 to 1:1 if there is no text.
 struct Region {
   Position begin;
   Position end;
@@ -79,7 +79,7 @@ inline Region region_of(Span span, const SourceMap& sources) {
           sources.position(span.source, std::clamp(span.end, begin, size))};
 }
 
-/// "" for a place in no file.
+/// "" for a place without a file.
 inline std::string path_of(Span span, const SourceMap& sources) {
   const bool is_known = static_cast<std::size_t>(span.source) < sources.size();
   return is_known ? sources.path(span.source) : std::string();

@@ -14,7 +14,7 @@
 namespace smurf {
 namespace {
 
-/// Text as XML can hold it: control characters and invalid bytes become visible.
+/// Text for XML: control characters and invalid bytes become visible.
 std::string xml_text(std::string_view text) { return escape_xml(render::escape(text)); }
 
 struct TestCase {

@@ -22,7 +22,7 @@ constexpr std::uint64_t power_of_factor() {
   return power;
 }
 
-/// A rolling hash: the value for a line is known once the window has left its start behind.
+/// A rolling hash: the value for a line is known after the window has moved past its start.
 class Hasher {
  public:
   Hasher() { starting_.fill(kNoLine); }
@@ -69,7 +69,7 @@ class Hasher {
   }
 
   std::array<std::uint16_t, kWindow> window_{};
-  std::array<std::size_t, kWindow> starting_{};  ///< the line whose first unit stands there
+  std::array<std::size_t, kWindow> starting_{};  ///< the line that begins with this unit
   std::size_t at_ = 0;
   std::uint64_t hash_ = 0;
   bool at_line_start_ = true;

@@ -9,8 +9,8 @@
 namespace smurf::render {
 
 /// For every line, "hash:n": a hash of the 100 UTF-16 units from its start, without spaces and
-/// tabs, and how often that hash has occurred so far. The same as `primaryLocationLineHash` of
-/// github/codeql-action (src/fingerprints.ts), which warns about any other value.
+/// tabs, and the number of its occurrences so far. Equal to `primaryLocationLineHash` of
+/// github/codeql-action (src/fingerprints.ts), which warns about other values.
 std::vector<std::string> line_hashes(std::string_view text);
 
 }  // namespace smurf::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reports of the parts of a check that several machines did, as the report of one.
+// Merges the reports of a check that was split over several machines.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -22,14 +22,14 @@ Order order_of(const Json& diagnostic) {
           diagnostic.at("id"), diagnostic.at("message")};
 }
 
-/// Reports may come from anywhere: what is too much for a number stays at the largest.
+/// Reports may come from anywhere, so a sum that is too large stays at the largest number.
 std::uint64_t sum(const Json& a, const Json& b) {
   const auto first = a.get<std::uint64_t>();
   const auto second = b.get<std::uint64_t>();
   return second > UINT64_MAX - first ? UINT64_MAX : first + second;
 }
 
-/// The place of a word among words that get worse.
+/// The position of a word in a list from best to worst.
 template <std::size_t N>
 std::ptrdiff_t rank(const std::array<std::string_view, N>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) - words.begin();
@@ -61,7 +61,7 @@ void merge_target(Json& target, const Json& other) {
   }
   const std::ptrdiff_t worse = rank_of_verdict(other) - rank_of_verdict(target);
   if (worse > 0) target["verdict"] = other.at("verdict");
-  for (const char* name : {"ignored", "in_baseline"}) {  // of the findings that decide
+  for (const char* name : {"ignored", "in_baseline"}) {  // number of deciding findings
     if (worse > 0) target[name] = other.at(name);
     if (worse == 0) add_count(target, other, name);
   }
@@ -84,7 +84,7 @@ void add(Json& merged, const Json& report) {
   }
 }
 
-/// A file that two parts read is reported by both.
+/// A file that two parts have read is in both reports.
 void drop_repeated(Json& merged) {
   Json& list = merged["diagnostics"];
   std::stable_sort(list.begin(), list.end(),

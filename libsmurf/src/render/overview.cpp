@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The findings of a report for a person: the worst first, and no more than a person reads.
+// The overview of a report for people: errors first, and limited in length.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostOfRule = 3;  ///< in a file
 constexpr std::size_t kMostLines = 150;
-constexpr std::size_t kMostNames = 15;  ///< of files, when the lines are full
+constexpr std::size_t kMostNames = 15;  ///< number of files listed by name only
 
 /// The findings of one severity in one file.
 struct Section {
@@ -126,7 +126,7 @@ class Overview {
     return text.empty() ? text : text + " in this file\n\n";
   }
 
-  /// The files for whose findings no line is left, as "arm.urdf: 3 errors, 2 warnings".
+  /// The files whose findings do not fit, as "arm.urdf: 3 errors, 2 warnings".
   void add_names(std::span<const Section> rest) {
     std::vector<std::vector<const Section*>> files;
     std::map<SourceId, std::size_t> index;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours, or none.
+// Terminal colours, if enabled.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Foreign text made fit for a terminal: no control characters, known width.
+// Makes text of files safe for a terminal: without control characters, with a known width.
 #pragma once
 
 #include <cstdint>
@@ -18,22 +18,22 @@ struct Glyph {
   bool is_tab = false;
 };
 
-/// The characters of a line. Control characters, characters that turn the direction of writing and
+/// The characters of a line. Control characters, characters that change the text direction, and
 /// invalid bytes become U+FFFD.
 std::vector<Glyph> to_glyphs(std::string_view line, std::uint32_t offset);
 
-/// A message or path on one line: control characters and the like as "\n" or "\u001b". No line
-/// that begins with it is a command of a workflow ("::error::").
+/// A message or path on one line: control and similar characters become "\n" or "\u001b". The
+/// result is never a command of a workflow ("::error::").
 std::string escape(std::string_view text);
 
-/// Lines as escape() has them; tabs and line ends, of either kind, stay.
+/// Escapes lines like escape(), but keeps tabs and line ends of both kinds.
 std::string escape_lines(std::string_view text);
 
-/// Text of a source for a browser, in which columns are those of SourceMap::position(): a character
-/// for each that begins, U+FFFD for the same as in a terminal. Tabs and line ends stay.
+/// Source text for a browser, with the columns of SourceMap::position(): one character for each
+/// character of the source, U+FFFD as in a terminal. Tabs and line ends are kept.
 std::string visible_lines(std::string_view text);
 
-/// Columns of text that went through escape().
+/// Columns of an escaped text.
 std::size_t width_of(std::string_view text);
 
 }  // namespace smurf::render

@@ -34,7 +34,7 @@ std::string tolerance_of(const Rule& rule) {
 }  // namespace
 
 std::string rule_address(const Rule& rule, std::string_view homepage) {
-  // One page a digit; the rules about URDF are so many that they have one for two digits.
+  // One page per digit; the many rules about URDF have one per two digits.
   const std::string_view page = rule.id.substr(0, rule.id.starts_with("SML1") ? 5 : 4);
   std::string path = "docs/rules/" + std::string(page) + ".md#" + std::string(rule.id) + "-" +
                      std::string(rule.name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SARIF 2.1.0 (OASIS), with what GitHub code scanning demands beyond the schema: rules with texts
-// of at most 1024 characters, complete regions, paths from the top of the repository, fingerprints.
+// SARIF 2.1.0 (OASIS), with the requirements of GitHub code scanning beyond the schema: rules with
+// texts of at most 1024 characters, complete regions, paths from the top of the repository,
+// fingerprints.
 #include <map>
 
 #include "base/utf8.hpp"
@@ -59,7 +60,7 @@ std::string to_uri(const std::string& path) {
   return uri;
 }
 
-/// Why it matters, and what each reader makes of it; the summary when nothing is known of that.
+/// The reason of the rule and the facts about readers; the summary if there are none.
 std::string full_description(const Rule& rule) {
   std::string description(rule.why);
   for (const Fact* fact : facts_about(rule)) {
@@ -158,7 +159,7 @@ class Log {
 
   Json place(Span span) const {
     Json location = {{"artifactLocation", artifact(span)}, {"region", region(span)}};
-    constexpr std::uint32_t kMostSnippet = 4000;  // bytes; it may be left out
+    constexpr std::uint32_t kMostSnippet = 4000;  // bytes; a longer text is omitted
     const bool is_known = static_cast<std::size_t>(span.source) < sources_.size();
     const bool is_short = span.end - span.begin <= kMostSnippet;
     if (is_known && is_short && !span.empty() && span.end <= sources_.text(span.source).size()) {

@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::string_view kEllipsis = "...";
 constexpr int kFewestColumns = 20;
-constexpr int kTabColumns = 8;  ///< a tab has its greatest width when a line is cut
+constexpr int kTabColumns = 8;  ///< a tab has its greatest width when a line is truncated
 
-constexpr std::size_t kBytesPerColumn = 4;  ///< what a character takes at most, bar combining marks
+constexpr std::size_t kBytesPerColumn = 4;  ///< most bytes of a character, without combining marks
 
 int columns_of(const Glyph& glyph) { return glyph.is_tab ? kTabColumns : glyph.width; }
 
-/// The part of a very long line that can be shown around a place: a file of one line is not decoded
-/// whole for each of its findings.
+/// The part of a very long line that can be shown around a place, so that a file of one line is not
+/// decoded completely for each finding.
 ByteRange part_around(std::string_view line, std::size_t place, int room) {
   const auto columns = static_cast<std::size_t>(room);
   const std::string_view near =
@@ -55,7 +55,7 @@ int SourceLine::columns_between(std::size_t first, std::size_t last) const {
   return columns;
 }
 
-/// The glyph that holds the byte, or the end.
+/// The glyph that contains the byte, or the end.
 std::size_t SourceLine::index_of(std::uint32_t offset) const {
   const auto after = std::upper_bound(
       glyphs_.begin(), glyphs_.end(), offset,
@@ -78,8 +78,8 @@ void SourceLine::cut(int room, std::span<const ByteRange> marks) {
     end = last;
   }
 
-  // Half of what the marks leave free, but a few columns at least, is for what stands before them;
-  // what one side does not need goes to the other.
+  // Half of the free columns, but at least a few, are for the text before the marks; columns that
+  // one side does not need go to the other side.
   const int before = std::max((inside - columns_between(begin, end)) / 2, inside / 8);
   const bool reaches_start = columns_between(0, end) <= inside;
   first_ = reaches_start ? 0 : begin;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One line of source and the columns of what is marked under it.
+// One source line and the columns of its marks.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace smurf::render {
 
-/// Half-open byte range of a source; what a mark covers on one line.
+/// Half-open byte range of a source: the part of a mark on one line.
 struct ByteRange {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
@@ -25,14 +25,14 @@ class SourceLine {
   SourceLine(std::string_view line, std::uint32_t offset, int columns,
              std::span<const ByteRange> marks);
 
-  /// As shown: cut with "...", without trailing white space.
+  /// The shown text: truncated with "...", without trailing white space.
   std::string text() const;
-  /// What stands before `offset` in the row below: `fill` for each column, tabs as tabs, so that
-  /// the row stays aligned whatever the width of a tab.
+  /// The text before `offset` in the row below: `fill` for each column, tabs as tabs, so the row
+  /// stays aligned for any width of a tab.
   std::string lead(std::uint32_t offset, char fill) const;
-  /// `fill` for each column that the range takes, at least one; what is cut away takes the dots.
+  /// `fill` for each column of the range, at least one; a truncated part is marked at the dots.
   std::string underline(ByteRange range, char fill) const;
-  /// True when nothing but white space stands before `offset`.
+  /// Whether there is only white space before `offset`.
   bool is_first_text(std::uint32_t offset) const;
 
  private:

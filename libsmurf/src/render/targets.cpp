@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What each target does with the files, for people.
+// Prints the effects of findings on each target as text.
 #include "render/targets.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using render::Painter;
 
 constexpr std::size_t kColumns = 80;
 
-/// " (2)", and how many of them were suppressed by what: " (2, 1 in the baseline)".
+/// The count " (2)", with the number of suppressed findings: " (2, 1 in the baseline)".
 std::string count_of(const TargetVerdict& target) {
   const std::size_t count = target.count(target.answer());
   std::string text = " (" + std::to_string(count);
@@ -30,7 +30,7 @@ std::string count_of(const TargetVerdict& target) {
   return text + ")";
 }
 
-/// The worst of what the reader makes of the files.
+/// The worst effect of the files on the reader.
 std::string reason_of(const TargetVerdict& target, const SourceMap& sources) {
   std::string place;
   const Span span = target.span;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The verdict on a target, for people.
+// The verdict on a target as text.
 #pragma once
 
 #include <string>

@@ -22,7 +22,7 @@ bool has_source(Span span, const SourceMap& sources) {
   return static_cast<std::size_t>(span.source) < sources.size();
 }
 
-/// A file that could not be read, or has nothing in it, has no line to show.
+/// A file that could not be read or is empty has no line to show.
 bool has_text(Span span, const SourceMap& sources) {
   return has_source(span, sources) && sources.is_readable(span.source) &&
          !sources.text(span.source).empty();
@@ -45,7 +45,7 @@ std::string arrow(std::size_t indent, std::string_view where, const Painter& pai
   return std::string(indent, ' ') + paint(Ink::frame, "-->") + " " + std::string(where) + "\n";
 }
 
-/// For a fix that no help describes.
+/// A note about a fix without a help text.
 std::string describe(const Fix& fix, const SourceMap& sources) {
   constexpr std::size_t kLongest = 60;
   if (fix.edits.size() == 1 && has_source(fix.edits[0].span, sources)) {

@@ -10,7 +10,7 @@ namespace smurf::render {
 std::string wrap(std::string_view text, std::size_t indent, std::size_t columns) {
   const std::string margin(indent, ' ');
   std::string out;
-  std::size_t used = 0;  // columns of the current line; 0: nothing on it
+  std::size_t used = 0;  // columns of the current line; 0: it is empty
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
     const std::string_view word = text.substr(0, end);

@@ -18,9 +18,9 @@ namespace {
 
 using nlohmann::json;
 
-/// The kinds of values of keywords.
+/// Types of the values of keywords.
 enum class Holds : std::uint8_t {
-  nothing,  ///< that matters to validation; dropped
+  nothing,  ///< not relevant to validation; dropped
   anything,
   any_list,
   number,
@@ -41,7 +41,7 @@ enum class Holds : std::uint8_t {
 struct Keyword {
   std::string_view name;
   Holds holds = Holds::anything;
-  bool is_in_place = false;  ///< its schemas apply to the same value
+  bool is_in_place = false;  ///< the schemas in it apply to the same value
 };
 
 constexpr Keyword kKeywords[] = {
@@ -97,16 +97,16 @@ constexpr Keyword kKeywords[] = {
 constexpr std::string_view kTypes[] = {"array",  "boolean", "integer", "null",
                                        "number", "object",  "string"};
 
-/// Schemas that apply to one value: as many one inside the other, and as many in all.
+/// Limits the schemas that apply to one value: their nesting depth and their number.
 constexpr int kDeepest = 32;
 constexpr double kMost = 256;
 constexpr std::size_t kLongestPattern = 300;
-/// Limits on the patterns of a schema. Each pattern takes memory, and each pattern of names is
+/// Limits on the patterns of a schema. Each pattern uses memory, and each pattern of names is
 /// matched again for every mapping.
 constexpr std::size_t kMostPatternSteps = 500'000;
 constexpr std::size_t kMostNamePatternSteps = 300;
 constexpr int kMostNamePatterns = 1000;
-/// Names, values and types that the library compares in a step.
+/// Names, values and types that the library compares in one step.
 constexpr std::size_t kItemsForStep = 16;
 
 const Keyword* find_keyword(std::string_view name) {
@@ -116,8 +116,8 @@ const Keyword* find_keyword(std::string_view name) {
   return nullptr;
 }
 
-/// Property names are matched by the backtracking matcher of the library: no repeated groups, which
-/// can take exponential time, and few repetitions at all.
+/// The backtracking matcher of the library matches property names. Therefore, repeated groups,
+/// which can need exponential time, are not allowed, and the number of repetitions is limited.
 bool is_simple_pattern(std::string_view pattern) {
   int repetitions = 0;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
@@ -179,11 +179,11 @@ class SchemaChecker {
     applied_[node.id()];
     if (node.boolean()) return *node.boolean();
     if (!node.is_mapping()) {
-      fault(node.place(), "a schema is a mapping or true or false, not " + describe(node));
+      fault(node.place(), "a schema must be a mapping, true or false, not " + describe(node));
       return true;
     }
     json checked = json::object();
-    if (const yaml::View reference = node.find("$ref")) {  // the keys beside it have no effect
+    if (const yaml::View reference = node.find("$ref")) {  // other keys in this schema are ignored
       add_reference(node, reference);
       return json{{"$ref", std::string(reference.text())}};
     }
@@ -195,8 +195,8 @@ class SchemaChecker {
     return checked;
   }
 
-  /// The library asks the guard of a schema last, but those of `allOf` before it compares items or
-  /// matches names.
+  /// The library checks the guard of a schema last, but guards in `allOf` before it compares items
+  /// or matches names.
   void add_guards(SchemaGuard guard, json& checked) {
     if (guard.has_name_patterns || guard.has_unique_items) {
       checked["allOf"].push_back(json{{kGuardKey, guards_.size()}});
@@ -374,7 +374,8 @@ class SchemaChecker {
     for (const auto& [node, reference] : references_) {
       const yaml::View target = follow_reference(root_, reference.text());
       if (!target || !applied_.contains(target.id())) {
-        fault(reference.span(), quoted(reference.text()) + " leads to no schema of this file")
+        fault(reference.span(),
+              quoted(reference.text()) + " does not refer to a schema in this file")
             .help("other files are not read; write `#/definitions/NAME`");
         continue;
       }
@@ -382,7 +383,7 @@ class SchemaChecker {
     }
   }
 
-  /// How many schemas come into play at one value, and how deep; a circle never ends.
+  /// Counts the schemas that apply to one value, and their depth; reports an endless cycle.
   Extent measure(yaml::NodeId id, Span place, int depth) {
     const auto known = extents_.find(id);
     if (known != extents_.end() && !known->second.is_open) return known->second;
@@ -414,7 +415,7 @@ class SchemaChecker {
   std::vector<SchemaGuard> guards_;
   std::size_t pattern_steps_ = 0;
   int name_patterns_ = 0;
-  /// Every schema of the file, and those it applies to the same value.
+  /// Visits every schema of the file, and the schemas it applies to the same value.
   std::map<yaml::NodeId, std::vector<Applied>> applied_;
   std::vector<std::pair<yaml::NodeId, yaml::View>> references_;
   std::map<yaml::NodeId, Extent> extents_;

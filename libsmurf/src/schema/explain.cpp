@@ -14,7 +14,7 @@
 namespace smurf {
 namespace {
 
-/// A message of valijson, the keyword that it is about, and our message with the keyword's value.
+/// A message of valijson, its keyword, and our message with the keyword's value.
 struct Phrase {
   std::string_view description;
   std::string_view keyword;
@@ -38,11 +38,11 @@ constexpr Phrase kPhrases[] = {
     {"Object should have no fewer", "minProperties", "has at least ", " keys"},
     {"Failed to match regex", "pattern", "does not match the pattern ", ""},
     {"Elements at indexes", "uniqueItems", "contains an item twice", ""},
-    {"Failed to any values", "contains", "lacks an item that the schema asks for", ""},
+    {"Failed to any values", "contains", "lacks an item that the schema requires", ""},
     {"Target should not validate", "not", "has a form that the schema excludes", ""},
     {"Missing required property", "required", "has no ", ""},
     {"Missing dependency", "dependencies", "has no ", ""},
-    {"Object contains a property", "additionalProperties", "has a key too many", ""},
+    {"Object contains a property", "additionalProperties", "has too many keys", ""},
     {"Array contains more items", "items", "contains too many items", ""},
     {"Cannot validate item", "items", "contains too many items", ""},
     {"Failed to validate against any schemas allowed by anyOf", "anyOf",
@@ -50,11 +50,11 @@ constexpr Phrase kPhrases[] = {
     {"Failed to validate against any child schemas", "oneOf",
      "has none of the forms that the schema allows", ""},
     {"Failed to validate against exactly one", "oneOf",
-     "has several forms of which the schema allows only one", ""},
+     "has several of the forms of which the schema allows only one", ""},
 };
 
-constexpr std::size_t kNodesForStep = 64;  ///< of the schema and the value, that are looked at
-constexpr std::uint64_t kComparisonsForStep = 256;  ///< of characters, for suggestions
+constexpr std::size_t kNodesForStep = 64;  ///< most nodes of the schema and the value to look at
+constexpr std::uint64_t kComparisonsForStep = 256;  ///< most compared characters, for suggestions
 constexpr std::size_t kMostNotes = 4;
 
 const Phrase* phrase_of(const SchemaFault& fault) {
@@ -73,7 +73,7 @@ bool is_at_or_under(const SchemaFault& inner, const SchemaFault& outer) {
          std::equal(outer.steps.begin(), outer.steps.end(), inner.steps.begin());
 }
 
-/// What valijson puts between quotes: the name of a property.
+/// The text between quotes in a message of valijson: the name of a property.
 std::string name_in(std::string_view description) {
   const std::size_t begin = description.find('\'');
   const std::size_t end = description.rfind('\'');
@@ -110,7 +110,7 @@ std::string alternatives(yaml::View list, bool are_types) {
   return all;
 }
 
-/// All subschemas that may apply to the value behind `steps`, outer ones first.
+/// All subschemas that may apply to the value at `steps`, outer ones first.
 class Candidates {
  public:
   Candidates(yaml::View root, const std::vector<std::string>& steps) : root_(root) {
@@ -124,7 +124,7 @@ class Candidates {
 
   const std::vector<yaml::View>& all() const { return all_; }
 
-  /// The value of a keyword in the first that has it.
+  /// The value of a keyword in the first subschema that has it.
   yaml::View find(std::string_view keyword) const {
     for (const yaml::View schema : all_) {
       if (const yaml::View value = schema.find(keyword)) return value;
@@ -192,13 +192,13 @@ class Explainer {
   }
 
  private:
-  /// False when there are no steps left.
+  /// False if no steps remain.
   bool spend(std::size_t nodes) {
     steps_left_ -= std::min(steps_left_, static_cast<std::int64_t>(nodes / kNodesForStep + 1));
     return steps_left_ > 0;
   }
 
-  /// For a choice of forms, only the choice is reported. The faults of each form come before
+  /// For a choice of forms, only the choice is reported. The faults of each form precede
   /// it.
   void drop_rejected_forms() {
     notes_.resize(faults_.size());
@@ -220,7 +220,7 @@ class Explainer {
     }
   }
 
-  /// That a part fails is reported only when nothing in it says why.
+  /// A failed part is reported only if there is no other finding in it.
   void drop_consequences() {
     std::set<std::vector<std::string>> explained;
     for (std::size_t i = 0; i < faults_.size(); ++i) {
@@ -258,8 +258,8 @@ class Explainer {
     }
     yaml::View value;
     Candidates candidates;
-    std::string_view name;   ///< of the nearest value with a key
-    bool is_inside = false;  ///< an item of it
+    std::string_view name;   ///< schemas of the nearest value with a key
+    bool is_inside = false;  ///< an item of that value
   };
 
   static std::string message(const SchemaFault& fault, const Phrase& phrase, const Located& at) {
@@ -281,7 +281,7 @@ class Explainer {
     const Located at(*this, fault);
     if (!at.value) return;
     const Phrase* phrase = phrase_of(fault);
-    if (phrase == nullptr) {  // a schema `false`, or words of a newer version of the library
+    if (phrase == nullptr) {  // a schema `false`, or a message of a newer version of the library
       add(at, "", at.value.place(), at.subject() + " does not fit the schema");
       return;
     }
@@ -298,7 +298,7 @@ class Explainer {
     if (is_about_key) suggest_key(at, name_in(fault.description), violation);
   }
 
-  /// The place is then a misspelt key that may mean the missing one.
+  /// Then, the place is a misspelt key that may mean the missing one.
   void suggest_key(const Located& at, const std::string& missing, Violation& violation) {
     if (!spend(kNodesForStep / 4 * at.value.size())) return;
     const std::vector<std::string_view> names = property_names(at);
@@ -378,7 +378,7 @@ class Explainer {
     if (fits_everywhere(name)) renames.offer(violation.fixes, key, name);
   }
 
-  /// valijson names the first key that is too many; these are all.
+  /// valijson names only the first superfluous key; these are all.
   void explain_keys(const Located& at) {
     const std::vector<std::string_view> names = property_names(at);
     const std::set<std::string_view> known(names.begin(), names.end());
@@ -386,7 +386,7 @@ class Explainer {
     const bool has_patterns = static_cast<bool>(at.candidates.find("patternProperties"));
     for (const yaml::View key : at.value) {
       if (known.contains(key.key())) continue;
-      if (has_patterns) {  // which names they match is not asked again
+      if (has_patterns) {  // the patterns of names are not matched again
         Violation& violation = add(at, "additionalProperties", head_of(at.value),
                                    at.subject() + " has a key that the schema does not know");
         violation.help.clear();

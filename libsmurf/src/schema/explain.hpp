@@ -12,18 +12,18 @@
 
 namespace smurf {
 
-/// A finding without a rule. `schema` and `value` are the trees that the faults are about.
+/// A violation, without a rule. `schema` and `value` are the trees of the faults.
 struct Violation {
   Span span;
   std::string message;
   std::string help;
   std::vector<std::string> notes;
-  Span add_span;     ///< what a missing key would follow; may be empty
-  Span schema_span;  ///< the keyword of the schema that is broken; may be empty
+  Span add_span;     ///< the place after which a missing key belongs; may be empty
+  Span schema_span;  ///< the violated keyword of the schema; may be empty
   std::vector<Fix> fixes;
 };
 
-/// Takes what it costs from the steps; when none are left, there may be more violations.
+/// Subtracts its cost from the steps; if none remain, there may be more violations.
 std::vector<Violation> explain(const std::vector<SchemaFault>& faults, yaml::View schema,
                                yaml::View value, std::int64_t& steps_left);
 

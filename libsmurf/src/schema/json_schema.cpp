@@ -15,16 +15,16 @@ namespace {
 
 namespace vj = valijson;
 
-constexpr std::size_t kMatchesForStep = 30;  // of Pattern::steps_for(), in a step of 1 us
-constexpr std::size_t kPairsForStep = 64;    // items compared with each other
-/// std::regex, which the library asks about names, takes a stack frame for each character and the
-/// square of the name in time.
+constexpr std::size_t kMatchesForStep = 30;  // steps of Pattern::steps_for() in a step of 1 us
+constexpr std::size_t kPairsForStep = 64;    // items that are compared with each other
+/// The library matches names with std::regex, which needs a stack frame per character, and
+/// quadratic time in the length of the name.
 constexpr std::size_t kLongestMatchedName = 256;
 constexpr std::size_t kNameForStep = 250;  // characters, squared
 
 struct TooMuchWork {};
 
-/// Counts the work of every schema that is applied, and stands in for `pattern`.
+/// Counts the work of every applied schema, and replaces `pattern`.
 class Guard final : public vj::constraints::PolyConstraint {
  public:
   Guard(std::int64_t& steps_left, const SchemaGuard& guard)
@@ -88,7 +88,7 @@ class GuardBuilder final : public vj::ConstraintBuilder {
 struct JsonSchema::Parsed {
   std::vector<SchemaGuard> guards;
   std::int64_t steps_left = 0;
-  std::mutex is_in_use;  ///< one file after the other: the guards count for one of them
+  std::mutex is_in_use;  ///< files take turns, because the guards count for one file
   vj::Schema schema;
 };
 

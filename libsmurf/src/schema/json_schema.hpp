@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Applies a checked schema to a value. The only place that knows valijson.
+// Applies a checked schema to a value. This is the only place that uses valijson.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace smurf {
 
-/// Where the value breaks the schema, as steps from its root, and how in valijson's words.
+/// Where the value violates the schema, as steps from its root, and the message of valijson.
 struct SchemaFault {
   std::vector<std::string> steps;
   std::string description;
@@ -24,7 +24,7 @@ class JsonSchema {
   explicit JsonSchema(CheckedSchema checked);
   ~JsonSchema();
 
-  /// Takes what it costs from the steps. None when they do not suffice; none are left then.
+  /// Subtracts its cost from the steps. If they do not suffice, returns none and sets them to 0.
   std::optional<std::vector<SchemaFault>> check(const nlohmann::json& value,
                                                 std::int64_t& steps_left) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All ways through the pattern are followed at once, character by character (Thompson's
-// simulation), so that none is ever tried twice.
+// Follows all paths through the pattern at once, character by character (Thompson's simulation), so
+// no path is tried twice.
 #include "schema/pattern.hpp"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ class Run {
     return places;
   }
 
-  /// Where matches begin; the code is that of the pattern from its end to its begin.
+  /// The places where matches begin; the code is that of the reversed pattern.
   std::vector<bool> begins() {
     std::vector<bool> places(text_.size() + 1);
     for (std::size_t at = text_.size() + 1; at-- > 0;) {
@@ -62,8 +62,8 @@ class Run {
   }
 
  private:
-  /// Follows what takes no character, from where the last character led to and from the begin of
-  /// the code. True at a match.
+  /// Follows instructions that consume no character, from the states after the last character and
+  /// from the beginning of the code. True if it reaches a match.
   bool arrive(std::size_t at) {
     ++arrival_;
     waiting_.clear();
@@ -114,11 +114,11 @@ class Run {
   const Pattern::Code& code_;
   const std::vector<Pattern::Set>& sets_;
   const std::vector<char32_t>& text_;
-  const std::vector<std::vector<bool>>& looks_;  ///< where each of them holds
-  std::vector<std::size_t> seen_at_;             ///< by instruction: the last arrival there
-  std::vector<std::uint32_t> waiting_;           ///< for a character
-  std::vector<std::uint32_t> arrived_;           ///< with the last character
-  std::vector<std::uint32_t> open_;              ///< of follow(), kept for its memory
+  const std::vector<std::vector<bool>>& looks_;  ///< the places where each condition is true
+  std::vector<std::size_t> seen_at_;    ///< by instruction: the last position that reached it
+  std::vector<std::uint32_t> waiting_;  ///< for a character
+  std::vector<std::uint32_t> arrived_;  ///< states after the last character
+  std::vector<std::uint32_t> open_;     ///< of follow(); a member to reuse its memory
   std::size_t arrival_ = 0;
   bool is_match_ = false;
 };
@@ -146,7 +146,7 @@ bool Pattern::is_in(std::string_view text) const {
 std::size_t Pattern::steps_for(std::string_view text) const {
   std::size_t size = code_.size();
   for (const Look& look : looks_) size += look.code.size();
-  std::size_t ranges = 1;  // in a text that is not ASCII, all of a set may be looked at
+  std::size_t ranges = 1;  // in a text that is not ASCII, all ranges of a set may be searched
   for (const Set& set : sets_) ranges = std::max(ranges, set.ranges.size());
   const bool is_ascii = utf8::ascii_prefix(text) == text.size();
   return (text.size() + 1) * size * (is_ascii ? 1 : ranges);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Regular expressions of users, matched in a time that is known before: the length of the text
-// times the size of the pattern. std::regex takes the square of the text, and a stack frame for
-// each of its characters.
+// Regular expressions of users, matched in bounded time: length of the text times size
+// of the pattern. std::regex needs quadratic time, and a stack frame for each
+// character.
 #pragma once
 
 #include <bitset>
@@ -15,20 +15,20 @@
 
 namespace smurf {
 
-/// A regular expression as ECMA-262 has them with the flag `u`, over Unicode characters, without
-/// references back and without `\p{...}`.
+/// A regular expression of ECMA-262 with the flag `u`, over Unicode characters, without
+/// back-references and `\p{...}`.
 class Pattern {
  public:
-  /// The result of compile() for an invalid pattern: why it is invalid.
+  /// The result of compile() for an invalid pattern: the reason.
   using Fault = std::string;
   static std::variant<Pattern, Fault> compile(std::string_view text);
 
   /// Whether it matches anywhere in the text.
   bool is_in(std::string_view text) const;
-  /// The most steps that is_in() takes, of some 20 ns each.
+  /// The largest number of steps of is_in(), of about 20 ns each.
   std::size_t steps_for(std::string_view text) const;
 
-  /// What a character may be.
+  /// A set of characters.
   struct Set {
     std::bitset<128> ascii;
     std::vector<std::pair<char32_t, char32_t>> ranges;
@@ -40,12 +40,12 @@ class Pattern {
   struct Instruction {
     Op op = Op::match;
     bool is_negated = false;  ///< word_edge, look
-    std::uint32_t a = 0;      ///< character: set; split, jump: next instruction; look: which
+    std::uint32_t a = 0;      ///< character: set; split, jump: next instruction; look: its index
     std::uint32_t b = 0;      ///< split: the other next instruction
   };
   using Code = std::vector<Instruction>;
-  /// What has to follow a place, or to precede it. The code of what follows is made to be run from
-  /// the end of the text to its begin, so that one run finds all places where it does.
+  /// A condition on the text after or before a position. The code for the text after it runs from
+  /// the end of the text to its beginning, so one run finds all positions.
   struct Look {
     Code code;
     bool is_ahead = true;
@@ -53,7 +53,7 @@ class Pattern {
 
  private:
   std::vector<Set> sets_;
-  std::vector<Look> looks_;  ///< inner ones before those around them
+  std::vector<Look> looks_;  ///< inner ones before outer ones
   Code code_;
 
   friend class PatternCompiler;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the text of a pattern to a tree, and from the tree to code.
+// Parses the text of a pattern into a tree, and compiles the tree to code.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -11,11 +11,11 @@
 namespace smurf {
 namespace {
 
-/// What counted repeats may come to: each of them repeats the code of what is repeated.
+/// Limit for counted repeats, because each of them repeats code.
 constexpr std::size_t kMostCode = 10'000;
 constexpr std::uint32_t kMostRepeats = 1'000'000;
 constexpr std::uint32_t kEndless = kMostRepeats + 1;
-constexpr char32_t kNothing = U'\0';  // behind the end; YAML has no such character
+constexpr char32_t kNothing = U'\0';  // stands for the end; YAML has no such character
 
 struct Fault {
   std::string reason;
@@ -65,7 +65,7 @@ bool add_class(char32_t letter, Pattern::Set& set) {
   }
 }
 
-/// All that the set does not hold, as ranges, so that it can be part of another set.
+/// All characters outside of the set, as ranges, so that it can be part of another set.
 void add_rest(const Pattern::Set& set, Pattern::Set& to) {
   std::vector<std::pair<char32_t, char32_t>> taken = set.ranges;
   for (char32_t c = 0; c < set.ascii.size(); ++c) {
@@ -80,7 +80,7 @@ void add_rest(const Pattern::Set& set, Pattern::Set& to) {
   add_range(next, 0x10FFFF, to);
 }
 
-/// The grammar of ECMA-262, as lenient as browsers are with `{`, `}` and `]`.
+/// The grammar of ECMA-262, as lenient about `{`, `}` and `]` as browsers are.
 class Parser {
  public:
   Parser(std::string_view text, std::vector<Pattern::Set>& sets) : sets_(sets) {
@@ -183,7 +183,7 @@ class Parser {
     at_ = end + 1;
   }
 
-  /// Whether `{2}`, `{2,}` or `{2,3}` comes next; any other brace is a character.
+  /// Whether `{2}`, `{2,}` or `{2,3}` follows; another brace is an ordinary character.
   bool counts() const {
     if (peek() != '{' || !is_digit(peek(1))) return false;
     std::size_t i = 1;
@@ -207,11 +207,11 @@ class Parser {
       repeat.most = repeat.least = number();
       if (take(U",")) repeat.most = is_digit(peek()) ? number() : kEndless;
       ++at_;
-      if (repeat.most < repeat.least) throw Fault{"a repeat counts down"};
+      if (repeat.most < repeat.least) throw Fault{"the bounds of a repeat are swapped"};
     } else {
       return one;
     }
-    take(U"?");  // whether few or many are tried first does not change whether there is a match
+    take(U"?");  // greedy and lazy repeats match the same texts
     repeat.parts.push_back(std::move(one));
     return repeat;
   }
@@ -229,7 +229,7 @@ class Parser {
     while (!take(U"]")) {
       if (at_ >= text_.size()) throw Fault{"a `[` is not closed"};
       if (peek() == U'[' && peek(1) == U':' && text_.find(U":]", at_) != std::u32string::npos) {
-        throw Fault{"classes such as `[:alpha:]` are not those of ECMA-262"};
+        throw Fault{"classes such as `[:alpha:]` are not part of ECMA-262"};
       }
       const auto first = member(set);
       const bool is_range = peek() == '-' && peek(1) != ']' && at_ + 1 < text_.size();
@@ -239,19 +239,21 @@ class Parser {
       }
       ++at_;
       const auto last = member(set);
-      if (first && last && *last < *first) throw Fault{"a range of characters counts down"};
+      if (first && last && *last < *first)
+        throw Fault{"the ends of a range of characters are "
+                    "swapped"};
       if (first && last) {
         add_range(*first, *last, set);
         continue;
       }
-      for (const auto& end : {first, last}) {  // as `\w-x`: no range
+      for (const auto& end : {first, last}) {  // in `\w-x`, the dash is not a range
         if (end) add_range(*end, *end, set);
       }
       add_range('-', '-', set);
     }
   }
 
-  /// One character; none for a class, which is added.
+  /// One character; none for a class, which is added to the set.
   std::optional<char32_t> member(Pattern::Set& set) {
     if (take(U"\\b")) return U'\b';
     if (take(U"\\")) return escaped(set);
@@ -285,7 +287,7 @@ class Parser {
       break;
     default: break;
     }
-    if (is_digit(letter) || letter == 'k') throw Fault{"references back are not supported"};
+    if (is_digit(letter) || letter == 'k') throw Fault{"back-references are not supported"};
     if ((letter | 0x20U) >= 'a' && (letter | 0x20U) <= 'z' && letter < 0x80) {
       std::string shown;
       utf8::append(shown, letter);

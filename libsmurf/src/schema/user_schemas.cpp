@@ -18,7 +18,7 @@ struct UserSchema {
 
 namespace {
 
-/// Schemas that apply themselves to the parts of a value several times double the work with every
+/// Schemas that apply themselves to parts of a value several times double the work with every
 /// level.
 constexpr std::int64_t kStepsForValue = 4;
 
@@ -48,7 +48,7 @@ void check(const UserSchema* schema, yaml::View value, SchemaWork& work, Finding
       diagnostic.label(violation.add_span, "add it after this");
     }
     if (!violation.schema_span.empty()) {
-      diagnostic.label(violation.schema_span, "the schema asks for it here");
+      diagnostic.label(violation.schema_span, "required here by the schema");
     }
   }
 }

@@ -16,9 +16,9 @@ namespace {
 /// The roles of a byte in a plain scalar. The first ones are content.
 enum class CharClass : std::uint8_t {
   plain,      ///< always content
-  no_start,   ///< content, but not as the first byte
+  no_start,   ///< content, except as the first byte
   flow_sign,  ///< content outside of brackets only
-  ending,     ///< blank, line end, colon, number sign: depends on what is beside it
+  ending,     ///< space, line end, colon, number sign: depends on neighbouring bytes
   foreign,    ///< tabs, carriage returns, control bytes: left to yaml-cpp
 };
 
@@ -57,14 +57,14 @@ class Scanner {
   struct Level {
     std::uint32_t column;
     bool is_list;
-    bool awaits_value;       ///< a key or a dash was read, its value not yet
-    std::uint32_t sign_end;  ///< behind that dash, or the colon of that key
+    bool awaits_value;       ///< a key or a dash was read, but not its value
+    std::uint32_t sign_end;  ///< the place after that dash, or after the colon of that key
   };
   struct Scalar {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
     yaml::Style style = yaml::Style::plain;
-    bool has_doubled_quotes = false;  ///< '' stands for one quote
+    bool has_doubled_quotes = false;  ///< '' means one quote
   };
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(text_.size()); }
@@ -84,7 +84,8 @@ class Scanner {
     at_ = static_cast<std::uint32_t>(at);
   }
 
-  /// Over a comment, which yaml-cpp lets hold any byte; no comment may touch what stands before.
+  /// Skips a comment, in which yaml-cpp allows any byte. A comment must not touch the text before
+  /// it.
   bool skip_comment() {
     if (at_ > line_begin_ && text_[at_ - 1] != ' ') return false;
     while (at_ < size() && text_[at_] != '\n') {
@@ -95,8 +96,8 @@ class Scanner {
     return true;
   }
 
-  /// To the next byte that is no blank, line end or comment. False at the end of the text, and when
-  /// there is something that is left to yaml-cpp: at_ is before the end then.
+  /// Skips to the next byte that is not a space, line end or comment. False at the end of the text,
+  /// and at anything left to yaml-cpp; then at_ is before the end.
   bool to_next_token() {
     while (at_ < size()) {
       const char c = text_[at_];
@@ -121,13 +122,13 @@ class Scanner {
     return mark == "---" || mark == "...";
   }
 
-  /// After the last token of a line: true when there is nothing but a comment.
+  /// After the last token of a line: whether only a comment follows.
   bool at_end_of_line() {
     skip_spaces();
     return peek() == '\n' || (peek() == '#' && skip_comment());
   }
 
-  /// The value that the level awaits is absent.
+  /// Adds the absent value that the level expects.
   void add_absent(const Level& level) {
     builder_.add_null(builder_.span(level.sign_end, level.sign_end));
   }
@@ -138,7 +139,7 @@ class Scanner {
     builder_.close();
   }
 
-  /// Begins an entry of the list or mapping in this column, and opens that if necessary.
+  /// Begins an entry of the list or mapping in this column, and opens the collection if necessary.
   bool begin_entry(std::uint32_t begin, bool is_list, std::uint32_t sign_end) {
     const std::uint32_t column = begin - line_begin_;
     const bool is_open =
@@ -158,20 +159,20 @@ class Scanner {
     return true;
   }
 
-  /// Closes everything that the column of the next token ends. False when no open level fits the
+  /// Closes all levels that the column of the next token ends. False if no open level fits the
   /// column.
   bool close_deeper_levels() {
     const std::uint32_t column = at_ - line_begin_;
     while (!levels_.empty() && levels_.back().column > column) close_level();
     if (levels_.empty()) return !has_content_;
-    // A list may stand in the column of the key it belongs to.
+    // A list may begin in the column of its key.
     if (levels_.back().column == column && levels_.back().is_list && !is_dash()) close_level();
     if (levels_.empty()) return false;
     const Level& level = levels_.back();
     return level.column == column ? !level.is_list || is_dash() : level.awaits_value;
   }
 
-  /// Reads the tokens of one line: dashes, a key, a value. A value in brackets may take more lines.
+  /// Reads the tokens of one line: dashes, a key, a value. A value in brackets may have more lines.
   bool read_line() {
     has_content_ = true;
     while (is_dash()) {
@@ -190,7 +191,7 @@ class Scanner {
     return take_key(first) && read_value();
   }
 
-  /// The value behind a key, on its line.
+  /// Reads the value after a key, on the same line.
   bool read_value() {
     ++at_;
     skip_spaces();
@@ -207,7 +208,7 @@ class Scanner {
     return true;
   }
 
-  /// True when a value may begin here, of which the innermost level is told.
+  /// Whether a value may begin here. Informs the innermost level.
   bool begin_value(std::uint32_t at) {
     if (levels_.empty() || !levels_.back().awaits_value) return false;
     levels_.back().awaits_value = false;
@@ -281,7 +282,7 @@ class Scanner {
     return false;
   }
 
-  /// Up to what ends a plain scalar on its line; blanks at its end do not belong to it.
+  /// Reads to the end of a plain scalar on its line, without trailing spaces.
   bool read_plain(Scalar& scalar, bool in_flow) {
     if (class_of(peek()) != CharClass::plain &&
         (peek() != '-' || in_flow_stop(1) || is_end_of_word(1))) {
@@ -307,7 +308,7 @@ class Scanner {
     return true;
   }
 
-  /// Returns where the content ends that stands here; `end` when there is none.
+  /// Returns the end of the content that begins here; `end` if there is none.
   std::uint32_t skip_content(CharClass last, std::uint32_t end) {
     const std::string_view text = text_;
     std::size_t at = at_;
@@ -320,13 +321,13 @@ class Scanner {
     return std::string_view(",[]{}:#?").find(peek(ahead)) != std::string_view::npos;
   }
 
-  /// A list or mapping in brackets, with all that is in it.
+  /// Reads a list or mapping in brackets, with all its contents.
   bool read_flow() {
-    const bool is_root = levels_.empty();  // close_deeper_levels() lets nothing follow
+    const bool is_root = levels_.empty();  // close_deeper_levels() allows nothing after it
     if (!is_root && !begin_value(at_)) return false;
     std::vector<char> brackets;
     do {
-      // A value, or the end of an empty list or mapping, or a key.
+      // Reads a value, the end of an empty list or mapping, or a key.
       const char c = peek();
       if (c == '[' || c == '{') {
         brackets.push_back(c);
@@ -358,7 +359,7 @@ class Scanner {
     return to_next_token();
   }
 
-  /// Closing brackets and the comma behind an entry, up to the next value.
+  /// Reads closing brackets and the comma after an entry, up to the next value.
   bool end_flow_entry(std::vector<char>& brackets) {
     while (!brackets.empty()) {
       if (!to_next_token()) return false;

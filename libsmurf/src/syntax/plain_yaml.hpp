@@ -10,10 +10,10 @@
 
 namespace smurf {
 
-/// Builds what yaml-cpp and YamlEvents would build of `text`, in which check_text() found nothing.
-/// It knows block and flow collections, plain and quoted scalars of one line, and comments. At
-/// anything else, and at anything that looks wrong, it gives up: the result is about where, and
-/// what was built by then means nothing. yaml-cpp then decides; no text is refused here.
+/// Builds the same tree from `text` as yaml-cpp and YamlEvents. Precondition: check_text() found
+/// nothing in it. Supports block and flow collections, plain and quoted scalars of one line, and
+/// comments. Gives up at other constructs and at mistakes: the result is the approximate place, and
+/// the tree is then invalid. yaml-cpp then reads the text; no text is refused here.
 std::optional<std::uint32_t> scan_plain_yaml(std::string_view text, YamlBuilder& builder);
 
 }  // namespace smurf

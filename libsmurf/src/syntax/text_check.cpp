@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// yaml-cpp and tinyxml2 accept bytes that other readers refuse, so the bytes are judged here.
+// yaml-cpp and tinyxml2 accept bytes that other readers refuse, so this file checks the bytes.
 #include "syntax/text_check.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace smurf {
 
 namespace {
 
-/// A byte order mark, or a NUL beside the first character: our files begin with ASCII.
+/// A byte order mark, or a NUL beside the first character, because our files begin with ASCII.
 bool is_wide(std::string_view text) {
   using namespace std::string_view_literals;
   if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE")) return true;
@@ -30,8 +30,9 @@ bool is_forbidden(char c, TextFormat format) {
 std::size_t find_control_character(std::string_view text, TextFormat format) {
   std::size_t at = 0;
   while (at < text.size()) {
-    // Eight bytes a step, as long as all are ASCII, not 0x7F, and at least 0x20 or a line end. The
-    // highest bit of each byte tells: no sum with an ASCII byte carries into the next.
+    // Skips eight bytes per step, as long as all are ASCII, not 0x7F, and at least 0x20 or a line
+    // end. The highest bit of each byte shows the result, because no sum with an ASCII byte carries
+    // into the next byte.
     for (; at + sizeof(std::uint64_t) <= text.size(); at += sizeof(std::uint64_t)) {
       constexpr std::uint64_t kHighest = 0x8080808080808080U;
       std::uint64_t word = 0;
@@ -74,7 +75,7 @@ bool check_text(const SourceMap& sources, SourceId id, TextFormat format, Diagno
                                          "the control character U+00" + hex(text[control]) +
                                              " is not allowed in a text file");
     diagnostic.help("delete it");
-    // Readers of XML stop at a NUL only.
+    // Readers of XML stop only at a NUL.
     if (format == TextFormat::yaml || text.find('\0') != std::string_view::npos) return false;
     diagnostic.construct = "in-urdf";
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Both meet the start tags in document order, which is verified name by name.
+// Both parsers visit the start tags in document order; the names are compared.
 #include "syntax/tinyxml2_referee.hpp"
 
 #include <tinyxml2.h>
@@ -14,7 +14,7 @@ namespace {
 
 using xml::Element;
 
-/// Replaces what is written by what tinyxml2 reads.
+/// Replaces our values by those of tinyxml2.
 class Decoder {
  public:
   Decoder(xml::Document& document, const SourceMap& sources)
@@ -87,7 +87,7 @@ bool read_by_tinyxml2(xml::Document& document, const SourceMap& sources, Diagnos
   }
   if (!Decoder(document, sources).decode(*parsed.RootElement())) {
     sink.report(rules::sml1001_xml_malformed, {document.source, 0, 0},
-                "tinyxml2 reads another structure than is written");
+                "tinyxml2 reads a different structure");
     return false;
   }
   return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tinyxml2, by which sdformat, MuJoCo and Bullet read, makes of a file that our scanner has
-// read. The only place that knows it. The tests hold both equal, and smurf2urdf asks it about what
-// it writes.
+// Reads a scanned file again with tinyxml2, the parser of sdformat, MuJoCo and Bullet. This is the
+// only place that uses tinyxml2. Tests compare its results with ours, and smurf2urdf checks its
+// output with it.
 #pragma once
 
 #include "smurf/diagnostic.hpp"
@@ -9,8 +9,8 @@
 
 namespace smurf {
 
-/// Puts the values and texts that tinyxml2 reads in the place of ours, but for those with a wrong
-/// reference, which it garbles. False when it refuses the file or sees other elements (SML1001). In
+/// Replaces our values and texts by those that tinyxml2 reads, except for those with a wrong
+/// reference, which it garbles. False if it refuses the file or sees other elements (SML1001). In
 /// the library smurf::referees.
 bool read_by_tinyxml2(xml::Document& document, const SourceMap& sources, DiagnosticSink& sink);
 

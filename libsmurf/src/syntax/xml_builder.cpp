@@ -16,8 +16,8 @@ using xml::kNoElement;
 
 XmlBuilder::XmlBuilder(std::string_view text, SourceId id) : text_(text) {
   document_.source = id;
-  // What grows needs up to three times its size for a while. Only a hostile file has more than one
-  // element in 16 bytes.
+  // A growing array temporarily needs up to three times its size. Only a hostile file has more than
+  // one element in 16 bytes.
   document_.elements.reserve(
       std::min(count_of(text_, '<') - count_of(text_, '<', '/'), text_.size() / 16 + 1));
   document_.attributes.reserve(std::min(count_of(text_, '='), text_.size() / 16 + 1));
@@ -95,7 +95,7 @@ const Element* XmlBuilder::suspect() const {
     const Element& inner = elements[i];
     if (inner.name() == innermost().name()) return &inner;
     while (i + 1 < elements.size() && elements[i + 1].span.begin < inner.span.end) {
-      ++i;  // what is in a closed child
+      ++i;  // text in a closed child
     }
   }
   return nullptr;

@@ -16,7 +16,7 @@ class XmlBuilder {
 
   xml::Document take() { return std::move(document_); }
 
-  /// Elements that are open.
+  /// The number of open elements.
   std::size_t depth() const { return open_.size(); }
   const std::vector<xml::Element>& elements() const { return document_.elements; }
   const std::vector<xml::Attribute>& attributes() const { return document_.attributes; }
@@ -24,23 +24,23 @@ class XmlBuilder {
   const xml::Element& innermost() const;
 
   void add_comment(Span comment) { document_.comments.push_back(comment); }
-  /// Attributes come before the element they belong to.
+  /// Add attributes before their element.
   void add_attribute(const xml::Attribute& attribute) { document_.attributes.push_back(attribute); }
   /// Adds an attribute whose value must be decoded: it contains an '&' or a carriage return.
   void add_coded_attribute(xml::Attribute attribute);
   /// Its attributes are those from `first_attribute` on.
   void open(xml::Element element);
   void close(std::uint32_t end);
-  /// Readers take the first piece of text of an element that is not blank, or the first CDATA
-  /// section, if it stands before its children.
+  /// Readers use the first text of an element that is not blank, or the first CDATA section, if it
+  /// comes before its children.
   void add_text(Span text);
-  /// Text behind a declaration is not read. Precondition: depth() > 0.
+  /// Ignores text after a declaration. Precondition: depth() > 0.
   void add_declaration() { open_.back().has_declaration = true; }
-  /// `text` is what stands in its brackets.
+  /// `text` is the text inside its brackets.
   void add_character_section(Span text);
 
-  /// An element directly in the innermost one and of its name: the end tag that is missing may be
-  /// missing before it. Null when there is none.
+  /// A direct child of the innermost element with the same name: the missing end tag may belong
+  /// before it. Null if there is none.
   const xml::Element* suspect() const;
 
  private:
@@ -51,9 +51,9 @@ class XmlBuilder {
     bool has_declaration = false;
   };
 
-  /// As written. False when no reader takes this piece of text.
+  /// Adds a text as written. False if no reader uses this text.
   bool take_text(Span text, bool is_section);
-  /// The piece just taken.
+  /// The text that was just added.
   void decode_text(std::string (*decode)(std::string_view));
 
   xml::Element& at(xml::ElementId id) { return document_.elements[static_cast<std::size_t>(id)]; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What each byte of an XML file may be.
+// Classes of the bytes in XML files.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace smurf {
 
 enum ByteClass : std::uint8_t { blank = 1, name_start = 2, name_char = 4, special = 8, colon = 16 };
 
-/// What a byte may be; the names are those of tinyxml2.
+/// Classes of bytes; the names are those of tinyxml2.
 inline constexpr std::array<std::uint8_t, 256> kClasses = [] {
   std::array<std::uint8_t, 256> classes{};
   const auto add = [&](std::string_view bytes, int what) {

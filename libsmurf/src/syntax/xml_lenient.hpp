@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text and attributes that are not XML, but that some readers accept.
+// Malformed text and attributes that some readers accept.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// The end of a value without quotes, as TinyXML reads it: at a blank or at the end of the tag.
+/// The end of a value without quotes, as TinyXML reads it: at a space or at the end of the tag.
 /// None if TinyXML does not read it either, or if the value begins with a typographic quote.
 std::optional<std::size_t> end_of_bare_value(std::string_view text, std::size_t begin);
 /// The closing quote of a value that contains `<`. None if a line or a tag ends before it, because

@@ -23,7 +23,7 @@ void XmlPrefixes::check(Span name) {
   if (colon == std::string_view::npos) return;
   const std::string_view prefix = text.substr(0, colon);
   if (prefix == "xml" || prefix == "xmlns") return;
-  // Residue of xacro and inclusions have rules of their own that say what to do.
+  // Separate rules report residue of xacro and inclusions, and what to do.
   if (prefix == "xacro" || text == "xi:include" || text == "xi:fallback") return;
   const auto declared = declared_.find(prefix);
   if (declared != declared_.end() && declared->second > 0) return;

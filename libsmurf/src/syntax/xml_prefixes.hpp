@@ -11,8 +11,8 @@
 
 namespace smurf {
 
-/// The prefixes that the open elements declare. A prefix without `xmlns:` makes expat, lxml and
-/// browsers refuse the file, tinyxml2 does not look (SML1002).
+/// The prefixes that the open elements declare. At a prefix without `xmlns:`, expat, lxml and
+/// browsers refuse the file; tinyxml2 ignores it (SML1002).
 class XmlPrefixes {
  public:
   XmlPrefixes(std::string_view text, DiagnosticSink& sink) : text_(text), sink_(sink) {}
@@ -21,7 +21,7 @@ class XmlPrefixes {
   void enter() { elements_.push_back(open_.size()); }
   void leave();
   void declare(std::string_view prefix);
-  /// Reports the prefix of a name, once a file.
+  /// Reports the prefix of a name, once per file.
   void check(Span name);
 
  private:
@@ -29,7 +29,7 @@ class XmlPrefixes {
   DiagnosticSink& sink_;
   std::vector<std::size_t> elements_;  ///< prefixes declared before each open element
   std::vector<std::string_view> open_;
-  std::map<std::string_view, std::uint32_t> declared_;  ///< how often in open_
+  std::map<std::string_view, std::uint32_t> declared_;  ///< number of declarations in open_
   std::set<std::string_view> reported_;
 };
 

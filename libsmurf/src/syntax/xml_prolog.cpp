@@ -30,7 +30,7 @@ void check_position(std::string_view text, SourceId id, std::size_t begin, Diagn
   diagnostic.fixes.push_back({Applicability::safe, {{junk, ""}}});
 }
 
-/// The name of the encoding within its quotes; empty when the declaration names none.
+/// The name of the encoding without its quotes; empty if the declaration names none.
 Span declared_encoding(std::string_view text, SourceId id, std::size_t begin) {
   const std::string_view declaration = text.substr(begin, text.find("?>", begin) - begin);
   const std::size_t word = declaration.find("encoding");
@@ -72,7 +72,7 @@ bool check_declarations(Span doctype, std::string_view subset, DiagnosticSink& s
                   "urdfdom finds no robot after the declarations of this document type");
   diagnostic.severity = Severity::error;
   diagnostic.construct = "declarations";
-  diagnostic.note("sdformat, which uses urdfdom, finds none either; MuJoCo reads the robot");
+  diagnostic.note("neither does sdformat, which uses urdfdom; MuJoCo reads the robot");
   diagnostic.help("delete the document type, and write out what it declares");
   for (std::size_t at = subset.find('<'); at != std::string_view::npos;) {
     const std::size_t next = subset.find('<', at + 1);

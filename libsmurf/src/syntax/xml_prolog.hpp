@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an XML file declares before its first element.
+// The declarations of an XML file before its first element.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 namespace smurf {
 
 /// Reports an XML declaration that is not the first thing in the file (SML1005), or that names
-/// another encoding than that of the bytes, which are UTF-8 (SML1008).
+/// another encoding than UTF-8, the actual one (SML1008).
 void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink);
 
-/// Where an XML declaration (`<?xml ...?>`, as TinyXML tells it) holds something else than
-/// attributes; none for a sound one and for every other instruction.
+/// The place of anything other than attributes in an XML declaration (`<?xml ...?>`, recognised as
+/// in TinyXML); none for a sound declaration and for other instructions.
 std::optional<std::size_t> find_unsound(std::string_view instruction);
 
-/// The offset behind the document type that begins at `start`, which is `<!DOCTYPE`. Reports
+/// The end of the document type that begins at `start`, which is `<!DOCTYPE`. Reports
 /// declarations within it: TinyXML and tinyxml2 end it at the first '>'. None, with a report, if it
 /// is never closed, or contains more than declarations: an element for tinyxml2, or a comment that
 /// may contain the robot.

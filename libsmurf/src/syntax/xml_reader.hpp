@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// Reports SML00xx and SML100x; none when the structure of the file is broken.
+/// Reports SML00xx and SML100x; none if the structure of the file is broken.
 std::optional<xml::Document> parse_xml(const SourceMap& sources, SourceId id, const Limits& limits,
                                        DiagnosticSink& sink);
 

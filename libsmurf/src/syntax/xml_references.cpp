@@ -19,7 +19,7 @@ constexpr bool is_character(std::uint32_t value) {
          (value > 0xFFFF && value <= 0x10FFFF);
 }
 
-/// The character of "x1F600" or "65"; 0 for none that XML allows.
+/// The character for "x1F600" or "65"; 0 if XML does not allow it.
 char32_t character_of(std::string_view digits) {
   const int base = digits.starts_with('x') ? 16 : 10;
   if (base == 16) digits.remove_prefix(1);

@@ -12,7 +12,7 @@ struct XmlReference {
   enum class Kind { character, unknown_entity, none };
 
   Kind kind = Kind::none;
-  std::size_t size = 1;  ///< bytes, from the '&' to the ';'; of none only the '&'
+  std::size_t size = 1;  ///< bytes from '&' to ';'; without a reference, only the '&'
   char32_t character = 0;
 };
 
@@ -23,14 +23,14 @@ XmlReference read_reference(std::string_view text);
 /// `&#` without a number and a semicolon, which TinyXML refuses.
 bool is_broken_character(std::string_view text);
 
-/// True for a reference that readers take for something else: tinyxml2 9 copies an unknown entity
-/// from a wrong place, and cuts a value off at `&#0;`.
+/// Whether readers misread the reference: tinyxml2 9 copies an unknown entity from a wrong place,
+/// and truncates a value at `&#0;`.
 bool has_wrong_reference(std::string_view written);
 
-/// A decoded value or text: references to characters replaced, every line end a '\n'. Everything
-/// else that begins with '&' stays as it is.
+/// Decodes a value or text: replaces references to characters, and every line end by '\n'. Anything
+/// else that begins with '&' is unchanged.
 std::string decode_xml(std::string_view written);
-/// Decodes a CDATA section: as decode_xml(), but without references.
+/// Decodes a CDATA section like decode_xml(), but without references.
 std::string decode_character_section(std::string_view written);
 
 }  // namespace smurf

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One pass, no recursion: tree and places at once. What breaks the structure ends the scan; what
-// lenient readers accept (bare '&', '--' in a comment, an undeclared prefix) is reported and the
-// scan goes on.
+// Builds the tree in one pass, without recursion. Errors that break the structure end the scan. It
+// goes on after errors that lenient readers accept (bare '&', an undeclared prefix).
 #include "syntax/xml_scanner.hpp"
 
 #include <algorithm>
@@ -73,7 +72,7 @@ class Scanner {
     sink_.report(rule, place, std::move(message)).help(raise_limit(limit));
   }
 
-  /// For an element or attribute more.
+  /// Counts one more element or attribute.
   bool has_room(Span name) {
     if (tree_.elements().size() + tree_.attributes().size() < limits_.xml_elements) return true;
     too_much(rules::sml0002_file_too_large, name,
@@ -155,7 +154,8 @@ class Scanner {
     at_ = static_cast<std::uint32_t>(close + 1);
     if (tree_.depth() > 0) tree_.add_declaration();
     sink_
-        .report(rules::sml1001_xml_malformed, span(begin, begin + 2), "`<!` begins no comment here")
+        .report(rules::sml1001_xml_malformed, span(begin, begin + 2),
+                "`<!` does not begin a comment here")
         .construct = "declaration";
   }
 
@@ -214,7 +214,7 @@ class Scanner {
     close_element();
   }
 
-  /// Behind the root, all URDF readers stop there.
+  /// After the root, all URDF readers stop here.
   void end_tag_outside(Span tag, Span name) {
     Diagnostic& diagnostic = malformed(tag, "the end tag " + quoted(name) + " closes nothing");
     well_formed_ = !tree_.elements().empty();
@@ -410,7 +410,7 @@ class Scanner {
                  "URDF readers do not follow `xi:include`");
   }
 
-  /// To the end of a value or text: one of both bytes, or the end of the file.
+  /// Skips to the end of a value or text: one of both bytes, or the end of the file.
   void skip_to(char a, char b) {
     while (true) {
       std::uint32_t at = at_;
@@ -482,10 +482,10 @@ class Scanner {
   DiagnosticSink& sink_;
   XmlBuilder tree_;
   bool well_formed_ = true;
-  bool is_coded_ = false;    ///< the value holds an '&' or a carriage return
-  bool has_prefix_ = false;  ///< a name in the start tag has one
+  bool is_coded_ = false;    ///< the value contains '&' or a carriage return
+  bool has_prefix_ = false;  ///< a name in the start tag has a prefix
   std::uint32_t at_ = 0;
-  bool is_prolog_ = true;  ///< nothing but processing instructions so far
+  bool is_prolog_ = true;  ///< only processing instructions so far
   bool has_declaration_ = false;
   XmlPrefixes prefixes_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bytes of an XML file to a tree, and the strictness that tinyxml2 lacks.
+// Parses the bytes of an XML file into a tree, more strictly than tinyxml2.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// Reports SML1001-SML1013. None when the structure is broken; stops at the first error of it.
+/// Reports SML1001-SML1013. None if the structure is broken; stops at the first such error.
 std::optional<xml::Document> scan_xml(const SourceMap& sources, SourceId id, const Limits& limits,
                                       DiagnosticSink& sink);
 

@@ -38,7 +38,7 @@ void XPaths::name_children(View parent) {
     std::size_t seen = 0;
   };
   std::map<std::string, Siblings> same;
-  // Elements without a name count all of their kind.
+  // For elements without a name, all siblings of the kind are counted.
   const auto kind_of = [](View element) { return "/" + std::string(element.name()); };
   for (const View child : parent) {
     ++same[key_of(child)].count;
@@ -54,11 +54,11 @@ void XPaths::name_children(View parent) {
   }
 }
 
-/// Every finding has a path, so that long names in it would be kept ten thousand times.
+/// Every finding has a path, so long names in it would be kept ten thousand times.
 constexpr std::size_t kLongestStep = 300;
 constexpr std::size_t kLongestPath = 2000;
 
-/// The innermost steps of one that is too long.
+/// The last steps of a path that is too long.
 std::string XPaths::find(ElementId id) {
   steps_.resize(document_->elements.size());
   std::string result;
@@ -80,7 +80,8 @@ std::string XPaths::find(ElementId id) {
 std::string xpath(const Document& document, ElementId id) { return XPaths(document).find(id); }
 
 ElementId element_at(const Document& document, std::uint32_t offset) {
-  // Elements are in document order: the last one that begins before the byte, or one around it.
+  // Elements are in document order, so it is the last one that begins before the byte, or one of
+  // its parents.
   const auto after =
       std::partition_point(document.elements.begin(), document.elements.end(),
                            [&](const Element& element) { return element.span.begin <= offset; });

@@ -17,7 +17,7 @@ using yaml::NodeId;
 
 namespace {
 
-/// About as many values as the text has: one for each key, each item and the root.
+/// Estimates the number of values: one for each key, each item and the root.
 std::size_t count_of_nodes(std::string_view text) {
   std::size_t count = 2;
   for (const char sign : {':', '-'}) {
@@ -27,7 +27,7 @@ std::size_t count_of_nodes(std::string_view text) {
   return count + (lists == 0 ? 0 : 2 * lists + count_of(text, ','));
 }
 
-/// Keys have a few letters, for which this is quicker than std::hash.
+/// Keys have a few letters, for which this is faster than std::hash.
 std::size_t hash_of(std::string_view key) {
   std::size_t hash = 0;
   for (const char c : key) hash = 31 * hash + static_cast<unsigned char>(c);
@@ -40,8 +40,8 @@ YamlBuilder::YamlBuilder(const SourceMap& sources, SourceId id, const Limits& li
                          DiagnosticSink& sink)
     : text_(sources.text(id)), limits_(limits), sink_(sink) {
   document_.source = id;
-  // What grows needs up to three times its size for a while. Only a hostile file has more than one
-  // node in 8 bytes.
+  // A growing array temporarily needs up to three times its size. Only a hostile file has more than
+  // one node in 8 bytes.
   document_.nodes.reserve(std::min(count_of_nodes(text_), text_.size() / 8 + 1));
 }
 
@@ -88,7 +88,7 @@ void YamlBuilder::add_alias(Span span, Anchor anchor) {
   add(kind, span, target->second.size).set_target(target->second.node);
 }
 
-/// Whoever reads the tree visits the value of an alias each time that the alias is written.
+/// Readers of the tree visit the value of an alias each time that the alias is written.
 void YamlBuilder::repeat(Span alias, std::uint64_t size) {
   repeated_ += size;
   if (repeated_ <= limits_.yaml_expanded_nodes) return;
@@ -109,7 +109,7 @@ void YamlBuilder::take_key(Span span, std::string_view key) {
   mapping.key = key;
   mapping.key_span = span;
   mapping.end = std::max(mapping.end, span.end);
-  // A pair inside a flow list, [a: 1], is a mapping without brackets of its own.
+  // A pair inside a flow list, [a: 1], is a mapping without brackets.
   if (mapping.is_flow && span.begin == begin(mapping)) mapping.is_flow = false;
 }
 
@@ -192,7 +192,7 @@ void YamlBuilder::close(std::uint32_t end) {
 
 bool YamlBuilder::may_have_duplicates(const Node& mapping) const {
   if (mapping.child_count() < 2) return false;
-  std::bitset<2048> seen;  // by hash; in mappings of ordinary size, hardly two share a bit
+  std::bitset<2048> seen;  // by hash; in ordinary mappings, few keys share a bit
   for (NodeId child = mapping.first_child(); child != kNoNode;) {
     const Node& node = document_.nodes[index(child)];
     const std::size_t bit = hash_of(node.key()) % seen.size();
@@ -207,7 +207,7 @@ void YamlBuilder::report_duplicates(const Node& mapping) {
   if (!may_have_duplicates(mapping)) return;
   entries_.clear();
   for (NodeId child = mapping.first_child(); child != kNoNode; child = at(child).next_sibling) {
-    // A list or mapping used as a key has no text; it is reported.
+    // A list or mapping that is used as a key has no text; it is already reported.
     const Span key = at(child).key_span();
     if (at(child).key().empty() && !key.empty() && text_[key.begin] != '"' &&
         text_[key.begin] != '\'') {

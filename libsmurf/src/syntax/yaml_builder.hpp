@@ -15,27 +15,27 @@
 
 namespace smurf {
 
-/// Thrown through a parser to leave a document that exceeds a limit.
+/// Thrown through a parser to abandon a document that exceeds a limit.
 struct StopParsing {};
 
-/// Both engines feed it, the scanner and yaml-cpp. In a mapping, what is added in turn is a key and
-/// its value. Reports SML0002, SML0011, SML0012 and SML0014-SML0016 on the way.
+/// Builds a tree for the scanner and for yaml-cpp. In a mapping, alternately add a key and its
+/// value. Reports SML0002, SML0011, SML0012 and SML0014-SML0016.
 class YamlBuilder {
  public:
-  /// What aliases refer to; 0 is none.
+  /// Identifies an anchor for aliases; 0: none.
   using Anchor = std::size_t;
 
-  /// A list or mapping that is open.
+  /// An open list or mapping.
   struct Collection {
     yaml::NodeId node = yaml::kNoNode;
     yaml::NodeId last_child = yaml::kNoNode;
-    std::uint32_t end = 0;   ///< of the last key or value so far
-    std::uint64_t size = 1;  ///< nodes of it so far, itself included and aliases expanded
+    std::uint32_t end = 0;   ///< the last key or value so far
+    std::uint64_t size = 1;  ///< number of its nodes so far, including itself and expanded aliases
     Anchor anchor = 0;
     bool is_mapping = false;
     bool is_flow = false;  ///< in brackets
-    bool has_key = false;  ///< a mapping that waits for the value of `key`
-    bool is_key = false;   ///< this collection itself stands where a key should
+    bool has_key = false;  ///< a mapping that expects the value of `key`
+    bool is_key = false;   ///< this collection itself is used as a key
     std::string_view key;
     Span key_span;
   };
@@ -50,18 +50,18 @@ class YamlBuilder {
     return document_.decoded.emplace_back(std::move(text));
   }
 
-  /// The span is empty where an absent value would stand.
+  /// The span is empty for an absent value.
   void add_null(Span span, Anchor anchor = 0);
-  /// `text` is a part of the source, or one that the builder keeps.
+  /// `text` is a part of the source, or a text that the builder keeps.
   void add_scalar(Span span, yaml::Style style, std::string_view text, Anchor anchor = 0);
   void add_alias(Span span, Anchor anchor);
-  /// `begin` is the bracket of a list or mapping in brackets.
+  /// `begin` is the opening bracket of a list or mapping in brackets.
   void open(yaml::Kind kind, std::uint32_t begin, bool is_flow, Anchor anchor = 0);
   /// Without brackets, a list or mapping ends with its last child.
   void close() { close(open_.back().end); }
   void close(std::uint32_t end);
 
-  /// From the root to the innermost.
+  /// From the root to the innermost collection.
   const std::vector<Collection>& collections() const { return open_; }
   bool expects_key() const {
     return !open_.empty() && open_.back().is_mapping && !open_.back().has_key;
@@ -69,7 +69,7 @@ class YamlBuilder {
   std::uint32_t begin(const Collection& collection) const {
     return document_.nodes[index(collection.node)].span.begin;
   }
-  /// The innermost bracket that is open; an empty span when there is none.
+  /// The innermost open bracket; an empty span if there is none.
   Span open_bracket() const;
   /// One past the last byte of the root.
   std::uint32_t end() const {
@@ -96,21 +96,21 @@ class YamlBuilder {
     return yaml::NodeId{static_cast<std::uint32_t>(document_.nodes.size() - 1)};
   }
 
-  /// The innermost mapping then waits for the value.
+  /// The innermost mapping then expects the value.
   void take_key(Span span, std::string_view key);
-  /// A key that something refers to: it has a node, but no place in the tree.
+  /// Adds a key with an anchor: it has a node, but no place in the tree.
   yaml::Node& add_unlinked(yaml::Kind kind, Span span) {
     return document_.nodes.emplace_back(kind, span);
   }
   yaml::Node& add(yaml::Kind kind, Span span, std::uint64_t size);
   void repeat(Span alias, std::uint64_t size);
-  /// Reports that a limit is reached, and leaves the document.
+  /// Reports that a limit is exceeded, and abandons the document.
   [[noreturn]] void stop(const Rule& rule, Span place, std::string message, std::string_view limit);
   [[noreturn]] void stop_at_nodes(std::uint32_t at);
   [[noreturn]] void stop_at_depth(Span place);
   void report_complex_key(Span place);
 
-  /// False when all keys differ for sure.
+  /// False if all keys are certainly different.
   bool may_have_duplicates(const yaml::Node& mapping) const;
   void report_duplicates(const yaml::Node& mapping);
 
@@ -119,9 +119,9 @@ class YamlBuilder {
   DiagnosticSink& sink_;
   yaml::Document document_;
   std::vector<Collection> open_;
-  std::vector<Entry> entries_;  ///< of report_duplicates(), kept for its memory
+  std::vector<Entry> entries_;  ///< used by report_duplicates(); a member to reuse its memory
   std::unordered_map<Anchor, Anchored> anchors_;
-  std::uint64_t repeated_ = 0;  ///< nodes that the aliases so far stand for
+  std::uint64_t repeated_ = 0;  ///< number of nodes that the aliases so far stand for
 };
 
 }  // namespace smurf

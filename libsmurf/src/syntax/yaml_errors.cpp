@@ -11,7 +11,7 @@
 namespace smurf {
 namespace {
 
-/// yaml-cpp's words are about its grammar; these are about the file.
+/// yaml-cpp's messages are about its grammar; these are about the file.
 std::string explain(std::string_view words) {
   struct Row {
     std::string_view yaml_cpp;
@@ -19,8 +19,8 @@ std::string explain(std::string_view words) {
   };
   constexpr Row kRows[] = {
       {"bad file", "the lists and mappings are nested too deeply to be read"},
-      {"illegal map value", "a second `:` on this line, or a value where none may stand; quote the "
-                            "value if it holds a colon"},
+      {"illegal map value", "a second `:` on this line, or a value where none is allowed; quote "
+                            "the value if it contains a colon"},
       {"end of map not found", "this line does not fit the mapping above: its indentation or a "
                                "missing `:` breaks it"},
       {"end of sequence not found", "this line does not fit the list above: its indentation or a "
@@ -32,7 +32,7 @@ std::string explain(std::string_view words) {
   return std::string(words);
 }
 
-/// Counts brackets without reading what they hold: only a choice of words depends on it.
+/// Counts brackets without parsing their contents, because only the wording depends on the result.
 bool is_closed(std::string_view text, std::uint32_t bracket) {
   int depth = 0;
   for (const char c : text.substr(bracket)) {
@@ -42,8 +42,8 @@ bool is_closed(std::string_view text, std::uint32_t bracket) {
   return false;
 }
 
-/// The innermost bracket that is open at a place where the parser has not told of any yet. Comments
-/// are passed over, texts are not.
+/// The innermost open bracket at a place that the parser has not reported yet. Comments are
+/// skipped, texts are not.
 Span open_before(std::string_view text, std::uint32_t at, SourceId id) {
   std::vector<std::uint32_t> open;
   bool is_comment = false;
@@ -57,7 +57,7 @@ Span open_before(std::string_view text, std::uint32_t at, SourceId id) {
   return open.empty() ? Span{id, 0, 0} : Span{id, open.back(), open.back() + 1};
 }
 
-/// Something stands in brackets where only a comma or the closing bracket may stand.
+/// Reports text in brackets where only a comma or the closing bracket is allowed.
 void report_in_brackets(std::uint32_t at, Span bracket, std::string_view text,
                         DiagnosticSink& sink) {
   const std::string open(text.substr(bracket.begin, 1));
@@ -88,7 +88,7 @@ void report_parser_error(std::string_view words, int place, Span bracket, const 
     if (!open.empty()) return report_in_brackets(size, open, text, sink);
   }
   std::string message = explain(words);
-  // A tab in the indentation is reported by yaml-cpp at the following colon, in other words.
+  // yaml-cpp reports a tab in the indentation at the following colon, with another message.
   const std::size_t line_start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
   const std::size_t content = std::min(text.find_first_not_of(" \t", line_start), text.size());
   const std::string_view indent = text.substr(line_start, content - line_start);

@@ -9,7 +9,7 @@ namespace smurf {
 using Collection = YamlBuilder::Collection;
 
 void YamlEvents::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
-  // An absent value carries the mark of the next token; only a written null has a place.
+  // An absent value has the mark of the next token; only a written null has a place.
   const std::uint32_t begin = skip_properties(text_, offset(mark));
   const std::uint32_t size = written_null(begin);
   if (size > 0) return builder_.add_null(builder_.span(begin, begin + size), anchor);
@@ -33,7 +33,7 @@ void YamlEvents::OnScalar(const YAML::Mark& mark, const std::string&, YAML::anch
                           const std::string& value) {
   const ScalarExtent extent = scalar_extent(text_, offset(mark), value);
   Span span = builder_.span(extent.begin, extent.end);
-  if (span.empty()) span.begin = span.end = absent_place(offset(mark));  // only a tag is written
+  if (span.empty()) span.begin = span.end = absent_place(offset(mark));  // there is only a tag
   if (!extent.closed) {
     sink_.report(rules::sml0010_yaml_syntax, builder_.span(extent.begin, extent.begin + 1),
                  "this quote is never closed");
@@ -68,7 +68,7 @@ std::uint32_t YamlEvents::written_null(std::uint32_t begin) const {
     const char sign = next < text_.size() ? text_[next] : '\n';
     const auto size = static_cast<std::uint32_t>(word.size());
     if (sign == ':') return builder_.expects_key() ? size : 0;
-    // Anything else goes on with the text, as in `null hypothesis: 1` below an absent value.
+    // Otherwise, the text continues, as in `null hypothesis: 1` below an absent value.
     const bool is_comment = sign == '#' && next > end;
     const bool is_closed = std::string_view(",]}").find(sign) != std::string_view::npos;
     if (sign == '\n' || sign == '\r' || is_comment || (is_closed && is_in_flow())) return size;
@@ -85,7 +85,7 @@ void YamlEvents::check_absent(std::uint32_t at_offset) {
                "there is no entry before this comma");
 }
 
-/// yaml-cpp takes a line that fits nowhere, at the end of a mapping, for a key without value.
+/// At the end of a mapping, yaml-cpp reads a line that fits nowhere as a key without value.
 void YamlEvents::check_colon() {
   const auto& collections = builder_.collections();
   if (collections.empty() || is_in_flow() || !collections.back().has_key) return;
@@ -94,9 +94,9 @@ void YamlEvents::check_colon() {
   if (key.empty() || (sign < text_.size() && text_[sign] == ':')) return;
   const std::size_t before =
       key.begin == 0 ? std::string_view::npos : text_.find_last_not_of(" \t", key.begin - 1);
-  if (before != std::string_view::npos && text_[before] == '?') return;  // `? key` needs none
+  if (before != std::string_view::npos && text_[before] == '?') return;  // `? key` needs no colon
   sink_.report(rules::sml0010_yaml_syntax, {key.source, key.begin, key.begin + 1},
-               "this line does not fit the lines above it: no `:` makes it a key");
+               "this line does not fit the lines above it: without a `:`, it is not a key");
 }
 
 void YamlEvents::open(yaml::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// yaml-cpp's events for our builder. Stays inside of syntax/, as all that shows yaml-cpp does.
+// yaml-cpp's events for our builder. Used only within syntax/, like all code that exposes yaml-cpp.
 #pragma once
 
 #include <yaml-cpp/eventhandler.h>
@@ -13,7 +13,7 @@
 
 namespace smurf {
 
-/// Spans are not in the events: yaml-cpp tells where a value begins, the text where it ends.
+/// Events have no spans: yaml-cpp reports where a value begins, and the text shows where it ends.
 /// Reports SML0010 where yaml-cpp is less strict than YAML.
 class YamlEvents final : public YAML::EventHandler {
  public:
@@ -44,13 +44,13 @@ class YamlEvents final : public YAML::EventHandler {
                     static_cast<std::uint32_t>(text_.size()));
   }
 
-  /// Where an absent value would stand: behind the dash or the colon before it.
+  /// The place of an absent value: after the dash or the colon before it.
   std::uint32_t absent_place(std::uint32_t mark) const;
-  /// Size of the null that is written there; 0 when none is.
+  /// Size of the null that is written there; 0 if there is none.
   std::uint32_t written_null(std::uint32_t begin) const;
   bool is_in_flow() const;
 
-  /// yaml-cpp reads `[1,,2]` and `{,}` as holding nulls; YAML has no such entries.
+  /// yaml-cpp reads nulls in `[1,,2]` and `{,}`; YAML does not allow such entries.
   void check_absent(std::uint32_t at_offset);
   void check_colon();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Builds our tree from yaml-cpp's events, never from YAML::Node (which loses duplicate keys and is
-// slow), and reports what yaml-cpp accepts although stricter readers refuse it.
+// slow), and reports constructs that yaml-cpp accepts but stricter readers refuse.
 #include "syntax/yaml_reader.hpp"
 
 #include <yaml-cpp/eventhandler.h>
@@ -24,7 +24,7 @@
 namespace smurf {
 namespace {
 
-/// Reads from memory that somebody else owns.
+/// Reads from memory owned by the caller.
 class ViewBuffer final : public std::streambuf {
  public:
   explicit ViewBuffer(std::string_view text) {
@@ -33,7 +33,7 @@ class ViewBuffer final : public std::streambuf {
   }
 };
 
-/// Notices a second document and reads nothing of it.
+/// Notices a second document and ignores its contents.
 class SecondDocument final : public YAML::EventHandler {
  public:
   void OnDocumentStart(const YAML::Mark& mark) override { start = mark; }
@@ -65,7 +65,7 @@ class SecondDocument final : public YAML::EventHandler {
   }
 };
 
-/// `first_end` is where the content of the first document ends.
+/// `first_end` is the end of the content of the first document.
 void check_second_document(YAML::Parser& parser, std::string_view text, std::uint32_t first_end,
                            SourceId id, DiagnosticSink& sink) {
   SecondDocument second;
@@ -79,7 +79,7 @@ void check_second_document(YAML::Parser& parser, std::string_view text, std::uin
   const std::uint32_t at = std::min(static_cast<std::uint32_t>(std::max(second.start.pos, 0)) +
                                         byte_order_mark_size(text),
                                     static_cast<std::uint32_t>(text.size()));
-  // yaml-cpp ends a document where nothing fits any more; only marks may do that.
+  // yaml-cpp ends a document at a line that does not fit; only document marks may end it.
   const std::string_view between = text.substr(first_end, std::max(at, first_end) - first_end);
   const bool has_mark =
       text.substr(at).starts_with("---") || between.find("\n...") != std::string_view::npos;
@@ -112,7 +112,7 @@ bool is_content(std::string_view line) {
   return first != std::string_view::npos && line[first] != '#';
 }
 
-/// The first line with content after `begin`, which is the begin of a line.
+/// The first line with content after `begin`, which is the beginning of a line.
 std::optional<Span> find_content(std::string_view text, std::uint32_t begin, SourceId id) {
   for (std::size_t at = begin; at < text.size();) {
     const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
@@ -125,7 +125,7 @@ std::optional<Span> find_content(std::string_view text, std::uint32_t begin, Sou
   return std::nullopt;
 }
 
-/// yaml-cpp reads on behind a directive; YAML, and PyYAML with it, wants a `---` first.
+/// yaml-cpp continues after a directive; YAML and PyYAML require `---` first.
 std::optional<Span> find_open_directive(std::string_view text, SourceId id) {
   std::optional<Span> directive;
   auto line = find_content(text, byte_order_mark_size(text), id);
@@ -136,8 +136,8 @@ std::optional<Span> find_open_directive(std::string_view text, SourceId id) {
   return directive;
 }
 
-/// yaml-cpp ends a document where nothing fits any more, and need not tell. What follows must be
-/// a mark then.
+/// yaml-cpp may silently end a document at a line that does not fit. A document mark must
+/// follow.
 bool check_rest(std::string_view text, std::uint32_t first_end, SourceId id, DiagnosticSink& sink) {
   const std::size_t line_end = text.find_first_of("\r\n", first_end);
   if (line_end == std::string_view::npos) return true;
@@ -152,7 +152,7 @@ bool check_rest(std::string_view text, std::uint32_t first_end, SourceId id, Dia
   return false;
 }
 
-/// Hands on what was found; of a text that is no YAML, only why. False for such a text.
+/// Reports the findings; for a text that is not YAML, only the reason, and returns false.
 bool hand_on(DiagnosticSink& found, DiagnosticSink& sink) {
   std::vector<Diagnostic> all = found.take();
   const auto is_syntax = [](const Diagnostic& diagnostic) {
@@ -166,9 +166,9 @@ bool hand_on(DiagnosticSink& found, DiagnosticSink& sink) {
   return is_yaml;
 }
 
-/// The text up to a place where far more brackets seem to be open than any file needs, with these
-/// brackets closed; empty when there is none. Brackets inside of texts and comments are counted
-/// too.
+/// The text up to a place where far more brackets seem to be open than any file needs, followed by
+/// closing brackets; empty if there is no such place. Also counts brackets inside of texts and
+/// comments.
 std::string suspicious_part(std::string_view text, const Limits& limits) {
   const std::uint64_t suspicious = 4 * std::uint64_t{limits.yaml_depth};
   std::string closing;
@@ -182,8 +182,8 @@ std::string suspicious_part(std::string_view text, const Limits& limits) {
   return {};
 }
 
-/// yaml-cpp needs 230 bytes a bracket before it tells of the first. So the part of the text that
-/// looks too deep is read alone; true when it is, which is reported.
+/// yaml-cpp needs 230 bytes per bracket before its first event. Therefore, the part of the text
+/// that looks too deep is read separately; reports it and returns true if it is too deep.
 bool is_too_deep(const SourceMap& sources, SourceId id, const Limits& limits,
                  DiagnosticSink& sink) {
   const std::string part = suspicious_part(sources.text(id), limits);
@@ -211,12 +211,12 @@ bool has_too_many_nodes(const DiagnosticSink& found) {
   return !all.empty() && all.back().rule == &rules::sml0002_file_too_large;
 }
 
-/// Returns where the text ceases to be plain. None when the result is final: the text is plain, or
-/// too large to be read twice.
+/// Returns the place from which the text is not plain. None if the result is final: the text is
+/// plain, or too large to be read twice.
 std::optional<std::uint32_t> parse_plain(const SourceMap& sources, SourceId id,
                                          const Limits& limits, DiagnosticSink& sink,
                                          std::optional<yaml::Document>& document) {
-  DiagnosticSink found(limits);  // counts only when the text is judged
+  DiagnosticSink found(limits);  // used only if the text is accepted
   YamlBuilder builder(sources, id, limits, found);
   try {
     if (const auto end = scan_plain_yaml(sources.text(id), builder)) return end;
@@ -228,12 +228,12 @@ std::optional<std::uint32_t> parse_plain(const SourceMap& sources, SourceId id,
   return std::nullopt;
 }
 
-/// What yaml-cpp would need seconds for.
+/// A text for which yaml-cpp would need seconds.
 void refuse_large(Span place, const Limits& limits, DiagnosticSink& sink) {
   Diagnostic& diagnostic =
       sink.report(rules::sml0002_file_too_large, place,
-                  "of a file of more than " + std::to_string(limits.yaml_cpp_bytes) +
-                      " bytes only plain YAML is read, and here it is not");
+                  "this is not plain YAML, and in files of more than " +
+                      std::to_string(limits.yaml_cpp_bytes) + " bytes, only plain YAML is read");
   diagnostic.note("plain YAML has no anchors, tags, tabs, carriage returns or mistakes");
   diagnostic.help(raise_limit("yaml-cpp-bytes"));
 }

@@ -9,7 +9,7 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 std::uint32_t size_of(std::string_view text) { return static_cast<std::uint32_t>(text.size()); }
 
-/// One past the closing quote; none when the quote never closes.
+/// One past the closing quote; none if the quote is not closed.
 std::optional<std::uint32_t> quoted_end(std::string_view text, std::uint32_t begin) {
   const char quote = text[begin];
   for (std::uint32_t at = begin + 1; at < size_of(text); ++at) {
@@ -26,8 +26,8 @@ std::optional<std::uint32_t> quoted_end(std::string_view text, std::uint32_t beg
   return std::nullopt;
 }
 
-/// Behind the last visible character of `value`. Folding and indentation change blanks and line
-/// ends, so source and value agree only in the characters between.
+/// The end of the last visible character of `value`. Folding and indentation change spaces and line
+/// ends, so source and value agree only in the other characters.
 std::uint32_t visible_end(std::string_view text, std::uint32_t begin, std::string_view value) {
   std::uint32_t at = begin;
   for (const char c : value) {
@@ -44,7 +44,7 @@ std::uint32_t plain_end(std::string_view text, std::uint32_t begin, std::string_
   return visible_end(text, begin, value);
 }
 
-/// The last line that shows something; of an empty block scalar, its header.
+/// The last line that is not blank; for an empty block scalar, its header.
 std::uint32_t block_end(std::string_view text, std::uint32_t begin, std::string_view value) {
   auto end = static_cast<std::uint32_t>(std::min(text.find('\n', begin), text.size()));
   const bool is_blank_only = std::all_of(value.begin(), value.end(), is_blank);
@@ -111,7 +111,7 @@ ScalarExtent scalar_extent(std::string_view text, std::uint32_t at, std::string_
 std::uint32_t flow_end(std::string_view text, std::uint32_t at) {
   for (at = skip_blank(text, at); at < size_of(text); at = skip_blank(text, at + 1)) {
     if (text[at] == ']' || text[at] == '}') return at + 1;
-    if (text[at] == '&' || text[at] == '!') {  // of an absent value
+    if (text[at] == '&' || text[at] == '!') {  // span of an absent value
       at = skip_properties(text, at) - 1;
     } else if (text[at] != ',' && text[at] != ':' && text[at] != '?') {
       break;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where YAML values end: yaml-cpp tells only where they begin.
+// Finds the ends of YAML values: yaml-cpp reports only where they begin.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// Skips anchors (`&a`), tags (`!t`) and the blanks and comments behind them.
+/// Skips anchors (`&a`), tags (`!t`), and the spaces and comments after them.
 std::uint32_t skip_properties(std::string_view text, std::uint32_t at);
 /// Skips blanks, line ends and comments.
 std::uint32_t skip_blank(std::string_view text, std::uint32_t at);
@@ -19,7 +19,7 @@ struct ScalarExtent {
   yaml::Style style = yaml::Style::plain;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  bool closed = true;  ///< false: a quote that never ends
+  bool closed = true;  ///< false: the quote is not closed
 };
 /// `at` is yaml-cpp's mark, `value` the decoded text.
 ScalarExtent scalar_extent(std::string_view text, std::uint32_t at, std::string_view value);

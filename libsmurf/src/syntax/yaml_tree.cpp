@@ -110,7 +110,7 @@ View::Iterator View::Iterator::operator++(int) {
 
 namespace {
 
-/// As JSON pointers escape the text of a step.
+/// Escapes a step as in JSON pointers.
 std::string escape_step(std::string_view text) {
   std::string step;
   step.reserve(text.size());
@@ -127,19 +127,19 @@ std::string escape_step(std::string_view text) {
 /// "name=elbow" for an item of a sequence that has a name.
 std::optional<std::string> name_step(const Document& document, NodeId id) {
   const View item(document, id);
-  constexpr std::size_t kMostKeys = 1000;  // which are searched for each finding
+  constexpr std::size_t kMostKeys = 1000;  // keys searched per finding
   if (!item.is_mapping() || item.size() > kMostKeys) return std::nullopt;
   const View name = item.find("name");
-  constexpr std::size_t kMost = 200;  // bytes; what is longer is no name, and many pointers hold it
+  constexpr std::size_t kMost = 200;  // bytes; longer texts are not names
   if (!name || !name.is_scalar() || name.text().size() > kMost) return std::nullopt;
   return "name=" + escape_step(name.text());
 }
 
-/// Every finding has pointers, so that long keys in them would be kept ten thousand times.
+/// Every finding has pointers, so long keys in them would be kept ten thousand times.
 constexpr std::size_t kLongestStep = 200;
 constexpr std::size_t kLongestPointer = 2000;
 
-/// The innermost steps of one that is too long.
+/// The last steps of a pointer that is too long.
 std::string path_to(const Document& document, NodeId id, bool by_name) {
   std::vector<std::string> steps;
   std::size_t length = 0;
@@ -181,7 +181,8 @@ NodeId node_at(const Document& document, std::uint32_t offset) {
     return node.key_span().empty() ? node.span.begin
                                    : std::min(node.key_span().begin, node.span.begin);
   };
-  // Nodes are in document order: the last one that begins before the byte, or one around it.
+  // Nodes are in document order, so it is the last one that begins before the byte, or one of its
+  // parents.
   const auto after =
       std::partition_point(document.nodes.begin(), document.nodes.end(),
                            [&](const Node& node) { return begin_of(node) <= offset; });
@@ -192,7 +193,7 @@ NodeId node_at(const Document& document, std::uint32_t offset) {
       id = at(id).parent;
     }
     if (id == document.root) return id;
-    // A key that is an anchor or a collection: its nodes are not in the tree, and all behind it.
+    // A key with an anchor or a collection: its nodes, which follow it, are not in the tree.
     last = document.nodes.begin() + static_cast<std::ptrdiff_t>(id);
   }
   return kNoNode;

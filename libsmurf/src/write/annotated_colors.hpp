@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours and textures of visuals with those of the annotations, for writers that go through all instances.
+// The colours and textures of visuals with those of the annotations, for writers that go through
+// all instances.
 #pragma once
 
 #include <map>
@@ -12,10 +13,10 @@ namespace smurf {
 
 class AnnotatedColors {
  public:
-  /// The colour of a visual of a model, which outlives this.
+  /// The colour of a visual of a model. The model must outlive this object.
   std::optional<Rgba> of(const urdf::Visual& visual, const LinkedModel& model,
                          const FlatModel& flat);
-  /// Same with its texture, a file relative to the output's folder.
+  /// The same with its texture, a file relative to the output's folder.
   AnnotatedLooks::Look look_of(const urdf::Visual& visual, const LinkedModel& model,
                                const FlatModel& flat);
 

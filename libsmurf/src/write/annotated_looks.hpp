@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours and textures of visuals as MARS has them: those of the URDF, and over them those of the
-// annotations.
+// Colours and textures of visuals in MARS: those of the annotations override those of the
+// URDF.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ class AnnotatedLooks {
     std::optional<std::string> texture;  ///< a file relative to the output's folder
   };
 
-  /// Both must outlive this.
+  /// Both must outlive this object.
   AnnotatedLooks(const LinkedModel& model, const FlatModel& flat);
   Look of(const urdf::Visual& visual) const;
 

@@ -17,7 +17,7 @@ Eigen::Matrix3d tensor_of(const LinkInertial& mass) {
   return R * I * R.transpose();
 }
 
-/// Makes ascending moments those of a body; true when that is more than rounding.
+/// Raises ascending moments until a body can have them; true if the change is larger than rounding.
 bool repair(Eigen::Vector3d& moments, double least) {
   const double rounding = 1e-9 * moments.cwiseAbs().maxCoeff();
   bool is_changed = moments[0] < least - (least > 0 ? 0 : rounding);
@@ -28,7 +28,7 @@ bool repair(Eigen::Vector3d& moments, double least) {
   return is_changed;
 }
 
-/// `moments` of the columns of `axes`, in a frame of their own.
+/// Returns the tensor with `moments` about the columns of `axes`.
 LinkInertial principal(const LinkInertial& mass, const Eigen::Vector3d& moments,
                        Eigen::Matrix3d axes) {
   if (axes.determinant() < 0) axes.col(0) = -axes.col(0);

@@ -8,18 +8,18 @@ namespace smurf {
 
 struct BodyInertia {
   LinkInertial mass;
-  /// Whether `mass` has the principal moments, ascending, with their axes in X_LC. If not, it is
-  /// that of the link as written: moments above the bound, the largest at most the sum of the
-  /// others.
+  /// Whether `mass` contains principal moments, ascending, with their axes in X_LC. Otherwise, it
+  /// is the inertial of the link as written: moments above the bound, the largest at most the sum
+  /// of the others.
   bool is_principal = false;
-  bool is_changed = false;  ///< by more than rounding
+  bool is_changed = false;  ///< the change is larger than rounding
 };
 
-/// The nearest inertia of a body whose mass and moments are at least `least` (kg, kg m^2). With
-/// moments up to `least_in_tensor`, it is given by principal moments.
+/// The nearest inertia of a possible body whose mass and moments are at least `least` (kg, kg m^2).
+/// Moments up to `least_in_tensor` are given by principal moments.
 BodyInertia body_inertia(const LinkInertial& mass, double least, double least_in_tensor);
 
-/// The same by its principal moments always, for readers that only refuse moments below `least`.
+/// The same, always with principal moments, for readers that only refuse moments below `least`.
 BodyInertia principal_inertia(const LinkInertial& mass, double least);
 
 /// R I R^T: the tensor in the axes of the link; xx, yy, zz, xy, xz, yz.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Annotations of which a format has some keys.
+// Annotations of which a format keeps only some keys.
 #include "base/ranges.hpp"
 #include "convert/annotation_values.hpp"
 #include "write/found_things.hpp"

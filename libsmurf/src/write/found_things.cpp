@@ -16,11 +16,11 @@
 namespace smurf::things {
 namespace {
 
-/// Longer names are cut, since a long name may be repeated for each of many parts. Messages show
+/// Longer names are truncated, because a long name may be repeated for many parts. Messages show
 /// fewer bytes than this.
 constexpr std::size_t kMostOfName = 240;
 
-/// Joints that have the part that `part_of` returns.
+/// Joints for which `part_of` returns a part.
 template <class PartOf>
 Found joints_with(const LinkedModel& model, PartOf part_of) {
   Found found;
@@ -62,7 +62,7 @@ void append(Found& all, Found some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
 }
 
-/// The place of a setting that the scene lacks: the scene itself.
+/// The place of a setting that the scene lacks: the scene.
 Found missing(const SceneExport& scene) {
   for (const SceneFile& file : scene.scene.scenes) {
     if (file.scene.physics) return {{file.scene.physics->span, scene.scene.path}};
@@ -169,8 +169,8 @@ Found ros2_controls(const LinkedModel& model, SceneColumn column) {
 
 namespace {
 
-/// The elements in <gazebo> that a format loses: all except sensors it has, and their settings that
-/// it does not have.
+/// The elements in <gazebo> that a format loses: all except the sensors that it has, plus the
+/// settings of those sensors that it does not have.
 Found other_than_sensors(const LinkedModel& model, const auto& sensors,
                          std::vector<xml::View> (*lost_settings)(xml::View sensor)) {
   Found found;
@@ -278,7 +278,7 @@ Found sensor_keys(const LinkedModel& model, SceneColumn column) {
     }
   };
   if (column == SceneColumn::mjcf) {
-    const Sensor* last = nullptr;  // each ray of a scan is a sensor
+    const Sensor* last = nullptr;  // each ray of a scan becomes a sensor
     for (const MujocoSensor& sensor : mujoco_sensors(model)) {
       if (sensor.annotation == nullptr || sensor.annotation == last) continue;
       last = sensor.annotation;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the things of the table (scene_things.hpp) that a model or scene has and a format loses.
+// Finds the rows of the table (scene_things.hpp) that a model or scene uses and a format loses.
 #pragma once
 
 #include "write/scene_things.hpp"
@@ -12,7 +12,7 @@ using Found = std::vector<FoundThing>;
 Found masses(const LinkedModel& model, SceneColumn);
 Found collision_shapes(const LinkedModel& model, SceneColumn);
 Found movable_joints(const LinkedModel& model, SceneColumn);
-/// MJCF: only textures that MuJoCo does not read. HTML: none, as the writer sees them.
+/// MJCF: only textures that MuJoCo does not read. HTML: none, because the writer reports them.
 Found textures(const LinkedModel& model, SceneColumn column);
 /// MJCF: only efforts of joints without a motor.
 Found efforts(const LinkedModel& model, SceneColumn column);
@@ -21,7 +21,7 @@ Found joint_frictions(const LinkedModel& model, SceneColumn);
 Found safety_controllers(const LinkedModel& model, SceneColumn);
 Found calibrations(const LinkedModel& model, SceneColumn);
 Found newer_limits(const LinkedModel& model, SceneColumn);
-/// MJCF and USD: only transmissions that drive no joint.
+/// MJCF and USD: only transmissions without a joint.
 Found transmissions(const LinkedModel& model, SceneColumn column);
 Found ros2_controls(const LinkedModel& model, SceneColumn column);
 /// SDF: only elements that Gazebo does not convert. MJCF: all elements except sensors.
@@ -66,7 +66,7 @@ Found ambient_lights(const SceneExport& scene, SceneColumn);
 Found light_details(const SceneExport& scene, SceneColumn);
 /// Start positions of joints that do not start at zero.
 Found start_positions(const SceneExport& scene, SceneColumn);
-/// Keys of entities with a shape of their own that the format ignores.
+/// Keys of entities with shapes that the format ignores.
 Found entity_keys(const SceneExport& scene, SceneColumn column);
 
 }  // namespace smurf::things

@@ -15,7 +15,7 @@ namespace {
 
 using import::attribute_of;
 
-/// Elements that become something else in the link, its shapes or the joint.
+/// Elements that become parts of the link, its shapes or the joint.
 constexpr std::string_view kOfLinks[] = {
     "mu1",       "mu2",           "fdir1",         "kp",          "kd",       "maxVel",
     "minDepth",  "maxContacts",   "laserRetro",    "selfCollide", "material", "visual",
@@ -37,7 +37,7 @@ bool is_one_of(std::string_view name, const std::string_view (&names)[size]) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-/// What libsdformat reads as a number or a vector of such; a reader may refuse anything else.
+/// Types that libsdformat reads as numbers or vectors; a reader may refuse other texts.
 constexpr std::string_view kNumbers[] = {"mu1",
                                          "mu2",
                                          "kp",
@@ -64,7 +64,7 @@ std::string_view value_of(xml::View element) {
   return text.empty() ? attribute_of(element, "value") : text;
 }
 
-/// A joint that SDF has: one at whose end is no link that becomes a frame.
+/// Whether SDF has the joint: none of its links is written as a frame.
 bool is_joint_of_sdf(const LinkedModel& model, std::uint32_t joint) {
   if (model.robot->joints[joint].type != urdf::JointType::fixed) return true;
   const auto& child = model.tree.joint_child[joint];
@@ -95,7 +95,7 @@ std::optional<Pose> parse_pose(std::string_view text) {
   return Pose{{x, y, z}, from_rpy({roll, pitch, yaw})};
 }
 
-/// Whether an element has a value of its type. One without a value says nothing, which is sound.
+/// Whether an element has a value of its type. An element without a value is valid.
 bool is_sound(std::string_view name, std::string_view value) {
   if (value.empty()) return true;
   if (is_one_of(name, kNumbers)) return parse_numbers<1>(value).has_value();
@@ -269,7 +269,7 @@ void GazeboElements::add_to_joint(XmlText& xml, std::string_view joint, UniqueNa
     leaf(xml, joint, "provideFeedback", "provide_feedback");
     xml.open("ode");
     leaf(xml, joint, "provideFeedback", "provide_feedback");
-    // Two names of one thing.
+    // Two names of the same setting.
     for (const std::string_view name : {"implicitSpringDamper", "cfmDamping"}) {
       leaf(xml, joint, name, "implicit_spring_damper");
       leaf(xml, joint, name, "cfm_damping");

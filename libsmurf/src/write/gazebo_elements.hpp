@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the <gazebo> elements of a URDF say, as SDF; named and placed as libsdformat does when it
-// converts the URDF (parser_urdf.cc of libsdformat 12).
+// The contents of the <gazebo> elements of a URDF as SDF, with the names and places that
+// libsdformat 12 gives them when it converts the URDF (parser_urdf.cc).
 #pragma once
 
 #include <map>
@@ -14,8 +14,8 @@
 
 namespace smurf {
 
-/// Whether a child of <gazebo> is converted. One about a link or joint that is not there is not,
-/// and neither is a sensor or plug-in without name, which SDF refuses.
+/// Whether a child of <gazebo> is converted. It is not if its link or joint does not exist, or if
+/// it is a sensor or plug-in without a name, which SDF refuses.
 bool is_taken_by_gazebo(const LinkedModel& model, xml::View child);
 
 class GazeboElements {
@@ -27,8 +27,8 @@ class GazeboElements {
 
   /// The contents of <model>.
   void add_to_model(XmlText& xml) const;
-  /// What stands in the <link> that `part` is in; a part that is a frame of that link has its name
-  /// in `frame`, and its pose in it in `X_BL`. `names` are those of the link's sensors.
+  /// The elements for the <link> that contains `part`. If `part` is a frame of that link, `frame`
+  /// is its name and `X_BL` its pose in the link. `names` are those of the link's sensors.
   void add_to_link(XmlText& xml, std::string_view part, std::string_view frame, const Pose& X_BL,
                    UniqueNames& names) const;
   void add_to_collision(XmlText& xml, std::string_view link) const;
@@ -39,16 +39,16 @@ class GazeboElements {
   /// Inside <surface><contact>, and inside <surface><friction><ode>.
   void add_contact(XmlText& xml, std::string_view link) const;
   void add_friction(XmlText& xml, std::string_view link) const;
-  /// Besides the material of a colour or of Gazebo Classic.
+  /// Settings other than the material, which is a colour or a material of Gazebo Classic.
   void add_to_visual(XmlText& xml, std::string_view link) const;
-  /// Whether that was a material.
+  /// Whether the elements contained a material.
   bool has_own_material(std::string_view link) const;
-  /// A material of Gazebo Classic, such as "Gazebo/Red"; "" when there is none.
+  /// A material of Gazebo Classic, such as "Gazebo/Red"; "" if there is none.
   std::string_view material(std::string_view link) const { return value(link, "material"); }
   bool has_spring(std::string_view joint) const {
     return has_any(joint, {"springReference", "springStiffness"});
   }
-  /// Inside <axis><dynamics>, and behind <axis>.
+  /// Inside <axis><dynamics>, and after <axis>.
   void add_to_dynamics(XmlText& xml, std::string_view joint) const;
   void add_to_joint(XmlText& xml, std::string_view joint, UniqueNames& names) const;
 
@@ -56,7 +56,7 @@ class GazeboElements {
   /// The settings of one link or joint, or of the model.
   struct Part {
     std::vector<xml::View> elements;
-    /// By name of the element. The last counts, as in libsdformat.
+    /// By name of the element. The last one applies, as in libsdformat.
     std::map<std::string_view, std::string_view> values;
     std::vector<xml::View> visuals, collisions;
     bool has_material = false;

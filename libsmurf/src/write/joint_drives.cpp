@@ -10,7 +10,7 @@
 namespace smurf {
 namespace {
 
-/// A limit that is too large to be computed with is as good as none.
+/// A limit that is too large for computations is treated as absent.
 std::optional<double> above_zero(std::optional<double> value) {
   return value && *value > 0 && is_quantity(*value) ? value : std::nullopt;
 }
@@ -41,7 +41,7 @@ class DriveReader {
   }
 
  private:
-  /// Null when the joint is already driven, or nothing can drive it.
+  /// Null if the joint is already driven, or cannot be driven.
   JointDrive* drive_of(const urdf::Joint* joint) {
     if (joint == nullptr || !joint->has_one_axis() || joint->mimic || !joint->name) return nullptr;
     const auto at = static_cast<std::size_t>(joint - model_.robot->joints.data());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What moves the joints of a model: SMURF motors, else ros2_control, else transmissions.
+// The drives of the joints of a model: SMURF motors, else ros2_control, else transmissions.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@
 
 namespace smurf {
 
-/// The quantity that is commanded.
+/// The commanded quantity.
 enum class DriveKind : std::uint8_t { position, velocity, effort };
 
 struct JointDrive {
   const urdf::Joint* joint = nullptr;
   DriveKind kind = DriveKind::position;
-  std::string name;                          ///< of the motor; else that of the joint
-  xml::ElementId element = xml::kNoElement;  ///< the extension that says so; none for a motor
-  std::optional<double> effort, speed;       ///< largest; N m or N, rad/s or m/s; above 0
-  std::optional<double> lower, upper;        ///< of the position, rad or m
-  double gain = 0;                           ///< of a position, 1/s
+  std::string name;                          ///< name of the motor; otherwise of the joint
+  xml::ElementId element = xml::kNoElement;  ///< the extension that defines it; none for a motor
+  std::optional<double> effort, speed;       ///< largest value; N m or N, rad/s or m/s; above 0
+  std::optional<double> lower, upper;        ///< limits of the position, rad or m
+  double gain = 0;                           ///< gain of a position, 1/s
 };
 
 /// One drive per joint, in the order of the model, for joints with one axis that do not mimic
@@ -29,7 +29,7 @@ struct JointDrive {
 std::vector<JointDrive> joint_drives(const LinkedModel& model);
 
 /// How strongly a motor resists a wrong speed, N m s/rad or N s/m. MARS's motors reach their speed
-/// within a step; these give all they have when they are a tenth of the largest speed off.
+/// within a step; these use their full effort at a difference of a tenth of the largest speed.
 double speed_gain(const JointDrive& drive);
 
 /// A motor that makes its joint follow another joint.
@@ -41,7 +41,7 @@ struct DrivenFollower {
 /// The followers among joints without a mimic element.
 std::vector<DrivenFollower> driven_followers(const LinkedModel& model);
 
-/// Motors that move no joint, neither by themselves nor by following another motor.
+/// Motors that move no joint, either directly or by following another motor.
 std::vector<const Motor*> idle_motors(const LinkedModel& model);
 
 }  // namespace smurf

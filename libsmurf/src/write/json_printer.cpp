@@ -12,8 +12,8 @@
 namespace smurf {
 namespace {
 
-/// A long text gets all its room at once: to double it again and again would need that of two, and
-/// what is not written to takes none.
+/// A long text reserves its memory at once: growing it step by step needs twice the memory, and
+/// unused memory costs nothing.
 constexpr std::size_t kLong = 1U << 20U;
 constexpr std::uint64_t kMostRoom = 1U << 28U;
 
@@ -124,7 +124,7 @@ void JsonPrinter::pose(const Pose& value) {
 }
 
 void JsonPrinter::place(Span span, const SourceMap& sources) {
-  // A scene that was made of a model alone has an entity that is written nowhere.
+  // A scene made from a single model has an entity that is not in any file.
   const bool is_known = static_cast<std::size_t>(span.source) < sources.size();
   const Position position = is_known ? sources.position(span.source, span.begin) : Position{};
   begin_object();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// JSON of nested values, not larger than asked for.
+// Prints nested values as JSON, up to a given size.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@
 
 namespace smurf {
 
-/// Puts commas and line ends where they belong. Once the text is longer than `most`, nothing
-/// more is added to it, and it cannot be taken.
+/// Writes commas and line ends in the right places. When the text is longer than `most`, it stops
+/// growing, and take() returns none.
 class JsonPrinter {
  public:
-  /// How the parts of an object or list stand: each on a line of its own, or all on one.
+  /// The layout of an object or list: one line per part, or all on one line.
   enum class Layout : std::uint8_t { block, line };
 
   explicit JsonPrinter(std::uint64_t most) : most_(most) {}
 
   void begin_object(Layout layout = Layout::line) { begin('{', layout); }
   void begin_list(Layout layout = Layout::line) { begin('[', layout); }
-  /// Ends the object or list that was begun last.
+  /// Ends the innermost object or list.
   void end();
   /// The key of the next value; in objects only.
   void key(std::string_view name);
@@ -51,7 +51,7 @@ class JsonPrinter {
   void place(Span span, const SourceMap& sources);
 
   bool is_full() const { return out_.size() > most_; }
-  /// The text with a line end; none when it has become too large.
+  /// The text with a line end; none if it is too large.
   std::optional<std::string> take();
 
  private:
@@ -63,13 +63,13 @@ class JsonPrinter {
 
   void begin(char bracket, Layout layout);
   void break_line(std::size_t depth);
-  /// What stands between the values of a list.
+  /// Writes the separator between values of a list.
   void begin_value();
 
   std::uint64_t most_;
   std::string out_;
   std::vector<Open> open_;
-  bool has_key_ = false;  ///< the value that comes next
+  bool has_key_ = false;  ///< the next value is the first of its list
 };
 
 }  // namespace smurf

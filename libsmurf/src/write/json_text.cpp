@@ -9,7 +9,7 @@
 namespace smurf {
 namespace {
 
-/// YAML readers take U+2028 and U+2029 for line ends, and some take U+FEFF away.
+/// YAML readers treat U+2028 and U+2029 as line ends, and some remove U+FEFF.
 bool is_escaped(char32_t c) {
   return utf8::is_control(c) || c == 0x2028 || c == 0x2029 || c == 0xFEFF;
 }

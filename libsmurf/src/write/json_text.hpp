@@ -9,10 +9,10 @@
 
 namespace smurf {
 
-/// Each appends to `out`. Bytes that are no UTF-8 become U+FFFD.
+/// Each function appends to `out`. Invalid UTF-8 becomes U+FFFD.
 void append_json(std::string& out, std::string_view text);
 void append_json(std::string& out, const Vector3& vector);
-/// By components, each within [-1, 1].
+/// Each component is clamped to [-1, 1].
 void append_json(std::string& out, const Quaternion& unit);
 void append_json(std::string& out, const Value& value);
 void append_json(std::string& out, const Value::Object& object);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Texts of a hundred megabytes.
+// Builds texts of a hundred megabytes.
 #pragma once
 
 #include <string>
 
 namespace smurf {
 
-/// To be called before something is added to a text that may become long. A string that doubles to
-/// grow is in memory twice, and leaves its old places behind; room that is not used takes none.
+/// Call it before appending to a text that may become long. A string that grows by doubling is
+/// twice in memory and leaves unused blocks; reserved memory that is not used costs nothing.
 inline void make_room(std::string& text) {
   constexpr std::size_t kLong = 8'000'000;
   constexpr std::size_t kRoom = 200'000'000;

@@ -11,7 +11,7 @@
 
 namespace smurf {
 
-/// A joint that follows another; both as the world names them.
+/// A joint that follows another joint; both by their names in the world.
 struct MjcfFollower {
   std::string joint, leader;
   double offset = 0, multiplier = 1;
@@ -22,7 +22,7 @@ class MjcfActuators : protected MjcfParts {
   using MjcfParts::MjcfParts;
 
  protected:
-  /// <actuator>, and what the keyframe commands at the start: to stay.
+  /// <actuator>, and the commands in the keyframe that keep the start position.
   void add_actuators();
   void append_driven_followers(std::vector<MjcfFollower>& followers) const;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every model is named once and attached as often as it stands in the scene. An attached tree takes
-// no bodies of others (MuJoCo 3.14 drops them silently), so whatever is anchored to a link of
-// another model is a free body that a weld holds.
+// Every model is named once and attached for each of its instances. An attached tree cannot contain
+// other bodies (MuJoCo 3.14 drops them silently), so an instance that is anchored to a link of
+// another model is a free body held by a weld.
 #include "write/mjcf_attach.hpp"
 
 #include <unordered_set>
@@ -43,8 +43,8 @@ class AttachWriter : MjcfParts {
  private:
   const std::string& model_id(std::size_t i) const { return scene_.flat.models[*flat(i).model].id; }
 
-  /// MuJoCo's reader of URDF drops the folders of meshes, and gives floating and planar joints
-  /// positions of its own, after which no keyframe fits.
+  /// MuJoCo's reader of URDF removes the folders from mesh paths, and adds positions for floating
+  /// and planar joints, so no keyframe fits.
   void check_models() {
     for (const LinkedModel& model : scene_.scene.models) {
       if (!model.robot) continue;
@@ -92,7 +92,7 @@ class AttachWriter : MjcfParts {
     add_joint_positions(i);
   }
 
-  /// Parents before children and siblings in file order, as MuJoCo numbers its joints.
+  /// Parents before children, and siblings in file order, as MuJoCo numbers its joints.
   void add_joint_positions(std::size_t i) {
     const LinkedModel& model = *robot_of(i);
     std::vector<std::size_t> open{to_size(model.tree.roots.front())};

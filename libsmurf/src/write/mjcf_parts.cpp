@@ -22,7 +22,7 @@ std::optional<Geom> sized(const char* type, std::initializer_list<double> sizes)
   return Geom{type, join_numbers(sizes)};
 }
 
-/// Type and size of a geom; none for what is no geom of MuJoCo's, or a mesh.
+/// Type and size of a geom; none for meshes and for shapes that MuJoCo does not have.
 std::optional<Geom> solid_geom(const FlatGeometry& geometry) {
   if (const auto* box = std::get_if<FlatBox>(&geometry)) {
     return sized("box", {box->size[0] / 2, box->size[1] / 2, box->size[2] / 2});
@@ -44,7 +44,7 @@ std::optional<Geom> solid_geom(const FlatGeometry& geometry) {
 
 constexpr const char* kAllBits = "65535";  // of MARS
 
-/// The least bytes of three numbers and of an index.
+/// The fewest bytes of three numbers and of an index.
 constexpr PreviewMeshes::Cost kCost{6, 2};
 
 bool is_mesh_of_mujoco(const FlatMesh& mesh) {
@@ -58,7 +58,7 @@ Vector3 between(const Point& a, const Point& b) {
   return difference({b[0], b[1], b[2]}, {a[0], a[1], a[2]});
 }
 
-/// The points are in one plane, so that they enclose no volume.
+/// All points are in one plane, so they enclose no volume.
 bool is_flat(const std::vector<Point>& points) {
   constexpr double kThin = 1e-12;  // of a square of lengths
   Vector3 along{};
@@ -95,22 +95,23 @@ MjcfParts::MjcfParts(const SceneExport& scene)
 }
 
 void MjcfParts::add_settings() {
-  // Bodies without mass keep none: the mass of a model must not be guessed from its shapes.
+  // Bodies without mass have none in the result: the mass of a model must not be guessed from its
+  // shapes.
   xml_.empty("compiler", {{"angle", "radian"},
                           {"boundmass", "0"},
                           {"balanceinertia", "false"},
                           {"inertiafromgeom", "false"}});
   const FlatPhysics& physics = scene_.flat.physics;
-  // Dampers and the speed terms of motors stay stable however stiff they are.
+  // Uses an integrator in which dampers and motors with velocity gains are stable at any stiffness.
   xml_.empty("option", {{"timestep", format_number(physics.step_size.value_or(kUsualStep))},
                         {"gravity", join_numbers(physics.gravity.value_or(kUsualGravity))},
                         {"integrator", "implicit"}});
   xml_.open("default");
   add_class("visual", {{"contype", "0"}, {"conaffinity", "0"}, {"group", "2"}});
-  // What has no bitmask collides with all that has any, as in MARS.
+  // Shapes without a bitmask collide with all that have one, as in MARS.
   const XmlText::Attribute type{"contype", has_bitmasks_ ? kAllBits : "1"};
   const XmlText::Attribute affinity{"conaffinity", has_bitmasks_ ? kAllBits : "1"};
-  // Viewers show the groups 0 to 2. What has nothing else to be shown is in group 0.
+  // Viewers show the groups 0 to 2. Shapes without a separate visual are in group 0.
   add_class("collision", {type, affinity, {"group", "3"}});
   add_class("solid", {type, affinity, {"group", "0"}});
   xml_.close();
@@ -136,7 +137,7 @@ void MjcfParts::add_inertial(const LinkInertial& mass, bool moves, Span span,
     attributes.emplace_back("diaginertia", join_numbers({given.ixx, given.iyy, given.izz}));
     attributes.emplace_back("quat", quaternion_text(given.X_LC.orientation));
   } else {
-    // MuJoCo takes no orientation together with a full tensor.
+    // MuJoCo does not accept an orientation together with a full tensor.
     const std::array<double, 6> I = tensor_in_link(given);
     attributes.emplace_back("fullinertia", join_numbers({I[0], I[1], I[2], I[3], I[4], I[5]}));
   }
@@ -156,14 +157,15 @@ void MjcfParts::add_geom(std::vector<XmlText::Attribute> geom, const Pose& pose,
     geom.emplace_back("conaffinity", bits);
   }
   if (contacts.friction1) {
-    // Only sliding has a value; turning and rolling keep the defaults of MuJoCo.
+    // Only sliding friction has a value; torsional and rolling friction keep the defaults of
+    // MuJoCo.
     geom.emplace_back("friction", join_numbers({*contacts.friction1, 0.005, 0.0001}));
   }
   xml_.empty("geom", geom);
 }
 
-/// Meshes of old scenes. What is no mesh would keep MuJoCo from loading anything, so that it is
-/// looked at.
+/// Meshes of old scenes. MuJoCo refuses the whole world if one is not a mesh, so they are
+/// read.
 void MjcfParts::add_meshes_of_entities() {
   for (std::size_t i = 0; i < count(); ++i) {
     for (const FlatShape& shape : flat(i).shapes) {

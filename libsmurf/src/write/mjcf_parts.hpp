@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What both forms of a MuJoCo world have in common: settings, lights, and what is no model.
+// Common parts of both forms of a MuJoCo world: settings, lights, and all that is not a model.
 #pragma once
 
 #include <map>
@@ -31,7 +31,7 @@ class MjcfParts {
   }
 
   void add_settings();
-  /// Inside <asset>: only what MuJoCo can read.
+  /// Inside <asset>: only files that MuJoCo can read.
   void add_heightmaps();
   void add_lights();
   /// Writes the shapes of an entity that is not a model, or reports its loss.
@@ -39,7 +39,7 @@ class MjcfParts {
   /// Class, type and size of a geom; none if MuJoCo has no such geom.
   std::optional<std::vector<XmlText::Attribute>> geom_of(const std::string& geom_class,
                                                          const FlatGeometry& geometry) const;
-  /// Writes a geom. `geom` holds the attributes from geom_of() and any others.
+  /// Writes a geom. `geom` contains the attributes from geom_of() and any others.
   void add_geom(std::vector<XmlText::Attribute> geom, const Pose& pose,
                 const std::optional<Rgba>& color, const Contacts& contacts);
   /// Writes the inertial of a body. `moves`: the body has a joint. Reports losses at `span`.
@@ -47,12 +47,12 @@ class MjcfParts {
   /// Writes the meshes of entities that are not models into <asset>.
   void add_meshes_of_entities();
   static std::string mesh_key(const FlatMesh& mesh);
-  /// Names the file of a mesh that MuJoCo reads, and writes out the triangles of any other one.
-  /// Returns why there is none, such as "is flat, which MuJoCo refuses", or "".
+  /// Declares a mesh: by file name if MuJoCo reads the file, otherwise with its triangles. Returns
+  /// the reason if there is no mesh, such as "is flat, which MuJoCo refuses", or "".
   std::string declare_mesh(const FlatMesh& mesh, Span place);
-  /// The joint of a body that nothing holds. Not <freejoint/>, which DART takes for a weld.
+  /// The joint of a free body. Not <freejoint/>, which DART reads as a weld.
   void add_free_joint(std::size_t i);
-  /// The positions of the next joint, in the order in which joints are written.
+  /// Appends the positions of the next joint, in the order of the joints.
   void add_start(const std::string& numbers) { start_ += (start_.empty() ? "" : " ") + numbers; }
   /// One keyframe `initial` with all of these.
   void add_keyframe();
@@ -65,7 +65,7 @@ class MjcfParts {
   XmlText xml_{scene_.most_bytes};
   std::string start_;                          ///< qpos
   std::string commands_;                       ///< ctrl
-  std::map<std::string, std::string> meshes_;  ///< mesh_key -> name of those that are declared
+  std::map<std::string, std::string> meshes_;  ///< mesh_key -> name of the declared mesh
 
  private:
   void add_class(const std::string& name, const std::vector<XmlText::Attribute>& geom);

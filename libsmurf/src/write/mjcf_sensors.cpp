@@ -6,7 +6,7 @@
 namespace smurf {
 
 RepeatedParts mjcf_devices(const LinkedModel& model) {
-  constexpr std::uint64_t kElement = 400;  // bytes, as check_scene_size() counts those of shapes
+  constexpr std::uint64_t kElement = 400;  // bytes, as check_scene_size() counts shapes
   RepeatedParts parts;
   for (const MujocoSensor& sensor : mujoco_sensors(model)) {
     parts.bytes += kElement + sensor.name.size();

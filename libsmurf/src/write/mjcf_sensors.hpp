@@ -11,7 +11,7 @@
 
 namespace smurf {
 
-/// The sensors of a model and the motors of its joints, as each instance has them.
+/// The sensors of a model and the motors of its joints, written for each instance.
 RepeatedParts mjcf_devices(const LinkedModel& model);
 
 class MjcfSensors : protected MjcfActuators {

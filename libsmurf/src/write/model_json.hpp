@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts of what --dump-model writes, as schemas/model-dump.schema.json describes it.
+// Parts of the output of --dump-model, as described by schemas/model-dump.schema.json.
 #pragma once
 
 #include <span>
@@ -11,18 +11,18 @@
 
 namespace smurf {
 
-/// An object with all that was read of a model.
+/// An object with all readable contents of a model.
 void print_model(JsonPrinter& json, const LinkedModel& model, const SourceMap& sources);
 
-/// `"links": [...], "joints": [...]` and what else a URDF has.
+/// `"links": [...], "joints": [...]` and the other parts of a URDF.
 void print_robot(JsonPrinter& json, const LinkedModel& model, const SourceMap& sources);
 
-/// A key that is left out when there is no value.
+/// Writes a key if it has a value.
 void print_field(JsonPrinter& json, std::string_view key, const Field<std::string>& field);
 void print_field(JsonPrinter& json, std::string_view key, const Field<double>& field);
 void print_field(JsonPrinter& json, std::string_view key, const Field<Vector3>& field);
 
-/// A list of sections or keys that no table knows: name, place, value.
+/// A list of sections or keys that are in no table: name, place, value.
 void print_custom(JsonPrinter& json, const std::vector<CustomSection>& sections,
                   const LinkedModel& model, const SourceMap& sources);
 

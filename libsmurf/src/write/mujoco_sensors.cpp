@@ -61,9 +61,9 @@ class SensorReader {
     return carried && X_RL_[*carried] ? carried : std::nullopt;
   }
 
-  /// Subtracts the bytes of the readings from kMostReadingBytes; false when too few are left. Each
-  /// reading has `name`, and all together have `more` bytes of other names. A single reading is
-  /// free, because its annotation is as long.
+  /// Subtracts the bytes of the readings from kMostReadingBytes; false if too few remain. Each
+  /// reading has the name `name`, and all together have `more` bytes of other names. A single
+  /// reading is free, because its annotation is as long.
   bool can_afford(std::size_t readings, std::string_view name, std::size_t more = 0) {
     const std::size_t bytes = readings * (kReadingBytes + name.size()) + more;
     if (readings <= 1) return true;
@@ -159,7 +159,7 @@ class SensorReader {
     return (type == "contact" || type == "bumper") && is_contact_taken(sensor, reference, name);
   }
 
-  /// MuJoCo measures only what the child of a joint does to the parent.
+  /// MuJoCo only measures the force of a child on its parent.
   bool is_wrench_taken(xml::View sensor, std::string_view joint, std::string_view name,
                        const Pose& X_LS) {
     const xml::View settings = sensor.child("force_torque");
@@ -241,7 +241,7 @@ class SensorReader {
     return names;
   }
 
-  /// False when nothing is measured.
+  /// False if nothing is measured.
   bool add_readings(const Sensor& sensor, std::vector<MujocoReading> readings) {
     if (readings.empty() || !can_afford(readings.size(), *sensor.name)) return false;
     sensors_.push_back({names_.add(*sensor.name), {}, {}, {}, {}, std::move(readings)});
@@ -274,7 +274,7 @@ class SensorReader {
   }
 
   const LinkedModel& model_;
-  std::vector<std::optional<Pose>> X_RL_;  ///< none: the root does not lead to the link
+  std::vector<std::optional<Pose>> X_RL_;  ///< none: the root does not reach the link
   CollisionBoxes boxes_;
   std::map<const urdf::Joint*, std::string> motors_;
   std::set<std::string_view> known_;

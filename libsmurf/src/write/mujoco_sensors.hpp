@@ -16,8 +16,8 @@ struct MujocoReading {
   std::string_view element;  ///< "gyro"
   std::string_view
       object;             ///< attribute with the name of the measured object: "site", "joint", ...
-  std::string name;       ///< of the measured joint, motor or link; "": the site of the sensor
-  std::string part = {};  ///< follows the name of the sensor: "/angular_velocity"
+  std::string name;       ///< measured joint, motor or link; "": the site of the sensor
+  std::string part = {};  ///< suffix of the sensor's name: "/angular_velocity"
   double cutoff = 0;      ///< 0: none
 };
 
@@ -26,7 +26,7 @@ struct MujocoSensor {
   std::optional<std::size_t> link;  ///< the link that carries it
   Pose X_LS;                        ///< with the axes of MuJoCo
   std::optional<double> fovy;       ///< vertical opening of a camera, degrees
-  std::optional<Vector3> reach;     ///< half of the box in which contacts are felt, m
+  std::optional<Vector3> reach;     ///< half extents of the box in which contacts are measured, m
   std::vector<MujocoReading> readings;
   const Sensor* annotation = nullptr;
   xml::ElementId element =
@@ -37,12 +37,12 @@ struct MujocoSensor {
 /// repeats the name of its sensor; 4 MB are about 40,000 rays.
 inline constexpr std::size_t kMostReadingBytes = 4'000'000;
 
-/// Names are unique. Each ray of a scan, and each link of a contact sensor, is a sensor of its own.
-/// Leaves out annotations that have the name of a <sensor> in <gazebo>, and sensors whose readings
+/// Names are unique. Each ray of a scan, and each link of a contact sensor, becomes a separate
+/// sensor. Omits annotations with the name of a <sensor> in <gazebo>, and sensors whose readings
 /// exceed kMostReadingBytes.
 std::vector<MujocoSensor> mujoco_sensors(const LinkedModel& model);
 
-/// The settings of such a <sensor> that MuJoCo does not have.
+/// The settings of a <sensor> in <gazebo> that MuJoCo does not have.
 std::vector<xml::View> unsaid_by_mujoco(xml::View sensor);
 /// Whether MuJoCo has the setting of a key in the annotation of such a sensor.
 bool is_said_by_mujoco(const Sensor& sensor, std::string_view key);

@@ -42,8 +42,8 @@ class GeometryReader {
   const FlatModel& model_;
 };
 
-/// The material of the name that a visual gives, of the robot or of another visual, as in urdfdom;
-/// null when there is none.
+/// The material that a visual refers to, of the robot or of another visual, as in urdfdom; null if
+/// there is none.
 const urdf::Material* definition_of(const urdf::Visual& visual, const LinkedModel& model) {
   if (!visual.material->name) return nullptr;
   const std::string& name = *visual.material->name;
@@ -53,7 +53,7 @@ const urdf::Material* definition_of(const urdf::Visual& visual, const LinkedMode
   if (*index < materials.size() && materials[*index].name && *materials[*index].name == name) {
     return &materials[*index];
   }
-  // The table holds the names of the materials of visuals as well, with the number of their link.
+  // The table also contains the materials of visuals, with the number of their link.
   for (const urdf::Visual& one : model.robot->links[*index].visuals) {
     if (one.material && one.material->name && *one.material->name == name) return &*one.material;
   }

@@ -11,23 +11,23 @@
 
 namespace smurf {
 
-/// A URDF shape as a flat one; none when it is incomplete.
+/// A URDF shape in flat form; none if it is incomplete.
 std::optional<FlatGeometry> to_flat(const urdf::Geometry& geometry, const FlatModel& model);
 
 /// Colour of a visual in the URDF: its own, or that of the robot's material of the same name.
 std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& model);
 
-/// The texture of a visual, likewise, as it is written; null without.
+/// The texture of a visual as written, found in the same way; null if there is none.
 const std::string* written_texture(const urdf::Visual& visual, const LinkedModel& model);
-/// The texture of a visual as a path relative to the output's folder; null when it has none.
+/// The texture of a visual as a path relative to the output's folder; null if there is none.
 std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedModel& model,
                                       const FlatModel& flat);
 
-/// MuJoCo reads PNG files.
+/// Whether MuJoCo can read the file, which must be a PNG.
 bool is_texture_of_mujoco(const MeshReference& reference);
 
-/// A colour in glTF and USD: amounts of light, where URDF and SMURF have values for a screen
-/// (sRGB). Within 0..1; the alpha stays.
+/// Converts a colour from sRGB, as in URDF and SMURF, to linear amounts of light, as in glTF and
+/// USD. Within 0..1; alpha is unchanged.
 Rgba linear_color(const Rgba& color);
 
 class AnnotatedColors;
@@ -39,12 +39,12 @@ struct LinkShape {
   Span span;  ///< where it is written
 };
 struct ShownLink {
-  std::string name;  ///< empty for an entity that is no model
+  std::string name;  ///< empty for an entity without a model
   Pose X_EL;
-  std::vector<LinkShape> shapes;  ///< the visuals, or the collisions when there are none
+  std::vector<LinkShape> shapes;  ///< the visuals, or the collisions if there are no visuals
 };
-/// The links that the root of an instance's model reaches. An entity that is no model counts as one
-/// link. `frames` keeps what was computed from call to call.
+/// The links that the root of an instance's model reaches. An entity without a model is treated as
+/// one link. `frames` caches results between calls.
 std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t instance,
                                    LinkFrames& frames, AnnotatedColors& colors);
 

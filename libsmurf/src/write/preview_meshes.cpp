@@ -33,8 +33,8 @@ MeshTriangles PreviewMeshes::read(const std::string& file, Span place,
     if (bytes_ <= most) return mesh;
     scene_.losses
         .report(rules::sml5022_too_many_instances, place,
-                "with this mesh the meshes of the scene, written out, have more than " +
-                    std::to_string(most) + " bytes")
+                "with this mesh, the meshes written for the scene exceed " + std::to_string(most) +
+                    " bytes")
         .help(raise_limit("scene-bytes"));
   }
   return {{}, {}, "is too large to write"};

@@ -11,24 +11,24 @@
 
 namespace smurf {
 
-/// Whether the file gives any part a colour.
+/// Whether any part of the file has a colour.
 bool has_colors(const std::vector<MeshPart>& parts);
 
 class PreviewMeshes {
  public:
-  /// The least bytes that a format needs for a point and for an index of a triangle.
+  /// The fewest bytes that a format needs for a point and for an index of a triangle.
   struct Cost {
     std::uint64_t point_bytes, index_bytes;
     std::uint64_t texture_point_bytes = 0;
   };
 
-  /// `scene` must outlive this.
+  /// `scene` must outlive this object.
   PreviewMeshes(const SceneExport& scene, Cost cost) : scene_(scene), cost_(cost) {}
 
-  /// The name under which a file was first asked for. Links may give a file thousands of names.
+  /// The first name under which a file was requested. Links may give a file thousands of names.
   const std::string& first_name(const std::string& file);
 
-  /// No triangles, and a finding at `place`, when those of all files would be too many to write.
+  /// If all files have too many triangles to write, reports a finding at `place` and returns none.
   MeshTriangles read(const std::string& file, Span place,
                      TexturePoints texture_points = TexturePoints::ignored);
 

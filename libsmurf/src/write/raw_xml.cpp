@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kDeclaration = "xmlns:";
 
-/// Whether the name of an element or attribute at or below `top` begins like this.
+/// Whether an element or attribute at or below `top` has a name that begins with this prefix.
 bool uses(xml::View top, std::string_view prefix) {
   const std::vector<xml::Element>& elements = top.document().elements;
   for (std::size_t i = static_cast<std::size_t>(top.id());
@@ -47,7 +47,7 @@ std::string with_characters_of_xml(std::string_view text) {
   return result;
 }
 
-/// Bytes of a comment or a section of characters, where `&` is no reference; 0 for anything else.
+/// Bytes of a comment or CDATA section, in which `&` is not a reference; 0 for anything else.
 std::size_t unread_part(std::string_view text) {
   for (const auto& [begin, end] : {std::pair("<!--", "-->"), std::pair("<![CDATA[", "]]>")}) {
     if (!text.starts_with(begin)) continue;
@@ -60,7 +60,7 @@ std::size_t unread_part(std::string_view text) {
 }  // namespace
 
 std::string strict_xml(std::string_view text) {
-  constexpr std::string_view kEnd = "]]>";  // of a section of characters
+  constexpr std::string_view kEnd = "]]>";  // of a CDATA section
   const std::string whole = with_characters_of_xml(text);
   std::string_view rest = whole;
   std::string result;
@@ -92,7 +92,7 @@ void declare_prefix(xml::View robot, const xml::Attribute& declaration, std::vec
 }
 
 std::string raw_xml(xml::View element, std::string_view source, std::vector<Edit> edits) {
-  std::set<std::string_view> declared;  // the nearest counts
+  std::set<std::string_view> declared;  // the nearest declaration applies
   for (xml::View at = element.parent(); at; at = at.parent()) {
     for (const xml::Attribute& each : at.attributes()) {
       const bool is_such = each.name().starts_with(kDeclaration);

@@ -11,9 +11,9 @@
 
 namespace smurf {
 
-/// XML for readers that are stricter than those of URDF. These accept `&name;` that nothing defines
-/// as its letters, so the letters are written; `]]>` in a text and characters that XML does not
-/// have are replaced. `text` is part of what our reader accepted.
+/// Converts XML for readers that are stricter than those of URDF. URDF readers read an undefined
+/// `&name;` literally, so its `&` is escaped; `]]>` in a text and characters that XML does not
+/// allow are replaced. `text` is part of a file that our reader accepted.
 std::string strict_xml(std::string_view text);
 
 /// Adds the edits that move a namespace declaration of the robot element into those of its

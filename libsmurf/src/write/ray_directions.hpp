@@ -9,15 +9,15 @@
 
 namespace smurf {
 
-/// A scan with more rays is no thing for such a format.
+/// Scans with more rays are not supported in such formats.
 inline constexpr std::size_t kMostRays = 1000;
 
-/// How many rays a scan has; 0 when there are more than kMostRays, or when the direction of the
-/// only ray of a fan is not known.
+/// The number of rays of a scan; 0 if it exceeds kMostRays, or if the direction of the only ray of
+/// a fan is unknown.
 std::size_t ray_count(const ScanView& scan);
 
 /// The orientation of each ray, whose x axis is its direction: the lowest row first, each row with
-/// growing angles about z. ray_count() tells how many.
+/// growing angles about z. ray_count() gives their number.
 std::vector<Quaternion> ray_directions(const ScanView& scan);
 
 }  // namespace smurf

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The URDF of a model: what is written, in document order. Poses name their frames, X_PJ is that of
-// a joint in its parent link.
+// The URDF of a model as written, in document order. Poses name their frames, X_PJ is that of a
+// joint in its parent link.
 #include <array>
 #include <unordered_map>
 #include <utility>
@@ -95,7 +95,7 @@ class RobotPrinter {
     json_.end();
   }
 
-  /// As written, and what it was found to be.
+  /// The value as written, and the file that was found for it.
   void file(std::string_view key, const Field<std::string>& filename) {
     if (!filename) return;
     print_field(json_, key, filename);
@@ -146,7 +146,7 @@ class RobotPrinter {
     json_.end();
   }
 
-  /// What visuals and collisions have in common.
+  /// Members that visuals and collisions share.
   template <class Part>
   void shape_of(const Part& part, std::string_view frames) {
     print_field(json_, "name", part.name);
@@ -243,7 +243,7 @@ class RobotPrinter {
   const LinkedModel& model_;
   const SourceMap& sources_;
   const urdf::Robot& robot_;
-  /// Meshes and textures by where their names are written.
+  /// Meshes and textures, by the places of their names.
   std::unordered_map<std::uint32_t, const MeshReference*> files_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drake model directives. Rotations are an angle and an axis, since Drake reads no quaternions
-// (common/schema/rotation.h).
+// Drake model directives. Rotations are an angle and an axis, because Drake does not read
+// quaternions (common/schema/rotation.h).
 #include <cmath>
 #include <numbers>
 
@@ -43,7 +43,7 @@ class DirectivesWriter {
     for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
       if (is_written(i)) add_model(i);
     }
-    // A weld names two models, which both have to be there by then.
+    // A weld names two models, which must already be added.
     for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
       if (is_written_[i]) add_weld(i);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is fixed to what, as a graph for Graphviz. Nested scenes are boxes around their entities.
+// Shows which entities are fixed to each other, for Graphviz. Nested scenes are boxes around their
+// entities.
 #include "base/misread.hpp"
 #include "base/utf8.hpp"
 #include "smurf/write_scene.hpp"
@@ -7,8 +8,8 @@
 namespace smurf {
 namespace {
 
-/// A quoted string of the language; a backslash would start an escape of labels. Characters that
-/// are misread are entities, which Graphviz knows in labels, so `&` is one as well.
+/// A quoted string; a backslash would start an escape in a label. Characters that could be misread
+/// become entities, which Graphviz supports in labels, so `&` becomes one as well.
 std::string quoted(std::string_view text) {
   const std::string clean = utf8::replace_controls(text);
   std::string escaped = "\"";
@@ -52,7 +53,7 @@ class DotWriter {
   }
 
  private:
-  /// Opens and closes the boxes between one instance's scene and the next one's.
+  /// Closes and opens the boxes of scenes between one instance and the next.
   void enter(UseIndex use) {
     std::vector<UseIndex> chain;
     for (std::optional<UseIndex> at = use; at && scene_.scene.uses[to_size(*at)].outer;
@@ -80,7 +81,7 @@ class DotWriter {
     const std::string what =
         instance.model ? scene_.flat.models[*instance.model].id : instance.type;
     std::string label = quoted(name);
-    label.back() = '\\';  // the closing quote makes room for a line break
+    label.back() = '\\';  // the closing quote is removed for a line break
     out_ +=
         indent_ + quoted(instance.path) + " [label=" + label + "n" + quoted(what).substr(1) + "]\n";
   }
@@ -95,7 +96,7 @@ class DotWriter {
     return quoted(text);
   }
 
-  /// Solid: fixed there. Dashed: only placed relative to it.
+  /// Solid: fixed. Dashed: only placed relative to it.
   void add_edges(const FlatInstance& instance) {
     const bool is_free = instance.anchor.kind == Attachment::Kind::none;
     const bool is_placed_elsewhere = instance.parent.kind == Attachment::Kind::link &&
@@ -124,6 +125,8 @@ std::string write(const SceneExport& scene) { return DotWriter(scene).run(); }
 }  // namespace
 
 extern constinit const SceneFormat scene_dot{
-    .name = "dot", .help = "what is fixed to what, as a Graphviz graph", .write = write};
+    .name = "dot",
+    .help = "the attachments between instances, as a Graphviz graph",
+    .write = write};
 
 }  // namespace smurf

@@ -37,7 +37,7 @@ class GltfWriter {
   }
 
  private:
-  /// Points that several meshes share: a solid, or the file of a mesh.
+  /// Points that several meshes share: of a solid, or of a mesh file.
   using Points = std::variant<Solid, std::string>;
   /// Triangles of one colour.
   struct Part {
@@ -46,7 +46,7 @@ class GltfWriter {
   };
   struct Accessors {
     std::size_t points = 0, indices = 0;
-    std::vector<Part> parts;  ///< of a file that has colours
+    std::vector<Part> parts;  ///< the file has colours
     std::optional<std::size_t> normals;
     std::string why_none;
   };
@@ -106,7 +106,7 @@ class GltfWriter {
     return add_node(std::move(node));
   }
 
-  /// Data that glTF has no place for, and that need little space.
+  /// Extra data without an equivalent in glTF, in little space.
   static void append_extras(std::string& node, const FlatInstance& instance) {
     append_key(node, "extras");
     node += '{';
@@ -144,7 +144,7 @@ class GltfWriter {
     add(file, shape.X_LS, mesh->scale);
   }
 
-  /// A mesh for every pair of points and colour. Without normals a reader shows flat triangles.
+  /// A mesh for every pair of points and colour. Without normals, a viewer shows flat triangles.
   std::size_t mesh_of(const Points& points, const std::optional<Rgba>& color) {
     const auto [known, is_new] = meshes_.try_emplace({points, color}, meshes_.size());
     if (!is_new) return known->second;
@@ -184,7 +184,7 @@ class GltfWriter {
     return known->second;
   }
 
-  /// `place` of a shape that asks for a file.
+  /// `place` is the place of a shape that uses a file.
   const Accessors& accessors_of(const Points& points, Span place = {}) {
     const auto [known, is_new] = points_.try_emplace(points);
     if (!is_new) return known->second;
@@ -211,7 +211,7 @@ class GltfWriter {
     accessors.why_none = mesh.reason;
     if (!mesh.reason.empty()) return accessors;
     accessors.points = add_vectors(mesh.points, true);
-    // The greatest index of a type means something else to some readers.
+    // Some readers treat the greatest index of a type as a special value.
     const bool is_small = mesh.points.size() <= std::numeric_limits<std::uint16_t>::max();
     accessors.indices = is_small ? add_indices<std::uint16_t>(mesh.indices)
                                  : add_indices<std::uint32_t>(mesh.indices);

@@ -91,7 +91,7 @@ void SceneLosses::table() {
   old_scenes();
 }
 
-/// A model that the result names by its file keeps what is in that file.
+/// A model that the result names by file name keeps the contents of that file.
 bool SceneLosses::is_referred_to(const LinkedModel& model) const {
   if (column_ == SceneColumn::dmd) return true;
   if (scene_.form != SceneForm::reference) return false;
@@ -107,7 +107,7 @@ void SceneLosses::of_model(const LinkedModel& model) {
   const auto add = [](std::string& text, const std::string& more) {
     text += (text.empty() ? "" : ", ") + more;
   };
-  // Whoever reads the URDF finds no annotations, as with the directives of Drake.
+  // Readers of the URDF do not see annotations; this also applies to Drake's directives.
   const bool is_named = is_referred_to(model);
   const SceneColumn column = is_named ? SceneColumn::dmd : column_;
   for (const SceneThing& thing : scene_things()) {
@@ -141,7 +141,7 @@ void SceneLosses::report(const SceneThing& thing, const std::vector<FoundThing>&
   if (found.empty()) return;
   const std::string_view cell = thing.cells[to_size(column_)];
   const std::string what = std::string(thing.title) + " (" + list(found) + ")";
-  // A cell "partly" says what is kept, which is no reason for the loss.
+  // A cell "partly" states the kept part, which is not the reason for the loss.
   const bool has_reason = !reason_of(cell).empty() && fate_of(cell) != Fate::partly;
   const std::string reason = has_reason ? ": " + std::string(reason_of(cell)) : "";
   const Span span = found.front().span;
@@ -225,9 +225,9 @@ void SceneLosses::files_in_archives() {
     if (files.empty()) continue;
     Diagnostic& diagnostic = scene_.losses.report(
         rules::sml8210_file_in_archive, place(i),
-        "what reads the " + format_ + " does not look into the archive for " + list(files));
+        "readers of the " + format_ + " do not look into the archive for " + list(files));
     diagnostic.help(scene_.form == SceneForm::reference ? "unpack it, or use --form expand"
-                                                        : "--copy-assets DIR copies what is named");
+                                                        : "--copy-assets DIR copies the files");
   }
 }
 
@@ -236,7 +236,7 @@ void SceneLosses::old_scenes() {
     const Span span = place(old.instance);
     if (!old.movable.empty()) {
       scene_.losses.report(rules::sml8209_old_nodes_stand_still, span,
-                           "what moves in " + path(old.instance) + " stands still in the " +
+                           "moving parts of " + path(old.instance) + " stand still in the " +
                                format_ + ": " + list(old.movable));
     }
     if (!old.shapeless.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene loses on its way into another format, each loss at the token that says it.
+// Reports what a scene loses in another format, each loss at the token that is lost.
 #pragma once
 
 #include <map>
@@ -15,30 +15,30 @@ namespace smurf {
 
 class SceneLosses {
  public:
-  /// `format` as it is called in messages: "SDF". `scene` must outlive this.
+  /// `format` is the name for messages: "SDF". `scene` must outlive this object.
   SceneLosses(const SceneExport& scene, SceneColumn column, std::string_view format)
       : scene_(scene), column_(column), format_(format) {}
 
-  /// An entity that is not written at all. `why` is the end of "`X` is not written: ...".
+  /// Reports an entity that is not written. `why` is the end of "`X` is not written: ...".
   void entity(std::size_t instance, std::string_view why);
   void joint_pose(std::size_t instance, std::string_view why);
   void anchor(std::size_t instance, std::string_view why);
-  /// A shape of a model or entity.
+  /// Reports a shape of a model or entity that is not written.
   void shape(Span span, std::string_view what);
-  /// A shape that a preview has no triangles for. `reason` as in MeshTriangles; of a heightmap any.
-  /// Reported once a place.
+  /// Reports a shape without triangles for a preview. `reason` is as in MeshTriangles, or any text
+  /// for a heightmap. Reported once per place.
   void unseen_shape(Span span, const FlatGeometry& geometry, std::string_view reason);
-  /// A joint that is written as something simpler.
+  /// Reports a joint that is written as a simpler type.
   void joint(const urdf::Joint& joint, std::string_view written_as);
-  /// A thing of the table that only the writer sees, by its title.
+  /// Reports a thing of the table that only the writer can find, by its title.
   void note(std::string_view title, Span span, const std::string& name) {
     noted_[title].try_emplace({to_size(span.source), span.begin}, FoundThing{span, name});
   }
-  /// Reports everything in the scene that, by the table, the format does not keep.
+  /// Reports everything in the scene that the format does not keep, according to the table.
   void table();
 
-  /// Files that the result names and that lie in archives, which only our own tools look into: of
-  /// every model its URDF, or its meshes when it is written out, and those of other entities.
+  /// Reports files in archives, which only our own tools read, that the result names: the URDF of
+  /// each model, or the meshes of one that is written out, and the files of other entities.
   void files_in_archives();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MuJoCo: bodies nested as the kinematic trees are, what is anchored inside the link it hangs on,
-// and one keyframe `initial` that holds every joint's start.
+// MuJoCo: bodies are nested like the kinematic trees, anchored entities are inside the link that
+// holds them, and one keyframe `initial` contains the start position of every joint.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -44,7 +44,7 @@ class MjcfWriter : MjcfSensors {
  private:
   using PlaceOfLink = std::pair<std::size_t, std::size_t>;  ///< instance, link
 
-  /// The instances that are anchored to each link. A circle of anchors is cut at its end.
+  /// The instances that are anchored to each link. A cycle of anchors is broken at its end.
   void find_children() {
     const std::vector<std::size_t> ends = anchor_groups(scene_.scene);
     is_top_level_.assign(count(), true);
@@ -90,7 +90,7 @@ class MjcfWriter : MjcfSensors {
     xml_.close();
   }
 
-  /// As texture_of() names it.
+  /// By the name that texture_of() returns.
   std::string file_of(const MeshReference& reference, std::size_t model) const {
     const auto& resources = scene_.flat.models[model].resources;
     const auto known = resources.find(reference.filename);
@@ -123,7 +123,7 @@ class MjcfWriter : MjcfSensors {
     }
   }
 
-  /// One link on the way down, without recursion: files decide how deep the nesting is.
+  /// A link that is being written. The stack replaces recursion, because files determine the depth.
   struct Step {
     std::size_t instance = 0, link = 0;
     std::vector<PlaceOfLink> inside;
@@ -155,7 +155,7 @@ class MjcfWriter : MjcfSensors {
     }
   }
 
-  /// The links below a link, then the roots of what is anchored to it.
+  /// Adds the links below a link, then the roots of entities anchored to it.
   std::vector<PlaceOfLink> inside(std::size_t i, std::size_t link) const {
     std::vector<PlaceOfLink> places;
     const LinkedModel& model = *robot_of(i);
@@ -170,7 +170,7 @@ class MjcfWriter : MjcfSensors {
     return places;
   }
 
-  /// A body at its joint's zero; the keyframe moves it.
+  /// Writes a body at the zero position of its joint; the keyframe moves it.
   void open_link(std::size_t i, std::size_t link) {
     const LinkedModel& model = *robot_of(i);
     const urdf::Joint& joint = model.joint(*model.tree.parent_joint[link]);
@@ -199,7 +199,7 @@ class MjcfWriter : MjcfSensors {
     add_mounts(i, link);
   }
 
-  /// False when the joint does not move.
+  /// False if the joint does not move.
   bool add_joint(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
     if (!joint.has_one_axis()) {
       if (joint.type != urdf::JointType::fixed && reported_.insert(&joint).second) {
@@ -226,7 +226,7 @@ class MjcfWriter : MjcfSensors {
     return true;
   }
 
-  /// MuJoCo refuses an equality of a joint that it does not have.
+  /// MuJoCo refuses an equality for a joint that does not exist.
   void add_follower(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
     const auto leader =
         joint.mimic->joint ? model.joint_names.find(*joint.mimic->joint) : std::nullopt;
@@ -252,7 +252,7 @@ class MjcfWriter : MjcfSensors {
       if (const auto known = texture ? textures_.find(*texture) : textures_.end();
           known != textures_.end()) {
         geom->emplace_back("material", known->second);
-        // Colours are multiplied with those of the picture.
+        // The colour is multiplied by the texture.
         if (!color) color = Rgba{1, 1, 1, 1};
       }
       add_geom(std::move(*geom), urdf::to_pose(visual.origin), color, {});
@@ -268,13 +268,13 @@ class MjcfWriter : MjcfSensors {
     }
   }
 
-  /// Meshes that are not written have been reported when they were declared.
+  /// Missing meshes were reported when they were declared.
   void note_empty(const FlatGeometry& geometry, Span span, const urdf::Link& link) {
     if (std::holds_alternative<FlatMesh>(geometry)) return;
     losses_.note(kEmptyShapes, span, link.name.value_or({}));
   }
 
-  /// Visuals and collisions share one name space here, in a URDF they do not.
+  /// Visuals and collisions share one name space in MJCF, but not in a URDF.
   void add_name(std::vector<XmlText::Attribute>& geom, std::size_t i,
                 const Field<std::string>& written) {
     if (written) geom.emplace_back("name", geom_names_.add(name(i, *written)));
@@ -308,7 +308,7 @@ class MjcfWriter : MjcfSensors {
   AnnotatedColors colors_;
   UniqueNames geom_names_;
   std::map<std::string, std::string> textures_;  ///< file -> name of its material
-  std::set<std::string_view> existing_;          ///< names of the model's meshes that are there
+  std::set<std::string_view> existing_;          ///< names of the model's declared meshes
   std::set<const urdf::Joint*> reported_;
   std::vector<std::pair<std::size_t, const urdf::Joint*>> followers_;
 };

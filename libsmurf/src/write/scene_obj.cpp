@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shapes of a scene as triangles in the world frame, z up, in metres: for programs that know
-// neither robots nor scenes.
+// The shapes of a scene as triangles in the world frame, z up, in metres: for programs that do not
+// support robots or scenes.
 #include <array>
 #include <map>
 #include <span>
@@ -19,12 +19,12 @@
 namespace smurf {
 namespace {
 
-/// The shortest lines of a point and of a third of a triangle.
+/// The lengths of the shortest line of a point and of a third of a triangle.
 constexpr PreviewMeshes::Cost kCost{8, 3};
 
-constexpr int kDigits = 8;  // about those of a float
+constexpr int kDigits = 8;  // about the largest float
 
-/// A name ends at a blank, and a backslash at the end of a line continues it.
+/// A name ends at a space, and a backslash at the end of a line continues the line.
 std::string name_in_obj(std::string_view text) {
   std::string name;
   for (std::size_t at = 0; at < text.size();) {
@@ -116,7 +116,7 @@ class ObjWriter {
     }
   }
 
-  /// Triangles of the last points. A scale that mirrors them turns them inside out.
+  /// Writes triangles of the last points. Reverses them if the scale mirrors the points.
   template <class Index>
   void add_triangles(const std::vector<Index>& indices, std::size_t points, const Vector3& scale) {
     const bool is_mirrored = scale[0] * scale[1] * scale[2] < 0;

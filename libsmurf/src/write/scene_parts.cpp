@@ -33,7 +33,7 @@ class SolidMass {
   LinkInertial operator()(const FlatCylinder& cylinder) const {
     return rod(cylinder.radius, cylinder.length);
   }
-  /// Near enough for a preset that has no inertia of its own: a cylinder as long as the capsule.
+  /// Approximation for a format without the inertia of a capsule: a cylinder of the same length.
   LinkInertial operator()(const FlatCapsule& capsule) const {
     return rod(capsule.radius, capsule.length + capsule.radius);
   }
@@ -208,7 +208,8 @@ Quaternion rotation_onto(const Vector3& from, const Vector3& to) {
                        a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
   };
   if (from[0] * to[0] + from[1] * to[1] + from[2] * to[2] >= 0) return halfway(from, to);
-  // Near half a turn, the sum above would lose digits: half a turn first, then the rest.
+  // Near half a turn, the sum above loses precision, so the rotation is divided into half a turn
+  // and the rest.
   const Quaternion half_turn =
       normalized(std::abs(from[1]) < 0.5 ? Quaternion{0, -from[2], 0, from[0]}
                                          : Quaternion{0, 0, from[2], -from[1]});

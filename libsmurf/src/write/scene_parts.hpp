@@ -15,33 +15,33 @@ std::string safe_name(std::string_view name);
 /// By instance: its path as a unique name for formats that restrict names, [A-Za-z_][A-Za-z0-9_]*.
 std::vector<std::string> safe_names(const FlatScene& scene);
 
-/// The model of an instance when it has links; null otherwise.
+/// The model of an instance if it has links; null otherwise.
 const LinkedModel* robot_of(const LinkedScene& scene, std::size_t instance);
-/// As written; a number for a link without name.
+/// The name of a link as written; a number for a link without name.
 std::string link_name(const LinkedModel& model, std::size_t link);
 std::string root_link_name(const LinkedModel& model);
-/// The child of a joint; none when it is unknown, or hangs on another joint.
+/// The child of a joint; none if it is unknown, or has another parent joint.
 std::optional<std::size_t> carried_link(const LinkedModel& model, std::size_t joint);
 
-/// By instance: the instance at the end of its chain of anchors. Members of one group share it.
-/// Anchors may run in a circle; then the first of the circle is the end.
+/// By instance: the instance at the end of its chain of anchors, which identifies a group. In a
+/// cycle of anchors, it is the first instance of the cycle.
 std::vector<std::size_t> anchor_groups(const LinkedScene& scene);
 
-/// The link that an instance is anchored to, by its index in the other instance's model; none when
-/// it is not anchored to a link that is known.
+/// The link that an instance is anchored to, as an index in the other instance's model; none if it
+/// is not anchored to a known link.
 std::optional<std::size_t> anchor_link(const LinkedScene& scene, std::size_t instance);
-/// X_LE: an instance as seen from the link it is anchored to; none when that link has no pose.
+/// X_LE: the pose of an instance in the frame of its anchor link; none if that link has no pose.
 std::optional<Pose> pose_on_anchor(const LinkedScene& scene, std::size_t instance,
                                    LinkFrames& frames);
 
 struct LinkInertial {
   double mass = 0;  ///< kg
-  Pose X_LC;        ///< of the centre of mass in the link; the tensor is in its axes
+  Pose X_LC;        ///< centre of mass in the link; the tensor has the axes of the link
   double ixx = 0, ixy = 0, ixz = 0, iyy = 0, iyz = 0, izz = 0;  ///< kg m^2
 };
-/// None when the link has no mass.
+/// None if the link has no mass.
 std::optional<LinkInertial> inertial_of(const urdf::Link& link);
-/// For a body that has to have a mass and has none: MARS takes a ball of 10 g and 1 cm radius
+/// For a body without mass in a format that requires one: MARS uses a ball of 10 g and 1 cm radius
 /// (mars_core Frame.cpp:601-619).
 LinkInertial smallest_mass();
 /// The inertial of a solid of uniform density.
@@ -52,19 +52,19 @@ inline constexpr Vector3 kUsualGravity{0, 0, -9.81};  ///< m/s^2
 /// s; MARS's 10 ms are too long for the solvers of Gazebo and MuJoCo.
 inline constexpr double kUsualStep = 0.001;
 
-/// Position of a joint that starts an instance: given, or following its leader; else 0.
+/// The start position of a joint of an instance: given, or computed from its leader; otherwise 0.
 double start_position(const LinkedModel& model, const urdf::Joint& joint,
                       const JointPositions& positions);
 
 /// Whether an entity without model can move, and its mass in kg (MARS: `movable`, `mass`). Old
-/// scenes stand still as a whole.
+/// scenes do not move.
 bool is_movable(const FlatInstance& instance);
 double mass_of(const FlatInstance& instance);
 constexpr double kGroundSize = 100;  ///< sides of the floor of SceneExport::ground, m
 
 /// The lights of the world, in the order of the flat scene.
 std::vector<const Light*> world_lights(const SceneExport& scene);
-/// Unit vector from a light to where it looks; down when it says nothing.
+/// Unit vector in the direction of a light; down by default.
 Vector3 direction_of(const Light& light);
 /// The shortest rotation of one unit vector onto another.
 Quaternion rotation_onto(const Vector3& from, const Vector3& to);

@@ -51,7 +51,7 @@ class SdfWriter {
     if (is_new) known->second = sdf_names(model);
     return known->second;
   }
-  /// Other facts about a model, read once.
+  /// Facts about a model, computed once.
   const SdfModel& parts_of(const LinkedModel& model) {
     auto& known = models_[&model];
     if (!known) known = std::make_unique<SdfModel>(model, scene_.sources);
@@ -173,7 +173,7 @@ class SdfWriter {
     }
   }
 
-  /// libsdformat drops a URDF whose root link has no mass; such a one is written out.
+  /// libsdformat drops a URDF whose root link has no mass, so such a model is written out.
   bool refers(const LinkedModel& model) const {
     return scene_.form == SceneForm::reference && !is_old_ &&
            inertial_of(model.link(model.tree.roots.front())).has_value();
@@ -199,8 +199,8 @@ class SdfWriter {
     xml_.close();
   }
 
-  /// By link: the link whose body it is part of. A link without mass at the end of a fixed joint
-  /// is part of its parent; libsdformat puts all links at fixed joints together.
+  /// By link: the link whose body contains it. A link without mass at the end of a fixed joint
+  /// belongs to its parent; libsdformat merges all links at fixed joints.
   std::vector<std::size_t> bodies_of(const LinkedModel& model, bool as_libsdformat) const {
     std::vector<std::size_t> bodies(model.robot->links.size());
     for (const LinkIndex link : model.tree.order) {
@@ -272,7 +272,7 @@ class SdfWriter {
     xml_.close();
   }
 
-  /// As libsdformat names them: sensors of contact in <gazebo> refer to them.
+  /// Uses the names of libsdformat, because contact sensors in <gazebo> refer to them.
   static std::string shape_name(const Field<std::string>& name, std::string_view link,
                                 const char* kind, std::size_t index) {
     if (name) return *name + kind;
@@ -351,7 +351,7 @@ class SdfWriter {
     xml_.close();
   }
 
-  /// Links and joints share one name space here, in a URDF they do not.
+  /// Links and joints share one name space in SDF, but not in a URDF.
   static std::string joint_name(const LinkedModel& model, const urdf::Joint& joint) {
     std::string name = *joint.name;
     const auto is_taken = [&](const std::string& one) {
@@ -452,7 +452,7 @@ class SdfWriter {
   std::map<const LinkedModel*, std::unique_ptr<SdfModel>> models_;
   LinkFrames frames_;
   AnnotatedColors colors_;
-  /// By model that another is anchored to: the bodies of its links.
+  /// By model with anchored entities: the bodies of its links.
   std::map<const LinkedModel*, std::vector<std::size_t>> bodies_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;
   XmlText xml_{scene_.most_bytes};

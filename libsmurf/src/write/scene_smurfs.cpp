@@ -129,7 +129,7 @@ class FlatSceneWriter {
 
 extern constinit const SceneFormat scene_smurfs{
     .name = "smurfs",
-    .help = "a SMURF scene again, with nothing nested in it",
+    .help = "a SMURF scene without nested scenes",
     .write = [](const SceneExport& scene) { return FlatSceneWriter(scene.flat).run(); },
     .has_reference_form = true,
     .has_expanded_form = false};

@@ -10,10 +10,10 @@
 namespace smurf {
 namespace {
 
-/// From the side of a scene with more, nothing is recognised.
+/// With more shapes, a view from the side is unreadable.
 constexpr std::size_t kMostFromSide = 5'000;
 
-/// Only what is on the sheet is explained.
+/// The legend explains only symbols on the sheet.
 std::string legend(const SceneExport& scene, bool lacks_meshes, bool lacks_side, bool lacks_names) {
   std::string text;
   double x = 0;
@@ -43,7 +43,7 @@ std::string legend(const SceneExport& scene, bool lacks_meshes, bool lacks_side,
     add("<path d=\"M0 -4h22\" stroke=\"#333\" stroke-dasharray=\"5 4\"/>", "fixed to each other");
   }
   if (lacks_meshes) add("", "some meshes are not drawn");
-  if (lacks_names) add("", "some names have no place: point at the axes");
+  if (lacks_names) add("", "some names do not fit: point at the axes to read them");
   if (lacks_side) add("", "too many shapes for a view from the side");
   return text;
 }

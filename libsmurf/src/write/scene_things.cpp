@@ -8,25 +8,25 @@ namespace {
 
 constexpr std::string_view kKept = "kept";
 constexpr std::string_view kLost = "lost";
-constexpr std::string_view kOfUrdf = "partly: those of the URDF";
+constexpr std::string_view kOfUrdf = "partly: materials of the URDF";
 constexpr std::string_view kNotApplied = "lost: smurf2urdf --apply materials writes them";
 constexpr std::string_view kDiffuse = "lost: only the diffuse colour and transparency are written";
 constexpr std::string_view kMaterialName = "partly: names of materials";
 constexpr std::array<std::string_view, kSceneColumns> kLostEverywhere{kLost, kLost, kLost, kLost,
                                                                       kLost, kLost, kLost, kLost};
 constexpr std::string_view kShown = "shown";
-constexpr std::string_view kNoPlace = "lost: SDF has no place for it";
+constexpr std::string_view kNoPlace = "lost: SDF has no element for them";
 constexpr std::string_view kSpeed = "lost: MuJoCo does not limit speeds";
 constexpr std::string_view kEffort =
     "partly: MuJoCo limits the forces of actuators, which driven joints have";
-constexpr std::string_view kActuator = "partly: actuators of those that drive one joint";
-constexpr std::string_view kDrive = "partly: drives of those that drive one joint";
+constexpr std::string_view kActuator = "partly: actuators, where one joint is driven";
+constexpr std::string_view kDrive = "partly: drives, where one joint is driven";
 constexpr std::string_view kFields = "partly: poses and fields of view of sensors";
-constexpr std::string_view kGazeboOnly = "lost: it is meant for Gazebo";
+constexpr std::string_view kGazeboOnly = "lost: only Gazebo reads them";
 constexpr std::string_view kAsGazebo =
-    "partly: as Gazebo converts them, where their link or joint is there";
+    "partly: as Gazebo converts them, if their link or joint exists";
 constexpr std::string_view kPlugin = "lost: Gazebo leaves them to a plug-in that reads the URDF";
-constexpr std::string_view kNearest = "changed: the nearest that the simulator accepts";
+constexpr std::string_view kNearest = "changed: to the nearest inertia that the simulator accepts";
 constexpr std::string_view kTenGrams = "added: 10 g in a ball of 1 cm, the default of MARS";
 constexpr std::string_view kReadMeshes =
     "kept: meshes that are STL, OBJ, bobj, COLLADA or glTF, without skins and textures";
@@ -106,8 +106,8 @@ constexpr SceneThing kThings[] = {
     {.title = "motor",
      .of = ThingOf::annotation,
      .in_model = things::motors,
-     .cells = {kLost, kLost, "partly: those that drive a joint, as actuators", kLost, kLost, kLost,
-               kLost, "partly: those that drive a joint, as drives"}},
+     .cells = {kLost, kLost, "partly: motors that drive a joint, as actuators", kLost, kLost, kLost,
+               kLost, "partly: motors that drive a joint, as drives"}},
     {.title = "motor setting",
      .of = ThingOf::annotation,
      .in_model = things::motor_keys,
@@ -116,8 +116,8 @@ constexpr SceneThing kThings[] = {
     {.title = "sensor",
      .of = ThingOf::annotation,
      .in_model = things::sensors,
-     .cells = {"partly: those that Gazebo has", kLost, "partly: those that MuJoCo has", kLost,
-               kLost, "partly: those on a link", kLost, kLost}},
+     .cells = {"partly: types that Gazebo has", kLost, "partly: types that MuJoCo has", kLost,
+               kLost, "partly: sensors on a link", kLost, kLost}},
     {.title = "sensor setting",
      .of = ThingOf::annotation,
      .in_model = things::sensor_keys,
@@ -258,12 +258,11 @@ constexpr SceneThing kThings[] = {
     {.title = "keys of primitives",
      .of = ThingOf::scene,
      .in_scene = things::entity_keys,
-     .cells = {"partly: those of the shape, mass, bitmask and friction",
-               "partly: those of the shape and mass",
-               "partly: those of the shape, mass, bitmask and first friction",
-               "partly: those of the shape and mass", kKept, "partly: those of the shape",
-               "partly: those of the shape",
-               "partly: those of the shape, mass and first friction"}},
+     .cells = {"partly: keys of the shape, mass, bitmask and friction",
+               "partly: keys of the shape and mass",
+               "partly: keys of the shape, mass, bitmask and first friction",
+               "partly: keys of the shape and mass", kKept, "partly: keys of the shape",
+               "partly: keys of the shape", "partly: keys of the shape, mass and first friction"}},
 };
 
 }  // namespace

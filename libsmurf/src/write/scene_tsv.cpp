@@ -8,9 +8,9 @@
 namespace smurf {
 namespace {
 
-/// Tabs and line ends would break the table, other control characters a terminal. A backslash in
-/// front keeps a spreadsheet from taking a name for a formula. The first character of what a build
-/// server would take for a command is escaped, so that names stay exact.
+/// Escapes tabs and line ends, which would break the table, and other control characters. A leading
+/// backslash prevents a spreadsheet from reading a name as a formula. The first character of a
+/// build server's command is escaped, so that names stay exact.
 std::string cell(std::string_view text) {
   constexpr std::string_view kFormula = "=+-@";
   std::string escaped;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One URDF of the whole scene: every model's own text with a prefix before all names, joined to the
-// link `world`. Nothing of a model is rewritten but names and file names.
+// link `world`. Only names and file names of a model are changed.
 #include <algorithm>
 #include <map>
 
@@ -15,12 +15,12 @@
 namespace smurf {
 namespace {
 
-/// An attribute that holds a name of the model. `element` is empty for any element.
+/// An attribute with a name of the model. `element` is empty for any element.
 struct NameAttribute {
   std::string_view element, attribute;
 };
 
-/// Names that clash when two models share a file: links, joints and materials, and what refers to
+/// Names that clash when two models share a file: links, joints and materials, and references to
 /// them in the extensions of ROS and Gazebo.
 constexpr NameAttribute kNames[] = {
     {"link", "name"},     {"joint", "name"},        {"material", "name"},
@@ -29,7 +29,7 @@ constexpr NameAttribute kNames[] = {
     {"actuator", "name"}, {"ros2_control", "name"}, {"sensor", "name"},
 };
 
-/// <gazebo> contains SDF, which has names of its own.
+/// <gazebo> contains SDF with separate names.
 bool is_inside_gazebo(const xml::Document& document, const xml::Element& element) {
   for (xml::ElementId at = element.parent; at != xml::kNoElement;
        at = document.elements[static_cast<std::size_t>(at)].parent) {
@@ -38,7 +38,7 @@ bool is_inside_gazebo(const xml::Document& document, const xml::Element& element
   return false;
 }
 
-/// Whether an attribute has a name that gets a prefix. The element is not in <gazebo>.
+/// Whether an attribute gets a prefix. The element is not in <gazebo>.
 bool is_name(const xml::Element& element, const xml::Attribute& attribute) {
   const auto is_this = [&](const NameAttribute& name) {
     return name.element == element.name() && name.attribute == attribute.name();
@@ -79,7 +79,7 @@ class UrdfMerger {
 
   const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
 
-  /// The latest version that one of the models needs; readers take a URDF without one for 1.0.
+  /// The latest version that one of the models needs; without a version, readers assume 1.0.
   void open_robot() {
     std::string version = "1.0";
     for (const LinkedModel& model : scene_.scene.models) {
@@ -169,9 +169,9 @@ class UrdfMerger {
     edits.push_back({attribute.value_span(), escape_xml(known->second)});
   }
 
-  /// Extensions may use prefixes that their <robot> declares. What the first model means by one is
-  /// declared once; where another means something else, each of its elements declares it. URDF has
-  /// no default namespace.
+  /// Extensions may use prefixes that their <robot> declares. The declarations of the first model
+  /// are kept. If another model declares a prefix differently, each of its elements declares it.
+  /// URDF has no default namespace.
   void keep_namespaces(xml::View root, std::vector<Edit>& edits) {
     for (const xml::Attribute& at : root.attributes()) {
       if (!at.name().starts_with("xmlns:")) continue;
@@ -210,7 +210,7 @@ class UrdfMerger {
     xml_.close();
   }
 
-  /// The joint to the link that an instance is anchored to; false when it cannot be.
+  /// Writes the joint to the link that an instance is anchored to; false if this is impossible.
   bool hang_on_link(std::size_t i, std::string& parent, Pose& X_PE) {
     const Attachment& anchor = scene_.scene.instances[i].placement.anchor;
     const std::size_t other = to_size(anchor.instance);
@@ -224,10 +224,10 @@ class UrdfMerger {
     return true;
   }
 
-  /// Whether an instance is the end of a chain of anchors that runs in a circle.
+  /// Whether an instance is the end of a cycle of anchors.
   bool closes_circle(std::size_t i) const { return groups_[i] == i; }
 
-  /// False when nothing of it can be said.
+  /// False if nothing can be written for it.
   bool add_solid(std::size_t i) {
     const FlatInstance& instance = flat(i);
     const Span place = place_of(scene_.scene.entity(scene_.scene.instances[i]));
@@ -264,7 +264,7 @@ class UrdfMerger {
     return true;
   }
 
-  /// Capsules came with URDF 1.1, which readers refuse that know 1.0.
+  /// Capsules need URDF 1.1, which readers of 1.0 refuse.
   static void add_capsule(const FlatShape& shape, std::vector<FlatShape>& shapes) {
     const FlatCapsule capsule = std::get<FlatCapsule>(shape.geometry);
     FlatShape part = shape;
@@ -277,7 +277,7 @@ class UrdfMerger {
     }
   }
 
-  /// Materials of one name are one material.
+  /// Materials with the same name must be equal.
   void add_material(const std::string& start, const Rgba& color) {
     const std::string rgba = join_numbers({color[0], color[1], color[2], color[3]});
     xml_.open("material", {{"name", start + rgba}});
@@ -311,8 +311,8 @@ class UrdfMerger {
   void add_geometry(const FlatMesh& mesh) {
     xml_.empty("mesh", {{"filename", mesh.file}, {"scale", join_numbers(mesh.scale)}});
   }
-  void add_geometry(const FlatPlane&) {}      // a box by now
-  void add_geometry(const FlatCapsule&) {}    // a cylinder and spheres by now
+  void add_geometry(const FlatPlane&) {}      // already converted to a box
+  void add_geometry(const FlatCapsule&) {}    // already converted to a cylinder and spheres
   void add_geometry(const FlatHeightmap&) {}  // reported
 
   const SceneExport& scene_;

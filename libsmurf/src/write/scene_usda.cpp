@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OpenUSD as text: an Xform an entity, in it an Xform a link, in it its shapes; and UsdPhysics.
+// OpenUSD as text: an Xform per entity, which contains an Xform per link, which contains its
+// shapes; and UsdPhysics.
 #include <algorithm>
 #include <map>
 
@@ -16,7 +17,7 @@
 namespace smurf {
 namespace {
 
-/// "(0, 0, 0), ", and "0, " with a third of the "3, " that counts the corners.
+/// "(0, 0, 0), ", and "0, " plus a third of the "3, " for the number of corners.
 constexpr PreviewMeshes::Cost kCost{11, 4};
 
 std::vector<std::string> schemas_of_body() { return {"PhysicsRigidBodyAPI", "PhysicsMassAPI"}; }
@@ -108,7 +109,7 @@ class UsdaWriter {
     text_.line("custom string smurf:link = " + UsdaText::quoted(written.name.value_or({})));
   }
 
-  /// The collisions are shown when there are no visuals.
+  /// Collisions are visible if there are no visuals.
   void add_shapes(std::size_t index, std::size_t link) {
     const LinkedModel& model = *robot_of(scene_.scene, index);
     const urdf::Link& written = model.robot->links[link];
@@ -138,7 +139,7 @@ class UsdaWriter {
     return contacts_.try_emplace(&model, model).first->second;
   }
 
-  /// What is no model: a body, or what does not move.
+  /// Writes an entity without a model: a body, or a fixed object.
   void add_other(std::size_t index) {
     const FlatInstance& instance = scene_.flat.instances[index];
     const bool moves = physics_.is_body(index);
@@ -176,7 +177,7 @@ class UsdaWriter {
   /// How a shape is written.
   struct Solid {
     std::string prim = "shape_";
-    std::string name = {};  ///< as the model has it
+    std::string name = {};  ///< name in the model
     bool collides = false;
     bool is_shown = true;
     bool moves = true;
@@ -225,7 +226,7 @@ class UsdaWriter {
     text_.close();
   }
 
-  /// PhysX has no moving bodies of triangles.
+  /// PhysX does not simulate moving triangle meshes.
   void add_approximation(const Solid& solid) {
     text_.line("uniform token physics:approximation = \"" +
                std::string(solid.moves ? "convexHull" : "none") + "\"");
@@ -256,13 +257,13 @@ class UsdaWriter {
   /// A file that shapes refer to.
   struct Mesh {
     std::string name;
-    std::string text;  ///< its attributes, a line each
+    std::string text;  ///< its attributes, one per line
     std::string why_none;
-    std::string colored_name = {};  ///< of the same with the colours of the file, if there are any
-    std::string colors = {};        ///< attributes, a line each
+    std::string colored_name = {};  ///< the file's shape with the colours of the file, if any
+    std::string colors = {};        ///< attributes, one per line
   };
 
-  /// Null when the shape has no triangles; that was reported.
+  /// Null if the shape has no triangles; that is already reported.
   const Mesh* mesh_of(const LinkShape& shape) {
     const auto* geometry = std::get_if<FlatMesh>(&shape.geometry);
     if (geometry == nullptr) {
@@ -312,7 +313,7 @@ class UsdaWriter {
     return mesh;
   }
 
-  /// A list of the colours and, if there are several, the place of each triangle's in it.
+  /// A list of the colours and, if there are several, the index of each triangle's colour.
   static std::string colors_of(const MeshTriangles& mesh) {
     std::string colors;
     std::string opacities;
@@ -342,7 +343,7 @@ class UsdaWriter {
            (is_opaque ? "" : primvar("float", "displayOpacity", opacities));
   }
 
-  /// What shapes refer to stands beside the world, so that it is not seen by itself.
+  /// Prototypes are placed beside the world, so that they are visible only through references.
   void add_meshes() {
     if (mesh_names_.empty()) return;
     text_.open_class("Meshes");
@@ -377,7 +378,7 @@ class UsdaWriter {
   std::map<const LinkedModel*, CollisionContacts> contacts_;
   AnnotatedColors colors_;
   std::string materials_;                    ///< path of the scope of the entity
-  std::map<double, std::string> frictions_;  ///< in it: names, by value
+  std::map<double, std::string> frictions_;  ///< names in that scope, by value
   PreviewMeshes files_;
   std::vector<Mesh> meshes_;
   std::map<std::string, std::size_t> mesh_of_file_;

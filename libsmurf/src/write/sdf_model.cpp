@@ -64,7 +64,7 @@ void SdfModel::add_sensors(XmlText& xml, std::string_view carrier, std::string_v
     std::string text = passes::gazebo_sensor(*document, sensor, names.add(*sensor.name));
     constexpr std::string_view kEnd = "</collision>";
     for (std::size_t end = text.find(kEnd); end != std::string::npos; end = text.find(kEnd, end)) {
-      text.insert(end, "_collision");  // what collisions are called here
+      text.insert(end, "_collision");  // names of collisions in the result
       end += kEnd.size() + std::string_view("_collision").size();
     }
     if (!frame.empty()) {

@@ -12,14 +12,14 @@
 
 namespace smurf {
 
-/// The sensors of the annotations, and names that many shapes share, as each instance has them.
+/// The sensors of the annotations, and names of many shapes, which all instances share.
 RepeatedParts sdf_parts(const LinkedModel& model);
 
 class SdfModel {
  public:
   SdfModel(const LinkedModel& model, const SourceMap& sources);
 
-  /// Sensors, plug-ins and settings of a link; see GazeboElements. SDF 1.6 gets those of the URDF.
+  /// Sensors, plug-ins and settings of a link; see GazeboElements. SDF 1.6: those of the URDF.
   void add_to_link(XmlText& xml, std::size_t part, std::string_view frame, const Pose& X_BL,
                    bool is_old, UniqueNames& names) const;
   void add_to_joint(XmlText& xml, const urdf::Joint& joint, bool is_old, UniqueNames& names) const;

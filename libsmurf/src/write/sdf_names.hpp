@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names that SDF takes.
+// Names that SDF accepts.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace smurf {
 
-/// The names of the links of a model. SDF keeps `world`, names like `__this__` and the separator
-/// `::` for itself.
+/// The names of the links of a model. SDF reserves `world`, names like `__this__`, and the
+/// separator `::`.
 std::vector<std::string> sdf_names(const LinkedModel& model);
 
 }  // namespace smurf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elements of SDF that stand in many places.
+// SDF elements that occur in several places.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace smurf {
 
-/// Nothing for the identity. SDF 1.6 has roll, pitch, yaw only.
+/// Writes nothing for the identity. SDF 1.6 supports only roll, pitch, yaw.
 void add_sdf_pose(XmlText& xml, const Pose& pose, bool is_old);
 void add_sdf_inertial(XmlText& xml, const LinkInertial& mass, bool is_old);
 /// <geometry>
@@ -24,12 +24,12 @@ struct SdfMaterial {
   std::optional<std::string> texture;  ///< a file
   std::string_view script;             ///< of Gazebo Classic: "Gazebo/Red"
 };
-/// The colour that Gazebo gives to one of a URDF, whose light is darker than that of RViz: as
+/// The colour in Gazebo for a colour of a URDF. Gazebo's light is darker than that of RViz, so
 /// libsdformat converts it (parser_urdf.cc, CreateVisual).
 Rgba as_libsdformat_has(const Rgba& color);
 void add_sdf_material(XmlText& xml, const SdfMaterial& material);
 
-/// <surface>, when there is anything in it. `gazebo` may be null; it knows more of `link`.
+/// <surface>, if it has contents. `gazebo` may be null; otherwise it has settings for `link`.
 void add_sdf_surface(XmlText& xml, const Contacts& contacts, const GazeboElements* gazebo,
                      std::string_view link);
 

@@ -27,8 +27,8 @@ std::vector<TextFile> write_smurf(const NewModel& model) {
     files.push_back({stem + "_" + file.suffix + ".yml",
                      yaml_comment(file.comment) + "\n" + yaml_text(file.section)});
   }
-  // The main file is last: a program that watches the folder finds a complete model as soon as it
-  // exists.
+  // The main file is last, so a program that watches the folder finds a complete model as soon as
+  // it exists.
   files.push_back({model.main_path, main_text(model)});
   return files;
 }

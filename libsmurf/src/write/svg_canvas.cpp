@@ -158,7 +158,8 @@ bool SvgCanvas::for_each_cell(const Box2& pixels, const Visit& visit) const {
   return true;
 }
 
-// Where more boxes meet in a cell, no label is readable: all of the cell counts as occupied.
+// If more boxes meet in a cell, no label would be readable, so the whole cell is treated as
+// occupied.
 constexpr std::size_t kCrowd = 16;
 
 void SvgCanvas::occupy(const Box2& pixels) {
@@ -210,8 +211,8 @@ void SvgCanvas::add_grid() {
 }
 
 std::optional<Box2> SvgCanvas::place_of_label(const Point2& at, double width) const {
-  // Names are in the view from above; the other one shows those that have a place at once. In a
-  // crowd, searching farther is in vain.
+  // All names are in the view from above; the other view only shows names that fit immediately. In
+  // crowded scenes, a longer search fails.
   constexpr std::size_t kMostLost = 100;
   const double farthest = top_ > 0 || lost_names_ > kMostLost ? 30 : 130;
   const Box2 area{{4, kTitleHeight}, {width_ - 4, height_ - kNumbersHeight}};
@@ -255,8 +256,8 @@ std::string SvgCanvas::finish(std::string_view legend) {
   return std::move(text_);
 }
 
-// Pictures of large scenes are mostly such numbers: whole hundredths are written several times as
-// fast as the shortest text of a double is found.
+// Pictures of large scenes consist mostly of such numbers: writing hundredths is several times
+// faster than finding the shortest text of a double.
 std::string pixels(double value) {
   constexpr double kMost = 1e13;
   const double hundredths = std::round(value * 100);

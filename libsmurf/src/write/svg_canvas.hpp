@@ -14,7 +14,7 @@ namespace smurf {
 
 using Point2 = std::array<double, 2>;
 
-/// An upright rectangle; empty as long as nothing was added.
+/// An axis-aligned rectangle; empty until a point is added.
 struct Box2 {
   Point2 low{1e300, 1e300};
   Point2 high{-1e300, -1e300};
@@ -31,23 +31,23 @@ std::vector<Point2> convex_hull(std::vector<Point2> points);
 /// x goes right, y up. Text is escaped here.
 class SvgCanvas {
  public:
-  /// `world` is what has to be on the sheet, in metres. `height` is that of a sheet below, which
-  /// decides the scale unless it is far larger.
+  /// `world` is the area to show, in metres. `height` is that of a sheet below, which limits the
+  /// scale unless it is far larger.
   SvgCanvas(const Box2& world, double height, std::string title);
-  /// A sheet below another one, with the same scale and the same horizontal extent. What is too
-  /// high is cut off.
+  /// A sheet below another one, with the same scale and horizontal extent. Clips parts that are too
+  /// high.
   SvgCanvas(const SvgCanvas& upper, const Box2& world, std::string title);
 
   double height() const { return height_; }
-  /// Begins the picture, with so much room for a sheet below.
+  /// Begins the picture, with space for a sheet below.
   void open(double below);
-  /// Goes on with the picture of the sheet above, which is complete.
+  /// Continues the picture of the sheet above, which is complete.
   void open_below(SvgCanvas& upper);
   /// Draws the border.
   void close_sheet();
   /// The id of the clip path of the sheet.
   std::string clip() const { return top_ > 0 ? "lower" : "sheet"; }
-  /// Whether labels were left out because no place was free.
+  /// Whether labels were omitted because no place was free.
   bool lacks_names() const { return lost_names_ > 0; }
 
   Point2 to_pixels(const Point2& world) const;
@@ -60,12 +60,12 @@ class SvgCanvas {
   }
   /// Grid lines at round numbers of metres, with their numbers at the border.
   void add_grid();
-  /// Keeps a place free of labels.
+  /// Keeps labels away from an area.
   void occupy(const Box2& pixels);
-  /// A label beside a point, where it covers no other one; a line leads to a label that is farther
-  /// away. None where no place is free.
+  /// Adds a label beside a point where it overlaps no other label; a line connects a label that is
+  /// farther away. Omits it if no place is free.
   void add_label(const Point2& pixels, std::string_view text);
-  /// The whole picture. It may be long, and is given away.
+  /// Moves the whole picture out, because it may be long.
   std::string finish(std::string_view legend);
 
  private:
@@ -89,8 +89,8 @@ class SvgCanvas {
   std::size_t lost_names_ = 0;
   std::string text_;
   std::size_t columns_ = 0, rows_ = 0;
-  /// What is occupied, by squares of kCell pixels of the sheet: a label is compared with what is
-  /// near it only.
+  /// Occupied areas, by squares of kCell pixels of the sheet: a label is only compared with nearby
+  /// ones.
   std::vector<std::vector<Box2>> cells_;
 };
 

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kSegments = 24;  // of a circle
 
-/// Where the polygons of balls begin, as the viewer sees them: along the shape's axis, or, when
-/// that points at the viewer, along its x axis.
+/// Where the polygons of balls begin, as seen by the viewer: along the shape's axis or, if that
+/// points at the viewer, along its x axis.
 double start_angle(const Quaternion& orientation) {
   constexpr double kUpright = 1e-6;
   const Vector3 z = rotate(orientation, {0, 0, 1});
@@ -59,7 +59,7 @@ void add_balls(const Pose& X_VS, double radius, std::initializer_list<double> he
   }
 }
 
-/// Points in the frame of a shape whose hull is its outline; round things as polygons.
+/// Points in the frame of a shape whose hull is its outline; round shapes become polygons.
 std::vector<Vector3> corners(const FlatGeometry& geometry) {
   std::vector<Vector3> points;
   const auto add_corners = [&](const Vector3& size) {
@@ -86,7 +86,7 @@ std::vector<Vector3> corners(const FlatGeometry& geometry) {
   return points;
 }
 
-/// Evenly spread over all directions (a spiral of the golden angle), and those of the axes.
+/// Directions spread evenly (a spiral of the golden angle), and those of the axes.
 std::vector<Vector3> directions() {
   constexpr std::size_t kDirections = 200;
   constexpr double kGoldenAngle = 2.399963229728653;
@@ -151,7 +151,7 @@ std::vector<Vector3> SvgOutlines::of(const FlatGeometry& geometry, const Pose& X
 
 const std::vector<Vector3>& SvgOutlines::points_of(const std::string& file) {
   static const std::vector<Vector3> none;
-  // More meshes are too small to be recognised, and their outlines would make the picture large.
+  // Further meshes are too small to be recognised, and would make the picture large.
   constexpr std::size_t kMostDrawn = 20'000;
   if (!scene_.meshes.triangles || drawn_ >= kMostDrawn) {
     lacks_meshes_ = true;

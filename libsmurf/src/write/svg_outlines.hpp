@@ -11,10 +11,10 @@ namespace smurf {
 
 class SvgOutlines {
  public:
-  /// `scene` must outlive this.
+  /// `scene` must outlive this object.
   explicit SvgOutlines(const SceneExport& scene) : scene_(scene), files_(scene, {0, 0}) {}
 
-  /// Points in the frame of the view, in which x goes right, y up and z to the viewer. Empty for a
+  /// Points in the frame of the view, in which x goes right, y up, and z to the viewer. Empty for a
   /// mesh that is not drawn.
   std::vector<Vector3> of(const FlatGeometry& geometry, const Pose& X_VS);
   /// Whether some mesh is not drawn.

@@ -47,8 +47,8 @@ void add_axis(SvgCanvas& canvas, const Point2& from, const Point2& to, bool is_u
 
 }  // namespace
 
-/// One entity far away must not shrink everything else to a dot: whatever is far beyond the
-/// nearer half of the scene is only indicated by an arrow.
+/// A distant entity must not shrink all others to a dot: entities far beyond the nearer half of the
+/// scene are only indicated by an arrow.
 SvgSelection::SvgSelection(const FlatScene& flat) : flat_(flat) {
   const std::size_t count = flat.instances.size();
   const auto position = [&](std::size_t i) { return flat.instances[i].X_WE->position; };
@@ -112,7 +112,7 @@ std::string_view SvgView::color(std::size_t i) const {
   return at(i).model ? kColors[robots_[i] % std::size(kColors)] : "#888";
 }
 
-/// Collects the shapes of what is shown; the nearer ones come later, to be drawn over the others.
+/// Collects the shapes to show; nearer shapes come later, to be drawn over the others.
 void SvgView::collect_footprints() {
   LinkFrames frames;
   AnnotatedColors colors;
@@ -135,7 +135,7 @@ void SvgView::collect_footprints() {
                    [](const Footprint& a, const Footprint& b) { return a.nearest < b.nearest; });
 }
 
-/// The ground does not decide what is worth looking at, as long as something stands on it.
+/// The ground does not affect the extent, as long as something stands on it.
 void SvgView::widen_to_ground() {
   for (const Footprint& footprint : footprints_) {
     if (extent_.size(0) + extent_.size(1) > 0) return;
@@ -171,8 +171,8 @@ void SvgView::add_footprints(SvgCanvas& canvas) {
   canvas.add("</g>\n");
 }
 
-/// A dashed line to whatever an instance is fixed to; what is fixed to the world stands on a
-/// plate.
+/// Draws a dashed line from an instance to its anchor, or a plate if it is fixed to the
+/// world.
 void SvgView::add_fixings(SvgCanvas& canvas) const {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!selection_.is_shown(i)) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene as it looks from one side: outlines, axes, names, and what is fixed to what.
+// A view of a scene from one side: outlines, axes, names and anchors.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace smurf {
 /// Colours of x, y and z.
 inline constexpr std::string_view kAxisColors[] = {"#d62828", "#2a9134", "#1d5fd1"};
 
-/// Which instances are on the sheet: those with a pose that are not far from the others.
+/// The instances on the sheet: those with a pose that are not far from the others.
 class SvgSelection {
  public:
   explicit SvgSelection(const FlatScene& flat);
@@ -30,24 +30,24 @@ class SvgSelection {
 
 class SvgView {
  public:
-  /// `X_VW` is the world in the frame of the view, in which x goes right, y up and z to the viewer.
-  /// All must outlive this.
+  /// `X_VW` is the pose of the world in the frame of the view, in which x goes right, y up, and z
+  /// to the viewer. All arguments must outlive this object.
   SvgView(const SceneExport& scene, const SvgSelection& selection, SvgOutlines& outlines,
           const Pose& X_VW);
 
-  /// What has to be on the sheet; m.
+  /// The area to show; m.
   const Box2& extent() const { return extent_; }
   std::size_t shapes() const { return footprints_.size(); }
   void draw(SvgCanvas& canvas);
-  /// At the border, towards the instances that are too far away to be on the sheet.
+  /// Draws arrows at the border towards the instances that are too far away.
   void add_pointers(SvgCanvas& canvas) const;
 
  private:
-  /// One shape. There may be hundreds of thousands: outlines are not kept.
+  /// One shape. Outlines are not stored, because there may be hundreds of thousands.
   struct Footprint {
     FlatGeometry geometry;
     Pose X_VS;
-    double nearest = 0;  ///< m; what is nearer is drawn later
+    double nearest = 0;  ///< m; nearer shapes are drawn later
     std::size_t instance = 0;
 
     bool is_ground() const { return std::holds_alternative<FlatPlane>(geometry); }

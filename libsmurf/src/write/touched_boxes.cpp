@@ -8,7 +8,7 @@
 namespace smurf {
 namespace {
 
-/// Contacts lie within the margin of the shapes, which sink into each other.
+/// Contacts are within the margin of the shapes, which penetrate each other.
 constexpr double kMargin = 0.01;  // m
 
 Box with_margin(Box box) {
@@ -69,7 +69,7 @@ TouchedBoxes CollisionBoxes::of(std::vector<std::string> names, std::size_t most
   read();
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  // All of them are looked at before any is copied: many sensors may name what many links have.
+  // Checks all boxes before copying any, because many sensors may name shapes of many links.
   std::size_t count = 0;
   for (const std::string& name : names) {
     const Boxes* boxes = find(name);

@@ -13,7 +13,7 @@ using Point = std::array<float, 3>;
 
 constexpr std::uint16_t kAround = 24;  ///< segments of a full turn
 
-/// Point on the unit circle; the axes are met exactly.
+/// Point on the unit circle; exact on the axes.
 std::array<float, 2> on_circle(int step, int steps) {
   const auto [sine, cosine] = sine_cosine(2 * std::numbers::pi * step / steps);
   const auto round = [](double value) {

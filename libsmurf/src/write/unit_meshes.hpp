@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles of the shapes that are no meshes, for formats without such shapes; scaled to size by
-// their users.
+// Triangles of boxes, spheres and other primitive shapes, for formats without them. The caller
+// scales them to size.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 namespace smurf {
 
 struct TriangleMesh {
-  std::vector<std::array<float, 3>> points, normals;  ///< one normal a point, outwards
-  std::vector<std::uint16_t> indices;                 ///< three a triangle, counterclockwise
+  std::vector<std::array<float, 3>> points, normals;  ///< one normal per point, outward
+  std::vector<std::uint16_t> indices;                 ///< three per triangle, counterclockwise
 };
 
 /// Around the origin of their frame.
@@ -31,7 +31,7 @@ struct PlacedSolid {
   Pose X_GS;  ///< in the frame of the shape
   Vector3 scale{};
 };
-/// The solids that a shape is made of: several for a capsule, none for a mesh or a heightmap.
+/// The solids of a shape: several for a capsule, none for a mesh or a heightmap.
 std::vector<PlacedSolid> solids_of(const FlatGeometry& geometry);
 
 }  // namespace smurf

@@ -12,7 +12,7 @@ bool is_frame(const LinkedModel& model, std::size_t link) {
   return joint.type == urdf::JointType::fixed && !inertial_of(model.robot->links[link]);
 }
 
-/// Frames move with the body of the link that they are fixed to.
+/// Frames move with the body of the link to which they are fixed.
 void find_bodies(const LinkedModel& model, UsdLayout& layout) {
   std::vector<std::size_t> open{to_size(model.tree.roots.front())};
   layout.links[open.front()] = UsdLink{open.front(), {}, {}};
@@ -34,7 +34,7 @@ void find_bodies(const LinkedModel& model, UsdLayout& layout) {
   }
 }
 
-/// The names of the shapes of a body. Its frames stand beside them and need other names.
+/// The names of the shapes of a body. Its frames are siblings and need other names.
 UniqueNames names_of_shapes(const urdf::Link& link) {
   UniqueNames names;
   const std::size_t shapes = std::max(link.visuals.size(), link.collisions.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where USD has the links of a model. A body is an Xform in the Xform of its entity. A link without
-// mass that a fixed joint holds is a frame: an Xform in the Xform of its body.
+// The places of the links of a model in USD. A body is an Xform in the Xform of its entity. A link
+// without mass that a fixed joint holds is a frame: an Xform in the Xform of its body.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct UsdLink {
 
 struct UsdLayout {
   std::vector<std::optional<UsdLink>>
-      links;  ///< by index; none where the root does not lead to the link
+      links;  ///< by index; none if the root does not reach the link
   std::vector<std::vector<std::size_t>> frames;  ///< by body: the links that are frames in it
   std::string joints, materials;                 ///< names of scopes below the entity
 

@@ -8,7 +8,7 @@
 namespace smurf {
 namespace {
 
-constexpr Vector3 kLightAxis{0, 0, -1};  ///< where lights of USD look
+constexpr Vector3 kLightAxis{0, 0, -1};  ///< direction of lights in USD
 
 void add_light(const Light& light, const std::string& name, UsdaText& text) {
   const bool is_distant = light.directional.value_or(false);

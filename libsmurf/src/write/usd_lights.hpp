@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lights of a stage, as UsdLux has them.
+// The lights of a stage in UsdLux.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace smurf {
 
-/// A scope of this name with all lights of the world; nothing when there are none.
+/// A scope of this name with all lights of the world; nothing if there are none.
 void add_usd_lights(const SceneExport& scene, const std::string& scope, UsdaText& text);
 
 }  // namespace smurf

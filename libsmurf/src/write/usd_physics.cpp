@@ -12,7 +12,7 @@
 namespace smurf {
 namespace {
 
-/// USD has angles in degrees, the stiffness of a drive per degree.
+/// USD has angles in degrees, and the stiffness of a drive per degree.
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 bool is_linear(const urdf::Joint& joint) { return joint.type == urdf::JointType::prismatic; }
@@ -26,7 +26,7 @@ Vector3 unit_axis(const urdf::Joint& joint) {
   return axis;
 }
 
-/// A frame whose x is the axis of a joint, in that of the joint.
+/// A frame whose x axis is the axis of a joint, relative to the frame of the joint.
 Pose axis_frame(const urdf::Joint& joint) {
   return {{}, rotation_onto({1, 0, 0}, unit_axis(joint))};
 }
@@ -37,8 +37,8 @@ std::string rel(const std::string& name, const std::string& path) {
 
 using Followers = std::map<const urdf::Joint*, DrivenFollower>;
 
-/// Makes each joint follow the end of its chain of leaders, since PhysX has no chains. In a circle,
-/// leaders stay followers.
+/// Makes each joint follow the end of its chain of leaders, because PhysX does not support chains.
+/// In a cycle, leaders stay followers.
 void skip_leaders(Followers& followers) {
   std::set<const urdf::Joint*> seen;
   std::set<const urdf::Joint*> done;
@@ -154,7 +154,7 @@ void UsdPhysics::add_mass(std::size_t instance) {
 }
 
 void UsdPhysics::write_mass(const LinkInertial& mass, Span span, const std::string& name) {
-  // USD computes moments of 0 from the shapes. This is the least that MJCF has.
+  // USD computes moments of 0 from the shapes. This is the smallest value in MJCF.
   constexpr double kLeast = 1e-14;
   const BodyInertia body = principal_inertia(mass, kLeast);
   if (body.is_changed) losses_.note(kRefusedInertias, span, name);
@@ -199,7 +199,7 @@ void UsdPhysics::add_anchor(std::size_t instance, LinkFrames& frames, const std:
   const std::optional<Ends> ends = anchor_of(instance, frames);
   if (!ends) return;
   open_joint("PhysicsFixedJoint", name, {}, *ends);
-  // Two robots are two articulations: this is a joint between them, not of one of them.
+  // Two robots are two articulations, so this joint belongs to neither.
   if (!ends->body0.empty()) text_.line("uniform bool physics:excludeFromArticulation = 1");
   text_.close();
 }
@@ -233,7 +233,7 @@ void UsdPhysics::add_joint(std::size_t i, const Joint& joint) {
   text_.close();
 }
 
-/// A joint that leaves all axes free, but those that it locks: the limits are the wrong way round.
+/// Writes a joint with free axes, except for locked ones, whose limits are swapped.
 void UsdPhysics::add_locked(const Joint& joint, Ends ends) {
   std::vector<std::string> locked;
   if (joint.urdf->type == urdf::JointType::planar) {
@@ -248,7 +248,7 @@ void UsdPhysics::add_locked(const Joint& joint, Ends ends) {
     number("limit:" + axis + ":physics:low", 1);
     number("limit:" + axis + ":physics:high", -1);
   }
-  // Articulations have joints of one axis.
+  // Articulations support joints with one axis only.
   text_.line("uniform bool physics:excludeFromArticulation = 1");
 }
 
@@ -288,7 +288,7 @@ void UsdPhysics::add_limits(const urdf::Joint& joint) {
   number("physics:upperLimit", upper * unit_of(joint));
 }
 
-/// Without a motor, a drive that is only damped.
+/// Without a motor: a drive with damping only.
 void UsdPhysics::add_drive(std::size_t i, const urdf::Joint& joint, const JointDrive* drive) {
   const double unit = unit_of(joint);
   const std::string prefix =
@@ -309,7 +309,7 @@ void UsdPhysics::add_drive(std::size_t i, const urdf::Joint& joint, const JointD
   number(prefix + "targetPosition", start * unit);
 }
 
-/// None, and a finding, when there is nothing to follow.
+/// If there is no leader, reports a finding and returns none.
 std::optional<DrivenFollower> UsdPhysics::leader_of(const Model& model, const urdf::Joint& joint) {
   const auto found = model.followers.find(&joint);
   if (found == model.followers.end()) return std::nullopt;

@@ -19,7 +19,7 @@ namespace smurf {
 
 class UsdPhysics {
  public:
-  /// `names` holds the name of each instance's prim. The arguments must outlive this object.
+  /// `names` contains the name of each instance's prim. The arguments must outlive this object.
   UsdPhysics(const SceneExport& scene, const std::vector<std::string>& names, SceneLosses& losses,
              UsdaText& text)
       : scene_(scene), names_(names), losses_(losses), text_(text) {}
@@ -27,7 +27,7 @@ class UsdPhysics {
   void add_scene();
   /// The instance must have a robot.
   const UsdLayout& layout_of(std::size_t instance) { return model_of(instance).layout; }
-  /// Schemas of the Xform of an instance with a robot.
+  /// Schemas for the Xform of an instance with a robot.
   std::vector<std::string> schemas_of_robot(std::size_t instance);
   /// Whether an instance without a robot is a body.
   bool is_body(std::size_t instance) const;

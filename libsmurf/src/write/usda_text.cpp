@@ -10,7 +10,7 @@
 namespace smurf {
 namespace {
 
-/// A byte as three octal digits: after an `x` USD would take any number of them.
+/// A byte as three octal digits, because USD reads any number of digits after an `x`.
 void append_octal(std::string& out, char byte) {
   const auto value = static_cast<unsigned char>(byte);
   out += '\\';

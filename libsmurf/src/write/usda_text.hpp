@@ -21,7 +21,7 @@ class UsdaText {
   /// `references` is the path of a prim, or "".
   void open(std::string_view type, std::string_view name,
             const std::vector<std::string>& schemas = {}, std::string_view references = {});
-  /// Opens a prim that only others show, by reference.
+  /// Opens a prim that is visible only through references.
   void open_class(std::string_view name);
   void close();
   void pose(const Pose& pose, const Vector3& scale = {1, 1, 1});
@@ -31,7 +31,7 @@ class UsdaText {
   static std::string tuple(std::initializer_list<double> values);
   static std::string tuple(const Vector3& vector);
   static std::string tuple(const Quaternion& q);
-  /// The shortest text that reads back as the same numbers of single precision.
+  /// The shortest text that reads back as the same numbers in single precision.
   static std::string tuple(const std::array<float, 3>& point);
   /// As a string literal; control characters are written as escaped bytes.
   static std::string quoted(std::string_view text);

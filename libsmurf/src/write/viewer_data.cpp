@@ -142,7 +142,7 @@ class VersionData {
     json_.end();
   }
 
-  /// Whether the shape has coordinates for the texture, also when the image cannot be shown.
+  /// Whether the shape has coordinates for the texture, even if the image cannot be shown.
   bool add_texture(const std::string& file, Span place, const FlatGeometry& geometry) {
     const auto* mesh = std::get_if<FlatMesh>(&geometry);
     std::string why = mesh == nullptr ? "" : meshes_.find_textured(mesh->file, place).why_none;
@@ -260,7 +260,7 @@ class VersionData {
     json_.end();
   }
 
-  /// The link that an entity moves with: its anchor's, else its parent's.
+  /// The link with which an entity moves: that of its anchor, otherwise that of its parent.
   void add_support(std::size_t index) {
     const Instance& here = scene_.scene.instances[index];
     for (const Attachment* attachment : {&here.placement.anchor, &here.placement.parent}) {
@@ -282,7 +282,7 @@ class VersionData {
     }
   }
 
-  /// `around` is the box that is shown for a mesh that could not be read.
+  /// `around` is the box shown for an unreadable mesh.
   void add_solid(const LinkShape& shape, const std::optional<Box>& around, bool is_textured) {
     if (shape.X_LS != Pose{}) add_pose("pose", shape.X_LS);
     if (shape.color) {
@@ -340,7 +340,7 @@ class VersionData {
   std::size_t models_before_, entities_before_;
   SceneLosses losses_;
   LinkFrames frames_;
-  std::set<std::string> lost_textures_;  ///< one is noted once, however many visuals have it
+  std::set<std::string> lost_textures_;  ///< each is listed once, however many visuals have it
   ViewerMeshes& meshes_;
   ViewerImages& images_;
   JsonPrinter& json_;

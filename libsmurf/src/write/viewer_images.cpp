@@ -24,7 +24,7 @@ std::optional<ImageHead> head_of_jpeg(std::string_view bytes) {
     if (is_frame) {
       return ImageHead{"image/jpeg", number_at(bytes, at + 7, 2), number_at(bytes, at + 5, 2)};
     }
-    // The pixels, or the end of the image: the header is over.
+    // The pixels, or the end of the image: the header has ended.
     if (marker == 0xda || marker == 0xd9) return std::nullopt;
     // 0xff may be repeated before a marker, and a few markers have no length.
     const bool is_alone = marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
@@ -57,7 +57,7 @@ ViewerImages::Known ViewerImages::read(const std::string& file) {
   if (!head || head->width == 0 || head->height == 0) {
     return {std::nullopt, "is neither PNG nor JPEG"};
   }
-  // Both sides have 32 bits at most, so that the product does not overflow.
+  // Both sides have at most 32 bits, so the product does not overflow.
   const std::uint64_t pixels = head->width * head->height;
   if (pixels > scene_.meshes.most_pixels - pixels_) {
     return {std::nullopt, "would make more than " + std::to_string(scene_.meshes.most_pixels) +

@@ -15,11 +15,11 @@ namespace smurf {
 class ViewerImages {
  public:
   struct Known {
-    std::optional<std::size_t> index;  ///< in what print() writes
+    std::optional<std::size_t> index;  ///< index in the output of print()
     std::string why_none;              ///< "is neither PNG nor JPEG"
   };
 
-  /// `scene` must outlive this.
+  /// `scene` must outlive this object.
   explicit ViewerImages(const SceneExport& scene) : scene_(scene) {}
 
   const Known& find(const std::string& file);
@@ -38,10 +38,10 @@ class ViewerImages {
   const SceneExport& scene_;
   std::map<std::string, Known> known_;
   std::vector<Shown> shown_;
-  std::uint64_t pixels_ = 0, bytes_ = 0;  ///< of all of them
+  std::uint64_t pixels_ = 0, bytes_ = 0;  ///< total of all images
 };
 
-/// What the head of a PNG or JPEG file says; none for other files and damaged heads.
+/// The header of a PNG or JPEG file; none for other files and damaged headers.
 struct ImageHead {
   std::string_view type;  ///< "image/png"
   std::uint64_t width = 0, height = 0;

@@ -13,21 +13,21 @@ namespace smurf {
 class ViewerMeshes {
  public:
   struct Known {
-    std::optional<std::size_t> index;  ///< in what print() writes
+    std::optional<std::size_t> index;  ///< index in the output of print()
     std::string why_none;
-    bool has_textures = false;  ///< of its own, which are not shown
+    bool has_textures = false;  ///< textures in the file, which are not shown
   };
 
-  /// `scene` must outlive this. With `has_copies`, files with the same triangles, as two versions
-  /// of a scene have them, are written once.
+  /// `scene` must outlive this object. With `has_copies`, files with the same triangles, as in two
+  /// versions of a scene, are written once.
   ViewerMeshes(const SceneExport& scene, bool has_copies);
 
-  /// `place` is that of the shape that uses the file.
+  /// `place` is the place of the shape that uses the file.
   const Known& find(const std::string& file, Span place);
-  /// The mesh with its texture coordinates; no index when it has none.
+  /// The mesh with its texture coordinates; no index if there are none.
   const Known& find_textured(const std::string& file, Span place);
 
-  /// Counts a shape that is not shown because of its file.
+  /// Counts a shape whose file is not shown.
   void add_unseen(const std::string& file, const std::string& why) { ++unseen_[{file, why}]; }
 
   /// Prints all meshes that were found, in the order of their indices.
@@ -40,7 +40,7 @@ class ViewerMeshes {
   struct Shown {
     std::string file, points, indices, texture_points;  ///< all but the first in base64
     std::vector<MeshPart> parts;
-    bool is_wide = false;  ///< four bytes an index, else two
+    bool is_wide = false;  ///< four bytes per index, otherwise two
   };
   Known read(const std::string& file, Span place, TexturePoints texture_points);
   Known add(const std::string& file, const MeshTriangles& mesh);

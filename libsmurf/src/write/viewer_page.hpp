@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page that scripts/viewer made of web/viewer, if it was there when this was built.
+// The page that scripts/viewer makes from web/viewer, if it existed at build time.
 #pragma once
 
 #include "base/embedded_page.hpp"
 
 namespace smurf {
 
-/// Empty in a build without the page.
+/// Empty in a build without the viewer.
 EmbeddedPage viewer_page();
 
 }  // namespace smurf

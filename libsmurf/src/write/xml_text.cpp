@@ -11,7 +11,7 @@ namespace smurf {
 
 void XmlText::indent(std::size_t depth) {
   make_room(out_);
-  // Bodies of MuJoCo lie in each other: a long chain would be mostly blanks.
+  // Bodies in MuJoCo are nested, so a long chain would consist mostly of spaces.
   constexpr std::size_t kDeepest = 50;
   out_.append(2 * std::min(depth, kDeepest), ' ');
 }

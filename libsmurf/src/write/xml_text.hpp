@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Indented XML, built element by element. Once it is larger than it may be, nothing is added.
+// Indented XML, built element by element. Nothing is added after it exceeds its limit.
 #pragma once
 
 #include <cstdint>
@@ -27,12 +27,12 @@ class XmlText {
   void empty(std::string_view name, const std::vector<Attribute>& attributes);
   void leaf(std::string_view name, std::string_view text, Attributes attributes = {});
   void leaf(std::string_view name, double value);
-  /// Text that is XML already, on lines of its own.
+  /// Adds text that is already XML, on separate lines.
   void raw(std::string_view text) {
     if (!is_full()) out_ += text;
   }
   bool is_full() const { return out_.size() > most_; }
-  /// Closes what is open.
+  /// Closes all open elements.
   std::string finish();
 
  private:

@@ -30,7 +30,7 @@ class TypedPrinter {
   }
 
  private:
-  /// Writes the value with its key, or nothing.
+  /// Writes the value with its key, if it is readable.
   void print_member(const KeySpec& spec, yaml::View value) {
     if (value.is_null()) return;
     switch (spec.type) {
@@ -111,7 +111,8 @@ class TypedPrinter {
     return number && std::isfinite(*number);
   }
 
-  /// A number, or a list or mapping of numbers. A list is whole; of a mapping the rest counts.
+  /// A number, or a list or mapping of numbers. A list must be complete; from a mapping, readable
+  /// numbers are written.
   void print_numbers(const KeySpec& spec, yaml::View value) {
     const bool is_mapping = value.is_mapping();
     const bool is_whole =

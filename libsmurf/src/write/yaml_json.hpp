@@ -10,12 +10,12 @@
 
 namespace smurf {
 
-/// A value that no table knows: scalars by the YAML 1.2 core schema, infinities and NaN as text, of
-/// equal keys the first.
+/// A value without a row: scalars by the YAML 1.2 core schema, infinities and NaN as text; of equal
+/// keys, the first.
 void print_untyped(JsonPrinter& json, yaml::View value);
 
-/// The keys of a mapping, in their order. Values whose key has a row are of its type: names are
-/// lists, vectors [x, y, z]; those that cannot be understood are left out, as nulls are.
+/// The keys of a mapping, in their order. Values with a row have its type: names are lists, vectors
+/// [x, y, z]. Unreadable values and nulls are omitted.
 void print_typed(JsonPrinter& json, yaml::View mapping, std::span<const KeySpec* const> keys);
 
 }  // namespace smurf

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Block style; mappings of numbers and short lists of names stay on one line. Texts are quoted
-// only where a reader of YAML 1.1 or 1.2 would take them for something else.
+// Block style; mappings of numbers and short lists of names stay on one line. Texts are quoted only
+// where a reader of YAML 1.1 or 1.2 would read another type.
 #include "write/yaml_text.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ bool is_plain(std::string_view text) {
          kOtherTypes.end();
 }
 
-/// Not printable for YAML, a line break for YAML 1.1, or, as U+FEFF, taken away by some.
+/// Not printable in YAML, or a line break in YAML 1.1, or, like U+FEFF, removed by some readers.
 bool is_escaped(char32_t c) {
   return utf8::is_control(c) || c == 0x2028 || c == 0x2029 || c == 0xFEFF || c == 0xFFFE ||
          c == 0xFFFF;
@@ -61,7 +61,8 @@ std::string double_quoted(std::string_view text) {
   return quoted + "\"";
 }
 
-/// A literal block keeps line breaks and everything else but tabs at the start and odd characters.
+/// A literal block preserves line breaks and everything else, except for leading tabs and special
+/// characters.
 bool fits_block(std::string_view text) {
   if (text.find('\n') == std::string_view::npos || text.ends_with('\n')) return false;
   if (text.front() == ' ' || text.front() == '\t' || text.front() == '\n') return false;
@@ -71,7 +72,7 @@ bool fits_block(std::string_view text) {
   return is_one_line(one_line);
 }
 
-/// Comments may hold names of a file; whatever those hold, the comment ends with its line.
+/// Comments may contain names from a file, so line ends in them are replaced.
 std::string comment_text(std::string_view text) {
   return is_one_line(text) ? std::string(text) : double_quoted(text);
 }
@@ -80,7 +81,7 @@ class Writer {
  public:
   std::string out;
 
-  /// "key: value" at a depth; the first line is already indented when `is_begun`.
+  /// "key: value" at a depth; the first line is already indented if `is_begun`.
   void member(const NewValue& value, int depth, bool is_begun = false) {
     const bool has_comment_above = !value.comment.empty() && !is_scalar(value);
     if (has_comment_above && !is_begun) comment(value.comment, depth);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values as the YAML text a person would have written.
+// Writes values as YAML text in the style of a person.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace smurf {
 
-/// "key: value" with everything inside, in block style.
+/// "key: value" with all nested values, in block style.
 std::string yaml_text(const NewValue& member);
 
-/// A scalar that YAML 1.1 (PyYAML, yaml-cpp) and 1.2 readers take as this text: plain where that
-/// is certain, else quoted.
+/// A scalar that readers of YAML 1.1 (PyYAML, yaml-cpp) and 1.2 read as this text: plain where that
+/// is certain, otherwise quoted.
 std::string yaml_scalar(std::string_view text);
 
-/// A number that both versions take as a number: 1.1 wants a point before an exponent.
+/// A number that both versions read as a number: YAML 1.1 requires a point before an exponent.
 std::string yaml_number(double number);
 
 /// A line "# text" for each line.

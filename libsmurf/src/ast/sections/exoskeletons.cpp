@@ -12,10 +12,10 @@ constexpr Key<Exoskeleton> kKeys[] = {
      &Exoskeleton::name},
     {{.name = "contextual_name",
       .type = text,
-      .doc = "Name of this one in the robot.",
+      .doc = "Name of the exoskeleton in the robot.",
       .required = true},
      &Exoskeleton::contextual_name},
-    {{.name = "around", .type = text, .doc = "Part of the body that wears it."},
+    {{.name = "around", .type = text, .doc = "Part of the body that wears the exoskeleton."},
      &Exoskeleton::around},
     {{.name = "jointnames",
       .type = name_list,
@@ -37,7 +37,7 @@ constexpr Key<Exoskeleton> kKeys[] = {
 constexpr KeySpec kMoreKeys[] = {
     {.name = "auto_gen",
      .type = boolean,
-     .doc = "Written by Phobos from the joints, and not read back.",
+     .doc = "Phobos computes the value from the joints and does not read it.",
      .fallback = "false"},
 };
 

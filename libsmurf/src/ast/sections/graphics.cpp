@@ -13,7 +13,7 @@ constexpr Key<Graphics> kKeys[] = {
       .doc = "Background colour.",
       .fallback = R"({"r": 0.25, "g": 0.27, "b": 0.48, "a": 1})"},
      &Graphics::clear_color},
-    {{.name = "fogEnabled", .type = boolean, .doc = "There is fog.", .fallback = "false"},
+    {{.name = "fogEnabled", .type = boolean, .doc = "Whether there is fog.", .fallback = "false"},
      &Graphics::fog_enabled},
     {{.name = "fogDensity",
       .type = number,

@@ -17,7 +17,7 @@ constexpr Key<LinkAnnotation> kKeys[] = {
      &LinkAnnotation::name},
     {{.name = "link",
       .type = text,
-      .doc = "The same name once more, for MARS 2, which stops at an entry without it.",
+      .doc = "The name of the link again; MARS 2 stops at an entry without this key.",
       .read_by = "MARS 2",
       .names = {NameKind::link}},
      &LinkAnnotation::link},
@@ -41,8 +41,8 @@ constexpr KeySpec kMoreKeys[] = {
      .read_by = "Phobos 2"},
     {.name = "anchor",
      .type = text,
-     .doc = "On the root link, `world` fixes the model there unless its scene says otherwise "
-            "(Phobos)."},
+     .doc = "On the root link, `world` fixes the model to the world unless the scene sets an "
+            "anchor (Phobos)."},
     {.name = "kccd_hull",
      .type = any,
      .doc = "Hull for collision detection by KCCD (Phobos 2).",

@@ -24,7 +24,7 @@ constexpr Key<JointPoseSet> kKeys[] = {
      {}},
 };
 
-/// The positions; the table has reported those that are no usable number, and they have no value.
+/// Unusable positions, which the table has reported, have no value.
 void read_joints(yaml::View joints, JointPoseSet& pose) {
   if (!joints || !joints.is_mapping()) return;
   for (const yaml::View joint : joints) {

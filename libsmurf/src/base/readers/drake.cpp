@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drake, by its own reader of URDF.
+// Drake, which has its own URDF reader.
 #include "base/readers.hpp"
 
 namespace smurf::readers {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MuJoCo, by its own reader of URDF.
+// MuJoCo, which has its own URDF reader.
 #include "base/readers.hpp"
 
 namespace smurf::readers {

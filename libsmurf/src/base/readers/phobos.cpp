@@ -7,10 +7,10 @@
 namespace smurf::readers {
 namespace {
 
-/// Rules on numbers of a URDF that are no numbers.
+/// Rules on invalid numbers in a URDF.
 constexpr std::array<std::string_view, 5> kNoNumber = {"SML1801", "SML1805", "SML1806", "SML1807",
                                                        "SML1809"};
-/// The attributes that it computes with, or paints with, when it loads them.
+/// The attributes that Phobos uses in computations or for colours when it loads them.
 constexpr std::array<std::string_view, 5> kComputed = {
     "/origin/@xyz/", "/origin/@rpy/", "/axis/@xyz/", "/color/@rgba/", "/inertia/@ixx/"};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bullet's own reader of URDF, which PyBullet uses.
+// Bullet's URDF reader, which PyBullet uses.
 #include "base/readers.hpp"
 
 namespace smurf::readers {

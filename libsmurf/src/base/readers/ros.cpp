@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The programs of ROS that take a URDF: urdfdom, RViz, MoveIt, KDL.
+// The programs of ROS that load a URDF: urdfdom, RViz, MoveIt, KDL.
 #include "base/readers.hpp"
 
 namespace smurf::readers {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What all readers of URDF have in common, unless their own table says otherwise.
+// The facts about all URDF readers; the table of a reader can override them.
 #include "base/readers.hpp"
 
 namespace smurf::readers {

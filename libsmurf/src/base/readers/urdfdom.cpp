@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// urdfdom: what ROS, Gazebo, DART and both MARS parse URDF with.
+// urdfdom: the URDF parser of ROS, Gazebo, DART and both versions of MARS.
 #include "base/readers.hpp"
 
 namespace smurf::readers {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MARS, with all its quirks: an include overwrites the keys of its entities
-// (SMURFLoader.cpp:350-380, 667-755), entities are created in an order of their own (580-637),
-// names are global, and what is not found is the world (SimEntity.cpp:344-501).
+// (SMURFLoader.cpp:350-380, 667-755), entities are created in another order (580-637), names are
+// global, and an unknown name means the world (SimEntity.cpp:344-501).
 #include <map>
 #include <queue>
 
@@ -15,18 +15,18 @@
 namespace smurf::readings {
 namespace {
 
-/// The keys of an entity once the includes around it have overwritten them.
+/// The keys of an entity after the enclosing includes have overwritten them.
 struct Keys {
   std::string parent, anchor;
   bool has_parent = false;
   Vector3 position{};
-  Quaternion rotation;  ///< of any length: MARS does not normalise what is written
-  std::string refusal;  ///< why it is not loaded
+  Quaternion rotation;  ///< of any length, because MARS does not normalise it
+  std::string refusal;  ///< the reason why the entity is not loaded
 
   bool is_relative() const { return has_parent && parent != "world"; }
 };
 
-/// Rotation by a quaternion as Eigen does it, which stretches when the length is not one.
+/// Rotates by a quaternion as Eigen does, which stretches if the length is not one.
 Vector3 rotate_raw(const Quaternion& q, const Vector3& v) {
   const auto cross = [](const Vector3& a, const Vector3& b) {
     return Vector3{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -53,7 +53,7 @@ Keys keys_of(const Entity& entity) {
           .refusal = {}};
 }
 
-/// Overwrites an entity of an included scene as the include does.
+/// Overwrites an entity of an included scene with the keys of the include.
 void include(Keys& keys, const Entity& entity, const Keys& around) {
   if (!around.refusal.empty()) keys.refusal = around.refusal;
   if (keys.is_relative() || !keys.refusal.empty()) return;
@@ -71,16 +71,16 @@ void include(Keys& keys, const Entity& entity, const Keys& around) {
   keys.rotation = normalized(multiply(around.rotation, keys.rotation));
 }
 
-/// "A" of "A::link"; empty for everything else.
+/// "A" of "A::link"; empty for other texts.
 std::string entity_part(const std::string& reference) {
   const std::size_t separator = reference.find("::");
   return separator == std::string::npos ? std::string() : reference.substr(0, separator);
 }
 
-/// The order of creation. In every round MARS creates, in file order, what refers to nothing or
-/// only to names that exist; what is then left over is created in file order. The rounds are
-/// computed, not simulated: an entity is created in the round of the last name that it waits for,
-/// or in the next one when it comes before that name in the file.
+/// The order of creation. In every round, MARS creates, in file order, entities without references
+/// and entities whose references exist. The remaining entities are created in file order. The
+/// rounds are computed, not simulated: an entity is created in the round of its last reference, or
+/// in the next round if it comes before that reference in the file.
 class CreationOrder {
  public:
   CreationOrder(const LinkedScene& scene, const std::vector<Keys>& keys)
@@ -102,7 +102,7 @@ class CreationOrder {
 
  private:
   void add(std::size_t index, const Keys& keys) {
-    // Scenes of old MARS are loaded while the file is read, before everything else.
+    // Scenes of old MARS are loaded while the file is read, before other entities.
     const bool is_old = is_old_scene(scene_.instances[index].type);
     const std::string first = is_old ? std::string() : entity_part(keys.parent);
     std::string second = keys.anchor == "parent" ? first : entity_part(keys.anchor);
@@ -206,7 +206,7 @@ class EntityReader {
     }
     if (is_nested) include(keys, entity, around);
     if (is_old_scene(instance.type) && instance.name.empty()) {
-      // Only what has a name becomes an entity, which can be moved.
+      // Only an old node with a name becomes an entity, which can be moved.
       keys.position = {};
       keys.rotation = {};
     }
@@ -233,11 +233,11 @@ class EntityReader {
     if (model != nullptr) override_keys(*model, keys, pose, reading.note);
     place(index, keys);
     if (model != nullptr && model->robot) add_joints(entity, *model, pose, reading);
-    // The names of smurfs are those written; of equal ones the first that is created is found.
+    // Entities are found by their written names; of equal names, the first one created is found.
     first_of_name_.emplace(instance.name, InstanceIndex{static_cast<std::uint32_t>(index)});
   }
 
-  /// The main file of a model is merged over the entity.
+  /// The main file of a model overrides the keys of the entity.
   static void override_keys(const LinkedModel& model, Keys& keys, std::string& pose,
                             std::string& note) {
     if (!model.has_main || model.main.extra.empty() || !model.files.front().document) return;
@@ -255,7 +255,7 @@ class EntityReader {
     }
     if (own.position || own.rotation.form != RotationForm::absent || own.anchor || own.parent ||
         own.pose) {
-      add_note(note, "takes the keys of the model's main file instead of the scene's");
+      add_note(note, "uses the keys of the model's main file instead of the scene's");
     }
   }
 
@@ -264,7 +264,7 @@ class EntityReader {
     Pose X_WF;
   };
 
-  /// The entity, if it exists already.
+  /// The entity, if it is already created.
   std::optional<Frame> find_frame(const std::string& reference) {
     const std::size_t separator = reference.find("::");
     if (separator == std::string::npos) return std::nullopt;
@@ -294,7 +294,7 @@ class EntityReader {
     }
     reading.X_WE = X_WP * Pose{keys.position, normalized(keys.rotation)};
     if (!is_usable(*reading.X_WE)) {
-      // It does not normalise quaternions, so that those of nested scenes multiply.
+      // MARS does not normalise quaternions, so those of nested scenes are multiplied.
       reading.X_WE.reset();
       reading.note = "computes a pose that is not finite";
       return;
@@ -326,7 +326,8 @@ class EntityReader {
         const auto joint = model.joint_names.find(name);
         if (!joint || model.robot->joints[*joint].type != urdf::JointType::prismatic) continue;
         position = -position;
-        if (position != 0) add_note(note, "moves the slider " + quoted(name) + " the other way");
+        if (position != 0)
+          add_note(note, "moves the slider " + quoted(name) + " in the opposite direction");
       }
       return positions;
     });

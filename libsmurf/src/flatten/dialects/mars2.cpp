@@ -18,14 +18,16 @@ class EntityReader {
   }
 
  private:
-  /// Why the entity ends the loading of the whole scene; empty when it does not.
+  /// The reason why the entity ends the loading of the whole scene; empty if it does not.
   static std::string_view why_it_stops(const Entity& entity) {
     if (entity.position_is_mapping) return "stops at a `position` that is a mapping";
     if (entity.rotation.is_mapping) return "stops at a `rotation` that is a mapping";
     const std::string file = entity.file.value_or({});
     const std::string_view extension = path::extension(file);
     const bool is_known = extension == ".smurf" || extension == ".smurfs" || extension == ".yml";
-    return is_known ? std::string_view() : "stops at a `file` that is no .smurf, .smurfs or .yml";
+    return is_known ? std::string_view()
+                    : "stops at a `file` that is not a .smurf, .smurfs or "
+                      ".yml";
   }
 
   void find_stop() {
@@ -40,7 +42,7 @@ class EntityReader {
     }
   }
 
-  /// The entity of the loaded scene that an instance comes from.
+  /// The entity of the loaded scene from which an instance comes.
   std::size_t outermost_entity(const Instance& instance) const {
     std::size_t entity = instance.entity;
     const SceneUse* use = &scene_.use(instance);

@@ -12,7 +12,7 @@
 namespace smurf::readings {
 namespace {
 
-/// The rotation that scipy makes of the numbers; none when it raises.
+/// The rotation that scipy computes from the numbers; none if it raises an exception.
 std::optional<Quaternion> quaternion_of(const Rotation& rotation, bool is_list) {
   const auto& [a, b, c, d] = rotation.values;
   switch (rotation.form) {
@@ -54,7 +54,7 @@ class EntityReader {
   }
 
  private:
-  /// Pose relative to the frame of the documented parent, or why there is none.
+  /// The pose relative to the frame of the documented parent, or the reason why there is none.
   struct Placed {
     Pose X_PE;
     std::string refusal;
@@ -62,7 +62,7 @@ class EntityReader {
     bool is_composed = false;
   };
 
-  /// The one that is read; it is the same for all uses of a file.
+  /// The list that Phobos reads; it is the same for all uses of a file.
   EntityList list_of(const SceneUse& use) {
     const std::vector<Entity>& entities = scene_.file(use).scene.entities;
     const auto [known, is_new] = lists_.try_emplace(&entities, EntityList::smurfs);
@@ -120,12 +120,13 @@ class EntityReader {
     Placed placed = place(entity, around, frame);
     const std::string extension = path::to_lower(path::extension(entity.file.value_or({})));
     if (placed.refusal.empty() && extension != ".smurf" && extension != ".urdf") {
-      placed.refusal = "reads models and scenes only, and tells them by the name of their `file`";
+      placed.refusal = "reads models and scenes only, and recognises them by the name of their "
+                       "`file`";
     }
     return placed;
   }
 
-  /// Parents first; the documented reading has shown that they form no circle.
+  /// Parents first; there are no cycles, because the documented reading has succeeded.
   void compose(std::size_t index) {
     std::vector<std::size_t> chain;
     for (std::size_t at = index; !placed_[at].is_composed;) {

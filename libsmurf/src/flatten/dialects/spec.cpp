@@ -21,7 +21,7 @@ SceneReading read(const LinkedScene& scene) {
 }  // namespace
 
 extern constinit const Dialect spec{.name = "spec",
-                                    .help = "as documented, which is what the author means",
+                                    .help = "as documented",
                                     .read = read,
                                     .pose_of = documented_pose,
                                     .is_moved_by_include = has_no_parent_link};

@@ -15,10 +15,10 @@ extern constinit const Rule sml1010_lfs_pointer{
     .id = "SML1010",
     .name = "lfs-pointer",
     .severity = Severity::error,
-    .summary = "A file is empty, or a Git LFS pointer instead of its content.",
+    .summary = "A file is empty, or contains a Git LFS pointer.",
     .why = "Readers report \"document empty\", not the cause.",
     .remedy = "Run `git lfs pull`, or restore the file.",
-    .sources = "urdfdom, executed: 31 of 941 public files were such.",
+    .sources = "urdfdom, executed: 31 of 941 public files.",
     .facts = kFacts,
     .blocks_building = true};
 

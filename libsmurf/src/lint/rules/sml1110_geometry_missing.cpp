@@ -15,7 +15,8 @@ bool is_shape_of(const urdf::ElementSpec& spec, std::string_view name) {
          (name != "verbose" && ranges::contains(spec.extensions, name));
 }
 
-/// Any shape that some reader knows. A misspelt one is reported as such; to readers it is missing.
+/// Any shape that some reader knows. A misspelt shape is reported elsewhere; to readers, it is
+/// missing.
 bool has_shape(const LinkedModel& model, const urdf::Geometry& geometry, Findings& findings) {
   const urdf::ElementSpec& spec = *urdf::find_element_spec("geometry");
   const xml::View element(model.robot->document, geometry.element);

@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::changes, "takes the first shape", "urdfdom, Bullet, run"},
+    {&readers::urdf, Effect::changes, "uses the first shape", "urdfdom, Bullet, run"},
     {&readers::phobos, Effect::refuses, "stops with an AssertionError", "Phobos a613e31, run"},
     {&readers::mujoco, Effect::refuses, "refuses a repeated element", kRun, "#same"},
     {&readers::mujoco, Effect::changes,

@@ -44,7 +44,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::breaks, "warns, and ends with root index -1",
      "BulletUrdfImporter.cpp:316, run"},
     {&readers::mujoco, Effect::changes, "welds every root to the world", kRun},
-    {&readers::drake, Effect::takes, "knows the joint that leads there",
+    {&readers::drake, Effect::takes, "knows the joint that leads to the link",
      "Drake detail_urdf_parser.cc:1484-1491", "#drake-joint"},
     {&readers::drake, Effect::takes, "accepts several trees", "Drake detail_urdf_parser.cc"},
 };

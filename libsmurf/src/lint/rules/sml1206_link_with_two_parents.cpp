@@ -31,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (is_below(model, *model.tree.joint_parent[i], *child)) diagnostic.construct += "#ring";
     diagnostic.caret = "a second parent";
     diagnostic.help("keep one of the two joints; URDF has no closed chains");
-    diagnostic.label(other.child.span, "first made a child here");
+    diagnostic.label(other.child.span, "the first joint to this link");
   }
 }
 

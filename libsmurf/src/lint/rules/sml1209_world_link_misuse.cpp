@@ -18,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
     return;
   }
   if (model.robot->links.size() == 1) {
-    findings.report(link.name.span, "the link `world` is the only one").construct = "alone";
+    findings.report(link.name.span, "the link `world` is the only link").construct = "alone";
     return;
   }
   if (!link.inertial && link.collisions.empty()) return;

@@ -12,7 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const bool is_floating = joint.type == urdf::JointType::floating;
     if (!is_floating && joint.type != urdf::JointType::planar) continue;
     const auto parent = model.tree.joint_parent[i];
-    // Floating below another joint is worse, and reported as such.
+    // SML1212 reports a floating joint below another joint.
     if (is_floating && parent && model.tree.parent_joint[to_size(*parent)]) continue;
     findings
         .report(joint.type_name.span,

@@ -26,9 +26,9 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::gazebo, Effect::takes,
-     "merges the link into the one it is fixed to, and the name goes with it", kRun, "#fixed"},
-    {&readers::gazebo, Effect::refuses, "reports errors E2 and E24, the model cannot be used",
+    {&readers::gazebo, Effect::takes, "merges the link into its parent, so its name disappears",
+     kRun, "#fixed"},
+    {&readers::gazebo, Effect::refuses, "reports errors E2 and E24; the model cannot be used",
      kRun},
 };
 

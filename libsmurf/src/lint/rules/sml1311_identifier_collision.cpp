@@ -7,8 +7,8 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for (const auto& [kind, first, second] : name_collisions(model, as_identifier)) {
     Diagnostic& diagnostic = findings.report(
-        second->span, quoted(**second) + " and " + quoted(**first) + " are one name, " +
-                          quoted(as_identifier(**first)) + ", to Isaac and USD");
+        second->span, quoted(**second) + " and " + quoted(**first) + " become the same name " +
+                          quoted(as_identifier(**first)) + " in Isaac and USD");
     diagnostic.label(first->span, "the other " + std::string(kind));
   }
 }

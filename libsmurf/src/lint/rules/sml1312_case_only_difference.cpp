@@ -9,7 +9,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const auto& [kind, first, second] : name_collisions(model, path::to_lower)) {
     Diagnostic& diagnostic =
         findings.report(second->span, "the " + std::string(kind) + "s " + quoted(**first) +
-                                          " and " + quoted(**second) + " differ in case only");
+                                          " and " + quoted(**second) + " differ only in case");
     diagnostic.label(first->span, "the other " + std::string(kind));
   }
 }
@@ -20,7 +20,7 @@ extern constinit const Rule sml1312_case_only_difference{
     .id = "SML1312",
     .name = "case-only-difference",
     .severity = Severity::warning,
-    .summary = "Two names differ in upper and lower case only.",
+    .summary = "Two names differ only in case.",
     .why =
         "Files and prims made from them overwrite one another on systems that ignore case (Windows, macOS), and people confuse them.",
     .remedy = "Rename one of them.",

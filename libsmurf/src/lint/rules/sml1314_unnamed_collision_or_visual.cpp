@@ -17,7 +17,7 @@ void check_role(const LinkedModel& model, GeometryRole role, Findings& findings)
   const std::string what(to_string(role));
   Diagnostic& diagnostic = findings.report(
       first, "this " + what + " has no name, and the annotations name " + what + "s");
-  diagnostic.note("MARS calls every one of them `" + what + "_`");
+  diagnostic.note("MARS names each of them `" + what + "_`");
   if (count > 1) {
     diagnostic.note(std::to_string(count - 1) + " more in this file");
   }

@@ -13,13 +13,13 @@ void check(const LinkedModel& model, Findings& findings) {
     const Field<double>& upper = joint.limit->upper;
     // With one of them absent readers disagree about more than the order; SML1406 reports it.
     if (!lower || !upper || *lower <= *upper) return;
-    if (joint.type == urdf::JointType::continuous) return;  // SML1409: it takes none
+    if (joint.type == urdf::JointType::continuous) return;  // SML1409 reports its limits
     Diagnostic& diagnostic = findings.report(
         lower.span, "the lower limit " + format_number(*lower) + " of " + title(joint) +
                         " is above its upper limit " + format_number(*upper));
     diagnostic.label(upper.span, "the upper limit");
     diagnostic.help("swap the two values");
-    // Bullet's way to say "no limit".
+    // Bullet's notation for "no limit".
     if (*lower == 1 && (*upper == 0 || *upper == -1)) {
       diagnostic.help("make the joint continuous, if no limit is meant");
     }

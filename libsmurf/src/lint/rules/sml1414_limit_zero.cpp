@@ -13,10 +13,11 @@ void check(const LinkedModel& model, Findings& findings) {
     // Effort and velocity both zero is one placeholder.
     if (effort && *effort == 0) {
       findings.report(effort.span, "the effort limit of " + title(joint) + " is 0")
-          .note("MuJoCo reads no limit, Gazebo and Bullet no force at all");
+          .note("in MuJoCo, 0 means no limit; in Gazebo and Bullet, no force");
     } else if (velocity && *velocity == 0) {
       findings.report(velocity.span, "the velocity limit of " + title(joint) + " is 0")
-          .note("MoveIt and Isaac read no limit, Drake and Bullet a joint that cannot move");
+          .note(
+              "in MoveIt and Isaac, 0 means no limit; in Drake and Bullet, the joint cannot move");
     }
   });
 }

@@ -19,7 +19,7 @@ extern constinit const Rule sml1419_axis_missing{
     .name = "axis-missing",
     .severity = Severity::warning,
     .summary = "A movable joint has no axis.",
-    .why = "URDF then means the x axis; most authors expect z.",
+    .why = "The default axis is x; most authors expect z.",
     .remedy = "Write the axis.",
     .sources = "urdfdom, executed.",
     .check_model = check};

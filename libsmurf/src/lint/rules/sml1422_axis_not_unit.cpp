@@ -11,7 +11,7 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   const double tolerance =
-      findings.tolerance();  // shorter by rounding to three digits is no defect
+      findings.tolerance();  // an axis that is shorter by rounding to three digits is not a defect
   constexpr double kShortest = 1e-8;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.axis || !joint.has_one_axis()) return;

@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!joint.axis || !joint.has_one_axis()) return;
     const Vector3& axis = *joint.axis;
     const double length = hypotenuse(axis[0], axis[1], axis[2]);
-    if (std::fabs(length - 1) > noise) return;  // a rule of its own
+    if (std::fabs(length - 1) > noise) return;  // a separate rule
     std::string aligned;
     bool is_exact = true, is_near = true;
     for (const double component : axis) {

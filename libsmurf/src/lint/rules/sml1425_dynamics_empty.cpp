@@ -10,7 +10,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!joint.dynamics || joint.dynamics->damping.written || joint.dynamics->friction.written) {
       return;
     }
-    // Written as elements or misspelt, they are reported as such.
+    // Other rules report values that are written as elements or misspelt.
     const xml::View element(model.robot->document, joint.dynamics->element);
     if (element.child("damping") || element.child("friction")) return;
     if (is_slip(model, element.id(), "damping", findings) ||

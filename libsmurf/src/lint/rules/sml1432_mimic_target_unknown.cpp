@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// An empty name is no reference to anything.
+/// An empty name does not refer to anything.
 void check_empty(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.mimic || !joint.mimic->joint || !joint.mimic->joint->empty()) return;

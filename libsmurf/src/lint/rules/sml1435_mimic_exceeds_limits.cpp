@@ -39,7 +39,7 @@ void check(const LinkedModel& model, Findings& findings) {
             format_rounded(high, 4) + ", but its limits are " + format_rounded(lower, 4) + " and " +
             format_rounded(upper, 4));
     diagnostic.label(tag_name(model, joint.limit->element), "the limits");
-    diagnostic.label(tag_name(model, leader.limit->element), "the limits of the joint that leads");
+    diagnostic.label(tag_name(model, leader.limit->element), "the limits of the leading joint");
   }
 }
 
@@ -50,14 +50,13 @@ extern constinit const Rule sml1435_mimic_exceeds_limits{
     .name = "mimic-exceeds-limits",
     .severity = Severity::warning,
     .summary = "A mimic joint would have to exceed its limits.",
-    .why =
-        "The constraint fights the limit: simulators jitter or stop the joint that leads, planners "
-        "find no way there.",
+    .why = "The constraint fights the limit: simulators jitter or stop the leading joint, and "
+           "planners find no path.",
     .remedy = "Widen the limits of the mimic joint, or narrow those of the joint it follows.",
     .sources = "MuJoCo, executed; 9 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
     .tolerance = {
         .value = 0.01,
-        .meaning = "how far beyond its limits the joint may be led, as a fraction of its range"}};
+        .meaning = "how far the joint may be moved beyond its limits, as a fraction of its range"}};
 
 }  // namespace smurf::rules

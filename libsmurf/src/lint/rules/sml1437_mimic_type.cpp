@@ -39,7 +39,7 @@ extern constinit const Rule sml1437_mimic_type{
     .name = "mimic-type",
     .severity = Severity::warning,
     .summary = "A joint that mimics another or is mimicked does not have exactly one axis.",
-    .why = "A fixed joint has no position that it could follow or lead with.",
+    .why = "A fixed joint has no position, so it can neither follow nor lead.",
     .remedy = "Let only revolute, continuous and prismatic joints mimic one another.",
     .sources = "Pinocchio model.cpp:140, 213.",
     .check_model = check,

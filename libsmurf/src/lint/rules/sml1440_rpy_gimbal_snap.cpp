@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(pitch.span, "the pitch " + std::string(pitch.text) + " is " +
                                         format_rounded(std::fabs(pitch.value - exact), 2) +
-                                        " rad off a right angle, and Gazebo makes it one");
+                                        " rad off a right angle, and Gazebo rounds it to one");
     diagnostic.help("write " + format_number(exact));
     diagnostic.fixes.push_back({Applicability::unsafe, {{pitch.span, format_number(exact)}}});
   });
@@ -35,10 +35,12 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes,
-     "treats the pitch as pi/2 when it turns the rotation back into angles, and turns the part by up to 0.0045 rad",
+     "treats the pitch as pi/2 when it converts the rotation to angles, which turns the part by "
+     "up to 0.0045 rad",
      "urdfdom pose.h:118-126"},
     {&readers::gazebo, Effect::changes,
-     "treats the pitch as pi/2 when it turns the rotation back into angles, and turns the part by up to 0.0045 rad",
+     "treats the pitch as pi/2 when it converts the rotation to angles, which turns the part by "
+     "up to 0.0045 rad",
      "sdformat parser_urdf.cc:3223, 3269, run"},
 };
 

@@ -23,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (transmission.name() != "transmission") continue;
     const xml::View type = transmission.child("type");
     if (!type) continue;
-    constexpr int kSlip = 2;  // edits; HalfDifferentialTransmission is no slip
+    constexpr int kSlip = 2;  // edits; HalfDifferentialTransmission is not a misspelling
     const auto* near =
         std::find_if(std::begin(kTypes), std::end(kTypes), [&](std::string_view known) {
           return edit_distance(type.text(), known, kSlip) <= kSlip;

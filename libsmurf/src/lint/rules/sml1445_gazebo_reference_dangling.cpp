@@ -14,7 +14,7 @@ void check_slip(xml::View gazebo, Findings& findings) {
   for (const xml::Attribute& one : gazebo.attributes()) {
     if (!nearest(one.name(), kKnown)) continue;
     Diagnostic& diagnostic =
-        findings.report(one.name_span(), quoted(one.name()) + " is no attribute of `gazebo`");
+        findings.report(one.name_span(), quoted(one.name()) + " is not an attribute of `gazebo`");
     diagnostic.note("Gazebo applies this element to the whole model");
     diagnostic.help("did you mean `reference`?");
     diagnostic.fixes.push_back({Applicability::unsafe,

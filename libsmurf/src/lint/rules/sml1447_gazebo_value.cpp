@@ -29,7 +29,7 @@ constexpr std::string_view kNumbers[] = {"mu1",
                                          "fudgeFactor",
                                          "laserRetro",
                                          kWhole};
-/// Numbers of sensors, which sdformat copies and then reads as those of SDF.
+/// Numbers of sensors, which sdformat copies and then reads like those of SDF.
 struct SensorNumber {
   std::string_view name;
   double least, most;

@@ -28,7 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::loses, "ros_control skips it, so the actuator does not come up",
+    {&readers::ros, Effect::loses, "ros_control skips it and does not load the actuator",
      "ros_control transmission_interface/src/transmission_parser.cpp"},
     {&readers::drake, Effect::loses, "makes an actuator of a simple transmission only",
      "Drake detail_urdf_parser.cc:930-936", "#not-simple"},
@@ -42,7 +42,7 @@ extern constinit const Rule sml1448_transmission_incomplete{
     .name = "transmission-incomplete",
     .severity = Severity::warning,
     .summary = "A transmission lacks its type, joint or actuator.",
-    .why = "The joint has no actuator then; ros2_control throws.",
+    .why = "The joint has no actuator; ros2_control throws an exception.",
     .remedy = "Write `<type>`, `<joint name=\"...\">` and `<actuator name=\"...\">`.",
     .sources = "ros2_control transmission_parser.cpp.",
     .check_model = check,

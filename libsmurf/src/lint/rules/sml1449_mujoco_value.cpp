@@ -14,7 +14,7 @@
 namespace smurf::rules {
 namespace {
 
-/// What MuJoCo reads of a `compiler`; it ignores other attributes.
+/// The attributes of `compiler` that MuJoCo reads; it ignores others.
 constexpr std::string_view kFlags[] = {"autolimits",    "balanceinertia", "strippath",
                                        "discardvisual", "fusestatic",     "usethread",
                                        "fitaabb",       "saveinertial",   "alignfree"};
@@ -27,7 +27,7 @@ bool is_number(std::string_view text) {
   return parse_number(text) || parse_hexadecimal(text) || bare == "nan" || bare == "inf";
 }
 
-/// True for an empty text, too, with which MuJoCo keeps the default.
+/// Also true for an empty text, with which MuJoCo keeps the default.
 bool is_at_most_one_number(std::string_view text) {
   std::size_t at = 0;
   const std::string_view first = next_word(text, at);

@@ -24,7 +24,7 @@ class Checker {
  public:
   Checker(const drake::Names& names, Findings& findings) : names_(names), findings_(findings) {}
 
-  // The recursion is as deep as the table: no element contains one of its own name.
+  // The recursion is as deep as the table: no element contains an element of the same name.
   void children(xml::View parent) {
     const auto specs = drake::children_of(parent.name());
     std::uint64_t seen = 0;  // one bit per index of `specs`
@@ -50,7 +50,7 @@ class Checker {
       const bool is_missing = (seen >> i & 1) == 0 && specs[i].occurs == Occurs::once;
       if (is_missing) missing(parent, specs[i].name, foreign);
     }
-    if (parent.name() == "drake:curves") return;  // where Drake refuses what it does not know
+    if (parent.name() == "drake:curves") return;  // where Drake refuses unknown elements
     for (const xml::View child : foreign) unknown(parent, child, specs);
   }
 
@@ -249,7 +249,8 @@ extern constinit const Rule sml1450_drake_element{
     .name = "drake-element",
     .severity = Severity::error,
     .summary =
-        "An element of Drake's own lacks a part, has a wrong value, or names something that does not exist.",
+        "An element that only Drake reads lacks a part, has a wrong value, or names something "
+        "that does not exist.",
     .remedy = "Write the element as the page \"Parsing Models\" of Drake's documentation says.",
     .sources = "The tests of Drake's own parser.",
     .check_model = check,

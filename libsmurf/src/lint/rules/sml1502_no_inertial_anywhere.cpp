@@ -25,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (std::find(massless.begin(), massless.end(), true) != massless.end()) {
     diagnostic.construct = "massless-body";
   }
-  diagnostic.note("Gazebo loads nothing of it, Bullet gives each link 1 kg");
+  diagnostic.note("Gazebo loads no link, Bullet gives each link 1 kg");
 }
 
 constexpr Fact kFacts[] = {

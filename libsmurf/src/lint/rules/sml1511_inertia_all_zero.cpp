@@ -19,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!moments || (*moments)[0] != 0 || (*moments)[2] != 0) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
-                        "the inertia of " + title(link) + " is zero, its mass is not");
+                        "the inertia of " + title(link) + " is zero, but its mass is not");
     // A point mass on another body: together they have an inertia.
     if (is_frame) {
       diagnostic.severity = Severity::info;

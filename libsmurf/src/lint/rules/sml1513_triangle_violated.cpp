@@ -10,7 +10,7 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  std::vector<bool> sound;  // asked for where there is something to report
+  std::vector<bool> sound;  // computed only if there is a finding
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const std::size_t at = index++;

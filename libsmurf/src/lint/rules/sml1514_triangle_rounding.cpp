@@ -63,7 +63,7 @@ void check(const LinkedModel& model, Findings& findings) {
   check_heavy(model, findings);
   constexpr double kNoise = 1e-14;   // of the eigenvalues
   constexpr double kMargin = 1e-12;  // what the sum is lowered by, relative
-  std::vector<bool> sound;           // asked for where there is something to report
+  std::vector<bool> sound;           // computed only if there is a finding
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const std::size_t at = index++;

@@ -24,8 +24,8 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(
       inertia_place(model, *first->inertial),
       "the inertia of " + title(*first) + " is the unit tensor, which looks like a placeholder");
-  diagnostic.caret = "of a ball of " + format_rounded(2 * std::sqrt(2.5 / mass), 2) + " m and " +
-                     format_rounded(mass, 3) + " kg";
+  diagnostic.caret = "that of a ball of " + format_rounded(2 * std::sqrt(2.5 / mass), 2) +
+                     " m and " + format_rounded(mass, 3) + " kg";
   if (count > 1) {
     diagnostic.note(std::to_string(count - 1) + " more links in this file");
   }

@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto extent = extent_of(model, link);
     const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
     if (!extent || !body) return;
-    // The unit tensor, and a mass that is wrong itself, have rules of their own.
+    // Separate rules report the unit tensor and a wrong mass.
     if (is_unit_tensor(*link.inertial) || body->mass < kNegligibleMass) return;
     if (body->mass > kHeaviestMaterial * extent->volume()) return;
     const auto excess = excess_over(*body, extent->grown(kMargin * extent->longest_edge()));

@@ -7,7 +7,7 @@
 namespace smurf::rules {
 namespace {
 
-/// The shape of a link that takes the most space, and how much, in m^3.
+/// The largest shape of a link, and its volume in m^3.
 struct LargestShape {
   Span place;
   double volume = -1;
@@ -35,7 +35,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const Span place = link.inertial->mass.span;
     if (mass > kHeaviestMaterial * extent->volume()) {
       findings.report(place, "the mass of " + title(link) + " is too large for its shapes").caret =
-          format_rounded(mass / extent->volume(), 2) + " kg/m3 even if it fills their box";
+          format_rounded(mass / extent->volume(), 2) + " kg/m3 even if it fills their bounding box";
       return;
     }
     const LargestShape largest = largest_shape(model, link);
@@ -53,7 +53,7 @@ extern constinit const Rule sml1520_density_implausible{
     .id = "SML1520",
     .name = "density-implausible",
     .severity = Severity::warning,
-    .summary = "The mass of a link does not fit the space of its shapes.",
+    .summary = "The mass of a link does not fit the volume of its shapes.",
     .why =
         "No material is heavier than 22600 kg/m3 (osmium), and a part is rarely lighter than air. A mass in grams, or shapes in the wrong unit, make simulated forces wrong by a factor of a thousand.",
     .remedy = "Check the unit of the mass (kg) and of the shapes (m).",

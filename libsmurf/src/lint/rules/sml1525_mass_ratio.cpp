@@ -18,14 +18,14 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!link.inertial || !parent.inertial) continue;
     const double mass = link.inertial->mass.value_or(0);
     const double other = parent.inertial->mass.value_or(0);
-    constexpr double kTiny = 1e-6;  // kg; reported as such
+    constexpr double kTiny = 1e-6;  // kg; other rules report such masses
     if (mass <= kTiny || other <= kTiny || (mass <= largest * other && other <= largest * mass)) {
       continue;
     }
     Diagnostic& diagnostic =
         findings.report(link.inertial->mass.span,
                         title(link) + (mass > other ? " is heavier" : " is lighter") + " than " +
-                            title(parent) + ", which it hangs on, by a factor of " +
+                            title(parent) + ", which carries it, by a factor of " +
                             format_number(std::round(std::max(mass / other, other / mass))));
     diagnostic.label(parent.inertial->mass.span, "the other mass");
   }

@@ -68,7 +68,7 @@ void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  std::set<std::string_view> found;  // packages and folders of which something is there
+  std::set<std::string_view> found;  // packages and folders with at least one existing file
   for (const MeshReference& mesh : model.meshes) {
     if (!mesh.exists) continue;
     found.insert(package_of(mesh.filename));

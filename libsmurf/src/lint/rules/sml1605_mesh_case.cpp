@@ -9,7 +9,7 @@ namespace {
 /// The path as written, with upper and lower case of the existing file.
 std::string corrected(const MeshReference& reference) {
   const std::string& there = reference.similar;
-  std::size_t same = 0;  // from the end, but for case
+  std::size_t same = 0;  // compares from the end, ignoring case
   const std::string written = path::to_lower(reference.filename);
   const std::string found = path::to_lower(there);
   while (same < written.size() && same < found.size() &&
@@ -24,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const MeshReference& first = path.first();
     Diagnostic& diagnostic =
         findings.report(first.span, "file not found: " + quoted(path.filename) +
-                                        "; a file exists whose name differs in case only");
+                                        "; the name of an existing file differs only in case");
     diagnostic.caret = "the file is " + quoted(first.similar);
     diagnostic.help("write " + quoted(corrected(first)));
     diagnostic.fixes.push_back(rewrite(path, corrected(first), Applicability::safe));
@@ -53,7 +53,7 @@ extern constinit const Rule sml1605_mesh_case{
     .severity = Severity::error,
     .summary = "The path of a mesh or texture differs from the file name in upper and lower case.",
     .why = "Only Windows and macOS find the file; on Linux it is missing.",
-    .remedy = "Write the path as the file is named.",
+    .remedy = "Write the name of the file as it is on disk.",
     .sources = "executed on Linux.",
     .check_model = check,
     .facts = kFacts};

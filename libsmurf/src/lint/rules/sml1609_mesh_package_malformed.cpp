@@ -8,7 +8,7 @@
 namespace smurf::rules {
 namespace {
 
-/// What follows "package:" and its slashes, when that may be the name of a package and a file.
+/// The text after "package:" and its slashes, if it may be the name of a package and a file.
 std::optional<std::string> corrected(std::string_view filename) {
   std::string_view rest = filename.substr(filename.find(':') + 1);
   rest.remove_prefix(std::min(rest.find_first_not_of('/'), rest.size()));

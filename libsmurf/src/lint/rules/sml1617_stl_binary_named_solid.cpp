@@ -18,8 +18,8 @@ extern constinit const Rule sml1617_stl_binary_named_solid{
     .name = "stl-binary-named-solid",
     .severity = Severity::info,
     .summary = "A binary STL file begins with the word `solid`.",
-    .why = "Readers that look at the first word only treat the file as ASCII and fail; those of "
-           "MuJoCo, Bullet and assimp compare the size and read it.",
+    .why = "Readers that check only the first word treat the file as ASCII and fail; MuJoCo, "
+           "Bullet and assimp compare the size and read the file.",
     .remedy = "Export it again with another header.",
     .sources = "assimp STLLoader.cpp, Bullet LoadMeshFromSTL.h; 21 of 1690 public files.",
     .check_model = check};

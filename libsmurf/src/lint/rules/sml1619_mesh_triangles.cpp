@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::uint64_t kMany = 10000;
 constexpr std::uint64_t kManyOfVisual = 100000;
-/// The most that MuJoCo takes of an STL file (stl_decoder.cc:70).
+/// The largest number that MuJoCo accepts in an STL file (stl_decoder.cc:70).
 constexpr std::uint64_t kMostOfMujoco = 200000;
 
 void check_collision(const OpenedMesh& mesh, Findings& findings) {
@@ -43,7 +43,7 @@ extern constinit const Rule sml1619_mesh_triangles{
     .id = "SML1619",
     .name = "mesh-triangles",
     .severity = Severity::warning,
-    .summary = "The mesh of a collision has more than 10000 triangles, or that of a visual 100000.",
+    .summary = "A collision mesh has more than 10000 triangles, or a visual mesh more than 100000.",
     .why =
         "Contacts and distances are computed triangle by triangle in Gazebo, MARS and MoveIt: simulation and planning slow down. Of 100 public collision meshes, 96 are smaller. MuJoCo refuses an STL of more than 200000. A large visual takes long to load and to draw, most of all in a browser.",
     .remedy = "Simplify the mesh; in a collision, use its convex hull or a primitive shape.",

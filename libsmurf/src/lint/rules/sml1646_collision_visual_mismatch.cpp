@@ -10,7 +10,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Around all shapes of a link, in the link's frame; none when the size of one is unknown.
+/// The box around all shapes of a link, in the link's frame; none if a size is unknown.
 class LinkBox {
  public:
   LinkBox(const LinkedModel& model) : model_(model) {}
@@ -58,7 +58,7 @@ bool is_otherwise_reported(const LinkedModel& model, const urdf::Link& link) {
 
 void check(const LinkedModel& model, Findings& findings) {
   const double larger = findings.tolerance();  // where a mesh may have another unit
-  constexpr double kMuchLarger = 500;          // between shapes that are drawn as such
+  constexpr double kMuchLarger = 500;          // between shapes that are not meshes
   for_each_link(model, [&](const urdf::Link& link) {
     LinkBox visual(model);
     LinkBox collision(model);
@@ -101,11 +101,10 @@ extern constinit const Rule sml1646_collision_visual_mismatch{
     .name = "collision-visual-mismatch",
     .severity = Severity::warning,
     .summary = "The collision of a link differs widely from its visual in size or place.",
-    .why = "One of them has most likely the wrong scale or origin: the visual does not match the "
-           "collision.",
+    .why = "Most likely, one of them has a wrong scale or origin.",
     .remedy = "Compare `scale` and `origin` of both.",
     .sources = "Bounding boxes of shapes and meshes.",
     .check_model = check,
-    .tolerance = {.value = 20, .meaning = "the largest ratio of their sizes that is not reported"}};
+    .tolerance = {.value = 20, .meaning = "the largest ratio of their sizes that is accepted"}};
 
 }  // namespace smurf::rules

@@ -16,8 +16,8 @@ extern constinit const Rule sml1647_mujoco_mesh_missing{
     .name = "mujoco-mesh-missing",
     .severity = Severity::warning,
     .summary = "A mesh is not where the file tells MuJoCo to look for it.",
-    .why = "In the element `compiler`, `meshdir` or `assetdir` goes before the path of each mesh, "
-           "and `strippath` leaves the name of the file only. Other readers ignore both.",
+    .why = "In the element `compiler`, `meshdir` or `assetdir` is put before the path of each "
+           "mesh, and `strippath` keeps only the file name. Other readers ignore both.",
     .remedy = "Name the folder that contains the meshes, relative to the URDF.",
     .needs_target = true,
     .facts = kFacts};

@@ -8,7 +8,7 @@
 namespace smurf::rules {
 namespace {
 
-/// What makes a material more than a name. exportURDF of urdfdom adds an empty texture to each.
+/// Whether a material has more than a name. exportURDF of urdfdom adds an empty texture to each.
 bool has_content(const LinkedModel& model, const urdf::Material& material) {
   const xml::View element(model.robot->document, material.element);
   return element.child("color") || material.texture.written;

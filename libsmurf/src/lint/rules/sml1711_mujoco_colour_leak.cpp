@@ -26,8 +26,9 @@ void check(const LinkedModel& model, Findings& findings) {
   if (first == nullptr) return;
   Diagnostic& diagnostic =
       findings.report(tag_name(model, first->element),
-                      "this visual has no material; MuJoCo paints it like the one before");
-  diagnostic.label(tag_name(model, coloured_first->element), "the one before");
+                      "this visual has no material; MuJoCo gives it the colour of the visual "
+                      "before it");
+  diagnostic.label(tag_name(model, coloured_first->element), "the visual before it");
   if (links > 1) {
     diagnostic.note("this applies to " + std::to_string(links) + " links");
   }

@@ -27,7 +27,7 @@ extern constinit const Rule sml1801_not_a_number{
     .id = "SML1801",
     .name = "not-a-number",
     .severity = Severity::error,
-    .summary = "An attribute that takes numbers contains something else.",
+    .summary = "The value of a numeric attribute is not a number.",
     .why = "urdf-loader reads NaN.",
     .remedy = "Write a decimal number.",
     .sources = "urdf-loader 0.13, executed; 35 of 941 public files.",

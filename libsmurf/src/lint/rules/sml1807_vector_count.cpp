@@ -13,7 +13,7 @@ constexpr Fact kFacts[] = {
      "/@scale/"},
     {&readers::pybullet, Effect::changes, "uses one number for all axes", "Bullet, read",
      "/@scale/"},
-    {&readers::pybullet, Effect::refuses, "refuses an axis that is no vector",
+    {&readers::pybullet, Effect::refuses, "refuses an axis that is not a vector",
      "Bullet UrdfParser.cpp, run", "/axis/"},
     {&readers::pybullet, Effect::changes, "cuts the vector, or reads zeros and warns",
      "Bullet UrdfParser.cpp:49-78, run"},
@@ -28,11 +28,11 @@ extern constinit const Rule sml1807_vector_count{
     .id = "SML1807",
     .name = "vector-count",
     .severity = Severity::error,
-    .summary = "An attribute contains the wrong number of numbers.",
+    .summary = "An attribute has too few or too many values.",
     .why = "When `scale` has only one number, urdf-loader ignores it, and yourdfpy uses it for all "
            "axes.",
-    .remedy = "Write as many numbers as the attribute takes: one factor for each axis in a scale; "
-              "red, green, blue and alpha, each from 0 to 1, in a colour.",
+    .remedy = "Write as many numbers as the attribute needs: one factor for each axis in a "
+              "scale; red, green, blue and alpha, each from 0 to 1, in a colour.",
     .sources = "urdf-loader 0.13, executed.",
     .facts = kFacts,
     .former = kFormer};

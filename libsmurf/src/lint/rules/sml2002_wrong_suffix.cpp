@@ -7,7 +7,7 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (!model.main.files || !model.is_complete) return;  // a missing file is reported as such
+  if (!model.main.files || !model.is_complete) return;  // another rule reports a missing file
   for (const Spanned<std::string>& file : *model.main.files) {
     const std::string_view extension = path::extension(file.value);
     const std::string lower = path::to_lower(extension);

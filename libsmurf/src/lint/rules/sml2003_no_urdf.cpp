@@ -25,8 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
   const yaml::View root = main.document->view();
   if (const Spanned<std::string>* other = other_source(*model.main.files)) {
     findings
-        .report(other->span,
-                "MARS ignores " + quoted(other->value) + ", so that `files` lists no URDF")
+        .report(other->span, "MARS ignores " + quoted(other->value) + ", so `files` lists no URDF")
         .help("convert it to a .urdf and list that");
     return;
   }

@@ -25,7 +25,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes, "uses the last one",
      "smurf_parser SMURFParser.cpp:49-51, run"},
     {&readers::phobos, Effect::refuses,
-     "stops with an assertion, or takes the first when they stand side by side",
+     "stops with an assertion, or uses the first when they are adjacent",
      "Phobos io/smurfrobot.py:174-190, run"},
 };
 

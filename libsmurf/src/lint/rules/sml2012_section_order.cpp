@@ -36,10 +36,11 @@ void check_order(const LinkedModel& model, const Order& order, std::string_view 
   if (late.empty()) return;
   const Span place = order.at(user).second;
   Diagnostic& diagnostic = findings.report(place, "MARS reads " + quoted(user) + " before " + late +
-                                                      " and finds nothing of what it names there");
+                                                      " and does not find the entries that it "
+                                                      "names");
   for (const std::string_view section : used) {
     if (!comes_before(order, user, section)) continue;
-    diagnostic.label(order.at(section).second, "comes too late");
+    diagnostic.label(order.at(section).second, "read later");
   }
   const Span listed = place_in_files(model, place.source);
   if (!listed.empty()) diagnostic.label(listed, "the file is listed here");
@@ -71,8 +72,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses,
-     "reads sections in file order: a controller before its motors or sensors, or a sensor before "
-     "its motors, finds none of them and stays empty, without a message",
+     "reads sections in file order: a controller before its motors or sensors, or a sensor "
+     "before its motors, does not find them and silently stays empty",
      "MARS smurf.cpp:223-228, 161-181, 465-480"},
 };
 

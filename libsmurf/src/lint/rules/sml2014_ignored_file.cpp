@@ -15,9 +15,9 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::string extension = path::to_lower(path::extension(file.value));
     if (std::find(std::begin(kKinds), std::end(kKinds), extension) != std::end(kKinds)) continue;
     const bool is_model = extension == ".sdf" || extension == ".xacro";
-    if (is_model && model.urdf_path.empty()) continue;  // reported: there is no URDF
+    if (is_model && model.urdf_path.empty()) continue;  // SML2003 reports this
     Diagnostic& diagnostic = findings.report(file.span, "MARS ignores " + quoted(file.value) +
-                                                            ": it is no .urdf or .yml");
+                                                            ": it is not a .urdf or .yml");
     if (extension == ".sdf") {
       diagnostic.note("Phobos reads it instead of a URDF");
     } else {

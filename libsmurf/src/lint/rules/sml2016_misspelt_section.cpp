@@ -13,7 +13,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Some entry holds a key of the section beside its name.
+/// Whether an entry contains a key of the section other than its name.
 bool looks_like(const SectionSpec& section, yaml::View value) {
   const std::vector<const KeySpec*> keys = section.keys();
   const auto has_key = [&](yaml::View entry) {

@@ -12,7 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
     for (const yaml::Node& node : file.document->nodes) {
       if (!is_same(node.key(), "URI") && !is_same(node.key(), "URIs")) continue;
       Diagnostic& diagnostic = findings.report(
-          node.key_span(), "in MARS, the keys of another file override those written here");
+          node.key_span(), "in MARS, the keys of another file override the keys here");
       const bool is_main = file.kind == ModelFile::Kind::main;
       if (is_main && node.text().starts_with('/')) {
         diagnostic.note("the absolute path is not found in the main file");

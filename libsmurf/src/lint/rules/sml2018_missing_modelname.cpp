@@ -19,12 +19,12 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::takes, "takes the name of the entity", "MARS smurf.cpp"},
+    {&readers::mars, Effect::takes, "uses the name of the entity", "MARS smurf.cpp"},
     {&readers::mars2, Effect::changes, "names the loaded model by it",
      "envire_smurf_loader Model.cpp:94-97"},
     {&readers::envire, Effect::changes, "names the loaded model by it",
      "rock-cpp/smurf Robot.cpp:33-39"},
-    {&readers::phobos, Effect::takes, "uses it as it is", kRun, "/modelname/"},
+    {&readers::phobos, Effect::takes, "uses it unchanged", kRun, "/modelname/"},
     {&readers::phobos, Effect::refuses, "stops with a KeyError", "Phobos io/smurfrobot.py:166"},
 };
 

@@ -6,7 +6,8 @@
 namespace smurf::rules {
 namespace {
 
-/// MARS 2 takes the name of the link from `link`, others from `name`: one of them is reported.
+/// MARS 2 reads the name of the link from `link`, other readers from `name`; only one of them is
+/// reported.
 bool is_second_name(const AnnotationPlace& place) {
   if (place.section != "link" || place.key != "link") return false;
   const yaml::View name = place.entry.find("name");

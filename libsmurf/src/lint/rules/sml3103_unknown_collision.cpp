@@ -5,7 +5,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Without its link there is no collision either; the link is reported.
+/// If the link is unknown, so is the collision; only the link is reported.
 bool is_on_unknown_link(const LinkedModel& model, const AnnotationPlace& place) {
   if (place.section != "collision" || place.key != "name") return false;
   const yaml::View link = place.entry.find("link");

@@ -55,7 +55,7 @@ extern constinit const Rule sml3120_duplicate_annotation_name{
     .name = "duplicate-annotation-name",
     .severity = Severity::warning,
     .summary = "Two entries of a section have the same name.",
-    .remedy = "Rename one of them, or make one entry of the two.",
+    .remedy = "Rename one of them, or merge the two entries.",
     .check_model = check,
     .facts = kFacts};
 

@@ -84,8 +84,7 @@ constexpr Fact kFacts[] = {
      "ignores the limits of the URDF and clamps commands to the bounds of the motor only",
      "MARS smurf.cpp:902-910, SimMotor.cpp:352-365; MotorData.cpp"},
     {&readers::mars2, Effect::changes, "gives the joint no stops", "envire_smurf_loader, read"},
-    {&readers::phobos, Effect::takes, "takes them from the limit of the joint",
-     "Phobos a613e31, run"},
+    {&readers::phobos, Effect::takes, "uses the limits of the joint", "Phobos a613e31, run"},
 };
 
 }  // namespace

@@ -39,9 +39,9 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "takes effort and speed from the motor only",
+    {&readers::mars, Effect::changes, "uses the effort and speed of the motor only",
      "MARS smurf.cpp:902-910"},
-    {&readers::phobos, Effect::takes, "takes them from the limit of the joint",
+    {&readers::phobos, Effect::takes, "uses those of the joint's limit",
      "Phobos representation.py:2399, run"},
 };
 

@@ -19,10 +19,10 @@ void report(const std::vector<Motor>& motors, const std::vector<std::size_t>& ci
   chain += " follows " + quoted(*first.name);
   Diagnostic& diagnostic = findings.report(
       first.mimic_motor.span, circle.size() == 1 ? subject("motor", first) + " mimics itself"
-                                                 : "motors mimic each other in a circle");
+                                                 : "motors mimic each other in a cycle");
   if (circle.size() > 1) diagnostic.note(chain);
   for (std::size_t i = 1; i < circle.size(); ++i) {
-    diagnostic.label(motors[circle[i]].mimic_motor.span, "part of the circle");
+    diagnostic.label(motors[circle[i]].mimic_motor.span, "part of the cycle");
   }
 }
 
@@ -51,7 +51,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "passes the command of a motor on to those that mimic it, in every step: in a cycle the commands never settle",
+     "passes the command of a motor to the motors that mimic it, in every step: in a cycle, the "
+     "commands never settle",
      "MARS SimMotor.cpp:352-360 and 455-460, MotorManager.cpp:537-544"},
 };
 

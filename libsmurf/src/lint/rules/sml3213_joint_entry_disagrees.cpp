@@ -29,7 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const yaml::View mapping = mapping_of(model, entry);
     const auto parent = text_at(mapping, "parent");
     const auto child = text_at(mapping, "child");
-    // Unknown links are reported as such.
+    // Another rule reports unknown links.
     if (parent && model.link_names.contains(parent->value)) {
       check_text(joint->parent, parent, "parent", *joint, findings);
     }

@@ -9,7 +9,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Names of the shapes of links, looked through once a link.
+/// Names of the shapes of links, collected once per link.
 template <class ShapesOf>
 class ShapeNames {
  public:

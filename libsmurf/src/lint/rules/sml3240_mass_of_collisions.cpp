@@ -33,6 +33,8 @@ extern constinit const Rule sml3240_mass_of_collisions{
     .remedy = "Set `mass: 0.0001` for its collisions under `collision`, or merge them.",
     .sources = "MARS smurf.cpp:719, NodeData defaults.",
     .check_model = check,
-    .tolerance = {.value = 0.1, .meaning = "which fraction of the mass of the link may be added"}};
+    .tolerance = {.value = 0.1,
+                  .meaning = "the largest added mass, as a fraction of the mass of "
+                             "the link"}};
 
 }  // namespace smurf::rules

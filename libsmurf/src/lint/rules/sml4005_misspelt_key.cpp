@@ -17,7 +17,7 @@ void report(yaml::View value, const KeySpec& meant, KeyRenames& renames, Finding
   if (takes_value(meant, value)) renames.offer(diagnostic.fixes, value, meant.name);
 }
 
-/// The keys of a mapping and of the mappings in it that have tables of their own.
+/// The keys of a mapping and of nested mappings with separate tables.
 void check_mapping(yaml::View mapping, std::span<const KeySpec> keys, Findings& findings) {
   KeyRenames renames(mapping);
   for (const yaml::View value : mapping) {
@@ -40,7 +40,7 @@ bool is_reported_as_missing(const KeySpec& meant, const Entity& entity) {
 
 void check_entity(const LinkedScene& scene, const SceneFile& file, const Entity& entity,
                   Findings& findings) {
-  if (has_schema(scene, entity_type(entity))) return;  // which says what keys there are
+  if (has_schema(scene, entity_type(entity))) return;  // another finding lists the known keys
   KeyRenames renames(mapping_of(file, entity));
   const bool is_node = entity_type(entity) == "primitive";
   for (const CustomSection& extra : entity.extra) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "reads whole numbers with scanf's %d, which stops at the first character that is no digit: `1e3` is 1, `0x10` is 0",
+     "reads whole numbers with scanf's %d, which stops at the first character that is not a digit: `1e3` is 1, `0x10` is 0",
      "configmaps ConfigAtom.hpp:335-386, run"},
     {&readers::phobos, Effect::takes, "reads the number", kRun},
 };

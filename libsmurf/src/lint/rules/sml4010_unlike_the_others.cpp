@@ -15,12 +15,12 @@ namespace {
 struct Needed {
   std::string_view key;
   std::array<std::string_view, 3> instead;
-  std::size_t fewest_others;  ///< that have it, before one without it stands out
+  std::size_t fewest_others;  ///< entries with the key, before an entry without it is reported
   std::string_view consequence;
 };
 constexpr Needed kTypeOfMotor{"type", {}, 1, "MARS 2 stops at a motor without it"};
 constexpr Needed kOfPositionMotors[] = {
-    {"p", {}, 1, "MARS reads 0, so that the motor does not follow its commands"},
+    {"p", {}, 1, "MARS reads 0, so the motor does not follow its commands"},
     {"minValue",
      {"minPosition", "maxValue", "maxPosition"},
      1,
@@ -107,7 +107,7 @@ extern constinit const Rule sml4010_unlike_the_others{
     .id = "SML4010",
     .name = "unlike-the-others",
     .severity = Severity::warning,
-    .summary = "One entry lacks a key that all others of its section have.",
+    .summary = "One entry lacks a key that all other entries of its section have.",
     .why =
         "Each of these keys is needed by some reader: without `p` a position motor of MARS does "
         "not move, without `link` MARS 2 stops at a collision entry, without `bitmask` "

@@ -21,7 +21,7 @@ void check_need(const LinkedModel& model, const Motor& motor, const Need& need,
   yaml::View value = mapping.find(need.key);
   if (!value) value = mapping.find(need.old_key);
   if (value && !value.is_null()) {
-    if (value.number() != 0) return;  // what is no number is reported where it is read
+    if (value.number() != 0) return;  // the reader of the value reports texts that are not numbers
     findings.report(value.span(), subject("motor", motor) + " " + std::string(need.consequence) +
                                       ": " + quoted(value.key()) + " is 0");
     return;
@@ -53,7 +53,7 @@ constexpr Fact kFacts[] = {
      "clamps the speed to `maxSpeed` and the force of the joint to `maxEffort`, which are 0 when "
      "absent; a position motor moves at `p` times its error",
      "MARS MotorData.cpp:85-86, SimMotor.cpp:352-407, 434-444"},
-    {&readers::phobos, Effect::takes, "takes effort and speed from the limit of the joint",
+    {&readers::phobos, Effect::takes, "uses the effort and speed of the joint's limit",
      "Phobos a613e31, run"},
 };
 

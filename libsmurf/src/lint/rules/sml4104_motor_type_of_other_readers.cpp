@@ -41,8 +41,7 @@ extern constinit const Rule sml4104_motor_type_of_other_readers{
     .why =
         "`velocity` and `force` are types of one reader, `DirectEffort`, `FeedForwardEffort` and "
         "`ff_torque` of another.",
-    .remedy =
-        "Write `DC` for a speed and `direct_effort` for a torque so that MARS understands it.",
+    .remedy = "Write `DC` for a speed or `direct_effort` for a torque, which MARS knows.",
     .check_model = check,
     .facts = kFacts};
 

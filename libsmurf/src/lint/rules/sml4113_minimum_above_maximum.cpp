@@ -66,8 +66,7 @@ constexpr Fact kFacts[] = {
      "clamps commands to the upper bound, then to the lower one: the motor always goes to the "
      "lower bound",
      "MARS SimMotor.cpp (runPositionController), GraphicData.cpp, RotatingRaySensor.cpp"},
-    {&readers::phobos, Effect::takes, "takes them from the limit of the joint",
-     "Phobos a613e31, run"},
+    {&readers::phobos, Effect::takes, "uses the limits of the joint", "Phobos a613e31, run"},
 };
 
 }  // namespace
@@ -76,7 +75,7 @@ extern constinit const Rule sml4113_minimum_above_maximum{
     .id = "SML4113",
     .name = "minimum-above-maximum",
     .severity = Severity::error,
-    .summary = "A lower bound lies above the upper one, or leaves a motor one position.",
+    .summary = "A lower bound is above the upper bound, or both bounds of a motor are equal.",
     .why = "Swapped stops, distances or fog limits leave no range.",
     .remedy = "Swap the two.",
     .check_model = check,

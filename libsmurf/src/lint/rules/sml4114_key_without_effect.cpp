@@ -20,7 +20,7 @@ void check_keys(const LinkedModel& model, const Entry& entry, std::string_view w
   }
 }
 
-/// The entry says how to follow, but not which motor.
+/// The entry defines how to follow, but not which motor.
 void check_follower(const LinkedModel& model, const Motor& motor, Findings& findings) {
   if (motor.mimic_motor.written || !motor.mimic_multiplier.written) return;
   const yaml::View mapping = mapping_of(model, motor);

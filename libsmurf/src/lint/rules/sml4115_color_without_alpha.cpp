@@ -29,7 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (keys.empty()) continue;
     findings
         .report(place, subject("material", material) + " has no `a` in " + keys +
-                           ": MARS takes 0, Phobos 1")
+                           ": MARS uses 0, Phobos 1")
         .help("add `a: 1.0`");
   }
 }
@@ -38,8 +38,8 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
      "reads every absent component as 0, alpha too, so the material may be invisible",
      "mars_utils Color.cpp:28-34, run"},
-    {&readers::mars2, Effect::takes, "takes 1", "envire_smurf_loader Model.cpp:296-311"},
-    {&readers::phobos, Effect::takes, "takes 1", "Phobos, read"},
+    {&readers::mars2, Effect::takes, "uses 1", "envire_smurf_loader Model.cpp:296-311"},
+    {&readers::phobos, Effect::takes, "uses 1", "Phobos, read"},
 };
 
 }  // namespace

@@ -84,8 +84,8 @@ extern constinit const Rule sml4117_angle_looks_like_degrees{
     .name = "angle-looks-like-degrees",
     .severity = Severity::warning,
     .summary = "An angle of a motor, joint, joint pose or interface looks like degrees.",
-    .why = "Motors, stops, joint poses and interfaces take radians in all readers: 90 is more "
-           "than 14 turns.",
+    .why = "Angles of motors, stops, joint poses and interfaces are radians in all readers: 90 "
+           "is more than 14 turns.",
     .remedy = "Multiply by pi/180.",
     .sources = "MARS MotorData.cpp, SimEntity.cpp:503-513; Phobos representation.py:2289-2326.",
     .check_model = check};

@@ -22,7 +22,7 @@ void check_value(yaml::View mapping, std::string_view key, bool is_camera, Findi
   const double factor = 180 / std::numbers::pi;
   Diagnostic& diagnostic = findings.report(
       mapping.find(key).span(),
-      "MARS takes " + quoted(key) + " of this sensor as " + text +
+      "MARS reads " + quoted(key) + " of this sensor as " + text +
           (is_camera ? " degrees; is it in radians?" : " radians; is it in degrees?"));
   diagnostic.help(is_camera ? text + " rad are " + format_rounded(*value * factor, 6) + " degrees"
                             : text + " degrees are " + format_rounded(*value / factor, 6) + " rad");
@@ -49,7 +49,7 @@ void check_turns(yaml::View orientation, Findings& findings) {
     const auto degrees = value ? degrees_of_radians(*value) : std::nullopt;
     if (!degrees) continue;
     Diagnostic& diagnostic = findings.report(
-        orientation.find(key).span(), "MARS takes " + quoted(key) + " of this sensor as " +
+        orientation.find(key).span(), "MARS reads " + quoted(key) + " of this sensor as " +
                                           format_number(*value) + " degrees; is it in radians?");
     diagnostic.help("in degrees it is " + format_number(*degrees));
     diagnostic.fixes.push_back(
@@ -84,7 +84,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "takes the opening of a CameraSensor in degrees, that of ray sensors in radians",
+     "reads the opening of a CameraSensor in degrees, and that of ray sensors in radians",
      "MARS CameraSensor.cpp:480-570, RaySensor.cpp, RotatingRaySensor.cpp"},
 };
 
@@ -94,7 +94,7 @@ extern constinit const Rule sml4118_sensor_angle_unit{
     .id = "SML4118",
     .name = "sensor-angle-unit",
     .severity = Severity::warning,
-    .summary = "An angle of a sensor looks like radians where MARS takes degrees, or the reverse.",
+    .summary = "An angle of a sensor looks like radians where MARS reads degrees, or the reverse.",
     .why =
         "1.57 degrees is a slit, 90 rad are 14 turns. Roll, pitch and yaw of an offset are degrees.",
     .remedy = "Convert the value.",

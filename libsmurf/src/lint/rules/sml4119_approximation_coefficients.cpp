@@ -30,7 +30,7 @@ void check(const LinkedModel& model, Findings& findings) {
       for (const Function& function : kFunctions) {
         if (name->value != function.name || count >= function.coefficients) continue;
         findings.report(list ? list.key_span() : name->span,
-                        quoted(function.name) + " takes " + std::to_string(function.coefficients) +
+                        quoted(function.name) + " needs " + std::to_string(function.coefficients) +
                             " coefficients, but there are " + std::to_string(count));
       }
     }

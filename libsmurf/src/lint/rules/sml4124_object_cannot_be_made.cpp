@@ -8,7 +8,8 @@
 namespace smurf::rules {
 namespace {
 
-/// Shapes whose size MARS takes from the first so many components of `extend`; 0 for others.
+/// The number of components of `extend` that MARS reads for the size of a shape; 0 for other
+/// shapes.
 std::size_t size_components(std::string_view shape) {
   if (shape == "box") return 3;
   if (shape == "capsule" || shape == "cylinder") return 2;
@@ -40,8 +41,9 @@ void check_joint(const LinkedModel& model, const JointAnnotation& joint, Finding
   const yaml::View mapping = mapping_of(model, joint);
   const auto place = mapping ? text_at(mapping, "anchorpos") : std::nullopt;
   if (place && place->value == "custom" && !mapping.find("anchor")) {
-    Diagnostic& diagnostic = findings.report(
-        place->span, subject("joint", joint) + " is at a place of its own, but has no `anchor`");
+    Diagnostic& diagnostic =
+        findings.report(place->span, subject("joint", joint) +
+                                         " has the anchor position `custom`, but no `anchor`");
     diagnostic.severity = Severity::warning;
   }
   if (!joint.axis || !mapping) return;

@@ -37,7 +37,7 @@ extern constinit const Rule sml4301_section_against_schema{
     .name = "section-against-schema",
     .severity = Severity::error,
     .summary = "A section breaks the schema that was registered for it.",
-    .why = "The program that reads the section describes by its schema what it understands; the "
+    .why = "The schema describes the values that the reader of the section understands; the "
            "effect of other values is unknown.",
     .remedy = "Change the value, or the schema when it is too strict.",
     .sources = "The schema that the label names.",

@@ -20,7 +20,7 @@ void check(const LinkedScene& scene, Findings& findings) {
         entity.rotation.span, "the quaternion of " + title(entity) + " has the length " +
                                   format_rounded(length) + " instead of 1");
     const Quaternion unit = normalized({w, x, y, z});
-    diagnostic.help("normalised it is w " + format_rounded(unit.w) + ", x " +
+    diagnostic.help("write the unit quaternion w " + format_rounded(unit.w) + ", x " +
                     format_rounded(unit.x) + ", y " + format_rounded(unit.y) + ", z " +
                     format_rounded(unit.z));
   });

@@ -19,7 +19,8 @@ extern constinit const Rule sml5005_entity_without_file{
     .severity = Severity::error,
     .summary = "An entity names no file and no type.",
     .remedy =
-        "Add `file:` with the model or scene, and `type:` when the extension does not tell it.",
+        "Add `file:` with the model or scene, and `type:` when the extension does not determine "
+        "the type.",
     .facts = kFacts};
 
 }  // namespace smurf::rules

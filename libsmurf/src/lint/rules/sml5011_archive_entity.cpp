@@ -14,7 +14,7 @@ void report(const Entity& entity, Findings& findings) {
                   title(entity) + " is an archive, of which MARS loads nothing");
 }
 
-/// An archive that cannot be read is reported as such.
+/// Another rule reports an archive that cannot be read.
 void check(const LinkedScene& scene, Findings& findings) {
   for (const SceneUse& use : scene.uses) {
     if (use.outer && scene.file(use).document) report(*scene.entity(use), findings);

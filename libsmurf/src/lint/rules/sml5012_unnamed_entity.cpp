@@ -10,7 +10,7 @@ namespace {
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
     if (entity.name ? !entity.name->empty() : entity.name.written) return;
-    // An include is no entity; its name is never used.
+    // An include is not an entity; its name is never used.
     if (kind_of(entity_type(entity)) == EntityKind::scene) return;
     if (!entity.name.written && slip_of(entity, "name") != nullptr) return;  // misspelt-scene-key
     findings.report(place_of(entity), "this entity has no name");

@@ -26,7 +26,7 @@ void check(const LinkedScene& scene, Findings& findings) {
       diagnostic.label(place(*known->second), "the first one is here");
       if (!is_shared) continue;
       diagnostic.severity = Severity::warning;
-      diagnostic.help("give each group a file of its own, or leave `name` out of the file");
+      diagnostic.help("give each group a separate file, or leave `name` out of the file");
     }
   }
 }

@@ -60,7 +60,7 @@ class Ambiguities {
     } else if (!encloses(scene_.use(instance), use.around)) {
       Diagnostic& diagnostic =
           findings_.report(reference.span, std::to_string(named.count) + " entities are called " +
-                                               quoted(instance.name) + "; the first is taken, " +
+                                               quoted(instance.name) + "; the first is used, " +
                                                quoted(instance.path));
       label(diagnostic, place_of(scene_.entity(first)), "the first of that name");
     }
@@ -86,7 +86,7 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "takes the first entity of that name in all scenes",
+    {&readers::mars, Effect::changes, "uses the first entity of that name in all scenes",
      "MARS EntityManager.cpp:229-239"},
 };
 

@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kZero = 1e-6;
 
-/// As w, x, y, z these numbers are a half turn about a slanting axis, or the one half turn that is
-/// no rotation at all as x, y, z, w; as x, y, z, w they turn about one axis of the frame at most.
+/// Whether these numbers are plausible only as x, y, z, w: then they are a turn about at most one
+/// axis of the frame. As w, x, y, z, they are a half turn about an oblique axis, or the half turn
+/// that is the identity as x, y, z, w.
 bool looks_like_xyzw(const std::array<double, 4>& numbers) {
   const auto is_zero = [&](std::size_t i) { return std::fabs(numbers[i]) < kZero; };
   return is_zero(0) && !is_zero(3) && (is_zero(1) || is_zero(2));

@@ -11,7 +11,7 @@ namespace {
 void check(const LinkedScene& scene, Findings& findings) {
   for (const SceneFile& file : scene.scenes) {
     if (!file.document) continue;
-    std::set<yaml::NodeId> without_file;  // entity-uri says what becomes of them
+    std::set<yaml::NodeId> without_file;  // entity-uri reports these
     for (const Entity& entity : file.scene.entities) {
       if (!entity.file || entity.file->empty()) without_file.insert(entity.node);
     }

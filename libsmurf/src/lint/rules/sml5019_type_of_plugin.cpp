@@ -17,8 +17,8 @@ void check(const LinkedScene& scene, Findings& findings) {
     const bool is_of_phobos =
         std::find(std::begin(kPhobosTypes), std::end(kPhobosTypes), type) != std::end(kPhobosTypes);
     if (!is_of_phobos || has_schema(scene, type)) return;
-    findings.report(type_place(entity), "MARS has no plug-in of its own for entities of type " +
-                                            quoted(type) + " and leaves this one out");
+    findings.report(type_place(entity), "MARS contains no plug-in for entities of type " +
+                                            quoted(type) + " and leaves this entity out");
   });
 }
 

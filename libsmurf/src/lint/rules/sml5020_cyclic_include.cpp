@@ -7,7 +7,8 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
-     "reads it until the path, which grows, cannot be opened, and ends with an uncaught exception",
+     "reads it again and again until the growing path cannot be opened, and ends with an "
+     "uncaught exception",
      "MARS SMURFLoader.cpp:350-380, run"},
     {&readers::phobos, Effect::refuses, "stops with a RecursionError", "Phobos multiple.py:28-33"},
 };

@@ -16,7 +16,7 @@ constexpr std::string_view kShapes[] = {"plane", "box", "sphere", "cylinder", "c
 
 void report_shape(yaml::View shape, Findings& findings) {
   Diagnostic& diagnostic =
-      findings.report(shape.place(), quoted(shape.text()) + " is no shape of a primitive");
+      findings.report(shape.place(), quoted(shape.text()) + " is not a shape of a primitive");
   diagnostic.help("shapes are plane, box, sphere, cylinder and capsule");
   if (const auto near = nearest(shape.text(), kShapes)) {
     diagnostic.help("did you mean " + quoted(*near) + "?");
@@ -77,7 +77,7 @@ void check(const LinkedScene& scene, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
-     "ends with an uncaught exception: it takes the shape from `geometry: {type: ...}`, and has "
+     "ends with an uncaught exception: it reads the shape from `geometry: {type: ...}`, and has "
      "sizes for plane, box and sphere only",
      "MARS primitives.cpp:115-153 and 212, run"},
 };

@@ -15,7 +15,7 @@ void check_material(yaml::View material, DiagnosticSink& found) {
   if (material.is_null()) return;
   if (!material.is_mapping()) {
     found.report(rules::sml4001_wrong_type, material.place(),
-                 "`material` of a primitive takes a mapping, not " + describe(material));
+                 "`material` of a primitive must be a mapping, not " + describe(material));
     return;
   }
   for (const KeySpec* spec : sections::materials.keys()) {
@@ -53,7 +53,7 @@ extern constinit const Rule sml5024_primitive_value{
     .id = "SML5024",
     .name = "primitive-value",
     .severity = Severity::error,
-    .summary = "A key of a primitive contains a value that a node of MARS does not take.",
+    .summary = "A key of a primitive has a value of a kind that MARS does not read.",
     .remedy = "Write the kind of value that the message names.",
     .check_scene = check,
     .facts = kFacts};

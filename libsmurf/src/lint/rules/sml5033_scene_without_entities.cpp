@@ -64,7 +64,7 @@ extern constinit const Rule sml5033_scene_without_entities{
     .severity = Severity::warning,
     .summary = "A scene has no entities.",
     .why =
-        "Readers ignore keys they do not know: robots under any key but `entities` are not loaded, without a message.",
+        "Readers silently ignore unknown keys: robots under any key but `entities` are not loaded.",
     .remedy = "List the entities under `entities`: `- {name: arm, type: smurf, file: arm.smurf}`.",
     .check_scene = check,
     .facts = kFacts};

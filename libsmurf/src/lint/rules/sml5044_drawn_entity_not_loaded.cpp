@@ -21,7 +21,8 @@ void check(const LinkedScene& scene, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses,
-     "hands the group to the plug-in of its type, with keys that only plug-ins know: a model is sought in the root folder, and a primitive stays at the origin",
+     "passes the group to the plug-in of its type, with keys that only plug-ins know: a model is "
+     "looked up in the root folder, and a primitive stays at the origin",
      "MARS SMURFLoader.cpp:127-302, 564-578, 580-637"},
 };
 

@@ -38,7 +38,7 @@ std::vector<bool> created_in_order(const LinkedScene& scene, const std::vector<F
     ready.pop_back();
     in_order[created] = true;
     for (const std::size_t dependent : dependents[created]) {
-      // The empty name of a missing reference counts as created once an unnamed entity is.
+      // The empty name of a missing reference exists once an unnamed entity is created.
       const bool is_complete = frames[dependent][0] && frames[dependent][1];
       if (--waiting[dependent] == 0 && (is_complete || has_unnamed)) ready.push_back(dependent);
     }

@@ -14,8 +14,8 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (is_meant || slip_of(use.entity, "root") != nullptr) return;  // reported
     Diagnostic& diagnostic =
         findings.report(place_of(use.entity),
-                        title(use.entity) + " is no root of the assembly, so that MARS leaves "
-                                            "it in the world frame");
+                        title(use.entity) + " is not a root of the assembly, so MARS leaves it "
+                                            "in the world frame");
     diagnostic.label(place_of(*scene.entity(use.around)), "the assembly is included here");
   });
 }

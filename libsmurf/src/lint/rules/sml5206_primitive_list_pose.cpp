@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
@@ -17,9 +18,17 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (!is_position && !is_rotation) return;
     Diagnostic& diagnostic =
         findings.report(is_position ? entity.position.span : entity.rotation.span,
-                        is_position ? "the position of a primitive is a mapping in MARS"
-                                    : "the rotation of a primitive is a mapping in MARS");
-    diagnostic.help(is_position ? "write {x: , y: , z: }" : "write {w: , x: , y: , z: }");
+                        is_position ? "the position of a primitive must be a mapping"
+                                    : "the rotation of a primitive must be a mapping");
+    if (is_position && entity.position) {
+      const auto& [x, y, z] = *entity.position;
+      diagnostic.help("write {x: " + format_number(x) + ", y: " + format_number(y) +
+                      ", z: " + format_number(z) + "}");
+    } else if (!is_position && entity.rotation.form != RotationForm::invalid) {
+      const Quaternion q = to_quaternion(entity.rotation);
+      diagnostic.help("write {w: " + format_number(q.w) + ", x: " + format_number(q.x) +
+                      ", y: " + format_number(q.y) + ", z: " + format_number(q.z) + "}");
+    }
   });
 }
 
@@ -35,7 +44,7 @@ extern constinit const Rule sml5206_primitive_list_pose{
     .name = "primitive-list-pose",
     .severity = Severity::error,
     .summary = "An entity of type primitive writes its position or rotation as a list.",
-    .remedy = "Write {x: , y: , z: } and {w: , x: , y: , z: }.",
+    .remedy = "Write mappings: {x: 0, y: 0, z: 1} and {w: 1, x: 0, y: 0, z: 0}.",
     .check_scene = check,
     .facts = kFacts};
 

@@ -37,7 +37,7 @@ void check(const LinkedScene& scene, Findings& findings) {
       continue;
     Diagnostic& diagnostic = findings.report(
         environment.key_span(), "this environment has no `fog` and so switches fog off in MARS");
-    diagnostic.label(*fog, "fog is asked for here");
+    diagnostic.label(*fog, "fog is set here");
   }
 }
 
@@ -51,7 +51,7 @@ extern constinit const Rule sml5303_fog_switched_off{
     .id = "SML5303",
     .name = "fog-switched-off",
     .severity = Severity::warning,
-    .summary = "An environment without `fog` switches off the fog that another file asks for.",
+    .summary = "An environment without `fog` switches off the fog that another file sets.",
     .remedy = "Repeat `fog` in this environment, or delete it from the other file.",
     .check_scene = check,
     .facts = kFacts};

@@ -18,7 +18,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     const Field<double>& step = file.scene.physics->step_size;
     if (step && *step >= kLargestMilliseconds) {
       findings.report(step.span, "the step is " + format_number(*step / 1000) +
-                                     " seconds long; the key takes milliseconds");
+                                     " seconds long; the key is in milliseconds");
     }
     if (!step || *step < 0 || *step >= kSmallestMilliseconds) continue;
     if (*step == 0) {

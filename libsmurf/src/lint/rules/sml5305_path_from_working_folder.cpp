@@ -17,7 +17,7 @@ extern constinit const Rule sml5305_path_from_working_folder{
     .name = "path-from-working-folder",
     .severity = Severity::warning,
     .summary = "A path of `environment` is relative to the folder where the simulation is started.",
-    .why = "The files that are found depend on the folder in which the program was started.",
+    .why = "The folder in which the program is started decides which files it finds.",
     .remedy =
         "Put the sky box beside the scene. For the other paths, use absolute paths or always start "
         "in the same folder.",

@@ -27,11 +27,10 @@ void check(const LinkedScene& scene, Findings& findings) {
       diagnostic.help("did you mean " + format_number(-z) + "?");
       diagnostic.fixes.push_back({Applicability::unsafe, {{up.span(), format_number(-z)}}});
     } else if (strength == 0 && !up && !keys.find("gravity").find("Z")) {
-      findings.report(gravity.span, "there is no gravity: `z` is missing and reads as 0");
+      findings.report(gravity.span, "there is no gravity: `z` is missing and is read as 0");
     } else if (strength > 0 && z == 0) {
       findings.report(gravity.span, "gravity pulls sideways")
-          .help("z points upward in MARS, so that gravity is `z: " + format_number(-strength) +
-                "`");
+          .help("z points upward in MARS, so gravity is `z: " + format_number(-strength) + "`");
     }
   }
 }

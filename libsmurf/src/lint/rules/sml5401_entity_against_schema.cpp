@@ -41,9 +41,8 @@ extern constinit const Rule sml5401_entity_against_schema{
     .name = "entity-against-schema",
     .severity = Severity::error,
     .summary = "An entity breaks the schema that was registered for its type.",
-    .why =
-        "The plug-in that makes entities of this type describes by its schema what it understands; "
-        "the effect of other values is unknown.",
+    .why = "The schema describes the values that the plug-in for this type understands; the effect "
+           "of other values is unknown.",
     .remedy = "Change the value, or the schema when it is too strict.",
     .sources = "The schema that the label names.",
     .check_scene = check};

@@ -11,7 +11,7 @@ extern constinit const Rule sml6301_zero_outside_limits{
     .why =
         "Simulators start with all joints at zero. A joint whose limits exclude zero is thrown to the nearest limit in the first steps. The check starts it at the nearest allowed position.",
     .remedy = "Give the model a joint pose within the limits, or start the simulation there.",
-    .sources = "ODE 0.16.2, executed: all of 307 robots that move at rest have such a joint.",
+    .sources = "ODE 0.16.2, executed on 307 robots: all that move at rest have such a joint.",
     .reported_by = Tool::load_check};
 
 }  // namespace smurf::rules

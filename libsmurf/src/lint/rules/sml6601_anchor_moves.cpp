@@ -8,7 +8,7 @@ extern constinit const Rule sml6601_anchor_moves{
     .name = "anchor-moves",
     .severity = Severity::error,
     .summary = "An anchored entity moves relative to its anchor.",
-    .why = "An anchor is rigid; one that gives way makes every pose in the scene wrong.",
+    .why = "An anchor that gives way makes every pose in the scene wrong.",
     .remedy = "Look at the masses of the two models.",
     .sources = "ODE 0.16.2, executed.",
     .reported_by = Tool::load_check};

@@ -97,7 +97,7 @@ void check_sections(const LinkedModel& model, Findings& findings) {
   }
 }
 
-/// It takes mappings only, as it writes them.
+/// Phobos reads only mappings here, which is how it writes them.
 void check_dependencies(const LinkedModel& model, Findings& findings) {
   for (const TopLevelKey& section : top_level_keys(model)) {
     if (section.value.key() != "submechanisms" || !section.value.is_sequence()) continue;

@@ -30,7 +30,7 @@ void check_entities(yaml::View entities, Findings& findings) {
   }
 }
 
-/// MARS lets included scenes share a name, with each other and with an entity.
+/// In MARS, included scenes may have the same name as each other, or as an entity.
 void check_shared_names(const SceneFile& file, Findings& findings) {
   std::map<std::string_view, bool> is_scene_by_name;
   for (const Entity& entity : file.scene.entities) {

@@ -27,7 +27,8 @@ extern constinit const Rule sml7102_parent_ignored{
     .id = "SML7102",
     .name = "parent-ignored",
     .severity = Severity::warning,
-    .summary = "An entity is placed relative to another one, which a target does not support.",
+    .summary = "An entity is placed relative to another entity, and a target does not support "
+               "this.",
     .remedy = "Place the entity in the world frame: smurfs-flatten computes it.",
     .check_scene = check,
     .needs_target = true,

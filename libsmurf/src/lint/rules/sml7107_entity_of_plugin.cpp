@@ -14,7 +14,7 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::takes, "hands it to the plug-in or primitive of its type",
+    {&readers::mars, Effect::takes, "passes it to the plug-in or primitive of its type",
      "MARS EntityFactoryManager.cpp:68-86"},
     {&readers::phobos, Effect::refuses, "stops with an assertion", "Phobos core/multiple.py"},
     {&readers::pybullet, Effect::crashes, "stops with a KeyError",

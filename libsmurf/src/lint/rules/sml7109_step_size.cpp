@@ -28,8 +28,8 @@ extern constinit const Rule sml7109_step_size{
     .id = "SML7109",
     .name = "step-size",
     .severity = Severity::warning,
-    .summary = "A scene sets the step of the physics, which a target reads in another unit.",
-    .remedy = "Set the step where pybullet is started.",
+    .summary = "A scene sets the step size of the physics, and a target reads it in another unit.",
+    .remedy = "Set the step size in the script that starts PyBullet.",
     .check_scene = check,
     .needs_target = true,
     .facts = kFacts};

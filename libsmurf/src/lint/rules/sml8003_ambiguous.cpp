@@ -8,8 +8,8 @@ extern constinit const Rule sml8003_ambiguous{
     .name = "ambiguous",
     .severity = Severity::info,
     .summary = "Several annotations give different values for the same part of the URDF.",
-    .why = "Only one of them can be written; which one a simulator would use depends on its order "
-           "of loading.",
+    .why = "Only one of them can be written. A simulator uses one of them, depending on its "
+           "loading order.",
     .remedy = "Keep one of them.",
     .sources = "Two motors of one joint in MARS: smurf.cpp:257-270.",
     .reported_by = Tool::converters};

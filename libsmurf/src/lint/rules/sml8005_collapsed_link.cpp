@@ -9,8 +9,8 @@ extern constinit const Rule sml8005_collapsed_link{
     .severity = Severity::info,
     .summary = "A link on a fixed joint becomes part of the link that carries it.",
     .why = "Masses, shapes and sensors stay where they are, but the frame is gone: programs that "
-           "ask for it by name, as tf2 does, find none.",
-    .remedy = "Export with `--keep`, which takes names of links and joints.",
+           "look it up by name, such as tf2, do not find it.",
+    .remedy = "Export with `--keep` and the name of the link or joint.",
     .sources = "sdformat and MuJoCo do the same on their own: ReduceFixedJoints, "
                "fusestatic.",
     .reported_by = Tool::converters};
