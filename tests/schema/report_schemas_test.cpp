@@ -57,9 +57,8 @@ TEST_CASE("the report of diagnostics") {
   diagnostics[0].note("a note");
   diagnostics[0].pointer = "/motors/0/p";
   const std::span<const Fact> facts = find_rule("SML1012")->facts;
-  const auto refusal = std::find_if(facts.begin(), facts.end(), [](const Fact& fact) {
-    return fact.effect == Effect::refuses;
-  });
+  const auto refusal = std::find_if(
+      facts.begin(), facts.end(), [](const Fact& fact) { return fact.effect == Effect::refuses; });
   const TargetVerdict refused{.reader = find_target("mars"),
                               .refusals = 1,
                               .fact = &*refusal,

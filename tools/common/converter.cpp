@@ -167,8 +167,8 @@ std::string by_section(const std::map<std::string_view, std::size_t>& counts,
   return std::to_string(all) + " " + std::string(all == 1 ? singular : plural) + text + ")";
 }
 
-/// "3 entries (2 in poses, 1 in sensors) and 4 values of other entries (4 in motors)". Findings in a
-/// URDF have an XPath, which begins with the robot, and are not counted.
+/// "3 entries (2 in poses, 1 in sensors) and 4 values of other entries (4 in motors)". Findings in
+/// a URDF have an XPath, which begins with the robot, and are not counted.
 std::string count_by_section(std::span<const Diagnostic> losses) {
   std::map<std::string_view, std::size_t> entries;
   std::map<std::string_view, std::size_t> values;
