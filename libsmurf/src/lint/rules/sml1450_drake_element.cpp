@@ -249,8 +249,8 @@ extern constinit const Rule sml1450_drake_element{
     .name = "drake-element",
     .severity = Severity::error,
     .summary =
-        "An element that only Drake reads lacks a part, has a wrong value, or names something "
-        "that does not exist.",
+        "An element that only Drake reads lacks a part, has a wrong value, or names an unknown "
+        "thing.",
     .remedy = "Write the element as the page \"Parsing Models\" of Drake's documentation says.",
     .sources = "The tests of Drake's own parser.",
     .check_model = check,
