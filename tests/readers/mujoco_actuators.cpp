@@ -30,7 +30,7 @@ bool is_stable(const mjData& data) {
 /// With the commands of the keyframe. If positions are not finite, MuJoCo restarts and counts a
 /// warning.
 void stand(const mjModel* model, mjData* data) {
-  mj_resetDataKeyframe(model, data, 0);
+  if (model->nkey > 0) mj_resetDataKeyframe(model, data, 0);
   for (int step = 0; step < 1000; ++step) mj_step(model, data);
   mjtNum fastest = 0;
   for (int i = 0; i < model->nv; ++i) fastest = std::max(fastest, std::abs(data->qvel[i]));

@@ -425,6 +425,7 @@ class Contents(SimulatorTest):
         self.write("m_poses.yml", "poses:\n- {name: bent, joints: {PID: 0.5}}\n")
         self.write("s.smurfs", "entities:\n- {name: M, file: m.smurf, anchor: world, pose: bent}\n")
         lines = self.lines(reader.BUILD / "mujoco_actuators", self.write_scene("s.smurfs", "mjcf"))
+        self.assertEqual([line[2] for line in lines if line[0] == "stand"], ["1"])
         found = {line[1]: [float(n) for n in line[2:]] for line in lines if line[0] == "actuator"}
         self.assertEqual(set(found), {"M/PID_motor", "M/DC_motor", "M/direct_effort_motor",
                                       "M/transmitted"})
