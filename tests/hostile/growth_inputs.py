@@ -223,6 +223,18 @@ def instances_in_one_pose_to_mars(n, write):
     many_in_one_pose(n, write)
 
 
+def looks(count, name):
+    visual = '<visual><geometry><sphere radius="1"/></geometry><material name="%s"/></visual>'
+    return "".join(visual % name(i) for i in range(count))
+
+
+@flattens(500, "--format", "sdf")
+def undefined_materials_of_one_link(n, write):
+    write("r.smurf", "modelname: r\nfiles: [r.urdf]\n")
+    write_scene(write, (f"- {{name: e{i}, type: smurf, file: r.smurf}}\n" for i in range(10)),
+                f'<robot name="r"><link name="a">{looks(n, lambda i: f"m{i}")}</link></robot>')
+
+
 @flattens(2000)
 def poses_of_one_model(n, write):
     write("r.smurf", "modelname: r\nfiles: [r.urdf, p.yml]\n")

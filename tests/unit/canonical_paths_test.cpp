@@ -72,6 +72,30 @@ TEST_CASE("canonical paths: links to nothing are followed all the same") {
   CHECK(paths.of(tree / "link/dead") == tree / "nothing");
 }
 
+TEST_CASE("canonical paths: what is behind a link is looked for where it leads") {
+  const Tree tree;
+  fs::create_directories(tree / "a/b");
+  fs::create_directory_symlink(tree / "a", tree / "folder/whole");  // absolute, and back again
+  fs::create_directory_symlink("../../folder/up", tree / "a/b/twice");
+  fs::create_directory_symlink("../link/whole/b", tree / "a/round");
+  const CanonicalPaths paths;
+  for (const std::string name : {"link/whole/b/twice", "a/round/twice", "a/round/../round/nothing",
+                                 "link/whole/../file", "folder/whole/round"}) {
+    CAPTURE(name);
+    CHECK(paths.of(tree / name) == fs::weakly_canonical(tree / name).string());
+  }
+}
+
+TEST_CASE("canonical paths: a folder that was replaced is looked into anew") {
+  const Tree tree;
+  const CanonicalPaths paths;
+  CHECK(paths.of(tree / "folder/inner") == tree / "folder/inner");
+  fs::rename(tree / "folder", tree / "old");
+  fs::create_directory(tree / "folder");
+  fs::create_symlink("../file", tree / "folder/new");
+  CHECK(paths.of(tree / "folder/new") == tree / "file");
+}
+
 TEST_CASE("canonical paths: relative ones are absolute afterwards") {
   const CanonicalPaths paths;
   const std::string here = fs::current_path().string();

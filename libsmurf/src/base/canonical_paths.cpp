@@ -61,26 +61,13 @@ std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) co
   const std::string_view names = std::string_view(path).substr(start.size());
   // The files of one folder come one after the other.
   const std::string_view way = names.substr(0, names.rfind('/') + 1);
-  OpenFolder open = opened(*at);
+  OpenFolder open(*at);
   at = walk(*std::move(at), open, way, links, nullptr);
   if (at && !folder.empty()) remember(folder, *at);
   if (at) at = walk(*std::move(at), open, names.substr(way.size()), links, nullptr);
   if (!at) return places::whole(path);
   // Names as the file system returns them, which may differ from the requested names.
   return sys::kIgnoresCase ? places::weakly_canonical(*at) : at;
-}
-
-/// A canonical folder. The last one is kept, because the next paths often begin with it.
-OpenFolder CanonicalPaths::opened(const std::string& folder) const {
-  const std::lock_guard lock(mutex_);
-  if (!last_ || last_folder_ != folder) {
-    last_.emplace(folder);
-    last_folder_ = folder;
-  }
-  OpenFolder same = last_->again();
-  if (same.is_open()) return same;
-  last_.reset();
-  return OpenFolder(folder);
 }
 
 /// Goes name by name from a canonical folder, which stays open, so that ".." is resolved after the

@@ -9,10 +9,11 @@
 #include <string_view>
 #include <utility>
 
-#include "base/open_folder.hpp"
 #include "smurf/file_reader.hpp"
 
 namespace smurf {
+
+class OpenFolder;
 
 /// Resolves symbolic links in paths. Each path is looked up once and then remembered, so use it for
 /// one run only. Several threads may use it.
@@ -31,14 +32,11 @@ class CanonicalPaths {
   std::optional<std::string> known(std::string_view path) const;
   void remember(const std::string& path, const std::string& canonical) const;
   std::optional<std::string> looked_at(const std::string& path) const;
-  OpenFolder opened(const std::string& folder) const;
-  std::optional<std::string> walk(std::string at, OpenFolder& open, std::string_view names,
+  std::optional<std::string> walk(std::string at, OpenFolder& folder, std::string_view names,
                                   int& links, const std::string* link_in) const;
 
   MayPass may_pass_;
   mutable std::mutex mutex_;
-  mutable std::string last_folder_;
-  mutable std::optional<OpenFolder> last_;  ///< stays open, because its path may be long
   mutable std::map<std::string, std::string, std::less<>> known_;
 };
 

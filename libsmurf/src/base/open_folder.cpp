@@ -23,12 +23,6 @@ void OpenFolder::become(int number) {
   number_ = number;
 }
 
-OpenFolder OpenFolder::again() const {
-  OpenFolder same;
-  if (is_open()) same.become(sys::openat(number_, ".", kFolder));
-  return same;
-}
-
 void OpenFolder::open(const std::string& path) { become(sys::open(path.c_str(), kFolder)); }
 
 void OpenFolder::enter(const std::string& name) {

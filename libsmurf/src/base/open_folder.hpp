@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace smurf {
 
@@ -17,10 +16,6 @@ class OpenFolder {
   ~OpenFolder() { become(-1); }
   OpenFolder(const OpenFolder&) = delete;
   OpenFolder& operator=(const OpenFolder&) = delete;
-  OpenFolder(OpenFolder&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-
-  /// Opens the same folder again. Not open if access is denied.
-  OpenFolder again() const;
 
   void open(const std::string& path);
   /// Opens a subfolder that is not a link, or "..". A missing subfolder counts as empty.
@@ -38,7 +33,6 @@ class OpenFolder {
   std::optional<std::string> target_of(const std::string& name) const;
 
  private:
-  OpenFolder() = default;
   void become(int number);
 
   int number_ = -1;

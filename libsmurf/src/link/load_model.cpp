@@ -308,6 +308,11 @@ class ModelLoader {
     }
   }
 
+  /// Its place, because a link may have thousands of visuals: definition_of() in placed_shapes.cpp.
+  void name_material_of(const urdf::Visual& visual) {
+    model_.material_names.add(*visual.material->name, visual.span.begin);
+  }
+
   void link() {
     find_slips(model_.annotations.custom);
     find_slips(model_.main.extra);
@@ -329,7 +334,7 @@ class ModelLoader {
         // A material may be defined inside a visual, for all visuals that come later.
         if (visual.material && visual.material->name &&
             (visual.material->rgba || visual.material->texture)) {
-          model_.material_names.add(*visual.material->name, index);
+          name_material_of(visual);
         }
       }
       for (const urdf::Collision& collision : robot.links[i].collisions) {
@@ -338,10 +343,7 @@ class ModelLoader {
     }
     for (const urdf::Link& link : robot.links) {
       for (const urdf::Visual& visual : link.visuals) {
-        if (visual.material && visual.material->name) {
-          const auto index = static_cast<std::uint32_t>(&link - robot.links.data());
-          model_.material_names.add(*visual.material->name, index);
-        }
+        if (visual.material && visual.material->name) name_material_of(visual);
       }
     }
     model_.tree = build_tree(model_);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include "base/path.hpp"
 #include "write/annotated_colors.hpp"
@@ -42,6 +44,14 @@ class GeometryReader {
   const FlatModel& model_;
 };
 
+/// The last of the parts that begin at `place` or before it; null if there is none.
+template <typename Part>
+const Part* part_at(const std::vector<Part>& parts, std::uint32_t place) {
+  const auto behind = std::partition_point(
+      parts.begin(), parts.end(), [&](const Part& part) { return part.span.begin <= place; });
+  return behind == parts.begin() ? nullptr : &*std::prev(behind);
+}
+
 /// The material that a visual refers to, of the robot or of another visual, as in urdfdom; null if
 /// there is none.
 const urdf::Material* definition_of(const urdf::Visual& visual, const LinkedModel& model) {
@@ -53,10 +63,10 @@ const urdf::Material* definition_of(const urdf::Visual& visual, const LinkedMode
   if (*index < materials.size() && materials[*index].name && *materials[*index].name == name) {
     return &materials[*index];
   }
-  // The table also contains the materials of visuals, with the number of their link.
-  for (const urdf::Visual& one : model.robot->links[*index].visuals) {
-    if (one.material && one.material->name && *one.material->name == name) return &*one.material;
-  }
+  // The table also contains the materials of visuals, with the places of the visuals.
+  const urdf::Link* link = part_at(model.robot->links, *index);
+  const urdf::Visual* definition = link == nullptr ? nullptr : part_at(link->visuals, *index);
+  if (definition != nullptr && definition->material) return &*definition->material;
   return nullptr;
 }
 
