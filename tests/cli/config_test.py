@@ -96,7 +96,7 @@ class Extends(ConfigTest):
         done = self.expect(1, "--format", "concise", "robots")
         self.assertEqual([line.split(" (")[0] for line in done.stdout.splitlines() if "SML90" in line], [
             ".smurf-lint.yaml:1:21: error[SML9002] cannot read `absent.yaml`: No such file or directory",
-            ".smurf-lint.yaml:1:34: error[SML9002] an item takes a text, not a mapping",
+            ".smurf-lint.yaml:1:34: error[SML9002] an item must be a text, not a mapping",
             "a/b.yaml:1:10: error[SML9002] the configuration extends itself through other configurations",
             "a/b.yaml:2:1: error[SML9001] there is no setting `selct`"])
         self.write(".smurf-lint.yaml", "extends: .smurf-lint.yaml\n")
@@ -146,7 +146,7 @@ class Content(ConfigTest):
         done = self.expect(1, "--format", "concise", "--select", "SML9", "robots")
         self.assertEqual([line.split("] ")[1] for line in done.stdout.splitlines()], [
             "`SML3101` has no tolerance (`--list-rules=json` shows which have one)",
-            "`SML50` has no tolerance (name one rule)", "`SML5004` takes a number from 0, not `-1`",
+            "`SML50` has no tolerance (name one rule)", "`SML5004` must be a number from 0, not `-1`",
             "there is no rule `x`"])
         self.assertIn("Tolerance\n  0.001: how far", self.expect(0, "--explain", "SML5004").stdout)
 
@@ -165,7 +165,7 @@ class Content(ConfigTest):
         self.assertTrue(done.stdout.startswith("robots/scene.smurfs:2:4: warning[SML5012] "), done.stdout)
         self.assertEqual(json.loads(self.read("robots/report.json"))["summary"]["warning"], 1)
         self.assertIn("robots/.smurf-lint.yaml:1:19: error[SML9002] a configuration that was found beside the files "
-                      "names no file to write (name it on the command line, `--format json=FILE`, or name the "
+                      "must not name a file to write (name it on the command line, `--format json=FILE`, or name the "
                       "configuration with `--config`)\n", self.expect(1, "robots").stdout)
         self.write("robots/.smurf-lint.yaml", "format: concise\nfail-on: warning\n")
         self.assertTrue(self.expect(1, "robots").stdout.startswith("robots/scene.smurfs:2:4: warning[SML5012] "))
@@ -179,16 +179,16 @@ class Content(ConfigTest):
                                        "force-exclude: maybe\n")
         done = self.expect(1, "--format", "concise", "--config", ".smurf-lint.yaml", "--select", "SML9", "robots")
         self.assertEqual([line.split("] ")[1] for line in done.stdout.splitlines()], [
-            "`fail-on` takes error, warning, info or never, not the text `fatal`",
-            "`max-warnings` takes a whole number from 0, not the text `many`",
+            "`fail-on` must be error, warning, info or never, not the text `fatal`",
+            "`max-warnings` must be a whole number from 0, not the text `many`",
             "there is no format `jsn` (did you mean `json`?)",
             "two reports go to standard output (write `json=FILE`)",
-            "`force-exclude` takes true or false, not the text `maybe`"])
+            "`force-exclude` must be true or false, not the text `maybe`"])
 
     def test_baseline(self):
         self.write("robots/.smurf-lint.yaml", "baseline: known.yaml\n")
         self.assertEqual([f[1] for f in self.findings("robots")], ["SML9002", "SML5012"])
-        self.expect_complaint("a configuration that was found beside the files does not choose what is written; to "
+        self.expect_complaint("a configuration that was found beside the files cannot choose the file to write; to "
                               "write its baseline, add --baseline 'robots/known.yaml'", "--generate-baseline", "robots")
         self.assertEqual(self.expect(0, "--config", "robots/.smurf-lint.yaml", "--generate-baseline", "robots").stdout,
                          "wrote 1 finding to robots/known.yaml\n")

@@ -516,7 +516,7 @@ class Explanations(LintTest):
         self.assertIn("number, at least 0, in rad/s or m/s; default 0", self.explain("motors"))
         self.assertEqual(self.explain("joints"), self.explain("joint"))
         self.assertIn("\nrotation\n", self.explain("entity"))
-        self.assertIn("may also have the keys of `node`", self.explain("collision"))
+        self.assertIn("can also have the keys of `node`", self.explain("collision"))
         for line in self.explain("sensors").splitlines():
             self.assertLessEqual(len(line), 80)
 
@@ -569,7 +569,7 @@ class Usage(LintTest):
                 ("unknown option '--gener'; did you mean '--generate-baseline'?", ["--gener"]),
                 ("--severity: 'warn' is not one of error, warning, info; did you mean 'warning'?",
                  ["--severity", "SML3101=warn"]),
-                ("two reports go to standard output; give one a file of its own: "
+                ("two reports go to standard output; give one a separate file: "
                  "--format json=FILE", ["--format", "full", "--format", "json"]),
                 ("two reports go to 'a'; give one a separate file: --format json=FILE",
                  ["--format", "full=a", "--format", "json=a"]),

@@ -329,7 +329,7 @@ class Dialects(FlattenTest):
         self.assertEqual([s.split()[1] for s in steps[:2]], ["include", "entity"])
         self.assertEqual(steps[-1], "mars loses the anchor")
         self.expect_complaint("'C' is not in the scene of the dialect mars2, which stops at a `file` "
-                              "that is no .smurf, .smurfs or .yml",
+                              "that is not a .smurf, .smurfs or .yml",
                               "differ.smurfs", "--explain", "C", "--dialect", "mars2", "--quiet")
 
 
@@ -803,7 +803,7 @@ class MeshesWithNeighbours(FlattenTest):
         for uri in (self.folder / "secret.bin", (self.folder / "secret.bin").as_uri()):
             self.mesh(uri)
             for options in ((), ("--allow-outside",)):
-                self.assertIn("which is no file beside it", self.flatten(*options))
+                self.assertIn("which is not a file beside it", self.flatten(*options))
         self.mesh("gone.bin")
         self.assertIn("has its points in `gone.bin`, which does not exist", self.flatten())
 

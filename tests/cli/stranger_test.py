@@ -80,7 +80,7 @@ class Configuration(StrangerTest):
                     self.write(".smurf-lint.yaml", text)
                     done = self.expect(1, "smurf-lint", "--select", "SML9", ".")
                     self.assertIn("SML9002", done.stdout)
-                    self.assertIn("names no file to write", done.stdout)
+                    self.assertIn("must not name a file to write", done.stdout)
                     self.assert_unharmed()
                     self.assertFalse((self.project / "report.json").exists())
 

@@ -464,7 +464,7 @@ class Names(LspTest):
         motors = self.write("shared/m.yml", "motors:\n- {name: m, joint: elbow}\n")
         self.open(motors)
         with self.assertRaisesRegex(client.RequestError, "there are two: the joint `elbow` of .*/a.urdf:1:62 and that "
-                                    "of .*/b.urdf:1:62$"):
+                                    "of .*/b.urdf:1:62; pass only files that use one of them$"):
             self.client.at("textDocument/rename", motors, self.find(motors, "elbow") + 1, newName="knee")
         # The name of the shared file is reported, and so is a joint of a shared robot.
         edit = self.client.at("textDocument/rename", motors, self.find(motors, "m, joint"), newName="drive")
@@ -809,7 +809,7 @@ class Hover(LspTest):
         self.assertIn("glTF, 1 triangle", text)
         self.assertIn("1 x 0 x 2 m", text)
         (folder / "m.bin").unlink()
-        self.assertIn("which is not there", self.hover(robot, self.find(robot, "m.gltf")))
+        self.assertIn("which does not exist", self.hover(robot, self.find(robot, "m.gltf")))
 
     def test_nothing(self):
         self.open(self.motors)

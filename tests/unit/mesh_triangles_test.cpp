@@ -127,8 +127,9 @@ TEST_CASE("triangles: COLLADA that is broken") {
   CHECK(broken("<p>0 1 2<", "<p>0 1<") == "is broken: the indices end inside a triangle (line 19)");
   CHECK(broken("offset=\"0\"/>\n      <p>", "offset=\"4000000000\"/>\n      <p>")
             .starts_with("is broken: "));
-  CHECK(broken(">0 0 0 2", ">0 0 0 nan").find("not all numbers") != std::string::npos);
-  CHECK(broken("source=\"#p\"", "source=\"#q\"").find("are not there") != std::string::npos);
+  CHECK(broken(">0 0 0 2", ">0 0 0 nan").find("not numbers") != std::string::npos);
+  CHECK(broken("source=\"#p\"", "source=\"#q\"").find("the points of the mesh are missing") !=
+        std::string::npos);
   CHECK(broken("url=\"#g\"", "url=\"#h\"") ==
         "is broken: there is no element with the id `h` (line 23)");
   CHECK(broken("0 0 100", "0 0") ==
@@ -222,38 +223,39 @@ TEST_CASE("triangles: glTF that is broken") {
     CHECK(text.find(part) != std::string::npos);
   };
   contains(broken("AAEC\"", "AAED\""), "the index 3 names none of 3 points");
-  contains(broken("base64,AAAA", "base64,A*AA"), "no base64");
+  contains(broken("base64,AAAA", "base64,A*AA"), "not base64");
   contains(broken("base64,AAAA", "base64,AAA"), "accessor");
-  contains(broken("data:;base64,", "data:,"), "no base64");
+  contains(broken("data:;base64,", "data:,"), "not base64");
   contains(broken("\"byteLength\": 36}", "\"byteLength\": 35}"), "beyond the end");
   contains(broken("\"byteLength\": 36}", "\"byteLength\": 99}"), "beyond the end");
   contains(broken("\"count\": 3, \"type\": \"VEC3\"", "\"count\": 4000000000, \"type\": \"VEC3\""),
            "beyond the end");
   contains(broken("\"count\": 3, \"type\": \"VEC3\"",
                   "\"count\": 18446744073709551615, \"type\": \"VEC3\""),
-           "not as it should be");
+           "invalid");
   contains(broken("\"count\": 3, \"type\": \"VEC3\"", "\"count\": -1, \"type\": \"VEC3\""),
-           "not as it should be");
+           "invalid");
   contains(broken("\"byteOffset\": 36", "\"byteOffset\": 1099511627776"), "beyond the end");
   contains(broken("\"buffer\": 0, \"byteLength\": 36",
                   "\"buffer\": 0, \"byteStride\": 1099511627776, \"byteLength\": 36"),
            "beyond the end");
   contains(broken("\"buffer\": 0, \"byteLength\": 36",
                   "\"buffer\": 0, \"byteStride\": 0, \"byteLength\": 36"),
-           "not as it should be");
-  contains(broken("\"componentType\": 5126", "\"componentType\": 5123"), "no floats");
+           "invalid");
+  contains(broken("\"componentType\": 5126", "\"componentType\": 5123"), "not floats");
   contains(broken("\"POSITION\": 0", "\"POSITION\": 7"), "its accessors that does not exist");
   contains(broken("\"POSITION\": 0", "\"POSITION\": \"0\""), "its accessors that does not exist");
   contains(broken("\"mesh\": 0", "\"mesh\": 0, \"children\": [0]"), "a node is named twice");
   contains(broken("\"nodes\": [0]}", "\"nodes\": [0, 0]}"), "a node is named twice");
-  contains(broken("[0, 1, 0]", "[0, 1]"), "no transform");
-  contains(broken("[0, 1, 0]", "[0, 1e400, 0]"), "no JSON");
-  contains(broken("\"translation\": [0, 1, 0]", "\"rotation\": [0, 0, 0, 0]"), "no transform");
-  contains(broken("AACAPwAA", "AACAfwAA"), "not all numbers");
+  contains(broken("[0, 1, 0]", "[0, 1]"), "the transform of a node is invalid");
+  contains(broken("[0, 1, 0]", "[0, 1e400, 0]"), "not JSON");
+  contains(broken("\"translation\": [0, 1, 0]", "\"rotation\": [0, 0, 0, 0]"),
+           "the transform of a node is invalid");
+  contains(broken("AACAPwAA", "AACAfwAA"), "not numbers");
   contains(broken("\"material\": 0", "\"material\": 1"), "its materials that does not exist");
   contains(broken("\"indices\": 1", "\"indices\": 1, \"mode\": 7"), "unknown mode");
   CHECK(broken("\"indices\": 1", "\"indices\": 1, \"mode\": 1") == "has no triangles");
-  contains(broken("[0, 1, 0]}],", "[0, 1, 0]}],,"), "no JSON");
+  contains(broken("[0, 1, 0]}],", "[0, 1, 0]}],,"), "not JSON");
   contains(broken("\"nodes\": [{", "\"nodes\": 3, \"x\": [{"), "its nodes that does not exist");
 }
 
