@@ -224,6 +224,15 @@ class Dialects(cli.CliTest):
 class Refusal(ExportTest):
     LOSS = "every URDF reader refuses the joint type, and the file"
 
+    def test_what_is_no_xml(self):
+        for text in ('<robot name="r"><link name="b\x1b[31m"/></robot>', '<robot name="r"><!x><link name="b"/></robot>',
+                     '<robot name="r"><link name="b"/></robot></x>'):
+            self.write("a.urdf", text)
+            done = self.run_with_messages(1, "a.urdf")
+            self.assertEqual(done.stdout, "")
+            self.assertIn("the result would be no XML", done.stderr)
+            self.assertEqual(self.run_with_messages(0, "--force", "a.urdf").stdout, text)
+
     def test_what_does_not_load_is_refused_and_the_old_file_kept(self):
         self.break_type()
         self.write("o.urdf", "the old file")
