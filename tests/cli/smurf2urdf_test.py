@@ -230,7 +230,7 @@ class Refusal(ExportTest):
             self.write("a.urdf", text)
             done = self.run_with_messages(1, "a.urdf")
             self.assertEqual(done.stdout, "")
-            self.assertIn("the result would be no XML", done.stderr)
+            self.assertIn("the result would not be XML", done.stderr)
             self.assertEqual(self.run_with_messages(0, "--force", "a.urdf").stdout, text)
 
     def test_what_does_not_load_is_refused_and_the_old_file_kept(self):

@@ -61,10 +61,10 @@ std::optional<std::string> loss_for_mujoco(const Diagnostic& finding, const Link
 
 /// Nearly all programs load URDFs with urdfdom, so it checks the result.
 std::optional<std::string> loss_in_text(const Diagnostic& finding, const UrdfExport& wanted) {
-  // URDF readers read on there, but the result is copied from this text.
+  // URDF readers continue there, but the result is copied from this text.
   if (finding.rule == &rules::sml0004_control_character ||
       finding.rule == &rules::sml1001_xml_malformed) {
-    return "the result would be no XML";
+    return "the result would not be XML";
   }
   const Fact* fact = find_fact(readers::urdfdom, finding);
   if (fact != nullptr && fact->effect >= Effect::refuses) {
