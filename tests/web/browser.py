@@ -4,6 +4,7 @@
 A test program is called with the tool and the scratch build folder: NAME_test.py TOOL BUILD.
 It ends with 77, which CTest shows as skipped, when Chromium or a package is absent.
 """
+import functools
 import json
 import pathlib
 import shutil
@@ -18,6 +19,13 @@ from reader import cli, main  # noqa: E402, F401
 PAGES = pathlib.Path(__file__).resolve().parent / "pages.mjs"
 
 
+@functools.cache
+def running_browser():
+    """One for all tests of a program: its start takes seconds. It ends with the program, whose end is its end of input."""
+    return subprocess.Popen(["node", PAGES, reader.NODE_MODULES, shutil.which("chromium")], stdin=subprocess.PIPE,
+                            stdout=subprocess.PIPE, encoding="utf-8")
+
+
 class BrowserTest(reader.ReaderTest):
     @classmethod
     def setUpClass(cls):
@@ -30,17 +38,19 @@ class BrowserTest(reader.ReaderTest):
     def browse(self, *jobs):
         """The results of the steps of the jobs. The pages must log nothing and request nothing."""
         jobs = [{**job, "page": str(job["page"])} for job in jobs]
-        done = subprocess.run(["node", PAGES, reader.NODE_MODULES, shutil.which("chromium")], input=json.dumps(jobs),
-                              capture_output=True, encoding="utf-8", timeout=3000, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        answers = json.loads(done.stdout)
+        browser = running_browser()
+        browser.stdin.write(json.dumps(jobs) + "\n")
+        browser.stdin.flush()
+        line = browser.stdout.readline()
+        self.assertTrue(line, "the browser failed; its messages are above")
+        answers = json.loads(line)
         for job, answer in zip(jobs, answers):
             if not job.get("is_hostile"):
                 self.assertEqual((answer["addresses"], answer["errors"]), ([], []), job["page"])
         return answers
 
     def data_in(self, page, name):
-        """The data in the page, and the bytes of the page around it."""
+        """The data in the page, and the bytes of the page around them."""
         text = page.read_text()
         block = f'<script id="{name}" type="application/json">'
         self.assertEqual(text.count(block), 1)
@@ -49,7 +59,7 @@ class BrowserTest(reader.ReaderTest):
         return json.loads(data), len(head) + len(tail)
 
     def check_nothing_else_runs(self, page):
-        """Markup that got into the page neither runs nor requests anything."""
+        """Markup in names neither runs in the page nor requests anything."""
         server = socket.create_server(("127.0.0.1", 0))
         server.settimeout(1)
         self.addCleanup(server.close)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Opens pages in Chromium and runs steps in them. usage: node pages.mjs NODE_MODULES CHROMIUM <JOBS >RESULTS
-// JOBS: [{page, hash, width, height, scheme, steps}]. A page is a file, or an address on this machine, which begins with
-// nothing kept from others. A step is a script (a text), {key}, {down: KEY}, {up: KEY}, {drag: [x, y, x, y]}, {type: TEXT}, {click: [x, y]}, {shot: FILE, of: SELECTOR}, {axe: true},
+// Opens pages in Chromium and runs steps in them. usage: node pages.mjs NODE_MODULES CHROMIUM
+// Each line of standard input is a list of jobs, and is answered by a line of results.
+// Jobs: [{page, hash, width, height, scheme, steps}]. A page is a file, or an address on this machine. It
+// finds nothing that other pages stored. A step is a script (a text), {key}, {down: KEY}, {up: KEY}, {drag: [x, y, x, y]}, {type: TEXT}, {click: [x, y]}, {shot: FILE, of: SELECTOR}, {axe: true},
 // {until: SCRIPT}, {drop: PATHS}, {choose: SELECTOR, paths}, {downloads: FOLDER}, {file: one that is there soon} or {load: HASH}.
-// RESULTS: [{results: one for each step, errors that the page logged, addresses that it asked for}]
+// Results: [{results: one for each step, errors that the page logged, addresses that it asked for}]
 import fs from "node:fs";
 import { createRequire } from "node:module";
+import readline from "node:readline";
 import { pathToFileURL } from "node:url";
 
 const [modules, chromium] = process.argv.slice(2);
@@ -64,8 +66,8 @@ async function take(page, step) {
 
 async function run(browser, { page: file, hash = "", width = 1280, height = 800, scheme = "light", steps }) {
   const isServed = file.startsWith("http://");
-  const context = isServed ? await browser.createBrowserContext() : undefined;
-  const page = await (context ?? browser).newPage();
+  const context = await browser.createBrowserContext();
+  const page = await context.newPage();
   page.address = isServed ? file : pathToFileURL(file).href;
   page.setDefaultTimeout(kTime);
   const errors = [];
@@ -85,7 +87,7 @@ async function run(browser, { page: file, hash = "", width = 1280, height = 800,
   const isOther = isServed
     ? (address) => !address.startsWith(page.address)
     : (address) => address.split("#")[0] !== page.address;
-  await (context ?? page).close();
+  await context.close();
   return { results, errors, addresses: addresses.filter(isOther) };
 }
 
@@ -96,9 +98,11 @@ const browser = await require("puppeteer-core").launch({
   args: ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-angle=swiftshader", "--ignore-gpu-blocklist"],
 });
 try {
-  const results = [];
-  for (const job of JSON.parse(fs.readFileSync(0, "utf8"))) results.push(await run(browser, job));
-  process.stdout.write(JSON.stringify(results));
+  for await (const line of readline.createInterface({ input: process.stdin })) {
+    const results = [];
+    for (const job of JSON.parse(line)) results.push(await run(browser, job));
+    process.stdout.write(JSON.stringify(results) + "\n");
+  }
 } finally {
   await browser.close();
 }
