@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::string_view kFirstLine =
     "# Findings that smurf-lint suppresses: file, rule, place. Written by\n";
+constexpr std::string_view kFormerFirstLine =
+    "# Findings that smurf-lint lets pass: file, rule, place. Written by\n";
 
 void malformed(Span span, std::string message, DiagnosticSink& sink) {
   sink.report(rules::sml9104_malformed_baseline, span, std::move(message))
@@ -101,7 +103,9 @@ void Baseline::report_stale(const SourceMap& sources, const RuleSelection& selec
   }
 }
 
-bool Baseline::is_written(std::string_view text) { return text.starts_with(kFirstLine); }
+bool Baseline::is_written(std::string_view text) {
+  return text.starts_with(kFirstLine) || text.starts_with(kFormerFirstLine);
+}
 
 std::string Baseline::write(std::span<const Diagnostic> diagnostics,
                             const SourceMap& sources) const {
