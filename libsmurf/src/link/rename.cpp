@@ -155,7 +155,7 @@ class Renamer {
         return fail("there are two: the " + thing(first.kind, rename.from) + " of " +
                     place_text(sources_, first.span) + " and that of " +
                     place_text(sources_, definition->span) +
-                    "; pass only files that use one of them");
+                    "; name only files that use one of them");
       }
       const auto [known, is_new] =
           new_names_.emplace(OwnedName{owner, first.kind, rename.from}, rename.to);
