@@ -214,10 +214,10 @@ class Scanner {
     close_element();
   }
 
-  /// After the root, all URDF readers stop here.
+  /// After the root, all URDF readers stop at an end tag with a name; tinyxml2 refuses `</>`.
   void end_tag_outside(Span tag, Span name) {
     Diagnostic& diagnostic = malformed(tag, "the end tag " + quoted(name) + " closes nothing");
-    well_formed_ = !tree_.elements().empty();
+    well_formed_ = !tree_.elements().empty() && !name.empty();
     if (!well_formed_) return;
     diagnostic.construct = "end-tag-behind";
     at_ = size();
