@@ -212,7 +212,7 @@ class Output(FlattenTest):
         self.write("fixed.smurfs", "entities:\n- {name: A, file: models/box.urdf, anchor: world}\n")
         self.assertNotIn("--ground", self.run_tool("fixed.smurfs", "-o", "w.sdf").stderr)
         for options in (("--format", "json"), ("--format", "sdf", "--form", "reference")):
-            self.expect_complaint("--ground needs --format sdf, sdf1.6 or mjcf, and --form expand",
+            self.expect_complaint("--ground needs --form expand and one of the formats sdf, sdf1.6, mjcf",
                                   "free.smurfs", "--ground", *options)
 
     def test_a_folder_with_one_scene(self):

@@ -164,7 +164,7 @@ std::string by_section(const std::map<std::string_view, std::size_t>& counts,
     all += number;
   }
   if (all == 0) return "";
-  return std::to_string(all) + " " + std::string(all == 1 ? singular : plural) + text + ")";
+  return counted(all, singular, plural) + text + ")";
 }
 
 /// "3 entries (2 in poses, 1 in sensors) and 4 values of other entries (4 in motors)". Findings in

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/counted.hpp"
 #include "base/system.hpp"
 #include "smurf/repository.hpp"
 
@@ -24,8 +25,8 @@ std::string hidden(const Results& results) {
   const Severity least = results.overview.least;
   const std::size_t infos = results.summary.infos;
   if (results.counts_only || least == Severity::info || infos == 0) return {};
-  return std::to_string(infos) + (infos == 1 ? " info is" : " infos are") +
-         " not shown; --min-severity info shows " + (infos == 1 ? "it" : "them") + "\n";
+  return counted(infos, "info is", "infos are") + " not shown; --min-severity info shows " +
+         (infos == 1 ? "it" : "them") + "\n";
 }
 
 /// A line that says where to read more about the worst finding.

@@ -213,8 +213,7 @@ ExitCode write_baseline(const LintOptions& options, const Session& session, cons
   if (options.quiet) return kDone;
   const auto count = static_cast<std::size_t>(
       std::count_if(report.diagnostics.begin(), report.diagnostics.end(), may_be_in_baseline));
-  std::string done = "wrote " + std::to_string(count) + (count == 1 ? " finding" : " findings") +
-                     " to " + render::escape(*path);
+  std::string done = "wrote " + counted(count, "finding") + " to " + render::escape(*path);
   if (known.empty()) done += "; from now on, add --baseline " + *path;
   return write_text(options, done + "\n");
 }

@@ -33,6 +33,7 @@ struct Options {
   std::string format_help;
   std::string dialect = "spec";
   std::string dialect_help;
+  std::string ground_help;
   bool compare_dialects = false;
   std::string form;
   std::string explained;
@@ -69,6 +70,15 @@ std::string format_hint(std::string_view value) {
   return {};
 }
 
+/// "sdf, sdf1.6, mjcf": the formats that can add a floor.
+std::string ground_formats() {
+  std::string names;
+  for (const SceneFormat* format : scene_formats()) {
+    if (format->has_ground) names += (names.empty() ? "" : ", ") + std::string(format->name);
+  }
+  return names;
+}
+
 std::vector<std::string_view> dialect_names() {
   std::vector<std::string_view> names;
   for (const Dialect* dialect : dialects()) names.push_back(dialect->name);
@@ -87,6 +97,7 @@ std::string dialect_help() {
 void add_options(Command& command, Options& options) {
   options.format_help = format_help();
   options.dialect_help = dialect_help();
+  options.ground_help = "Add a floor at z = 0 that is not in the scene (" + ground_formats() + ").";
   const auto add = [&](Option option) {
     option.group = "Conversion";
     command.options.push_back(std::move(option));
@@ -104,9 +115,7 @@ void add_options(Command& command, Options& options) {
            "support both expand by default, which loses less.",
        .values = {"reference", "expand"},
        .set = set_text(options.form)});
-  add({.name = "ground",
-       .help = "Add a floor at z = 0 that is not in the scene (sdf, sdf1.6, mjcf).",
-       .set = set_flag(options.ground)});
+  add({.name = "ground", .help = options.ground_help, .set = set_flag(options.ground)});
   add({.name = "links",
        .help = "Write the world pose of every link as well.",
        .set = set_flag(options.links)});
@@ -395,7 +404,7 @@ int main(int argc, char** argv) {
   const std::optional<SceneForm> form = choose_form(format, options.form);
   if (!form) return kFailed;
   if (options.ground && (!format.has_ground || *form != SceneForm::expand)) {
-    complain(kTool, "--ground needs --format sdf, sdf1.6 or mjcf, and --form expand");
+    complain(kTool, "--ground needs --form expand and one of the formats " + ground_formats());
     return kFailed;
   }
   const auto current = current_folder(kTool);

@@ -75,7 +75,8 @@ std::optional<std::string> number_by_yaml11(std::string_view text) {
     const char sign = digits[at + 1];
     if (!has_point || (sign != '+' && sign != '-')) return "a text";
   }
-  if (digits.front() == '.' && digits.size() != text.size()) return "a text";
+  const bool is_signed = digits.size() != text.size();
+  if (is_signed && digits.front() == '.' && is_digit(digits[1])) return "a text";  // not -.inf
   if (has_point || digits.size() == 1 || digits.front() != '0') return std::nullopt;
   const bool is_octal =
       std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '7'; });

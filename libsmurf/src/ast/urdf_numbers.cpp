@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/counted.hpp"
 #include "base/floating.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
@@ -237,15 +238,12 @@ class NumberReader {
       return false;
     }
     if (tokens.size() == count) return true;
-    const auto plural = [](std::size_t n) {
-      return std::to_string(n) + (n == 1 ? " number" : " numbers");
-    };
     const std::string_view name = attribute_.name();
     const bool is_scale = name == "scale";
     const bool is_color = name == "rgba";
     Diagnostic& diagnostic = sink_.report(rules::sml1807_vector_count, place(whole()),
-                                          quoted(name) + " takes " + plural(count) + ", not " +
-                                              std::to_string(tokens.size()));
+                                          quoted(name) + " takes " + counted(count, "number") +
+                                              ", not " + std::to_string(tokens.size()));
     if (is_scale && tokens.size() == 1) {
       // Bullet, Drake and yourdfpy take one number for all three axes.
       const std::string factor(text_.substr(tokens[0].begin, tokens[0].end - tokens[0].begin));

@@ -8,9 +8,14 @@
 
 namespace smurf {
 
+/// "1 entry", "7 entries".
+inline std::string counted(std::size_t number, std::string_view singular, std::string_view plural) {
+  return std::to_string(number) + " " + std::string(number == 1 ? singular : plural);
+}
+
 /// "1 joint", "7 joints".
 inline std::string counted(std::size_t number, std::string_view noun) {
-  return std::to_string(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
+  return counted(number, noun, std::string(noun) + "s");
 }
 
 }  // namespace smurf

@@ -308,7 +308,8 @@ class ModelLoader {
     }
   }
 
-  /// Its place, because a link may have thousands of visuals: definition_of() in placed_shapes.cpp.
+  /// Adds the place of the visual, not the index of its link, because a link may have thousands of
+  /// visuals. definition_of() in placed_shapes.cpp finds the visual by its place.
   void name_material_of(const urdf::Visual& visual) {
     model_.material_names.add(*visual.material->name, visual.span.begin);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "ast/notation.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/suggest.hpp"
@@ -56,18 +57,13 @@ bool is_slip(yaml::View mapping, std::string_view key, Findings& findings) {
   return is_found;
 }
 
-/// PyYAML reads an exponent only behind a point, and with a sign.
-bool has_exponent_of_text(std::string_view text) {
-  const std::size_t e = text.find_first_of("eE");
-  if (e == std::string_view::npos || text.starts_with("0x")) return false;
-  const bool has_sign = e + 1 < text.size() && (text[e + 1] == '-' || text[e + 1] == '+');
-  return !has_sign || text.substr(0, e).find('.') == std::string_view::npos;
-}
+/// Whether PyYAML reads a number of the core schema as a text.
+bool is_text_by_yaml11(std::string_view number) { return number_by_yaml11(number) == "a text"; }
 
 void report_name_read_as_value(yaml::View entry, Findings& findings) {
   const yaml::View name = entry.is_mapping() ? entry.find("name") : yaml::View();
   if (!name || !name.is_scalar() || name.style() != yaml::Style::plain) return;
-  const bool is_number = name.number() && !has_exponent_of_text(name.text());
+  const bool is_number = name.number() && !is_text_by_yaml11(name.text());
   if (!is_number && !name.boolean()) return;
   findings
       .report(name.span(), "Phobos reads " + quoted(name.text()) + " as something other than text")
@@ -79,7 +75,7 @@ void report_number_keys(yaml::View entry, Findings& findings) {
   for (const yaml::View member : entry) {
     const Span place = member.key_span();
     const bool is_plain = place.end - place.begin == member.key().size();
-    if (!is_plain || !parse_number(member.key()) || has_exponent_of_text(member.key())) continue;
+    if (!is_plain || !parse_number(member.key()) || is_text_by_yaml11(member.key())) continue;
     findings.report(place, "Phobos accepts no number as a key").help("put it in quotes");
   }
 }

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ast/part_at.hpp"
 #include "base/quoted.hpp"
 #include "base/readers.hpp"
 #include "link/mujoco_compiler.hpp"
@@ -69,21 +70,9 @@ void mark(std::string_view place, std::string_view construct, std::span<Diagnost
   }
 }
 
-/// The link or joint that contains a place; `parts` are in the order of the file.
-template <class Part>
-const Part* part_at(const std::vector<Part>& parts, Span place) {
-  const auto next = std::upper_bound(
-      parts.begin(), parts.end(), place.begin,
-      [](std::uint32_t begin, const Part& part) { return begin < part.span.begin; });
-  if (next == parts.begin()) return nullptr;
-  const Part& part = *std::prev(next);
-  return place.begin < part.span.end ? &part : nullptr;
-}
-
 /// Whether the link moves only together with the body to which it is fixed, or not at all.
-bool is_carried(const LinkedModel& model, const urdf::Link& link) {
-  const auto index = static_cast<std::size_t>(&link - model.robot->links.data());
-  const auto above = model.tree.parent_joint[index];
+bool is_carried(const LinkedModel& model, std::size_t link) {
+  const auto above = model.tree.parent_joint[link];
   return !above || model.joint(*above).type == urdf::JointType::fixed;
 }
 
@@ -91,23 +80,26 @@ bool is_carried(const LinkedModel& model, const urdf::Link& link) {
 /// "#carried" or, if the link moves by itself, "#alone/inertia/@ixx/"; parts of joints get
 /// "#in-fixed/limit/@lower/".
 void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
-  std::vector<bool> alone;
+  std::vector<bool> alone;  // by link; computed when it is needed
   for (Diagnostic* diagnostic : found) {
     constexpr std::string_view kJoint = "/robot/joint/";
     constexpr std::string_view kInertial = "/robot/link/inertial/";
     const std::string path = fact_path(*diagnostic);
     if (path.starts_with(kInertial)) {
-      const urdf::Link* link = part_at(model.robot->links, diagnostic->span);
+      const urdf::Link* link = part_at(model.robot->links, diagnostic->span.begin);
       if (link == nullptr) continue;
       const auto index = static_cast<std::size_t>(link - model.robot->links.data());
-      if (is_carried(model, *link)) {
+      if (is_carried(model, index)) {
         diagnostic->construct += "#carried";
-      } else if (alone.empty() ? (alone = alone_in_motion(model))[index] : alone[index]) {
+        continue;
+      }
+      if (alone.empty()) alone = alone_in_motion(model);
+      if (alone[index]) {
         const std::size_t end = std::min(path.find('#'), path.size());
         diagnostic->construct += "#alone/" + path.substr(kInertial.size(), end - kInertial.size());
       }
     } else if (path.starts_with(kJoint)) {
-      const urdf::Joint* joint = part_at(model.robot->joints, diagnostic->span);
+      const urdf::Joint* joint = part_at(model.robot->joints, diagnostic->span.begin);
       if (joint == nullptr || joint->type == urdf::JointType::unknown) continue;
       const std::size_t end = std::min(path.find('#'), path.size());
       diagnostic->construct +=

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.hpp"
 #include "base/little_endian.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
@@ -114,8 +115,7 @@ void read_binary_stl(std::string_view bytes, MeshFacts& facts, SurfaceSum& surfa
   const std::uint64_t announced = stl_triangle_count(bytes);
   const std::uint64_t needed = kStlHeaderBytes + announced * kStlTriangleBytes;
   if (needed != bytes.size()) {
-    facts.defect = {"its header announces " + std::to_string(announced) +
-                        (announced == 1 ? " triangle" : " triangles") + ", which take " +
+    facts.defect = {"its header announces " + counted(announced, "triangle") + ", which take " +
                         std::to_string(needed) + " bytes, but the file has " +
                         std::to_string(bytes.size()),
                     kStlHeaderBytes - 4, 0};

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <vector>
 
+#include "ast/part_at.hpp"
 #include "base/path.hpp"
 #include "write/annotated_colors.hpp"
 
@@ -43,14 +44,6 @@ class GeometryReader {
  private:
   const FlatModel& model_;
 };
-
-/// The last of the parts that begin at `place` or before it; null if there is none.
-template <typename Part>
-const Part* part_at(const std::vector<Part>& parts, std::uint32_t place) {
-  const auto behind = std::partition_point(
-      parts.begin(), parts.end(), [&](const Part& part) { return part.span.begin <= place; });
-  return behind == parts.begin() ? nullptr : &*std::prev(behind);
-}
 
 /// The material that a visual refers to, of the robot or of another visual, as in urdfdom; null if
 /// there is none.

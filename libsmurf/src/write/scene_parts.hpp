@@ -51,6 +51,7 @@ LinkInertial solid_mass(const FlatGeometry& geometry, double mass);
 inline constexpr Vector3 kUsualGravity{0, 0, -9.81};  ///< m/s^2
 /// s; MARS's 10 ms are too long for the solvers of Gazebo and MuJoCo.
 inline constexpr double kUsualStep = 0.001;
+inline constexpr double kGroundSize = 100;  ///< sides of the floor of SceneExport::ground, m
 
 /// The start position of a joint of an instance: given, or computed from its leader; otherwise 0.
 double start_position(const LinkedModel& model, const urdf::Joint& joint,
@@ -60,7 +61,6 @@ double start_position(const LinkedModel& model, const urdf::Joint& joint,
 /// scenes do not move.
 bool is_movable(const FlatInstance& instance);
 double mass_of(const FlatInstance& instance);
-constexpr double kGroundSize = 100;  ///< sides of the floor of SceneExport::ground, m
 
 /// The lights of the world, in the order of the flat scene.
 std::vector<const Light*> world_lights(const SceneExport& scene);

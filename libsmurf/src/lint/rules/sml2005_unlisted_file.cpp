@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/counted.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -10,7 +11,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (model.unlisted_files.empty()) return;
   const std::size_t others = model.unlisted_files.size() - 1;
   std::string who = quoted(model.unlisted_files.front());
-  if (others > 0) who += " and " + std::to_string(others) + (others == 1 ? " other" : " others");
+  if (others > 0) who += " and " + counted(others, "other");
   Diagnostic& diagnostic =
       findings.report(model.files.front().document->view().find("files").key_span(),
                       who +

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/counted.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -44,7 +45,7 @@ void check(const LinkedModel& model, Findings& findings) {
   const CollisionAnnotation& first = *hidden.front();
   const std::size_t others = hidden.size() - 1;
   std::string who = subject("collision", first);
-  if (others > 0) who += " and " + std::to_string(others) + (others == 1 ? " other" : " others");
+  if (others > 0) who += " and " + counted(others, "other");
   Diagnostic& diagnostic = findings.report(first.bitmask.span, "ray sensors of MARS do not see " +
                                                                    who + ": bit 15 is not set");
   diagnostic.help("set bit 15: `bitmask: " + std::to_string(*first.bitmask | kSeenByRays) + "`");
