@@ -52,7 +52,7 @@ const char* const kNames[] = {"file",
 
 }  // namespace
 
-TEST_CASE("canonical paths: what the standard library says, at the first look and the second") {
+TEST_CASE("canonical paths: both calls return the path of std::filesystem") {
   const Tree tree;
   const CanonicalPaths paths;
   for (int look = 0; look < 2; ++look) {
@@ -63,7 +63,7 @@ TEST_CASE("canonical paths: what the standard library says, at the first look an
   }
 }
 
-TEST_CASE("canonical paths: links to nothing are followed all the same") {
+TEST_CASE("canonical paths: a link to a missing file is followed") {
   const Tree tree;
   fs::create_symlink("../nothing", tree / "folder/dead");
   const CanonicalPaths paths;
@@ -72,7 +72,7 @@ TEST_CASE("canonical paths: links to nothing are followed all the same") {
   CHECK(paths.of(tree / "link/dead") == tree / "nothing");
 }
 
-TEST_CASE("canonical paths: what is behind a link is looked for where it leads") {
+TEST_CASE("canonical paths: a path through a link continues at the target of the link") {
   const Tree tree;
   fs::create_directories(tree / "a/b");
   fs::create_directory_symlink(tree / "a", tree / "folder/whole");  // absolute, and back again
@@ -86,7 +86,7 @@ TEST_CASE("canonical paths: what is behind a link is looked for where it leads")
   }
 }
 
-TEST_CASE("canonical paths: a folder that was replaced is looked into anew") {
+TEST_CASE("canonical paths: a replaced folder is read again") {
   const Tree tree;
   const CanonicalPaths paths;
   CHECK(paths.of(tree / "folder/inner") == tree / "folder/inner");
@@ -96,7 +96,7 @@ TEST_CASE("canonical paths: a folder that was replaced is looked into anew") {
   CHECK(paths.of(tree / "folder/new") == tree / "file");
 }
 
-TEST_CASE("canonical paths: relative ones are absolute afterwards") {
+TEST_CASE("canonical paths: a relative path becomes absolute") {
   const CanonicalPaths paths;
   const std::string here = fs::current_path().string();
   CHECK(paths.of("") == fs::canonical(here).string());
@@ -107,7 +107,7 @@ TEST_CASE("canonical paths: relative ones are absolute afterwards") {
   CHECK(paths.of("/no such file") == "/no such file");
 }
 
-TEST_CASE("canonical paths: links in a circle and names that are too long have none") {
+TEST_CASE("canonical paths: links in a circle and too long names have none") {
   const Tree tree;
   const CanonicalPaths paths;
   CHECK(!paths.of(tree / "loop"));

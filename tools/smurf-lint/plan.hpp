@@ -32,7 +32,7 @@ void confine_to_changeable(ConfinedFiles& files, const LintOptions& options, con
 /// If standard input is an operand, its text is added to `files`.
 LintPlan make_plan(const LintOptions& options, MemoryFiles& files);
 
-/// Keeps one part of the files. A URDF that a planned model lists stays with the model.
+/// Keeps only the files of one shard. The URDF of a planned model is in the shard of the model.
 void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files);
 
 /// The configuration of a file or folder: the one that the options name, otherwise the nearest one

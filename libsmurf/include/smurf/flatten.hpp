@@ -127,8 +127,8 @@ struct FlattenOptions {
   const OldScenes* old_scenes = nullptr;
 };
 
-/// Reports a finding and returns false if the result of flatten(), or the text that a format makes
-/// of it, would exceed `limits.scene_bytes`.
+/// Whether the result of flatten(), and the text that a format makes of it, stay within
+/// `limits.scene_bytes`. Reports a finding if not.
 bool check_scene_size(const LinkedScene& scene, const SourceMap& sources,
                       const FlattenOptions& options, const Limits& limits, DiagnosticSink& sink);
 

@@ -14,8 +14,8 @@ namespace smurf {
 enum class PathVerdict : std::uint8_t { unmentioned, excluded, included };
 
 /// Paths are relative to the folder of the patterns. `*`, `?` and `[a-z]` match within a name, `**`
-/// any number of folders. A slash before the end makes a pattern relative to the folder, one at the
-/// end means folders only, `!` reverses an exclusion. The last matching pattern applies.
+/// any number of folders. A pattern with a slash before its end is relative to the folder. A slash
+/// at the end matches folders only. `!` includes paths again. The last matching pattern applies.
 class PathPatterns {
  public:
   /// The cost of comparing an ordinary pattern with a path; a long pattern costs a multiple.

@@ -13,8 +13,8 @@ namespace smurf {
 /// differ only in case are one edit apart. Gives up above `limit` and returns limit + 1.
 int edit_distance(std::string_view a, std::string_view b, int limit);
 
-/// The known name that a misspelling may mean: within a third of the length in edits, or equal
-/// except for case. Of equally near names, the first is used. None if `name` itself is known.
+/// The known name closest to a misspelled one: at most a third of its length in edits, or different
+/// only in case. Of equally near names, the first is used. None if `name` itself is known.
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known);
 

@@ -14,7 +14,7 @@ namespace smurf {
 
 /// Reads a file into the source map. If it cannot be read, reports `rule` at `reference` (the text
 /// that names the file; empty for a path of the command line) and returns none. The message
-/// suggests a file with a similar name for which `is_taken` is false.
+/// suggests a file with a similar name, unless `is_taken` returns true for it.
 std::optional<SourceId> read_source(const std::string& path, Span reference, const Rule& rule,
                                     LoadContext& context,
                                     const std::function<bool(const std::string&)>& is_taken = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What findings mean for the targets.
+// Adjusts findings to the readers that the user names with --target.
 #pragma once
 
 #include <span>

@@ -27,8 +27,8 @@ bool is_broken_character(std::string_view text);
 /// and truncates a value at `&#0;`.
 bool has_wrong_reference(std::string_view written);
 
-/// Decodes a value or text: replaces references to characters, and every line end by '\n'. Anything
-/// else that begins with '&' is unchanged.
+/// Decodes a value or text: replaces character references, and every line end with '\n'. Leaves
+/// anything else that begins with '&' unchanged.
 std::string decode_xml(std::string_view written);
 /// Decodes a CDATA section like decode_xml(), but without references.
 std::string decode_character_section(std::string_view written);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours and textures of visuals with those of the annotations, for writers that go through
-// all instances.
+// Looks up the colours and textures of visuals, with those from annotations, for writers that visit
+// every instance.
 #pragma once
 
 #include <map>
