@@ -213,6 +213,24 @@ TEST_CASE("a new name is quoted and escaped where it has to be") {
   CHECK(changed_meanings(before, after, other.sources).empty());
 }
 
+TEST_CASE("renaming a material that is defined in a visual changes no meaning") {
+  const OneModel one("", R"(<robot name="r">
+  <link name="base">
+    <visual><geometry><sphere radius="1"/></geometry><material name="red"><color rgba="1 0 0 1"/></material></visual>
+    <visual><geometry><sphere radius="2"/></geometry><material name="blue"><color rgba="0 0 1 1"/></material></visual>
+    <visual><geometry><sphere radius="3"/></geometry><material name="blue"/></visual>
+  </link>
+</robot>
+)");
+  const Renamed result = renamed(
+      one, {{NameKind::material, "red", "dark_red"}, {NameKind::material, "blue", "dark_blue"}});
+  REQUIRE(result.problems.empty());
+  const OneModel other("", text_of(result, "r.urdf"));
+  const std::array before{references_of(one.model)};
+  const std::array after{references_of(other.model)};
+  CHECK(changed_meanings(before, after, other.sources).empty());
+}
+
 TEST_CASE("two things can swap their names") {
   const OneModel one;
   const Renamed result =

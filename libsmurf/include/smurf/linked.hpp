@@ -99,6 +99,11 @@ struct TextureReference {
   bool is_denied = false;  ///< it is outside of the project, and may exist or not
 };
 
+struct VisualIndex {
+  std::uint32_t link = 0;    ///< in Robot::links
+  std::uint32_t visual = 0;  ///< in Link::visuals
+};
+
 /// A file of a model and its parsed content.
 struct ModelFile {
   enum class Kind : std::uint8_t { main, urdf, annotation };
@@ -119,6 +124,8 @@ struct LinkedModel {
   std::string urdf_path;  ///< empty if there is no URDF
   KinematicTree tree;
   NameTable link_names, joint_names, visual_names, collision_names, material_names;
+  /// The indices in material_names are those of Robot::materials and continue with these.
+  std::vector<VisualIndex> visual_materials;
   NameTable motor_names, sensor_names;
   std::vector<MeshReference> meshes;  ///< of the URDF, in document order
   std::vector<TextureReference> annotation_textures;

@@ -308,10 +308,22 @@ class ModelLoader {
     }
   }
 
-  /// Adds the place of the visual, not the index of its link, because a link may have thousands of
-  /// visuals. definition_of() in placed_shapes.cpp finds the visual by its place.
-  void name_material_of(const urdf::Visual& visual) {
-    model_.material_names.add(*visual.material->name, visual.span.begin);
+  /// Names the materials of visuals. A definition in a visual is for all visuals that come later;
+  /// a material without definition is still a name.
+  void name_materials_of_visuals(bool are_defined) {
+    const std::vector<urdf::Link>& links = model_.robot->links;
+    for (std::uint32_t i = 0; i < links.size(); ++i) {
+      for (std::uint32_t j = 0; j < links[i].visuals.size(); ++j) {
+        const auto& material = links[i].visuals[j].material;
+        if (!material || !material->name) continue;
+        if (are_defined && !material->rgba && !material->texture) continue;
+        const std::size_t index = model_.robot->materials.size() + model_.visual_materials.size();
+        const bool is_known =
+            model_.material_names.add(*material->name, static_cast<std::uint32_t>(index))
+                .has_value();
+        if (!is_known) model_.visual_materials.push_back({i, j});
+      }
+    }
   }
 
   void link() {
@@ -332,21 +344,13 @@ class ModelLoader {
       const auto index = static_cast<std::uint32_t>(i);
       for (const urdf::Visual& visual : robot.links[i].visuals) {
         if (visual.name) model_.visual_names.add(*visual.name, index);
-        // A material may be defined inside a visual, for all visuals that come later.
-        if (visual.material && visual.material->name &&
-            (visual.material->rgba || visual.material->texture)) {
-          name_material_of(visual);
-        }
       }
       for (const urdf::Collision& collision : robot.links[i].collisions) {
         if (collision.name) model_.collision_names.add(*collision.name, index);
       }
     }
-    for (const urdf::Link& link : robot.links) {
-      for (const urdf::Visual& visual : link.visuals) {
-        if (visual.material && visual.material->name) name_material_of(visual);
-      }
-    }
+    name_materials_of_visuals(true);
+    name_materials_of_visuals(false);
     model_.tree = build_tree(model_);
     check_followers();
   }

@@ -7,7 +7,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ast/part_at.hpp"
 #include "base/quoted.hpp"
 #include "base/readers.hpp"
 #include "link/mujoco_compiler.hpp"
@@ -68,6 +67,17 @@ void mark(std::string_view place, std::string_view construct, std::span<Diagnost
   for (Diagnostic* diagnostic : found) {
     if (diagnostic->pointer.find(place) != std::string::npos) diagnostic->construct += construct;
   }
+}
+
+/// The part whose span contains the byte at `place`; null if there is none. The parts are in the
+/// order of the file and do not overlap.
+template <class Part>
+const Part* part_at(const std::vector<Part>& parts, std::uint32_t place) {
+  const auto next = std::partition_point(
+      parts.begin(), parts.end(), [&](const Part& part) { return part.span.begin <= place; });
+  if (next == parts.begin()) return nullptr;
+  const Part& part = *std::prev(next);
+  return place < part.span.end ? &part : nullptr;
 }
 
 /// Whether the link moves only together with the body to which it is fixed, or not at all.

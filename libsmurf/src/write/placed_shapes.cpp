@@ -6,7 +6,6 @@
 #include <iterator>
 #include <vector>
 
-#include "ast/part_at.hpp"
 #include "base/path.hpp"
 #include "write/annotated_colors.hpp"
 
@@ -49,18 +48,12 @@ class GeometryReader {
 /// there is none.
 const urdf::Material* definition_of(const urdf::Visual& visual, const LinkedModel& model) {
   if (!visual.material->name) return nullptr;
-  const std::string& name = *visual.material->name;
-  const auto index = model.material_names.find(name);
+  const auto index = model.material_names.find(*visual.material->name);
   if (!index) return nullptr;
   const std::vector<urdf::Material>& materials = model.robot->materials;
-  if (*index < materials.size() && materials[*index].name && *materials[*index].name == name) {
-    return &materials[*index];
-  }
-  // The table also contains the materials of visuals, with the places of the visuals.
-  const urdf::Link* link = part_at(model.robot->links, *index);
-  const urdf::Visual* definition = link == nullptr ? nullptr : part_at(link->visuals, *index);
-  if (definition != nullptr && definition->material) return &*definition->material;
-  return nullptr;
+  if (*index < materials.size()) return &materials[*index];
+  const VisualIndex place = model.visual_materials[*index - materials.size()];
+  return &*model.robot->links[place.link].visuals[place.visual].material;
 }
 
 }  // namespace
