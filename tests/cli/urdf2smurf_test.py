@@ -253,6 +253,13 @@ class Refusal(ImportTest):
         self.assertFalse((self.folder / "no").exists())
         self.complain(0, "SML18", "in/urdf/arm.urdf", "-o", "no", "--force")
 
+    def test_faults_in_materials_stop_nothing(self):
+        urdf = self.read("in/urdf/arm.urdf")
+        for extra in ('<material name="again"><color rgba="0 0 0 1"/></material>', '<material/>'):
+            self.write("in/urdf/arm.urdf", urdf.replace("</visual>", extra + "</visual>", 1))
+            self.complain(0, "see smurf-lint in/urdf/arm.urdf\n", "in/urdf/arm.urdf", "-o", "out", "--overwrite")
+            self.assertIn(extra, self.read("out/urdf/arm.urdf"))
+
     def test_existing_files_stay(self):
         self.write("out/smurf/arm_joint.yml", "mine\n")
         self.complain(2, "cannot write 'out/smurf/arm_joint.yml': File exists; see --overwrite; "

@@ -21,7 +21,7 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
                                         const UrdfExport& wanted);
 
 /// The reason why a model that is imported from a URDF would be wrong because of this finding. All
-/// its values are needed.
+/// its values but those of materials are needed.
 std::optional<std::string> loss_in_model(const Diagnostic& finding);
 
 /// The reason why poses or shapes of a flattened scene would be wrong because of this finding. A

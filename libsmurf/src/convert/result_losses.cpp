@@ -16,9 +16,15 @@ bool is_unread(const Rule& rule) {
   return rule.check_model == nullptr && rule.check_scene == nullptr;
 }
 
-std::optional<std::string> loss_in_robot(const Rule& rule) {
-  if (rule.blocks_building) return "its links and joints do not form a valid robot";
-  if (is_unread(rule)) return "a value cannot be read";
+/// Whether the finding only concerns the look of shapes: the result has the first material of a
+/// visual, as nearly all readers do, or none.
+bool is_about_look(const Diagnostic& finding) {
+  return finding.pointer.find("/material") != std::string::npos;
+}
+
+std::optional<std::string> loss_in_robot(const Diagnostic& finding) {
+  if (finding.rule->blocks_building) return "its links and joints do not form a valid robot";
+  if (is_unread(*finding.rule) && !is_about_look(finding)) return "a value cannot be read";
   return std::nullopt;
 }
 
@@ -109,7 +115,7 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
 
 std::optional<std::string> loss_in_model(const Diagnostic& finding) {
   if (finding.severity != Severity::error) return std::nullopt;
-  return loss_in_robot(*finding.rule);
+  return loss_in_robot(finding);
 }
 
 std::optional<std::string> loss_in_scene(const Diagnostic& finding, const SourceMap& sources) {
@@ -118,7 +124,7 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Source
   if (is_for_mars_alone(rule)) return std::nullopt;
   switch (input_kind(sources.path(finding.span.source))) {
   case InputKind::resource: return std::nullopt;
-  case InputKind::urdf: return loss_in_robot(rule);
+  case InputKind::urdf: return loss_in_robot(finding);
   case InputKind::annotation:
     // Named poses are the only annotations that decide where a link is.
     if (rule.id.starts_with("SML0")) return "a file cannot be read";
