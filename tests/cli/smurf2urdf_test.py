@@ -233,6 +233,15 @@ class Refusal(ExportTest):
             self.assertIn("the result would not be XML", done.stderr)
             self.assertEqual(self.run_with_messages(0, "--force", "a.urdf").stdout, text)
 
+    def test_what_only_readers_of_urdf_accept_becomes_xml_for_all(self):
+        for text, xml in (('<robot name="a & b"><link name="x&y"/></robot>', '<robot name="a &amp; b"><link name="x&amp;y"/></robot>'),
+                          ('<robot name="a<b"><link name="b"/></robot>', '<robot name="a&lt;b"><link name="b"/></robot>'),
+                          ('<robot name="a"version="1.0"><link name="b"/></robot>', '<robot name="a" version="1.0"><link name="b"/></robot>')):
+            self.write("a.urdf", text)
+            self.assertEqual(self.run_with_messages(0, "a.urdf").stdout, xml)
+            self.assertEqual(self.run_with_messages(0, "--prefix", "p_", "a.urdf").stdout,
+                             xml.replace('link name="', 'link name="p_'))
+
     def test_what_does_not_load_is_refused_and_the_old_file_kept(self):
         self.break_type()
         self.write("o.urdf", "the old file")

@@ -88,6 +88,28 @@ TEST_CASE("any text survives, XML with odd line breaks too") {
   }
 }
 
+TEST_CASE("keys may be longer than YAML allows before a colon") {
+  for (const std::string key :
+       {std::string(3000, 'n'), std::string(999, 'n'), std::string(1100, ':')}) {
+    CAPTURE(key.size());
+    CHECK(read_back(text_value(key, "x")) == "x");
+    NewValue in_list = list_value(
+        "all",
+        {mapping_value({}, {text_value(key, "x"), numbers_value(key + "2", {{key, 1}, {"b", 2}}),
+                            list_value(key + "3", {text_value({}, "y")})})});
+    SourceMap sources;
+    DiagnosticSink sink;
+    const SourceId source = sources.add("a.yml", yaml_text(in_list));
+    const auto document = parse_yaml(sources, source, {}, sink);
+    REQUIRE_MESSAGE(document, sources.text(source));
+    CHECK(sink.diagnostics().empty());
+    const yaml::View entry = *document->view().find("all").begin();
+    CHECK(entry.find(key).text() == "x");
+    CHECK(entry.find(key + "2").find(key).text() == "1");
+    CHECK((*entry.find(key + "3").begin()).text() == "y");
+  }
+}
+
 TEST_CASE("block style, comments, and things that belong together on one line") {
   NewValue motor =
       mapping_value({}, {text_value("name", "hip"), number_value("p", 10, "guessed"),

@@ -72,6 +72,9 @@ bool fits_block(std::string_view text) {
   return is_one_line(one_line);
 }
 
+/// YAML limits a key before its colon to 1,024 characters; only after `? ` it may be longer.
+bool is_long_key(std::string_view written) { return written.size() > 1000; }
+
 /// Comments may contain names from a file, so line ends in them are replaced.
 std::string comment_text(std::string_view text) {
   return is_one_line(text) ? std::string(text) : double_quoted(text);
@@ -86,7 +89,8 @@ class Writer {
     const bool has_comment_above = !value.comment.empty() && !is_scalar(value);
     if (has_comment_above && !is_begun) comment(value.comment, depth);
     if (!is_begun) indent(depth);
-    out += yaml_scalar(value.key) + ":";
+    const std::string written = yaml_scalar(value.key);
+    key(written, depth);
     if (is_scalar(value)) {
       out += " " + scalar(value, depth);
       if (!value.comment.empty()) out += "  # " + comment_text(value.comment);
@@ -96,13 +100,24 @@ class Writer {
     } else {
       out += "\n";
       // A list has the depth of its key, as in the examples of the format.
-      children(value, value.kind == NewValue::Kind::list ? depth : depth + 1);
+      const bool has_depth_of_key = value.kind == NewValue::Kind::list && !is_long_key(written);
+      children(value, has_depth_of_key ? depth : depth + 1);
     }
   }
 
  private:
   static bool is_scalar(const NewValue& value) {
     return value.kind != NewValue::Kind::list && value.kind != NewValue::Kind::mapping;
+  }
+
+  void key(const std::string& written, int depth) {
+    if (!is_long_key(written)) {
+      out += written + ":";
+      return;
+    }
+    out += "? " + written + "\n";
+    indent(depth);
+    out += ":";
   }
 
   void indent(int depth) { out.append(static_cast<std::size_t>(depth) * 2, ' '); }
@@ -161,10 +176,14 @@ class Writer {
     std::string text;
     for (const NewValue& child : value.children) {
       text += text.empty() ? "" : ", ";
-      if (!is_list) text += yaml_scalar(child.key) + ": ";
+      if (!is_list) text += key_in_flow(yaml_scalar(child.key));
       text += is_scalar(child) ? in_flow(child) : one_line(child);
     }
     return is_list ? "[" + text + "]" : "{" + text + "}";
+  }
+
+  static std::string key_in_flow(const std::string& written) {
+    return is_long_key(written) ? "? " + written + " : " : written + ": ";
   }
 
   static std::string in_flow(const NewValue& value) {
