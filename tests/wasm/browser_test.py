@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""In Chromium, the npm package finds in every fixture of a rule what the native smurf-lint finds.
+"""In Chromium, the npm package finds in every fixture and in every repository of the corpus what the native smurf-lint finds.
 
-usage: browser_test.py FOLDER_OF_TOOLS PACKAGE
+usage: browser_test.py FOLDER_OF_TOOLS PACKAGE [CORPUS]
 """
 import base64
 import http.server
@@ -16,12 +16,13 @@ import threading
 from built import skip_without
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-TIME = 300  # s
+TIME = 1200  # s
 PAGE = """<!doctype html><script type="module">
 const results = [];
 try {
   const { run } = await import("/index.mjs");
-  for (const { args, files } of await (await fetch("/jobs")).json()) {
+  for (let job = 0, count = await (await fetch("/jobs")).json(); job < count; ++job) {
+    const { args, files } = await (await fetch("/jobs/" + job)).json();
     const decoded = Object.entries(files).map(([name, text]) => [name, Uint8Array.from(atob(text), (c) => c.charCodeAt(0))]);
     const { code, stdout, stderr } = await run("smurf-lint", args, Object.fromEntries(decoded));
     results.push([code, stdout, stderr]);
@@ -34,8 +35,14 @@ await fetch("/results", { method: "POST", body: JSON.stringify(results) });
 TYPES = {".mjs": "text/javascript", ".wasm": "application/wasm"}
 
 
-def jobs():
-    for folder in sorted((ROOT / "fixtures/rules").glob("*/*")):
+def jobs(corpus):
+    patterns = ("fixtures/rules/*/*", "fixtures/models/*", "fixtures/scenes/*", "fixtures/load-check/*")
+    folders = [folder for pattern in patterns for folder in sorted(ROOT.glob(pattern))]
+    if corpus is None:
+        print("there is no corpus; only the fixtures are compared")
+    else:
+        folders += sorted(corpus.glob("*/*"))
+    for folder in folders:
         files = {str(path.relative_to(folder)): base64.b64encode(path.read_bytes()).decode()
                  for path in sorted(folder.rglob("*")) if path.is_file() and not path.is_symlink()}
         has_links = any(path.is_symlink() for path in folder.rglob("*"))
@@ -52,7 +59,9 @@ class Site(http.server.BaseHTTPRequestHandler):
         if self.path == "/":
             self.answer("text/html", PAGE.encode())
         elif self.path == "/jobs":
-            self.answer("application/json", Site.page_jobs)
+            self.answer("application/json", str(len(Site.page_jobs)).encode())
+        elif self.path.startswith("/jobs/"):
+            self.answer("application/json", json.dumps(Site.page_jobs[int(self.path.removeprefix("/jobs/"))]).encode())
         elif path.is_file():
             self.answer(TYPES.get(path.suffix, "text/plain"), path.read_bytes())
         else:
@@ -81,9 +90,10 @@ def main():
     if browser is None:
         print("skipped: there is no chromium")
         sys.exit(77)
-    all_jobs = list(jobs())
+    corpus = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 and (pathlib.Path(sys.argv[3]) / "MANIFEST.tsv").is_file() else None
+    all_jobs = list(jobs(corpus))
     Site.package = package
-    Site.page_jobs = json.dumps([job for _, job in all_jobs]).encode()
+    Site.page_jobs = [job for _, job in all_jobs]
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Site)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     with tempfile.TemporaryDirectory(prefix="smurf-browser-", ignore_cleanup_errors=True) as home:
@@ -101,8 +111,8 @@ def main():
         native = [done.returncode, done.stdout.decode(), done.stderr.decode()]
         if native != result:
             different += 1
-            print(f"{folder.relative_to(ROOT)} differs:\n{native}\n{result}" if different < 5 else folder.relative_to(ROOT))
-    print(f"{len(all_jobs) - different} of {len(all_jobs)} fixtures give the same findings")
+            print(f"{folder} differs:\n{str(native)[:2000]}\n{str(result)[:2000]}" if different < 5 else folder)
+    print(f"{len(all_jobs) - different} of {len(all_jobs)} folders give the same findings")
     sys.exit(different > 0)
 
 
