@@ -233,6 +233,14 @@ class Refusal(ExportTest):
             self.assertIn("the result would not be XML", done.stderr)
             self.assertEqual(self.run_with_messages(0, "--force", "a.urdf").stdout, text)
 
+    def test_numbers_that_are_not_finite(self):
+        for number in ("nan", "inf", "-Infinity"):
+            self.write("a.urdf", f'<robot name="r"><link name="b"><inertial><mass value="{number}"/>'
+                                 '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>')
+            done = self.run_with_messages(1, "a.urdf")
+            self.assertEqual(done.stdout, "")
+            self.assertIn("the result would contain a number that is not finite", done.stderr)
+
     def test_what_only_readers_of_urdf_accept_becomes_xml_for_all(self):
         for text, xml in (('<robot name="a & b"><link name="x&y"/></robot>', '<robot name="a &amp; b"><link name="x&amp;y"/></robot>'),
                           ('<robot name="a<b"><link name="b"/></robot>', '<robot name="a&lt;b"><link name="b"/></robot>'),

@@ -260,6 +260,16 @@ class Refusal(ImportTest):
             self.complain(0, "see smurf-lint in/urdf/arm.urdf\n", "in/urdf/arm.urdf", "-o", "out", "--overwrite")
             self.assertIn(extra, self.read("out/urdf/arm.urdf"))
 
+    def test_values_that_smurf_cannot_have_are_those_of_the_urdf(self):
+        urdf = self.read("in/urdf/arm.urdf").replace("</robot>", '<gazebo reference="pedestal"><sensor name="s" type="ray"><ray><scan>'
+            "<horizontal><samples>1e308</samples><min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan></ray></sensor></gazebo></robot>")
+        self.write("a.urdf", urdf.replace("../meshes", "in/meshes"))
+        done = self.run_tool("a.urdf", "-o", "out")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("the result would have an error: SML4003 `bands` is 1e+308", done.stderr)
+        self.assertNotIn("defect of this tool", done.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
     def test_existing_files_stay(self):
         self.write("out/smurf/arm_joint.yml", "mine\n")
         self.complain(2, "cannot write 'out/smurf/arm_joint.yml': File exists; see --overwrite; "

@@ -185,6 +185,22 @@ TEST_CASE("ros2_control becomes motors and joint sensors, and may narrow limits"
         "SML8101: the sensor `lost` cannot become an entry of a section: no link `` carries it\n");
 }
 
+TEST_CASE("a motor has no empty range") {
+  const std::string command =
+      R"(<ros2_control name="r" type="system"><joint name="j1"><command_interface name="position">
+<param name="min">3</param><param name="max">-3</param></command_interface></joint></ros2_control>)";
+  const Imported bot(robot(kFourJoints, command));
+  REQUIRE(!bot.result.annotations.motors.empty());
+  CHECK(*bot.result.annotations.motors[0].min_value == -1);
+  CHECK(*bot.result.annotations.motors[0].max_value == 2);
+  std::string turned = kFourJoints;
+  turned.replace(turned.find("upper=\"2\""), 9, "upper=\"-2\"");
+  const Imported other(robot(turned, command));
+  REQUIRE(!other.result.annotations.motors.empty());
+  CHECK(!other.result.annotations.motors[0].min_value);
+  CHECK(!other.result.annotations.motors[0].max_value);
+}
+
 TEST_CASE("sensors of Gazebo become those of MARS") {
   const Imported bot(robot(kFourJoints, R"(<gazebo reference="l1">
 <sensor name="eye" type="camera"><update_rate>30</update_rate><pose>0.1 0 0 0 0 1.5707963267948966</pose>

@@ -203,8 +203,12 @@ Verification verify(const LinkedModel& source, std::span<const Diagnostic> known
         options.style == SmurfStyle::phobos) {
       continue;
     }
-    return {"the result would have an error, which is a defect of this tool: " +
-            std::string(diagnostic.rule->id) + " " + diagnostic.message};
+    // Values are those of the URDF, which has no rule against a factor of 0 or 1e308.
+    const bool is_about_value = !diagnostic.rule->id.starts_with("SML00");
+    return {std::string("the result would have an error") +
+            (is_about_value ? "" : ", which is a defect of this tool") + ": " +
+            std::string(diagnostic.rule->id) + " " + diagnostic.message +
+            (is_about_value ? "; correct the value in the URDF" : "")};
   }
   return verification;
 }

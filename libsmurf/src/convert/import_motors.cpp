@@ -182,11 +182,17 @@ class MotorMaker {
       low = -std::numbers::pi;
       high = std::numbers::pi;
     }
+    // The default of the format is a full turn, but absent bounds in a URDF are 0.
+    const double joint_low = low.value_or(0);
+    const double joint_high = high.value_or(0);
     if (drive.lowest && (!low || *drive.lowest > *low)) low = drive.lowest;
     if (drive.highest && (!high || *drive.highest < *high)) high = drive.highest;
-    // The default of the format is a full turn, but absent bounds in a URDF are 0.
-    keys.push_back(number_value("minValue", low.value_or(0)));
-    keys.push_back(number_value("maxValue", high.value_or(0)));
+    const bool is_empty = low.value_or(0) > high.value_or(0);
+    const double min = is_empty ? joint_low : low.value_or(0);
+    const double max = is_empty ? joint_high : high.value_or(0);
+    if (min > max) return;  // a motor with this range is an error
+    keys.push_back(number_value("minValue", min));
+    keys.push_back(number_value("maxValue", max));
   }
 
   static void add_bound(const char* key, const Field<double>& of_joint,

@@ -72,6 +72,11 @@ std::optional<std::string> loss_in_text(const Diagnostic& finding, const UrdfExp
       finding.rule == &rules::sml1001_xml_malformed) {
     return "the result would not be XML";
   }
+  // The urdfdom that checks the result may accept what other versions refuse.
+  if (finding.rule == &rules::sml1803_number_nan ||
+      finding.rule == &rules::sml1804_number_infinite) {
+    return "the result would contain a number that is not finite";
+  }
   const Fact* fact = find_fact(readers::urdfdom, finding);
   if (fact != nullptr && fact->effect >= Effect::refuses) {
     return std::string(fact->reader->title) + " " + std::string(fact->makes);
