@@ -19,8 +19,10 @@ namespace {
 /// The names of fixed joints that sdformat does not merge.
 using KeptJoints = std::set<std::string_view>;
 
-/// By link: the topmost link of its body. Links that no root reaches are separate bodies.
-std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept = {}) {
+/// By link: the topmost link of its body. Links that no root reaches are separate bodies, and with
+/// `is_world_apart`, so are those below a link `world`.
+std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept = {},
+                                bool is_world_apart = false) {
   std::vector<std::size_t> body(model.robot ? model.robot->links.size() : 0);
   std::iota(body.begin(), body.end(), std::size_t{0});
   for (const LinkIndex link : model.tree.order) {
@@ -28,7 +30,9 @@ std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept
     const auto above = model.tree.parent_joint[i];
     if (!above || model.joint(*above).type != urdf::JointType::fixed) continue;
     if (!kept.empty() && kept.contains(model.joint(*above).name.value_or(""))) continue;
-    body[i] = body[to_size(*model.tree.joint_parent[to_size(*above)])];
+    const LinkIndex parent = *model.tree.joint_parent[to_size(*above)];
+    if (is_world_apart && model.link(parent).name.value_or("") == "world") continue;
+    body[i] = body[to_size(parent)];
   }
   return body;
 }
@@ -57,7 +61,7 @@ KeptJoints joints_kept_by_sdformat(const LinkedModel& model) {
 }
 
 std::vector<std::size_t> bodies_of_sdformat(const LinkedModel& model) {
-  return bodies(model, joints_kept_by_sdformat(model));
+  return bodies(model, joints_kept_by_sdformat(model), true);
 }
 
 double mass_of(const LinkedModel& model, std::size_t link) {
@@ -152,6 +156,38 @@ bool has_fixed_mass(const LinkedModel& model, LinkIndex start) {
 
 std::vector<double> masses_of_bodies(const LinkedModel& model) {
   return masses_of(model, bodies_of_sdformat(model));
+}
+
+std::vector<std::optional<LinkIndex>> links_of_sdformat(const LinkedModel& model) {
+  constexpr double kNoMass = 1e-6;  // kg; sdformat compares with 0 within this tolerance
+  const std::vector<std::size_t> body = bodies_of_sdformat(model);
+  const std::vector<double> mass = masses_of(model, body);
+  std::vector<std::optional<LinkIndex>> result(body.size());
+  for (const LinkIndex link : model.tree.order) {
+    const std::size_t i = to_size(link), top = body[i];
+    if (i != top) {
+      result[i] = result[top];
+      continue;
+    }
+    const auto above = model.tree.parent_joint[i];
+    const auto parent = above ? model.tree.joint_parent[to_size(*above)] : std::nullopt;
+    const bool is_below_world = parent && model.link(*parent).name.value_or("") == "world";
+    const bool is_reached = !parent || is_below_world || result[to_size(*parent)].has_value();
+    const bool is_world = model.link(link).name.value_or("") == "world";
+    if (is_reached && !is_world && mass[top] > kNoMass) result[i] = link;
+  }
+  return result;
+}
+
+bool is_inertia_of_sdformat(double mass, const std::array<double, 3>& moments,
+                            const std::array<double, 3>& products) {
+  Sums sums;
+  sums.mass = mass;
+  const auto [xy, xz, yz] = products;
+  sums.moments << moments[0], xy, xz,  //
+      xy, moments[1], yz,              //
+      xz, yz, moments[2];
+  return is_sound(sums);
 }
 
 std::vector<bool> fixed_to_heavier(const LinkedModel& model) {
