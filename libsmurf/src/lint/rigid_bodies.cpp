@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -69,10 +70,25 @@ double mass_of(const LinkedModel& model, std::size_t link) {
   return inertial ? std::max(inertial->mass.value_or(0), 0.0) : 0.0;
 }
 
+/// True for an inertial that urdfdom drops, because it cannot read a number in it.
+bool is_unreadable(const urdf::Inertial& inertial) {
+  const auto is_lost = [](const auto& field) { return field.written && !field; };
+  return !inertial.mass || is_lost(inertial.origin.xyz) || is_lost(inertial.origin.rpy) ||
+         is_lost(inertial.ixx) || is_lost(inertial.ixy) || is_lost(inertial.ixz) ||
+         is_lost(inertial.iyy) || is_lost(inertial.iyz) || is_lost(inertial.izz);
+}
+
+/// As sdformat adds it up, whatever its sign.
+double mass_in_sdformat(const LinkedModel& model, std::size_t link) {
+  const std::optional<urdf::Inertial>& inertial = model.robot->links[link].inertial;
+  return inertial && !is_unreadable(*inertial) ? *inertial->mass : 0.0;
+}
+
 /// By link: the mass of its body.
-std::vector<double> masses_of(const LinkedModel& model, const std::vector<std::size_t>& body) {
+std::vector<double> masses_of(const LinkedModel& model, const std::vector<std::size_t>& body,
+                              double (*mass_of_link)(const LinkedModel&, std::size_t) = mass_of) {
   std::vector<double> mass(body.size(), 0);  // by the topmost link
-  for (std::size_t i = 0; i < body.size(); ++i) mass[body[i]] += mass_of(model, i);
+  for (std::size_t i = 0; i < body.size(); ++i) mass[body[i]] += mass_of_link(model, i);
   std::vector<double> result(body.size());
   for (std::size_t i = 0; i < body.size(); ++i) result[i] = mass[body[i]];
   return result;
@@ -155,13 +171,15 @@ bool has_fixed_mass(const LinkedModel& model, LinkIndex start) {
 }
 
 std::vector<double> masses_of_bodies(const LinkedModel& model) {
-  return masses_of(model, bodies_of_sdformat(model));
+  std::vector<double> masses = masses_of(model, bodies_of_sdformat(model), mass_in_sdformat);
+  for (double& mass : masses) mass = std::fabs(mass);
+  return masses;
 }
 
 std::vector<std::optional<LinkIndex>> links_of_sdformat(const LinkedModel& model) {
   constexpr double kNoMass = 1e-6;  // kg; sdformat compares with 0 within this tolerance
   const std::vector<std::size_t> body = bodies_of_sdformat(model);
-  const std::vector<double> mass = masses_of(model, body);
+  const std::vector<double> mass = masses_of_bodies(model);
   std::vector<std::optional<LinkIndex>> result(body.size());
   for (const LinkIndex link : model.tree.order) {
     const std::size_t i = to_size(link), top = body[i];
@@ -230,7 +248,12 @@ std::vector<bool> sound_together(const LinkedModel& model) {
     if (inertial) add(*inertial, poses[i], sums[body[i]]);
   }
   std::vector<bool> result(body.size());
-  for (std::size_t i = 0; i < body.size(); ++i) result[i] = is_sound(sums[body[i]]);
+  const auto links = links_of_sdformat(model);
+  const bool has_links =
+      std::any_of(links.begin(), links.end(), [](const auto& link) { return link.has_value(); });
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    result[i] = is_sound(sums[body[i]]) || (has_links && !links[i]);
+  }
   return result;
 }
 

@@ -36,7 +36,8 @@ bool is_inertia_of_sdformat(double mass, const std::array<double, 3>& moments,
 std::vector<bool> alone_in_motion(const LinkedModel& model);
 
 /// By link: whether the sum of the inertials that sdformat merges is acceptable to it, even if each
-/// is not. Like gz-math, it accepts a moment of 0.
+/// is not. Like gz-math, it accepts a moment of 0. Also true if sdformat drops the body and keeps
+/// others.
 std::vector<bool> sound_together(const LinkedModel& model);
 
 }  // namespace smurf

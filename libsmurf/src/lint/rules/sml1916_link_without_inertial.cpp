@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
@@ -18,6 +19,13 @@ bool is_without_mass(const LinkedModel& model) {
                      [](const urdf::Joint& joint) { return joint.is_movable(); });
 }
 
+/// True when the mass is a number, if one that is too large to be computed with.
+bool is_number(const LinkedModel& model, const urdf::Inertial& inertial) {
+  const xml::View mass = xml::View(model.robot->document, inertial.element).child("mass");
+  const xml::Attribute* value = mass ? mass.attribute("value") : nullptr;
+  return value != nullptr && parse_number(value->value()).has_value();
+}
+
 /// The root has no inertial either when numbers in it cannot be read, for readers that then drop
 /// it.
 void check_unreadable_root(const LinkedModel& model, Findings& findings) {
@@ -27,8 +35,29 @@ void check_unreadable_root(const LinkedModel& model, Findings& findings) {
   const std::optional<urdf::Inertial>& inertial = model.link(root).inertial;
   if (!inertial || masses_of_bodies(model)[to_size(root)] > kDropped) return;
   const Field<double>& own = inertial->mass;
-  if (own) return;  // a mass of 0 is another finding
-  findings.add_consequence(own.written ? own.span : tag_name(model, inertial->element));
+  if (!own) {
+    if (is_number(model, *inertial)) return;
+    findings.add_consequence(own.written ? own.span : tag_name(model, inertial->element));
+  }
+  // A mass of 0 is another finding; so is a number that no double holds, which sdformat reads.
+  const auto check_field = [&](const auto& field) {
+    if (field.written && !field) findings.add_consequence(field.span);
+  };
+  check_field(inertial->origin.xyz);
+  check_field(inertial->origin.rpy);
+  for (const Field<double>* field : {&inertial->ixx, &inertial->ixy, &inertial->ixz, &inertial->iyy,
+                                     &inertial->iyz, &inertial->izz}) {
+    check_field(*field);
+  }
+}
+
+/// True when sdformat drops the root, or all links below a root that is the world.
+bool loses_all(const LinkedModel& model) {
+  const LinkIndex root = model.tree.roots.front();
+  if (model.link(root).name.value_or("") != "world") return !has_fixed_mass(model, root);
+  const auto links = links_of_sdformat(model);
+  return std::none_of(links.begin(), links.end(),
+                      [](const auto& link) { return link.has_value(); });
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -39,7 +68,7 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   if (links.empty() || is_without_mass(model)) return;
   const bool has_root = model.tree.roots.size() == 1;
-  const bool is_root_lost = has_root && !has_fixed_mass(model, model.tree.roots.front());
+  const bool is_root_lost = has_root && loses_all(model);
   const urdf::Link& shown = is_root_lost ? model.link(model.tree.roots.front()) : *links.front();
   Diagnostic& diagnostic =
       findings.report(name_place(model, shown), title(shown) + " has no inertial");
