@@ -70,18 +70,16 @@ double mass_of(const LinkedModel& model, std::size_t link) {
   return inertial ? std::max(inertial->mass.value_or(0), 0.0) : 0.0;
 }
 
-/// True for an inertial that urdfdom drops, because it cannot read a number in it.
-bool is_unreadable(const urdf::Inertial& inertial) {
+/// urdfdom reads the origin, the mass and the inertia, and stops where it cannot read a number.
+bool has_unread_mass(const urdf::Inertial& inertial) {
   const auto is_lost = [](const auto& field) { return field.written && !field; };
-  return !inertial.mass || is_lost(inertial.origin.xyz) || is_lost(inertial.origin.rpy) ||
-         is_lost(inertial.ixx) || is_lost(inertial.ixy) || is_lost(inertial.ixz) ||
-         is_lost(inertial.iyy) || is_lost(inertial.iyz) || is_lost(inertial.izz);
+  return !inertial.mass || is_lost(inertial.origin.xyz) || is_lost(inertial.origin.rpy);
 }
 
 /// As sdformat adds it up, whatever its sign.
 double mass_in_sdformat(const LinkedModel& model, std::size_t link) {
   const std::optional<urdf::Inertial>& inertial = model.robot->links[link].inertial;
-  return inertial && !is_unreadable(*inertial) ? *inertial->mass : 0.0;
+  return inertial && !has_unread_mass(*inertial) ? *inertial->mass : 0.0;
 }
 
 /// By link: the mass of its body.
@@ -197,6 +195,12 @@ std::vector<std::optional<LinkIndex>> links_of_sdformat(const LinkedModel& model
   return result;
 }
 
+bool is_left_without_links(const LinkedModel& model) {
+  const auto links = links_of_sdformat(model);
+  return std::none_of(links.begin(), links.end(),
+                      [](const auto& link) { return link.has_value(); });
+}
+
 bool is_inertia_of_sdformat(double mass, const std::array<double, 3>& moments,
                             const std::array<double, 3>& products) {
   Sums sums;
@@ -249,8 +253,7 @@ std::vector<bool> sound_together(const LinkedModel& model) {
   }
   std::vector<bool> result(body.size());
   const auto links = links_of_sdformat(model);
-  const bool has_links =
-      std::any_of(links.begin(), links.end(), [](const auto& link) { return link.has_value(); });
+  const bool has_links = !is_left_without_links(model);
   for (std::size_t i = 0; i < body.size(); ++i) {
     result[i] = is_sound(sums[body[i]]) || (has_links && !links[i]);
   }

@@ -28,6 +28,9 @@ std::vector<double> masses_of_bodies(const LinkedModel& model);
 /// By link: the link into which sdformat merges it; none if it drops the body, and for `world`.
 std::vector<std::optional<LinkIndex>> links_of_sdformat(const LinkedModel& model);
 
+/// Whether sdformat drops all links.
+bool is_left_without_links(const LinkedModel& model);
+
 /// Whether sdformat accepts an inertial: moments ixx, iyy, izz and products ixy, ixz, iyz.
 bool is_inertia_of_sdformat(double mass, const std::array<double, 3>& moments,
                             const std::array<double, 3>& products);

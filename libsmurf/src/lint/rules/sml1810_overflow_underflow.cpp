@@ -8,7 +8,6 @@ namespace {
 constexpr std::string_view kAsserts = "reads 0, and ends the process by an assertion";
 
 constexpr std::string_view kCannotRead = "cannot read the number, and refuses the file";
-constexpr std::string_view kReads = "reads the number";
 constexpr std::string_view kComputes = "reads the number, and computes with it";
 
 constexpr Fact kFacts[] = {
@@ -57,20 +56,6 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes, kComputes, kRun, "/cylinder/@length/#too-large"},
     {&readers::mujoco, Effect::changes, kComputes, kRun, "/sphere/@radius/#too-large"},
     {&readers::mujoco, Effect::changes, kComputes, kRun, "/mesh/@scale/#too-large"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/origin/@xyz/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/origin/@rpy/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/axis/@xyz/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/limit/@lower/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/limit/@upper/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/limit/@effort/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/dynamics/@damping/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/dynamics/@friction/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/inertia/@ixy/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/inertia/@ixz/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/inertia/@iyz/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/cylinder/@radius/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/sphere/@radius/#subnormal"},
-    {&readers::mujoco, Effect::takes, kReads, kRun, "/mass/@value/#subnormal#carried"},
     {&readers::pybullet, Effect::changes, "reads 0", "Bullet UrdfParser.cpp (atof), run",
      "#underflow"},
     {&readers::pybullet, Effect::changes, "reads infinity", "Bullet UrdfParser.cpp (atof), run"},

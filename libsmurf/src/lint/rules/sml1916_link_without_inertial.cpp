@@ -26,42 +26,32 @@ bool is_number(const LinkedModel& model, const urdf::Inertial& inertial) {
   return value != nullptr && parse_number(value->value()).has_value();
 }
 
-/// The root has no inertial either when numbers in it cannot be read, for readers that then drop
-/// it.
-void check_unreadable_root(const LinkedModel& model, Findings& findings) {
-  constexpr double kDropped = 1e-6;  // kg; sdformat drops bodies up to this
-  if (model.tree.roots.size() != 1) return;
-  const LinkIndex root = model.tree.roots.front();
-  const std::optional<urdf::Inertial>& inertial = model.link(root).inertial;
-  if (!inertial || masses_of_bodies(model)[to_size(root)] > kDropped) return;
-  const Field<double>& own = inertial->mass;
-  if (!own) {
-    if (is_number(model, *inertial)) return;
-    findings.add_consequence(own.written ? own.span : tag_name(model, inertial->element));
-  }
-  // A mass of 0 is another finding; so is a number that no double holds, which sdformat reads.
-  const auto check_field = [&](const auto& field) {
-    if (field.written && !field) findings.add_consequence(field.span);
-  };
-  check_field(inertial->origin.xyz);
-  check_field(inertial->origin.rpy);
-  for (const Field<double>* field : {&inertial->ixx, &inertial->ixy, &inertial->ixz, &inertial->iyy,
-                                     &inertial->iyz, &inertial->izz}) {
-    check_field(*field);
-  }
+/// Links have no mass either when numbers in an inertial cannot be read, for readers that then drop
+/// them.
+void check_unread_masses(const LinkedModel& model, Findings& findings) {
+  if (model.tree.roots.size() != 1 || !is_left_without_links(model)) return;
+  for_each_link(model, [&](const urdf::Link& link) {
+    const std::optional<urdf::Inertial>& inertial = link.inertial;
+    if (!inertial) return;
+    const Field<double>& mass = inertial->mass;
+    if (!mass && !is_number(model, *inertial)) {  // a mass of 0 is another finding
+      findings.add_consequence(mass.written ? mass.span : tag_name(model, inertial->element));
+    }
+    for (const auto* part : {&inertial->origin.xyz, &inertial->origin.rpy}) {
+      if (part->written && !*part) findings.add_consequence(part->span);
+    }
+  });
 }
 
 /// True when sdformat drops the root, or all links below a root that is the world.
 bool loses_all(const LinkedModel& model) {
   const LinkIndex root = model.tree.roots.front();
   if (model.link(root).name.value_or("") != "world") return !has_fixed_mass(model, root);
-  const auto links = links_of_sdformat(model);
-  return std::none_of(links.begin(), links.end(),
-                      [](const auto& link) { return link.has_value(); });
+  return is_left_without_links(model);
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (model.robot) check_unreadable_root(model, findings);
+  if (model.robot) check_unread_masses(model, findings);
   std::vector<const urdf::Link*> links;
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial && link.name.value_or("") != "world") links.push_back(&link);
