@@ -209,7 +209,11 @@ void check_model(xml::View model, const Report& report) {
 class Extensions {
  public:
   Extensions(const LinkedModel& model, const Report& report)
-      : model_(model), report_(report), links_(links_of_sdformat(model)) {}
+      : model_(model), report_(report), links_(links_of_sdformat(model)) {
+    // Without any link the model is refused for another reason; this says what else is wrong.
+    if (!is_left_without_links(model)) return;
+    for (std::uint32_t i = 0; i < links_.size(); ++i) links_[i] = LinkIndex{i};
+  }
 
   void check() {
     for (const xml::ElementId id : model_.robot->extensions) {

@@ -95,7 +95,7 @@ extern constinit const Rule sml1447_gazebo_value{
     .summary = "An element for Gazebo lacks a part, or contains one that Gazebo cannot read.",
     .why =
         "An empty `mu1`, or a word in `dampingFactor`, ends the simulator. Other elements are SDF, "
-        "which Gazebo reads strictly: attributes such as `type`, values, and names.",
+        "where attributes such as `type`, values, and names are read strictly.",
     .remedy = "Write the element as the specification of SDF says.",
     .check_model = check,
     .facts = kFacts};
