@@ -9,6 +9,7 @@
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/ranges.hpp"
+#include "base/uncertain.hpp"
 #include "base/words.hpp"
 #include "lint/sdf_values.hpp"
 
@@ -238,7 +239,8 @@ void check_include(xml::View include, const Report& report) {
   } else if (uri.text().empty()) {
     report(uri.name_span(), "`uri` is empty", kEmptyInclude);
   } else {
-    report(place_of(uri), "Gazebo must find " + quoted(trimmed(uri.text())), kInclude);
+    report(place_of(uri), "Gazebo needs the model " + quoted(trimmed(uri.text())),
+           kUncertain.substr(1));
   }
 }
 

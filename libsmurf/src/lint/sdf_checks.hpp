@@ -12,11 +12,9 @@
 namespace smurf::sdf {
 
 /// Called with the place of a fault, what is wrong, and the construct of the finding.
-using Report = std::function<void(Span place, std::string message, const char* construct)>;
+using Report = std::function<void(Span place, std::string message, std::string_view construct)>;
 
-inline constexpr const char* kElement = "sdf";
-inline constexpr const char* kInclude = "include";
-inline constexpr const char* kEmptyInclude = "empty-include";
+inline constexpr std::string_view kElement = "sdf", kEmptyInclude = "empty-include";
 
 /// Reports the faults of an element of this kind and of everything in it.
 void check_element(xml::View element, std::string_view kind, const Report& report);

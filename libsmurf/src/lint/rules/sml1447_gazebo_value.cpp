@@ -5,6 +5,7 @@
 
 #include "base/ranges.hpp"
 #include "base/readers.hpp"
+#include "base/uncertain.hpp"
 #include "lint/queries.hpp"
 #include "lint/sdf_scope.hpp"
 #include "lint/sdf_values.hpp"
@@ -72,7 +73,7 @@ void check(const LinkedModel& model, Findings& findings) {
     }
   }
   if (!has_extensions) return;
-  sdf::check_extensions(model, [&](Span place, std::string message, const char* construct) {
+  sdf::check_extensions(model, [&](Span place, std::string message, std::string_view construct) {
     findings.report(place, std::move(message)).construct = construct;
   });
 }
@@ -81,8 +82,8 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun, "#number"},
     {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun,
      "#empty-include"},
-    {&readers::gazebo, Effect::refuses, "refuses the file where its paths have no such model", kRun,
-     "#include"},
+    {&readers::gazebo, Effect::refuses, "refuses the file unless its own paths have such a model",
+     kRun, kUncertain},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
 };
 
