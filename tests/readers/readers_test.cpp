@@ -211,6 +211,16 @@ TEST_CASE("an error of which nothing is known is no reason to say that a reader 
   CHECK(judge_target(*find_target("ros"), std::vector{unknown}).answer() == Answer::takes);
 }
 
+TEST_CASE("a refusal that depends on files outside of the model is not known") {
+  const Diagnostic include = at("SML1447", "/robot/gazebo/include/uri", "uncertain");
+  CHECK(severity_for(include, {"gazebo"}) == Severity::warning);
+  const TargetVerdict verdict = judge_target(*find_target("gazebo"), std::vector{include});
+  CHECK(verdict.answer() == Answer::unknown);
+  CHECK(verdict.unknown_rules == std::vector<const Rule*>{include.rule});
+  const Diagnostic sensor = at("SML1447", "/robot/gazebo/sensor", "sdf");
+  CHECK(judge_target(*find_target("gazebo"), std::vector{sensor}).answer() == Answer::refuses);
+}
+
 TEST_CASE("what no target is asked about concerns none") {
   CHECK(judge_target(*find_target("ros"), std::vector{at("SML9001", "/targets")}).answer() ==
         Answer::takes);

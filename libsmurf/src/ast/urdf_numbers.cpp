@@ -76,6 +76,7 @@ class NumberReader {
   bool read(std::span<double> out) {
     if (has_residue() || is_comma_separated()) return false;
     const std::vector<Token> tokens = split(text_);
+    has_too_many_ = tokens.size() > out.size();
     for (std::size_t i = 0; i < tokens.size(); ++i) {
       const std::optional<double> value = number(tokens[i]);
       if (!value) return false;
@@ -129,7 +130,9 @@ class NumberReader {
   }
 
   std::optional<double> number(Token token) {
-    const std::string_view text = text_.substr(token.begin, token.end - token.begin);
+    std::string_view text = text_.substr(token.begin, token.end - token.begin);
+    // These blanks are no blanks of XML, and reported as such; programs in C skip them.
+    text.remove_prefix(std::min(text.find_first_not_of("\v\f"), text.size()));
     if (const std::optional<double> value = parse_number(text)) {
       if (is_subnormal(*value)) report_subnormal(token, text);
       return value;
@@ -139,9 +142,11 @@ class NumberReader {
                                       ? std::string_view(lower).substr(1)
                                       : std::string_view(lower);
     const std::string shown = quoted(text);
-    if (bare == "nan") {
-      sink_.report(rules::sml1803_number_nan, place(token),
-                   shown + " is not a number that a reader can use");
+    if (bare == "nan" || (bare.starts_with("nan(") && bare.ends_with(')'))) {
+      sink_
+          .report(rules::sml1803_number_nan, place(token),
+                  shown + " is not a number that a reader can use")
+          .construct = has_too_many_ ? "too-many" : "";
     } else if (bare == "inf" || bare == "infinity") {
       sink_
           .report(rules::sml1804_number_infinite, place(token),
@@ -289,6 +294,7 @@ class NumberReader {
   const xml::Attribute& attribute_;
   std::string_view text_;
   DiagnosticSink& sink_;
+  bool has_too_many_ = false;  ///< more words than numbers are expected
 };
 
 }  // namespace

@@ -350,6 +350,12 @@ std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sin
         sink.report(rules::sml1101_root_not_robot, root.name_span(),
                     "the root element is `" + std::string(root.name()) + "`, not `robot`");
     if (root.name() == "sdf") diagnostic.note("this is an SDFormat file, not a URDF");
+    if (root.name() == "mujoco") diagnostic.note("this is an MJCF file, not a URDF");
+    // The reader of that language may load the file, which is not checked here; one that holds the
+    // elements of a URDF is none.
+    const bool is_sdf = root.name() == "sdf" && root.attribute("version") != nullptr &&
+                        (root.child("model") || root.child("world"));
+    diagnostic.construct = is_sdf ? "sdf" : root.name() == "mujoco" ? "mjcf" : "foreign";
     return std::nullopt;
   }
   report_xacro(document, sink);

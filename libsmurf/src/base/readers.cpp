@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/uncertain.hpp"
+
 namespace smurf {
 namespace {
 
@@ -264,6 +266,10 @@ TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> dia
       continue;
     }
     if (fact->effect <= Effect::ignores) continue;
+    if (fact->where == kUncertain) {
+      verdict.add_unknown(*diagnostic.rule, 1);
+      continue;
+    }
     ++(fact->effect >= Effect::refuses ? verdict.refusals : verdict.losses);
     if (verdict.fact != nullptr && verdict.fact->effect >= fact->effect) continue;
     verdict.fact = fact;

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -19,8 +20,10 @@ namespace {
 /// The names of fixed joints that sdformat does not merge.
 using KeptJoints = std::set<std::string_view>;
 
-/// By link: the topmost link of its body. Links that no root reaches are separate bodies.
-std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept = {}) {
+/// By link: the topmost link of its body. Links that no root reaches are separate bodies, and with
+/// `is_world_apart`, so are those below a link `world`.
+std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept = {},
+                                bool is_world_apart = false) {
   std::vector<std::size_t> body(model.robot ? model.robot->links.size() : 0);
   std::iota(body.begin(), body.end(), std::size_t{0});
   for (const LinkIndex link : model.tree.order) {
@@ -28,7 +31,9 @@ std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept
     const auto above = model.tree.parent_joint[i];
     if (!above || model.joint(*above).type != urdf::JointType::fixed) continue;
     if (!kept.empty() && kept.contains(model.joint(*above).name.value_or(""))) continue;
-    body[i] = body[to_size(*model.tree.joint_parent[to_size(*above)])];
+    const LinkIndex parent = *model.tree.joint_parent[to_size(*above)];
+    if (is_world_apart && model.link(parent).name.value_or("") == "world") continue;
+    body[i] = body[to_size(parent)];
   }
   return body;
 }
@@ -57,7 +62,7 @@ KeptJoints joints_kept_by_sdformat(const LinkedModel& model) {
 }
 
 std::vector<std::size_t> bodies_of_sdformat(const LinkedModel& model) {
-  return bodies(model, joints_kept_by_sdformat(model));
+  return bodies(model, joints_kept_by_sdformat(model), true);
 }
 
 double mass_of(const LinkedModel& model, std::size_t link) {
@@ -65,10 +70,23 @@ double mass_of(const LinkedModel& model, std::size_t link) {
   return inertial ? std::max(inertial->mass.value_or(0), 0.0) : 0.0;
 }
 
+/// urdfdom reads the origin, the mass and the inertia, and stops where it cannot read a number.
+bool has_unread_mass(const urdf::Inertial& inertial) {
+  const auto is_lost = [](const auto& field) { return field.written && !field; };
+  return !inertial.mass || is_lost(inertial.origin.xyz) || is_lost(inertial.origin.rpy);
+}
+
+/// As sdformat adds it up, whatever its sign.
+double mass_in_sdformat(const LinkedModel& model, std::size_t link) {
+  const std::optional<urdf::Inertial>& inertial = model.robot->links[link].inertial;
+  return inertial && !has_unread_mass(*inertial) ? *inertial->mass : 0.0;
+}
+
 /// By link: the mass of its body.
-std::vector<double> masses_of(const LinkedModel& model, const std::vector<std::size_t>& body) {
+std::vector<double> masses_of(const LinkedModel& model, const std::vector<std::size_t>& body,
+                              double (*mass_of_link)(const LinkedModel&, std::size_t) = mass_of) {
   std::vector<double> mass(body.size(), 0);  // by the topmost link
-  for (std::size_t i = 0; i < body.size(); ++i) mass[body[i]] += mass_of(model, i);
+  for (std::size_t i = 0; i < body.size(); ++i) mass[body[i]] += mass_of_link(model, i);
   std::vector<double> result(body.size());
   for (std::size_t i = 0; i < body.size(); ++i) result[i] = mass[body[i]];
   return result;
@@ -151,7 +169,47 @@ bool has_fixed_mass(const LinkedModel& model, LinkIndex start) {
 }
 
 std::vector<double> masses_of_bodies(const LinkedModel& model) {
-  return masses_of(model, bodies_of_sdformat(model));
+  std::vector<double> masses = masses_of(model, bodies_of_sdformat(model), mass_in_sdformat);
+  for (double& mass : masses) mass = std::fabs(mass);
+  return masses;
+}
+
+std::vector<std::optional<LinkIndex>> links_of_sdformat(const LinkedModel& model) {
+  constexpr double kNoMass = 1e-6;  // kg; sdformat compares with 0 within this tolerance
+  const std::vector<std::size_t> body = bodies_of_sdformat(model);
+  const std::vector<double> mass = masses_of_bodies(model);
+  std::vector<std::optional<LinkIndex>> result(body.size());
+  for (const LinkIndex link : model.tree.order) {
+    const std::size_t i = to_size(link), top = body[i];
+    if (i != top) {
+      result[i] = result[top];
+      continue;
+    }
+    const auto above = model.tree.parent_joint[i];
+    const auto parent = above ? model.tree.joint_parent[to_size(*above)] : std::nullopt;
+    const bool is_below_world = parent && model.link(*parent).name.value_or("") == "world";
+    const bool is_reached = !parent || is_below_world || result[to_size(*parent)].has_value();
+    const bool is_world = model.link(link).name.value_or("") == "world";
+    if (is_reached && !is_world && mass[top] > kNoMass) result[i] = link;
+  }
+  return result;
+}
+
+bool is_left_without_links(const LinkedModel& model) {
+  const auto links = links_of_sdformat(model);
+  return std::none_of(links.begin(), links.end(),
+                      [](const auto& link) { return link.has_value(); });
+}
+
+bool is_inertia_of_sdformat(double mass, const std::array<double, 3>& moments,
+                            const std::array<double, 3>& products) {
+  Sums sums;
+  sums.mass = mass;
+  const auto [xy, xz, yz] = products;
+  sums.moments << moments[0], xy, xz,  //
+      xy, moments[1], yz,              //
+      xz, yz, moments[2];
+  return is_sound(sums);
 }
 
 std::vector<bool> fixed_to_heavier(const LinkedModel& model) {
@@ -194,7 +252,11 @@ std::vector<bool> sound_together(const LinkedModel& model) {
     if (inertial) add(*inertial, poses[i], sums[body[i]]);
   }
   std::vector<bool> result(body.size());
-  for (std::size_t i = 0; i < body.size(); ++i) result[i] = is_sound(sums[body[i]]);
+  const auto links = links_of_sdformat(model);
+  const bool has_links = !is_left_without_links(model);
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    result[i] = is_sound(sums[body[i]]) || (has_links && !links[i]);
+  }
   return result;
 }
 

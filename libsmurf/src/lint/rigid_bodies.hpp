@@ -2,6 +2,8 @@
 // Bodies: links that fixed joints combine.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "smurf/linked.hpp"
@@ -23,11 +25,22 @@ std::vector<bool> fixed_to_heavier(const LinkedModel& model);
 /// except for joints that a Gazebo element keeps.
 std::vector<double> masses_of_bodies(const LinkedModel& model);
 
+/// By link: the link into which sdformat merges it; none if it drops the body, and for `world`.
+std::vector<std::optional<LinkIndex>> links_of_sdformat(const LinkedModel& model);
+
+/// Whether sdformat drops all links.
+bool is_left_without_links(const LinkedModel& model);
+
+/// Whether sdformat accepts an inertial: moments ixx, iyy, izz and products ixy, ixz, iyz.
+bool is_inertia_of_sdformat(double mass, const std::array<double, 3>& moments,
+                            const std::array<double, 3>& products);
+
 /// By link: whether it is the only link with an inertial in a moving body.
 std::vector<bool> alone_in_motion(const LinkedModel& model);
 
 /// By link: whether the sum of the inertials that sdformat merges is acceptable to it, even if each
-/// is not. Like gz-math, it accepts a moment of 0.
+/// is not. Like gz-math, it accepts a moment of 0. Also true if sdformat drops the body and keeps
+/// others.
 std::vector<bool> sound_together(const LinkedModel& model);
 
 }  // namespace smurf

@@ -6,14 +6,15 @@
 #include <string>
 #include <utility>
 
+#include "base/uncertain.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf {
 namespace {
 
-Severity severity_of(Effect effect) {
-  if (effect >= Effect::breaks) return Severity::error;
-  return effect >= Effect::changes ? Severity::warning : Severity::info;
+Severity severity_of(const Fact& fact) {
+  if (fact.effect >= Effect::breaks && fact.where != kUncertain) return Severity::error;
+  return fact.effect >= Effect::changes ? Severity::warning : Severity::info;
 }
 
 Severity milder(Severity severity) {
@@ -60,7 +61,7 @@ Severity severity_for(const Diagnostic& diagnostic, const Judgement& judgement) 
   if (!has_facts(*diagnostic.rule) && judgement.stumbles.empty()) return diagnostic.severity;
   Severity severity = Severity::info;
   for (const auto& [fact, names] : judgement.stumbles) {
-    severity = std::max(severity, severity_of(fact->effect));
+    severity = std::max(severity, severity_of(*fact));
   }
   // An error stays an error as long as a target may refuse the file.
   const bool is_open = !judgement.is_known && diagnostic.severity == Severity::error;

@@ -5,9 +5,15 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kRefuses = "refuses a root other than `robot`";
+constexpr std::string_view kEvidence = "urdfdom model.cpp:106, run";
+
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::refuses, "refuses a root other than `robot`",
-     "urdfdom model.cpp:106, run"},
+    {&readers::urdf, Effect::refuses, kRefuses, kEvidence, "#foreign"},
+    {&readers::urdfdom, Effect::refuses, kRefuses, kEvidence, "#mjcf"},
+    {&readers::ros, Effect::refuses, kRefuses, kEvidence, "#sdf"},
+    {&readers::dart, Effect::refuses, kRefuses, kEvidence, "#sdf"},
+    {&readers::mujoco, Effect::refuses, kRefuses, kRun, "#sdf"},
     {&readers::mujoco, Effect::takes, "compares the name without case", "MuJoCo xml.cc:293, run",
      "/Robot/"},
     {&readers::mujoco, Effect::takes, "compares the name without case", "MuJoCo xml.cc:293, run",

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <charconv>
-#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
-#include "base/floating.hpp"
 #include "base/ranges.hpp"
 #include "base/readers.hpp"
+#include "base/uncertain.hpp"
 #include "lint/queries.hpp"
+#include "lint/sdf_scope.hpp"
+#include "lint/sdf_values.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -29,36 +29,6 @@ constexpr std::string_view kNumbers[] = {"mu1",
                                          "fudgeFactor",
                                          "laserRetro",
                                          kWhole};
-/// Numbers of sensors, which sdformat copies and then reads like those of SDF.
-struct SensorNumber {
-  std::string_view name;
-  double least, most;
-};
-constexpr double kAny = std::numeric_limits<double>::max();
-constexpr SensorNumber kSensorNumbers[] = {{"update_rate", -kAny, kAny},
-                                           {"horizontal_fov", 0.1, 6.283186},
-                                           {"near", 0, kAny},
-                                           {"far", 0.1, kAny},
-                                           {"width", -kAny, kAny},
-                                           {"height", -kAny, kAny}};
-constexpr std::string_view kFlags[] = {"true", "false", "1", "0", ""};
-
-std::from_chars_result read_number(std::string_view text, int& number) {
-  return std::from_chars(text.data(), text.data() + text.size(), number);
-}
-std::from_chars_result read_number(std::string_view text, double& number) {
-  return read_floating(text, number);
-}
-
-/// Reads like std::stod and std::stoi: skips leading white space, ignores what follows the number.
-template <class Number>
-std::optional<Number> leading_number(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  if (text.starts_with('+')) text.remove_prefix(1);
-  Number number{};
-  return read_number(text, number).ec == std::errc() ? std::optional<Number>(number) : std::nullopt;
-}
-
 void report(const xml::View element, const char* construct, Findings& findings) {
   const xml::Attribute* value = element.attribute("value");
   const Span place = value != nullptr ? value->span() : element.text_span();
@@ -69,63 +39,51 @@ void report(const xml::View element, const char* construct, Findings& findings) 
       .construct = construct;
 }
 
-void check_value(const xml::View element, Findings& findings) {
+/// A value that sdformat translates, wherever the element belongs.
+void check_value(const xml::View element, const urdf::Link* link, Findings& findings) {
   // sdformat reads the attribute `value` where there is one.
   const xml::Attribute* value = element.attribute("value");
   const std::string_view name = element.name();
   const std::string_view text = value != nullptr ? value->value() : element.text();
+  const bool has_collisions = link != nullptr && !link->collisions.empty();
   if (ranges::contains(kNumbers, name)) {
-    const auto number = leading_number<double>(text);
+    const auto number = sdf::leading_number(text);
     const bool is_read =
-        name == kWhole ? leading_number<int>(text).has_value() : number.has_value();
+        name == kWhole ? sdf::leading_integer(text, 10).has_value() : number.has_value();
     if (!is_read) return report(element, "number", findings);
-    if (name.starts_with("mu") && *number < 0) report(element, "friction", findings);
-  } else if (name == "gravity" && !ranges::contains(kFlags, text)) {
-    report(element, "flag", findings);
+    const bool is_friction = name.starts_with("mu");
+    if (is_friction && has_collisions && *number < 0) report(element, "friction", findings);
+  } else if (name == "fdir1" && has_collisions && !sdf::trimmed_text(text).empty()) {
+    if (!sdf::read_vector(text)) report(element, "friction", findings);
   }
-}
-
-void check_sensor(const xml::View element, Findings& findings) {
-  for (const xml::View child : element) check_sensor(child, findings);
-  for (const SensorNumber& known : kSensorNumbers) {
-    if (known.name != element.name() || element.begin() != element.end()) continue;
-    const auto number = leading_number<double>(element.text());
-    if (!number || *number < known.least || *number > known.most) {
-      report(element, "sensor", findings);
-    }
-  }
-}
-
-/// A pose of the model has six numbers.
-void check_pose(const xml::View element, Findings& findings) {
-  const std::string_view text = element.text();
-  if (element.name() != "pose" || text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    return;
-  }
-  if (numbers_in(text).size() < 6) report(element, "pose", findings);
 }
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
+  bool has_extensions = false;
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View gazebo(model.robot->document, id);
     if (gazebo.name() != "gazebo") continue;
+    has_extensions = true;
     const xml::Attribute* reference = gazebo.attribute("reference");
-    const bool is_of_link = reference != nullptr && model.link_names.contains(reference->value());
+    const auto link =
+        reference == nullptr ? std::nullopt : model.link_names.find(reference->value());
     for (const xml::View element : gazebo) {
-      if (reference == nullptr) {
-        check_pose(element, findings);
-      } else if (is_of_link && element.name() == "sensor") {
-        check_sensor(element, findings);
-      } else {
-        check_value(element, findings);
-      }
+      check_value(element, link ? &model.robot->links[*link] : nullptr, findings);
     }
   }
+  if (!has_extensions) return;
+  sdf::check_extensions(model, [&](Span place, std::string message, std::string_view construct) {
+    findings.report(place, std::move(message)).construct = construct;
+  });
 }
 
 constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun, "#number"},
+    {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun,
+     "#empty-include"},
+    {&readers::gazebo, Effect::refuses, "refuses the file unless its own paths have such a model",
+     kRun, kUncertain},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
 };
 
@@ -135,9 +93,11 @@ extern constinit const Rule sml1447_gazebo_value{
     .id = "SML1447",
     .name = "gazebo-value",
     .severity = Severity::warning,
-    .summary = "An element for Gazebo contains a value that Gazebo cannot read.",
-    .why = "An empty `mu1`, or a word in `dampingFactor`, ends the simulator.",
-    .remedy = "Write a number, and six for a `pose`; `gravity` is `true` or `false`.",
+    .summary = "An element for Gazebo lacks a part, or contains one that Gazebo cannot read.",
+    .why =
+        "An empty `mu1`, or a word in `dampingFactor`, ends the simulator. Other elements are SDF, "
+        "where attributes such as `type`, values, and names are read strictly.",
+    .remedy = "Write the element as the specification of SDF says.",
     .check_model = check,
     .facts = kFacts};
 

@@ -43,6 +43,75 @@ bool is_readable(std::string_view name, std::string_view text) {
   return name != "eulerseq" || text.size() == 3;
 }
 
+/// What MuJoCo reads of other elements: as many numbers, or one of several words.
+struct Setting {
+  std::string_view element, name;
+  std::size_t numbers = 1;
+  std::string_view words = {};  ///< separated by blanks
+};
+constexpr Setting kSettings[] = {{"option", "timestep"},
+                                 {"option", "density"},
+                                 {"option", "viscosity"},
+                                 {"option", "impratio"},
+                                 {"option", "tolerance"},
+                                 {"option", "ls_tolerance"},
+                                 {"option", "noslip_tolerance"},
+                                 {"option", "o_margin"},
+                                 {"option", "iterations"},
+                                 {"option", "ls_iterations"},
+                                 {"option", "noslip_iterations"},
+                                 {"option", "gravity", 3},
+                                 {"option", "wind", 3},
+                                 {"option", "magnetic", 3},
+                                 {"option", "integrator", 0, "Euler RK4 implicit implicitfast"},
+                                 {"option", "cone", 0, "pyramidal elliptic"},
+                                 {"option", "jacobian", 0, "dense sparse auto"},
+                                 {"option", "solver", 0, "PGS CG Newton"},
+                                 {"size", "njmax"},
+                                 {"size", "nconmax"},
+                                 {"size", "nstack"},
+                                 {"size", "nuserdata"},
+                                 {"size", "nkey"}};
+
+bool fits(const Setting& setting, std::string_view text) {
+  std::size_t at = 0, count = 0;
+  for (std::string_view word = next_word(text, at); !word.empty(); word = next_word(text, at)) {
+    ++count;
+    if (setting.words.empty() && !is_number(word)) return false;
+  }
+  if (setting.words.empty()) return count == setting.numbers || count == 0;
+  std::size_t next = 0;
+  for (auto word = next_word(setting.words, next); !word.empty();
+       word = next_word(setting.words, next)) {
+    if (word == text) return true;
+  }
+  return false;
+}
+
+void check_settings(const xml::View mujoco, Findings& findings) {
+  for (const xml::View element : mujoco) {
+    for (const Setting& setting : kSettings) {
+      if (setting.element != element.name()) continue;
+      const xml::Attribute* at = element.attribute(setting.name);
+      if (at == nullptr || fits(setting, at->value())) continue;
+      findings.report(at->span(),
+                      "MuJoCo cannot read " + quoted(at->value()) + " as " + quoted(at->name()));
+    }
+  }
+}
+
+/// Limits of joints say nothing of whether they hold, which only `autolimits` makes good.
+void check_limits(const LinkedModel& model, const xml::View compiler, Findings& findings) {
+  const xml::Attribute* at = compiler.attribute("autolimits");
+  if (at == nullptr || at->value() != "false") return;
+  const bool has_limit = ranges::any_of(model.robot->joints, [](const urdf::Joint& joint) {
+    if (!joint.limit || joint.type == urdf::JointType::fixed) return false;
+    const auto& limit = *joint.limit;
+    return limit.lower.value_or(0) < limit.upper.value_or(0) || limit.effort.value_or(0) > 0;
+  });
+  if (has_limit) findings.report(at->span(), "MuJoCo refuses limits of joints with this setting");
+}
+
 /// Reports a repeated element that may occur only once.
 void check_repeated(const xml::View parent, std::string_view name, Findings& findings) {
   bool is_first = true;
@@ -61,9 +130,13 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   const xml::View root = model.robot->document.view();
   check_repeated(root, "mujoco", findings);
-  if (const xml::View mujoco = root.child("mujoco")) check_repeated(mujoco, "compiler", findings);
+  if (const xml::View mujoco = root.child("mujoco")) {
+    check_repeated(mujoco, "compiler", findings);
+    check_settings(mujoco, findings);
+  }
   const xml::View compiler = mujoco_compiler(model);
   if (!compiler) return;
+  check_limits(model, compiler, findings);
   for (const xml::Attribute& at : compiler.attributes()) {
     if (is_readable(at.name(), at.value()) || is_xacro(at.value())) continue;
     findings.report(at.span(),

@@ -17,6 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
   const std::vector<bool> massless = massless_bodies(model);
   const std::vector<bool> is_carried = fixed_to_heavier(model);
   const std::vector<double> together = masses_of_bodies(model);
+  const bool is_empty = is_left_without_links(model);
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const bool is_massless_body = massless[index];
@@ -28,7 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.help("write the mass, or remove the `inertial` of a link that is only a frame");
     if (is_massless_body) diagnostic.construct = "massless-body";
     if (has_mass) diagnostic.construct += "#merged";
-    if (!has_mass && is_root(model, link)) diagnostic.construct += "#root";
+    if (!has_mass && (is_root(model, link) || is_empty)) diagnostic.construct += "#root";
     // Authors set mass and inertia of frames to zero on purpose, for Bullet.
     const auto moments = principal_moments(*link.inertial);
     const bool is_zero = moments && (*moments)[2] == 0;

@@ -9,14 +9,17 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   const std::vector<bool> alone = alone_in_motion(model);
+  std::vector<bool> sound;  // asked for where there is something to report
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
-    const bool is_alone = alone[index++];
+    const std::size_t at = index++;
     if (!link.inertial || !link.inertial->mass || *link.inertial->mass >= 0) return;
     Diagnostic& diagnostic =
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is " +
                                                       format_number(*link.inertial->mass) + " kg");
-    if (is_alone) diagnostic.construct = "alone";
+    if (alone[at]) diagnostic.construct = "alone";
+    if (sound.empty()) sound = sound_together(model);
+    if (sound[at]) diagnostic.construct += "#sound-together";
   });
 }
 
@@ -25,6 +28,8 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks, "passes a mass to ODE that ODE reports as wrong",
      "ODE dMassCheck, run"},
     {&readers::pybullet, Effect::takes, "keeps the number", kRun},
+    {&readers::gazebo, Effect::changes,
+     "adds it to the body that it is fixed to, or drops the link", kRun, "#sound-together"},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "warns and goes on", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the mass", kRun, "#alone"},

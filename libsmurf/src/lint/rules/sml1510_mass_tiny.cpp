@@ -19,6 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
   const std::vector<bool> is_carried = fixed_to_heavier(model);
   const std::vector<bool> alone = alone_in_motion(model);
   const std::vector<double> together = masses_of_bodies(model);
+  const bool is_empty = is_left_without_links(model);
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const bool is_alone = alone[index];
@@ -41,7 +42,7 @@ void check(const LinkedModel& model, Findings& findings) {
       diagnostic.note("sdformat (Gazebo) up to 12 drops such a link and all below it");
     }
     diagnostic.construct = is_dropped ? "mass" : "merged";
-    if (is_dropped && is_root(model, link)) diagnostic.construct = "root";
+    if (is_dropped && (is_root(model, link) || is_empty)) diagnostic.construct = "root";
     if (is_alone && mass < kMujocoMinimum) diagnostic.construct += "#below-1e-15";
     if (is_too_small) diagnostic.construct += "#inertia-below-1e-14";
   });

@@ -9,11 +9,12 @@
 namespace smurf::rules {
 namespace {
 
-void report(const MeshReference& reference, std::string_view what, Findings& findings) {
+Diagnostic& report(const MeshReference& reference, std::string_view what, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(reference.span, (reference.is_texture ? "the texture" : "the mesh") +
                                           std::string(" cannot be read: ") + std::string(what));
   if (reference.is_texture) diagnostic.severity = Severity::warning;
+  return diagnostic;
 }
 
 /// " (line 3)". Most defects of a glTF have no place.
@@ -81,7 +82,10 @@ void check(const LinkedModel& model, Findings& findings) {
              findings);
     } else if (facts.format != MeshFormat::unknown && facts.format != MeshFormat::lfs_pointer &&
                !facts.defect && facts.unread.empty() && facts.triangles == 0) {
-      report(reference, "it contains no triangle", findings);
+      report(reference, "it contains no triangle", findings).construct =
+          facts.format == MeshFormat::collada ? "empty-collada"
+          : facts.format == MeshFormat::obj   ? "empty-obj"
+                                              : "";
     }
   }
   report_outside(outside, findings);
@@ -91,6 +95,8 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet LoadMeshFromSTL.h"},
     {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
      "assimp STLLoader.cpp"},
+    {&readers::dart, Effect::loses, "makes a shape without triangles", kRun, "#empty-collada"},
+    {&readers::mujoco, Effect::changes, "makes the hull of the points", kRun, "#empty-obj"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file",
      "assimp STLLoader.cpp"},
     {&readers::mujoco, Effect::refuses, "refuses the file", "MuJoCo stl_decoder.cc"},

@@ -11,6 +11,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "computes with it until nothing has a position",
      "Bullet UrdfParser.cpp (atof), run"},
     {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
+    {&readers::mujoco, Effect::refuses, "refuses more numbers than it expects", kRun, "#too-many"},
     {&readers::mujoco, Effect::changes, "computes with it where the body does not move by itself",
      kRun, kCarried},
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,

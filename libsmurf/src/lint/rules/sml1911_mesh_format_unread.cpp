@@ -2,16 +2,33 @@
 #include <map>
 
 #include "base/path.hpp"
+#include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
-/// "dae" for the file name "base.DAE"; empty when there is none.
+/// "dae" for the file name "base.DAE", "other-step" for a format that no fact is about, and
+/// "stl#mixed-case" for "base.Stl"; empty when there is none.
 std::string format_of(std::string_view filename) {
-  std::string extension = path::to_lower(path::extension(filename));
-  return extension.empty() ? extension : extension.substr(1);
+  constexpr std::string_view kKnown[] = {"obj", "stl", "msh",  "dae", "vtk",
+                                         "cdf", "glb", "gltf", "bobj"};
+  constexpr std::string_view kOfMujoco[] = {"obj", "stl", "msh"};
+  const std::string_view written = path::extension(filename);
+  if (written.size() < 2) return filename.ends_with('/') || written == "." ? "no-format" : "";
+  const std::string extension(written.substr(1)), lower = path::to_lower(extension);
+  if (!ranges::contains(kKnown, lower)) return "other-" + lower;
+  const bool is_upper = ranges::any_of(extension, [](char c) { return c >= 'a' && c <= 'z'; });
+  const bool is_mixed = extension != lower && is_upper;
+  return is_mixed && ranges::contains(kOfMujoco, lower) ? lower + "#mixed-case" : lower;
+}
+
+std::string message(const std::string& what, std::string_view format) {
+  if (format == "no-format") return "the mesh of a " + what + " has no extension";
+  if (format.starts_with("other-")) format.remove_prefix(format.find('-') + 1);
+  return "the mesh of a " + what + " is a ." + std::string(format.substr(0, format.find('#'))) +
+         " file";
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -26,8 +43,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const auto& [key, places] : uses) {
     const auto& [role, format] = key;
     const std::string what = std::string(to_string(role));
-    Diagnostic& diagnostic =
-        findings.report(places.front(), "the mesh of a " + what + " is a ." + format + " file");
+    Diagnostic& diagnostic = findings.report(places.front(), message(what, format));
     diagnostic.construct = format;
     if (places.size() > 1) {
       diagnostic.note("the same applies to those of " + std::to_string(places.size() - 1) +
@@ -51,6 +67,8 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#bobj"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#glb"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#msh"},
+    {&readers::mujoco, Effect::refuses, "knows an extension in lower or in upper case only", kRun,
+     "#mixed-case"},
     {&readers::mujoco, Effect::takes, "reads it", kRun, "#obj"},
     {&readers::mujoco, Effect::takes, "reads it", kRun, "#stl"},
     {&readers::mujoco, Effect::takes, "reads it", kRun, "#msh"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
@@ -18,28 +19,46 @@ bool is_without_mass(const LinkedModel& model) {
                      [](const urdf::Joint& joint) { return joint.is_movable(); });
 }
 
-/// The root has no inertial either when numbers in it cannot be read, for readers that then drop
-/// it.
-void check_unreadable_root(const LinkedModel& model, Findings& findings) {
-  constexpr double kDropped = 1e-6;  // kg; sdformat drops bodies up to this
-  if (model.tree.roots.size() != 1) return;
+/// True when the mass is a number, if one that is too large to be computed with.
+bool is_number(const LinkedModel& model, const urdf::Inertial& inertial) {
+  const xml::View mass = xml::View(model.robot->document, inertial.element).child("mass");
+  const xml::Attribute* value = mass ? mass.attribute("value") : nullptr;
+  return value != nullptr && parse_number(value->value()).has_value();
+}
+
+/// Links have no mass either when numbers in an inertial cannot be read, for readers that then drop
+/// them.
+void check_unread_masses(const LinkedModel& model, Findings& findings) {
+  if (model.tree.roots.size() != 1 || !is_left_without_links(model)) return;
+  for_each_link(model, [&](const urdf::Link& link) {
+    const std::optional<urdf::Inertial>& inertial = link.inertial;
+    if (!inertial) return;
+    const Field<double>& mass = inertial->mass;
+    if (!mass && !is_number(model, *inertial)) {  // a mass of 0 is another finding
+      findings.add_consequence(mass.written ? mass.span : tag_name(model, inertial->element));
+    }
+    for (const auto* part : {&inertial->origin.xyz, &inertial->origin.rpy}) {
+      if (part->written && !*part) findings.add_consequence(part->span);
+    }
+  });
+}
+
+/// True when sdformat drops the root, or all links below a root that is the world.
+bool loses_all(const LinkedModel& model) {
   const LinkIndex root = model.tree.roots.front();
-  const std::optional<urdf::Inertial>& inertial = model.link(root).inertial;
-  if (!inertial || masses_of_bodies(model)[to_size(root)] > kDropped) return;
-  const Field<double>& own = inertial->mass;
-  if (own) return;  // a mass of 0 is another finding
-  findings.add_consequence(own.written ? own.span : tag_name(model, inertial->element));
+  if (model.link(root).name.value_or("") != "world") return !has_fixed_mass(model, root);
+  return is_left_without_links(model);
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (model.robot) check_unreadable_root(model, findings);
+  if (model.robot) check_unread_masses(model, findings);
   std::vector<const urdf::Link*> links;
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial && link.name.value_or("") != "world") links.push_back(&link);
   });
   if (links.empty() || is_without_mass(model)) return;
   const bool has_root = model.tree.roots.size() == 1;
-  const bool is_root_lost = has_root && !has_fixed_mass(model, model.tree.roots.front());
+  const bool is_root_lost = has_root && loses_all(model);
   const urdf::Link& shown = is_root_lost ? model.link(model.tree.roots.front()) : *links.front();
   Diagnostic& diagnostic =
       findings.report(name_place(model, shown), title(shown) + " has no inertial");

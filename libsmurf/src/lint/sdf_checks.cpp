@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources: sdformat 12.3.0 src/parser.cc:1300-1890 (attributes and values), and the functions Load
+// of Sensor.cc, Camera.cc, ForceTorque.cc, Light.cc, ParticleEmitter.cc, Material.cc and Joint.cc.
+#include "lint/sdf_checks.hpp"
+
+#include <utility>
+
+#include "ast/sdf_language.hpp"
+#include "base/path.hpp"
+#include "base/quoted.hpp"
+#include "base/ranges.hpp"
+#include "base/uncertain.hpp"
+#include "base/words.hpp"
+#include "lint/sdf_values.hpp"
+
+namespace smurf::sdf {
+namespace {
+
+constexpr std::string_view kSensors[] = {"air_pressure",
+                                         "altimeter",
+                                         "camera",
+                                         "contact",
+                                         "custom",
+                                         "depth",
+                                         "depth_camera",
+                                         "rgbd",
+                                         "rgbd_camera",
+                                         "thermal",
+                                         "thermal_camera",
+                                         "segmentation",
+                                         "boundingbox",
+                                         "boundingbox_camera",
+                                         "segmentation_camera",
+                                         "wideanglecamera",
+                                         "wide_angle_camera",
+                                         "force_torque",
+                                         "navsat",
+                                         "gps",
+                                         "gpu_ray",
+                                         "gpu_lidar",
+                                         "imu",
+                                         "logical_camera",
+                                         "magnetometer",
+                                         "multicamera",
+                                         "ray",
+                                         "lidar",
+                                         "rfid",
+                                         "rfidtag",
+                                         "sonar",
+                                         "wireless_receiver",
+                                         "wireless_transmitter"};
+/// Sensors that sdformat reads a `camera` of.
+constexpr std::string_view kCameras[] = {"camera",
+                                         "depth",
+                                         "depth_camera",
+                                         "rgbd",
+                                         "rgbd_camera",
+                                         "thermal",
+                                         "boundingbox",
+                                         "boundingbox_camera",
+                                         "wideanglecamera",
+                                         "wide_angle_camera",
+                                         "segmentation",
+                                         "thermal_camera",
+                                         "segmentation_camera"};
+constexpr std::string_view kPixels[] = {
+    "L_INT8",    "L_INT16",     "RGB_INT8",    "RGBA_INT8",   "BGRA_INT8",   "RGB_INT16",
+    "RGB_INT32", "BGR_INT8",    "BGR_INT16",   "BGR_INT32",   "R_FLOAT16",   "RGB_FLOAT16",
+    "R_FLOAT32", "RGB_FLOAT32", "BAYER_RGGB8", "BAYER_BGGR8", "BAYER_GBRG8", "BAYER_GRBG8",
+    "R8G8B8",    "L8",          "L16",         "B8G8R8"};
+constexpr std::string_view kNoise[] = {"none", "gaussian", "gaussian_quantized"};
+constexpr std::string_view kLights[] = {"point", "spot", "directional"};
+constexpr std::string_view kEmitters[] = {"point", "box", "cylinder", "ellipsoid"};
+constexpr std::string_view kShaders[] = {"pixel",
+                                         "vertex",
+                                         "normal_map_objectspace",
+                                         "normal_map_object_space",
+                                         "normal_map_tangentspace",
+                                         "normal_map_tangent_space"};
+constexpr std::string_view kJoints[] = {"ball",     "continuous", "fixed", "gearbox",  "prismatic",
+                                        "revolute", "revolute2",  "screw", "universal"};
+constexpr std::string_view kWrenchFrames[] = {"parent", "child", "sensor"};
+constexpr std::string_view kWrenchDirections[] = {"parent_to_child", "child_to_parent"};
+
+class Checker {
+ public:
+  explicit Checker(const Report& report) : report_(report) {}
+
+  void element(xml::View element, std::string_view kind) {
+    const Element* row = find(kind);
+    if (row == nullptr || !attributes(element, row->attributes)) return;
+    children(element, *row);
+    meaning(element, kind);
+  }
+
+  // The recursion is as deep as the file, whose depth is limited.
+  void children(xml::View parent, const Element& row) {
+    if (row.children.empty() && row.kind == "plugin") return;  // copied as it is
+    for (const xml::View child : parent) {
+      if (child.name() == "include") {
+        check_include(child, report_);
+        continue;
+      }
+      const std::optional<Part> part = find_part(row.children, child.name());
+      if (part) this->child(child, *part);
+    }
+  }
+
+ private:
+  void child(xml::View child, const Part& part) {
+    if (part.value != '\0' && !is_readable(part, child.text(), child)) {
+      const bool is_empty = trimmed_text(child.text()).empty();
+      report_(place_of(child),
+              quoted(child.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"),
+              kElement);
+      return;
+    }
+    if (!part.kind.empty()) element(child, part.kind);
+  }
+
+  bool attributes(xml::View element, std::string_view list) {
+    bool is_good = true;
+    std::size_t at = 0;
+    while (const std::optional<Part> part = next_part(list, at)) {
+      const xml::Attribute* attribute = element.attribute(part->name);
+      if (attribute == nullptr) {
+        if (!part->is_required) continue;
+        report_(element.name_span(), quoted(element.name()) + " has no " + quoted(part->name),
+                kElement);
+        is_good = false;
+      } else if (!is_readable(*part, attribute->value(), element)) {
+        report_(place_of(element, part->name),
+                quoted(part->name) +
+                    (attribute->value().empty() ? " is empty" : " cannot be read by Gazebo"),
+                kElement);
+        is_good = false;
+      }
+    }
+    return is_good;
+  }
+
+  /// Reports a word other than those that sdformat knows.
+  template <class Words>
+  void word(Span place, std::string_view word, const Words& known, std::string_view what) {
+    if (ranges::contains(known, word)) return;
+    report_(place, "Gazebo does not know the " + std::string(what) + " " + quoted(word), kElement);
+  }
+  template <class Words>
+  void text(xml::View parent, std::string_view name, const Words& known, std::string_view what) {
+    const xml::View child = parent.child(name);
+    if (child) word(place_of(child), trimmed_text(child.text()), known, what);
+  }
+
+  void meaning(xml::View element, std::string_view kind) {
+    const std::string_view type = value_of(element, "type");
+    if (kind == "sensor") {
+      check_reserved(element, report_);
+      word(place_of(element, "type"), type, kSensors, "type of sensor");
+      sensor(element, type);
+    } else if (kind == "light") {
+      check_reserved(element, report_);
+      word(place_of(element, "type"), type, kLights, "type of light");
+    } else if (kind == "particle_emitter") {
+      check_reserved(element, report_);
+      word(place_of(element, "type"), type, kEmitters, "type of emitter");
+    } else if (kind == "visual" || kind == "collision") {
+      check_reserved(element, report_);
+    } else if (kind == "joint") {
+      joint(element, type);
+    } else if (kind == "script") {
+      script(element);
+    } else if (kind == "shader") {
+      word(place_of(element, "type"), type, kShaders, "type of shader");
+    }
+  }
+
+  void sensor(xml::View sensor, std::string_view type) {
+    if (type == "force_torque") {
+      const xml::View own = sensor.child("force_torque");
+      if (!own) return;
+      text(own, "frame", kWrenchFrames, "frame");
+      text(own, "measure_direction", kWrenchDirections, "direction");
+    }
+    const xml::View camera = sensor.child("camera");
+    if (!camera || !ranges::contains(kCameras, type)) return;
+    if (const xml::View image = camera.child("image")) {
+      text(image, "format", kPixels, "format of pixels");
+    }
+    const xml::View noise = camera.child("noise");
+    const xml::View kind = noise ? noise.child("type") : xml::View();
+    if (kind) {
+      const std::string lower = path::to_lower(trimmed_text(kind.text()));
+      word(place_of(kind), lower, kNoise, "type of noise");
+    }
+  }
+
+  void joint(xml::View joint, std::string_view type) {
+    const std::string lower = path::to_lower(type);
+    word(place_of(joint, "type"), lower, kJoints, "type of joint");
+    for (const char* end : {"parent", "child"}) {
+      if (joint.child(end)) continue;
+      report_(joint.name_span(), "`joint` has no " + quoted(end), kElement);
+    }
+    for (const char* name : {"axis", "axis2"}) {
+      const xml::View axis = joint.child(name);
+      const xml::View xyz = axis ? axis.child("xyz") : xml::View();
+      const auto vector = xyz ? read_vector(xyz.text()) : std::nullopt;
+      if (vector && *vector == std::array<double, 3>{}) {
+        report_(place_of(xyz), "the axis has no direction", kElement);
+      }
+    }
+  }
+
+  void script(xml::View script) {
+    for (const char* part : {"uri", "name"}) {
+      const xml::View child = script.child(part);
+      if (child) continue;  // an empty one is reported as a value
+      report_(script.name_span(), "`script` has no " + quoted(part), kElement);
+    }
+  }
+
+  const Report& report_;
+};
+
+}  // namespace
+
+void check_element(xml::View element, std::string_view kind, const Report& report) {
+  Checker(report).element(element, kind);
+}
+
+void check_children(xml::View element, std::string_view kind, const Report& report) {
+  if (const Element* row = find(kind)) Checker(report).children(element, *row);
+}
+
+void check_include(xml::View include, const Report& report) {
+  const xml::View uri = include.child("uri");
+  if (!uri) {
+    report(include.name_span(), "`include` has no `uri`", kElement);
+  } else if (uri.text().empty()) {
+    report(uri.name_span(), "`uri` is empty", kEmptyInclude);
+  } else {
+    report(place_of(uri), "Gazebo needs the model " + quoted(trimmed(uri.text())),
+           kUncertain.substr(1));
+  }
+}
+
+void check_reserved(xml::View element, const Report& report) {
+  const std::string_view name = value_of(element, "name");
+  const bool is_reserved =
+      name == "world" || (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"));
+  if (!is_reserved) return;
+  report(place_of(element, "name"), "sdformat (Gazebo) reserves the name " + quoted(name),
+         kElement);
+}
+
+Span place_of(xml::View element) {
+  const Span place = element.text_span();
+  return place.empty() ? element.name_span() : place;
+}
+
+Span place_of(xml::View element, std::string_view attribute) {
+  const xml::Attribute* found = element.attribute(attribute);
+  const bool is_marked = found != nullptr && !found->value_span().empty();
+  return is_marked ? found->value_span() : element.name_span();
+}
+
+std::string_view value_of(xml::View element, std::string_view attribute) {
+  const xml::Attribute* found = element.attribute(attribute);
+  return found == nullptr ? std::string_view() : trimmed_text(found->value());
+}
+
+std::string_view text_of(xml::View element, std::string_view child) {
+  const xml::View found = element.child(child);
+  return found ? trimmed_text(found.text()) : std::string_view();
+}
+
+}  // namespace smurf::sdf
