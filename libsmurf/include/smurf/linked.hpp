@@ -99,9 +99,9 @@ struct TextureReference {
   bool is_denied = false;  ///< it is outside of the project, and may exist or not
 };
 
+/// The place of a visual in a robot.
 struct VisualIndex {
-  std::uint32_t link = 0;    ///< in Robot::links
-  std::uint32_t visual = 0;  ///< in Link::visuals
+  std::uint32_t link = 0, visual = 0;  ///< indices in Robot::links and Link::visuals
 };
 
 /// A file of a model and its parsed content.
