@@ -244,7 +244,7 @@ class NumberReader {
     const bool is_scale = name == "scale";
     const bool is_color = name == "rgba";
     Diagnostic& diagnostic = sink_.report(rules::sml1807_vector_count, place(whole()),
-                                          quoted(name) + " takes " + plural(count) + ", not " +
+                                          quoted(name) + " must have " + plural(count) + ", not " +
                                               std::to_string(tokens.size()));
     if (is_scale && tokens.size() == 1) {
       // Bullet, Drake and yourdfpy take one number for all three axes.
