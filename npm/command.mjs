@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tool as a command, on the files of the machine.
+// Runs a tool as a command, on the files of the machine.
 import { readFileSync } from "node:fs";
 
 import { Host } from "./host.mjs";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The system calls of smurf.wasm, on files that are those of node (node_files.mjs) or lie in memory (memory_files.mjs).
-// Calls and layouts are those of Emscripten's C library, which main.cpp verifies.
+// The system calls of smurf.wasm, for the files of the machine (node_files.mjs) or files in memory (memory_files.mjs).
+// Calls and layouts are those of Emscripten's C library; main.cpp verifies them.
 
-/** An error as the functions of node:fs throw it. */
+/** An error like those that the functions of node:fs throw. */
 export class FileError extends Error {
   constructor(code) {
     super(code);
@@ -40,9 +40,9 @@ const kCurrentFolder = -100;
 const kRemoveFolder = 0x200;
 const kNoFollow = 0x100;
 const kEntrySize = 280;
-/** What main() adds to its exit code, so that it is not taken for that of abort(). */
+/** main() adds this to its exit code, to distinguish it from that of abort(). */
 const kEnded = 64;
-/** What a run that could not do its job ends with. */
+/** The exit code of a run that failed. */
 export const kFailed = 2;
 
 export class Host {
@@ -50,14 +50,14 @@ export class Host {
   #view;
   #lists = new Map();
 
-  /** `files` does what node:fs does; `args` begins with the name of the tool. */
+  /** `files` has the interface of node:fs; `args` begins with the name of the tool. */
   constructor(files, args, environment) {
     this.files = files;
     this.args = args.map((text) => this.#encode(text));
     this.environment = Object.entries(environment).map(([name, value]) => this.#encode(`${name}=${value}`));
   }
 
-  /** Runs the program to its end; its exit code. */
+  /** Runs the program to its end, and returns its exit code. */
   run(module) {
     const imports = {};
     for (const { module: from, name } of WebAssembly.Module.imports(module)) {
@@ -95,7 +95,7 @@ export class Host {
     };
   }
 
-  // Memory grows, and what was seen of it before is of no use then.
+  // When the memory grows, earlier views of it become invalid.
   get #data() {
     if (this.#view?.buffer !== this.#memory.buffer) this.#view = new DataView(this.#memory.buffer);
     return this.#view;
@@ -110,7 +110,7 @@ export class Host {
     return this.files.decode(rest.subarray(0, rest.indexOf(0)));
   }
 
-  /** A path that is seen from an open folder. */
+  /** A path relative to an open folder. */
   #path(folder, at) {
     const path = this.#text(at);
     if (path === "") throw new FileError("ENOENT");
@@ -147,7 +147,7 @@ export class Host {
     this.#data.setUint32(sizeAt, texts.reduce((sum, text) => sum + text.length, 0), true);
   }
 
-  /** Reads into or writes from the buffers at `at` until one is not filled. */
+  /** Reads into, or writes from, the buffers at `at`. Ends at the first buffer that is not filled. */
   #transfer(at, count, doneAt, position, work) {
     let done = 0;
     for (let i = 0; i < count; ++i) {

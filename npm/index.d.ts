@@ -1,29 +1,29 @@
 /**
- * The tools of SMURF on files in memory, in node and in browsers. Nothing is read from the machine or the network but
- * `smurf.wasm`, once.
+ * The tools of SMURF for files in memory, in node and browsers. They read nothing from the machine or the network
+ * except `smurf.wasm`, once.
  */
 
-/** Paths, relative to one folder, and what the files contain. Binary files, such as meshes, are bytes. */
+/** The contents of files by path, relative to one folder. Binary files, such as meshes, are bytes. */
 export type Files = Record<string, string | Uint8Array | ArrayBuffer>;
 
 export type Tool = "smurf-lint" | "smurf2urdf" | "urdf2smurf" | "smurfs-flatten";
 
 export interface Result {
-  /** 0: done; 1: findings, or refused because of them; 2: could not do the job. */
+  /** 0: success; 1: findings, or refused because of findings; 2: failure. */
   code: number;
   stdout: string;
   stderr: string;
-  /** Files that were written. */
+  /** The written files. */
   files: Record<string, Uint8Array>;
 }
 
 /**
- * Loads `smurf.wasm` before it is needed, or from another place: an URL, its bytes or a module that is compiled already.
- * Without a call of it, it is loaded from beside this package when it is first needed.
+ * Loads `smurf.wasm` in advance, or from another source: a URL, its bytes or a compiled module. Without this call, the
+ * file in this package is loaded when it is first needed.
  */
 export function load(source?: string | URL | Uint8Array | ArrayBuffer | WebAssembly.Module): Promise<WebAssembly.Module>;
 
-/** Runs a tool as its command does, with all of its options. `input` is its standard input. */
+/** Runs a tool with the options of its command. `input` is its standard input. */
 export function run(tool: Tool, args: string[], files: Files, input?: string | Uint8Array): Promise<Result>;
 
 export interface Options {
@@ -66,7 +66,7 @@ export interface Diagnostic extends Partial<Place> {
   fix?: { applicability: "safe" | "unsafe"; edits: Edit[] };
 }
 
-/** What `schemas/lint-report.schema.json` describes. */
+/** The report that `schemas/lint-report.schema.json` describes. */
 export interface LintReport {
   schema_version: string;
   tool: { name: string; version: string };
@@ -74,7 +74,7 @@ export interface LintReport {
   diagnostics: Diagnostic[];
 }
 
-/** What `schemas/flat-scene.schema.json` describes. */
+/** The scene that `schemas/flat-scene.schema.json` describes. */
 export interface FlatScene {
   schema_version: string;
   scene: string;
@@ -93,19 +93,19 @@ export interface FlatScene {
   [key: string]: unknown;
 }
 
-/** A tool refused its input, or could not do the job. The message is what it said. */
+/** A tool refused its input or failed. The message is that of the tool. */
 export class ToolError extends Error {
   result: Result;
 }
 
-/** Checks all models, scenes and URDFs, or those at `paths`. */
+/** Checks all models, scenes and URDFs, or only those at `paths`. */
 export function lint(files: Files, options?: Options & { paths?: string[] }): Promise<LintReport>;
 
-/** Expands a scene with all nested scenes into world poses. For other formats see `run`. */
+/** Expands a scene and its nested scenes into world poses. For other formats, see `run`. */
 export function flatten(files: Files, scene: string, options?: Options): Promise<FlatScene>;
 
 /** The plain URDF of a model. */
 export function toUrdf(files: Files, model: string, options?: Options): Promise<string>;
 
-/** The files of a SMURF model made from a URDF, in `folder`. */
+/** Converts a URDF to a SMURF model in `folder`, and returns its files. */
 export function toSmurf(files: Files, urdf: string, options?: Options & { folder?: string }): Promise<Record<string, Uint8Array>>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tools on files in memory, for node and browsers. See index.d.ts.
+// Runs the tools on files in memory, in node and browsers. See index.d.ts.
 import { Host } from "./host.mjs";
 import { MemoryFiles } from "./memory_files.mjs";
 
@@ -34,7 +34,7 @@ export async function run(tool, args, files, input) {
   return { code, stdout: decoder.decode(memory.output(1)), stderr: decoder.decode(memory.output(2)), files: memory.changes() };
 }
 
-/** What a run that could not do its job, or refused it, ends with. */
+/** The exit codes of a run that failed, or that refused its input. */
 export class ToolError extends Error {
   constructor(tool, result) {
     super(result.stderr.trim() || `${tool} ended with code ${result.code}`);
@@ -50,7 +50,7 @@ async function runWell(tool, args, files, isGood) {
 }
 
 export async function lint(files, { paths = ["."], args = [] } = {}) {
-  // A folder without models is no mistake of who calls this.
+  // For callers, a folder without models is not an error.
   const result = await runWell("smurf-lint", ["--format=json", ...args, "--", ...paths], files, (one) => one.code < 2);
   return JSON.parse(result.stdout);
 }

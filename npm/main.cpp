@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <string_view>
 
-// What host.mjs knows of the C library.
+// The facts about the C library on which host.mjs relies.
 static_assert(offsetof(struct stat, st_dev) == 0 && offsetof(struct stat, st_mode) == 12 &&
               offsetof(struct stat, st_nlink) == 16 && offsetof(struct stat, st_uid) == 20 &&
               offsetof(struct stat, st_gid) == 24 && offsetof(struct stat, st_size) == 40 &&
@@ -22,7 +22,7 @@ static_assert(AT_FDCWD == -100 && AT_REMOVEDIR == 0x200 && AT_SYMLINK_NOFOLLOW =
 static_assert(O_PATH == 010000000 && O_DIRECTORY == 0200000 && O_NOFOLLOW == 0400000);
 static_assert(ENOENT == 44 && EXDEV == 75 && ENOTSUP == 138);
 
-/// What open() calls, in place of one of Emscripten's for which only terminals are open.
+/// Called by open(). Replaces a function of Emscripten that treats only terminals as open.
 extern "C" long __syscall_open(const char* path, long flags, ...) {
   va_list more;
   va_start(more, flags);
@@ -32,7 +32,7 @@ extern "C" long __syscall_open(const char* path, long flags, ...) {
   return file < 0 ? -errno : file;
 }
 
-/// Of descriptors, only their being open is asked for.
+/// The C library asks with it only whether a descriptor is open.
 extern "C" int fcntl(int descriptor, int, ...) {
   struct stat status {};
   return ::fstat(descriptor, &status);
@@ -55,7 +55,7 @@ constexpr Tool kTools[] = {{"smurf-lint", smurf_lint_main},
                            {"urdf2smurf", urdf2smurf_main},
                            {"smurfs-flatten", smurfs_flatten_main}};
 
-/// Tells the exit code of a tool from that of abort(), which is 1.
+/// Added to the exit code of a tool, to distinguish it from that of abort(), which is 1.
 constexpr int kEnded = 64;
 
 }  // namespace

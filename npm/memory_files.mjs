@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files in memory, for host.mjs: a folder `kHere` with all that belongs to a run.
+// Files in memory, for host.mjs: the folder `kHere` contains all files of a run.
 import { FileError, Open } from "./host.mjs";
 
-// Deep enough for what is two folders above to be in the project still, outside of which the tools read nothing.
+// Deep enough that a path two folders up is still in the project; the tools read nothing outside of it.
 const kHere = "/in/the/memory/files";
 const kFolderMode = 0o040755;
 const kFileMode = 0o100644;
@@ -20,7 +20,7 @@ function normalized(path) {
 
 const above = (path) => path.slice(0, Math.max(path.lastIndexOf("/"), 1));
 
-/** A file has `bytes`, a folder none. */
+/** A file has `bytes`, a folder does not. */
 class Node {
   static #count = 0;
   constructor(bytes) {
@@ -60,7 +60,7 @@ export class MemoryFiles {
     return new Map(files.map(([path, node]) => [path.slice(kHere.length + 1), node.bytes]));
   }
 
-  /** Files that are new or were written again. */
+  /** New and changed files. */
   changes() {
     return Object.fromEntries([...this.#contents()].filter(([name, bytes]) => this.before.get(name) !== bytes));
   }

@@ -6,10 +6,10 @@ import tty from "node:tty";
 import { FileError, Open } from "./host.mjs";
 
 const isWindows = process.platform === "win32";
-/** Linux names what is below an open folder, whatever has become of its path. */
+/** Linux has a path for an open folder that stays valid when the folder is renamed. */
 const hasNames = process.platform === "linux" && fs.existsSync("/proc/self/fd");
 
-/** A drive is a folder of the root, since every other path is relative here. */
+/** Drives become folders of the root, because all other paths are relative here. */
 function fromHere(path) {
   const text = path.replaceAll("\\", "/");
   return /^[A-Za-z]:/.test(text) ? "/" + text : text;
@@ -35,9 +35,9 @@ function typeOf(entry) {
 
 export class NodeFiles {
   #paths = new Map();
-  #nextFolder = 1 << 20;  // of folders on systems that open none
+  #nextFolder = 1 << 20;  // descriptors of folders, on systems that cannot open folders
 
-  // Names of files are bytes; what is no UTF-8 is not to be changed on the way.
+  // File names are bytes; names that are not UTF-8 must not be changed.
   encode(text) { return isWindows ? Buffer.from(text) : Buffer.from(text, "latin1"); }
   decode(bytes) { return Buffer.from(bytes).toString(isWindows ? "utf8" : "latin1"); }
   #name(path) { return isWindows ? toHere(path) : Buffer.from(path, "latin1"); }
@@ -82,7 +82,7 @@ export class NodeFiles {
 
   lstat(path) {
     const status = fs.lstatSync(this.#name(path), { bigint: true });
-    // Linux says 64 for each of these, and what has more would not be read.
+    // Linux reports the size 64 for each of these links, and longer targets would be cut.
     if (path.startsWith("/proc/self/fd/")) status.size = 4096n;
     return status;
   }
@@ -114,7 +114,7 @@ export class NodeFiles {
   wait(milliseconds) { Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, milliseconds); }
 }
 
-/** Arguments and variables, as they reach the program. */
+/** The arguments and environment variables of the program. */
 export function ownBytes(text) {
   return isWindows ? fromHere(text) : Buffer.from(text).toString("latin1");
 }

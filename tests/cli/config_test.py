@@ -216,7 +216,7 @@ class Content(ConfigTest):
         self.write(".smurf-lint.yaml", "schemas: {entities: {rainbow: schemas/rainbow.json}}\n")
         self.write("schemas/rainbow.json", RAINBOW)
         done = self.expect(1, "--select", "SML54", "scene.smurfs", cwd=self.folder / "robots")
-        self.assertIn("error[SML5401]: `radius` takes a number, not the text `wide`\n"
+        self.assertIn("error[SML5401]: `radius` must be a number, not the text `wide`\n"
                       " --> scene.smurfs:3:38\n", done.stdout)
         self.assertIn("note: required here by the schema\n --> ../schemas/rainbow.json:1:28\n",
                       done.stdout)

@@ -271,6 +271,9 @@ class Refusal(ExportTest):
         self.assertIn("urdfdom                     accepts", done.stderr)
         done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf", "--report", "concise")
         self.assertIn("SML1407", done.stderr)
+        self.write("arm/urdf/arm.xml", self.source())  # smurf-lint needs the name of a URDF
+        done = self.run_with_messages(0, "arm/urdf/arm.xml", "-o", "arm/urdf/o.urdf")
+        self.assertIn(": see smurf-lint --stdin-filename arm/urdf/arm.urdf - < arm/urdf/arm.xml\n", done.stderr)
         done = self.run_with_messages(1, "arm/smurf/arm.smurf", "--fail-on", "error")
         self.assertIn("has findings that reach --fail-on; see --force; nothing was written", done.stderr)
 
@@ -354,10 +357,12 @@ class Refusal(ExportTest):
 class Told(ExportTest):
     def test_what_was_written_and_what_is_not_in_it(self):
         done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/o.urdf")
-        self.assertRegex(done.stderr, r"\Asmurf2urdf: wrote arm/o.urdf: 10 links, 9 joints; not in it: "
-                                      r"\d+ entries \(2 in controllers, .*\) and \d+ values of other entries \(\d+ in collision, "
-                                      r".*\d+ in motors, .*\), see --loss-report\n\Z")
+        self.assertRegex(done.stderr, r"\Asmurf2urdf: wrote arm/o.urdf: 10 links, 9 joints\n  not in it: "
+                                      r"\d+ entries \(2 in controllers, [^()]*\) and\s+\d+\s+values\s+of\s+other\s+entries\s+"
+                                      r"\(\d+\s+in\s+collision, [^()]*\d+\s+in\s+motors,[^()]*\),\s+see\s+--loss-report\n\Z")
+        self.assertLessEqual(max(map(len, done.stderr.splitlines())), 80)
         done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/o.urdf", "--loss-report", "lost.json")
+        done.stderr = " ".join(done.stderr.split())  # it is wrapped
         pointers = [loss["pointer"].split("/")[1:] for loss in json.loads(self.read("lost.json"))["losses"]]
         entries = [pointer[0] for pointer in pointers if len(pointer) <= 2]
         values = [pointer[0] for pointer in pointers if len(pointer) > 2]
@@ -367,6 +372,9 @@ class Told(ExportTest):
         self.assertIn(f": {len(entries)} entries (", done.stderr)
         self.assertIn(f" and {len(values)} values of other entries (", done.stderr)
         self.assertNotIn("see --loss-report", done.stderr)
+        done = self.run_with_messages(0, "arm/smurf/arm.smurf", "--collapse-fixed", "-o", "arm/c.urdf")
+        written = self.read("arm/c.urdf")
+        self.assertIn(f"wrote arm/c.urdf: {written.count('<link ')} links, {written.count('<joint ')} joints\n", done.stderr)
         for silent in (("-q", "-o", "arm/o.urdf"), ("-o", "-"), ("--dry-run", "-o", "arm/o.urdf")):
             self.assertEqual(self.run_with_messages(0, "arm/smurf/arm.smurf", *silent).stderr, "")
 

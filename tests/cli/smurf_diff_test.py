@@ -186,7 +186,7 @@ class Models(Diff):
         self.assertEqual(len(found), 1, found)
         self.assertEqual({key: found[0][key] for key in ("change", "kind", "property", "old", "new", "unit", "default")},
                          {"change": "changed", "kind": "motor", "property": "maxEffort", "old": 40, "new": 50,
-                          "unit": "N m or N", "default": "0"})
+                          "unit": "N m", "default": "0"})
         self.assertEqual(found[0]["new_source"]["file"], "new/smurf/arm_motors.yml")
 
     def test_a_renamed_thing_is_one_difference(self):
@@ -204,6 +204,19 @@ class Models(Diff):
                                  [:1], [("renamed", old, "brand_new")], found)
                 self.assertLessEqual({one["change"] for one in found}, {"renamed"}, found)
                 self.assertEqual(len(found), 1, found)
+
+    def test_an_old_name_of_a_renamed_thing_that_is_still_used(self):
+        self.copy("models/arm", "old", "new")
+        text = self.read("new/urdf/arm.urdf")
+        self.write("new/urdf/arm.urdf", text.replace('"forearm"', '"lower_arm"'))
+        mains = ("old/smurf/arm.smurf", "new/smurf/arm.smurf")
+        kept = [one for one in self.json(*mains)["differences"] if one["change"] == "changed"]
+        self.assertTrue(kept)
+        for one in kept:
+            self.assertNotEqual(one["old"], "lower_arm", one)
+            if one["old"] == "forearm":
+                self.assertEqual((one["new"], one["effect"]), ("forearm", "which was renamed to lower_arm"))
+        self.assertRegex(self.expect(1, *mains).stdout, r" is still forearm,\s+which was renamed to\s+lower_arm")
 
     def test_a_model_and_its_urdf(self):
         smurf2urdf = pathlib.Path(cli.TOOL).parent / "smurf2urdf"

@@ -59,7 +59,7 @@ class CalmReports(LintTest):
         self.assertEqual(severities[0], "error")
         self.assertNotIn("info", severities)
         self.assertEqual(lines[0], "robot00_.urdf: 15 errors")
-        self.assertIn("... and 12 more of SML1404 in this file", lines)
+        self.assertIn("... and 12 more of SML1404 in this file; --all shows them", lines)
         self.assertTrue(any(line.startswith("... and ") and line.endswith(" more files") for line in lines), lines)
         self.assertIn("The most frequent findings:", lines)
         self.assertIn("40 infos are not shown; --min-severity info shows them", lines)
@@ -69,6 +69,19 @@ class CalmReports(LintTest):
         self.assertEqual(everything.count("error[SML1404]"), 600)
         self.assertNotIn("more of", everything)
         self.assertIn("found 600 errors, 1200 warnings and 40 infos in 40 files (40 models)", lines)
+
+    def test_the_last_findings_are_shown(self):
+        self.write_robot("arm", 10)  # 5 errors and 10 warnings
+        done = self.expect(1, "arm.urdf")
+        self.assertEqual(done.stdout.count("error[SML1404]"), 5)
+        self.assertIn("... and 7 more of SML1422 in this file; --all shows them", done.stdout)
+
+    def test_the_worst_file_is_first(self):
+        for i in range(9):
+            self.write(f"a{i}.urdf", '<robot name="r"><link name="a"><inertial><mass value="-1"/><inertia ixx="1" ixy="0" '
+                                     'ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>')
+        self.write("z.urdf", '<robot name="r"><link name="a"/><joint name="j" type="fixed"><parent link="a"/></joint></robot>')
+        self.assertTrue(self.expect(1, ".").stdout.startswith("z.urdf: "))
 
     def test_min_severity(self):
         self.write_robot("arm", 4)
@@ -501,7 +514,40 @@ class ConfigurationInBaseline(LintTest):
         self.assertIn("SML9001", self.expect(1, "--baseline", "b.yaml", ".").stdout)
 
 
+class Suggestions(LintTest):
+    LINKS = "".join(f'<link name="{name}"/>' for name in ("base", "FL_wheel", "FR_wheel", "top_wheel", "mast"))
+
+    def help_of(self, first, last="base", **files):
+        joints = "".join(f'<joint name="{child}_joint" type="continuous"><parent link="base"/><child link="{child}"/>'
+                         '<axis xyz="0 0 1"/></joint>' for child in ("FL_wheel", "FR_wheel", first))
+        self.write("r.urdf", f'<robot name="r">{self.LINKS}{joints}</robot>')
+        report = json.loads(self.expect(1, "--select", "SML1201", "--format", "json", "r.urdf").stdout)
+        [found] = report["diagnostics"]
+        return found.get("help"), len(found.get("fixes", []))
+
+    def test_a_child_is_a_link_without_a_joint(self):
+        self.assertEqual(self.help_of("Z_wheel"), ("did you mean `top_wheel`, to which no joint leads?", 1))
+        self.assertEqual(self.help_of("mst"), ("did you mean `mast`?", 1))
+        self.assertEqual(self.help_of("FL_wheell"), ("did you mean `FL_wheel`?", 0))  # it would have two parents
+        self.assertEqual(self.help_of("F_wheel"), (None, 0))  # as near to FL_wheel as to FR_wheel
+
+    def test_a_motor_often_has_the_name_of_its_joint(self):
+        self.write_model(motors=MOTORS.replace("joint: elbow", "joint: arm9_x"))
+        report = json.loads(self.expect(1, "--select", "SML3101", "--format", "json", ".").stdout)
+        self.assertEqual([d["help"] for d in report["diagnostics"]], ["did you mean `elbow`, which no motor drives?"])
+
+
 class Explanations(LintTest):
+    def test_elements(self):
+        text = self.expect(0, "--explain", "mesh").stdout
+        self.assertTrue(text.startswith("mesh: element of a URDF."), text)
+        self.assertIn("scale", text)
+
+    def test_everything_fits_a_terminal(self):
+        for arguments in (["--list-rules"], ["--explain", "SML1"], ["--limit", "help"], ["--help"]):
+            for line in self.expect(0, *arguments).stdout.splitlines():
+                self.assertLessEqual(len(line), 80, line)
+
     def explain(self, what):
         return self.expect(0, "--explain", what).stdout
 
@@ -563,9 +609,9 @@ class Usage(LintTest):
                 ("--jobs: '0' is not a whole number of at least 1", ["-j0"]),
                 ("--package: 'arm' is not NAME=DIR", ["--package", "arm"]),
                 ("--quiet takes no value", ["--quiet=false"]),
-                ("there is no rule, section or key 'SML31O1'; did you mean 'SML3101'?", ["--explain", "SML31O1"]),
-                ("there is no rule, section or key 'x'", ["--explain", "x"]),
-                ("there is no rule, section or key 'sensrs'; did you mean 'sensors'?", ["--explain", "sensrs"]),
+                ("there is no rule, section, element or key 'SML31O1'; did you mean 'SML3101'?", ["--explain", "SML31O1"]),
+                ("there is no rule, section, element or key 'x'", ["--explain", "x"]),
+                ("there is no rule, section, element or key 'sensrs'; did you mean 'sensors'?", ["--explain", "sensrs"]),
                 ("unknown option '--gener'; did you mean '--generate-baseline'?", ["--gener"]),
                 ("--severity: 'warn' is not one of error, warning, info; did you mean 'warning'?",
                  ["--severity", "SML3101=warn"]),
@@ -782,6 +828,17 @@ class Inputs(LintTest):
         done = self.expect(2, ".")
         self.assertEqual(done.stderr, "smurf-lint: cannot read 'lost.smurf': "
                                       "No such file or directory\n")
+
+    def test_json_of_other_programs(self):
+        self.write("tsconfig.json", '{"compilerOptions": {"strict": true}}')
+        self.expect_complaint("cannot check 'tsconfig.json': it has no section of SMURF, such as `motors`, and no model lists it",
+                              "tsconfig.json")
+        self.write("motors.json", '{"motors": []}')
+        self.expect(0, "motors.json")
+
+    def test_subcommands(self):
+        self.assertIn("cannot read 'check': No such file or directory; smurf-lint has no subcommands, see --help",
+                      self.expect(2, "check", ".").stderr)
 
     def test_nothing_to_check(self):
         self.write("notes/readme.txt", "")

@@ -241,6 +241,9 @@ class Scenes(LoadCheckTest):
                                 ({}, "1 mesh missing")]:
             done = self.expect(0, "ball.urdf", "--format", "json", environment=variables)
             self.assertIn(note, json.loads(done.stdout)["checks"][0]["stages"][0]["note"])
+        # Without a shape, nothing was seen that could collide.
+        self.assertEqual(json.loads(done.stdout)["checks"][0]["verdict"], "warn")
+        self.assertIn("1 mesh missing, so nothing can collide", self.expect(0, "ball.urdf").stdout)
 
 
 class Engine(LoadCheckTest):
@@ -317,8 +320,8 @@ class Options(LoadCheckTest):
     def test_stages(self):
         [check] = self.report(0, "good.urdf", "--stages", "hang")["checks"]
         self.assertEqual(list(self.stages(check)), ["BUILD", "HANG"])
-        self.expect_complaint("--stages: 'HANK' is not one of BUILD, POSE0, STILL, HANG, DROP, ANCHOR; "
-                              "did you mean 'HANG'?", "good.urdf", "--stages", "hank")
+        self.expect_complaint("--stages: 'hank' is not one of build, pose0, still, hang, drop, anchor; "
+                              "did you mean 'hang'?", "good.urdf", "--stages", "hank")
 
     def test_bounds(self):
         [check] = self.report(1, "good.urdf", "--bounds", "gap=0,drop-energy=1")["checks"]

@@ -146,8 +146,13 @@ class Output(FlattenTest):
     def test_the_extension_of_the_output_chooses_the_format(self):
         self.run_tool("scene.smurfs", "-o", "scene.sdf")
         self.assertTrue(self.read("scene.sdf").startswith("<?xml"))
-        self.run_tool("scene.smurfs", "-o", "scene.txt")
-        self.assertEqual(len(json.loads(self.read("scene.txt"))["instances"]), 2)
+        self.run_tool("scene.smurfs", "-o", "scene.world")
+        self.assertEqual(self.read("scene.world"), self.read("scene.sdf"))
+        self.run_tool("scene.smurfs", "-o", "flat")
+        self.assertEqual(len(json.loads(self.read("flat"))["instances"]), 2)
+        self.expect_complaint("no format has the extension '.xml'; add --format", "scene.smurfs", "-o", "scene.xml")
+        self.expect_complaint("no format has the extension '.usd'; smurfs-flatten writes OpenUSD as text: name a .usda file",
+                              "scene.smurfs", "-o", "scene.usd")
         self.run_tool("scene.smurfs", "-o", "flat.sdf", "--format", "json")
         self.assertEqual(len(json.loads(self.read("flat.sdf"))["instances"]), 2)
 
@@ -196,6 +201,13 @@ class Output(FlattenTest):
         self.assertEqual(self.run_tool("scene.smurfs", "-o", "flat.json").stderr, wrote)
         self.assertEqual(self.run_tool("scene.smurfs", "-o", "flat.json", "--quiet").stderr, "")
         self.assertEqual(self.run_tool("scene.smurfs").stderr, "")
+
+    def test_an_empty_scene_is_refused(self):
+        self.write("empty.smurfs", "entites:\n- {name: A, file: models/box.urdf}\n")
+        done = self.run_tool("empty.smurfs", "-o", "e.sdf", "-q")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("'empty.smurfs' has no entities; see --force; nothing was written", done.stderr)
+        self.assertEqual(self.run_tool("empty.smurfs", "-o", "e.sdf", "--force").returncode, 0)
 
     def test_a_floor_on_request(self):
         self.write("free.smurfs", "entities:\n- {name: A, file: models/box.urdf}\n")
@@ -255,6 +267,10 @@ class Explain(FlattenTest):
                               outer, "--quiet", "--explain-pose", "cell")
         self.expect_complaint("the scene has no instance 'BB'; did you mean 'B'?",
                               "scene.smurfs", "--explain", "BB")
+        self.expect_complaint("the scene has no instance 'B::box'; name the instance alone, without a link: 'B'",
+                              "scene.smurfs", "--explain", "B::box")
+        self.expect_complaint("the scene has no instance 'table'; its instances are A, B",
+                              "scene.smurfs", "--explain", "table")
 
 
     def test_a_reader_in_place_of_its_format(self):
@@ -307,7 +323,7 @@ class Dialects(FlattenTest):
         done = self.run_tool("differ.smurfs", "--dialect", "mars2")
         self.assertEqual([i["name"] for i in json.loads(done.stdout)["instances"]], ["A", "B"])
         self.assertIn("warning[SML8208]", done.stderr)
-        done = self.run_tool("differ.smurfs", "--dialect", "mars2", "--strict")
+        done = self.run_tool("differ.smurfs", "--dialect", "mars2", "--fail-on-loss")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
 
     def test_findings_do_not_depend_on_the_dialect(self):
@@ -971,6 +987,7 @@ class Mistakes(FlattenTest):
         for option in ["--format", "--dialect"]:
             done = self.expect(2, "scene.smurfs", option, "spek")
             self.assertEqual(done.stdout, "")
+        self.assertEqual(self.expect(2, "scene.smurfs", "--format", "usd").stderr.count("did you mean 'usda'?"), 1)
 
     def test_loss_report(self):
         self.write("r.urdf", '<robot name="r"><link name="l"/><gazebo><static>true</static></gazebo></robot>')
@@ -982,7 +999,7 @@ class Mistakes(FlattenTest):
 
     def test_help(self):
         text = self.expect(0, "--help").stdout
-        for option in ["--format", "--links", "--dialect", "--explain", "--strict", "--output"]:
+        for option in ["--format", "--links", "--dialect", "--explain", "--fail-on-loss", "--output"]:
             self.assertIn(option, text)
 
 

@@ -39,7 +39,7 @@ std::string scene_formats_page() {
           "come from the same table: things that are `lost` or `changed`, and the missing part of "
           "things kept `partly`, are reported by name "
           "([lost-part](rules.md#lost-part), [lost-annotations](rules.md#lost-annotations), "
-          "[lost-world-setting](rules.md#lost-world-setting)) and refused by `--strict`; "
+          "[lost-world-setting](rules.md#lost-world-setting)) and refused by `--fail-on-loss`; "
           "`--loss-report` lists them for programs. `added` values are reported "
           "([chosen-value](rules.md#chosen-value)), but are no loss.\n\n"
           "`json` and `smurfs` name the models and keep the rest; `tsv`, `dot` and `svg` show only "

@@ -37,17 +37,17 @@ struct Read {
 
 TEST_CASE("messages say what is written and what to write") {
   const Wording in_quotes = first_finding("p: '7'");
-  CHECK(in_quotes.message == "`p` takes a number, not `7`, which is quoted and therefore text");
+  CHECK(in_quotes.message == "`p` must be a number, not `7`, which is quoted and therefore text");
   CHECK(in_quotes.edit == "7");
-  CHECK(first_finding("p: 45deg").message == "`p` takes a number, not the text `45deg`");
-  CHECK(first_finding("p: [1]").message == "`p` takes a number, not a list");
+  CHECK(first_finding("p: 45deg").message == "`p` must be a number, not the text `45deg`");
+  CHECK(first_finding("p: [1]").message == "`p` must be a number, not a list");
   CHECK(first_finding("maxSpeed: -1").message == "`maxSpeed` is -1, but must be at least 0");
   CHECK(first_finding("noDataPackage: yes").edit == "true");
   CHECK(first_finding("noDataPackage: 'false'").edit == "false");
   CHECK(first_finding("noDataPackage: 2").message ==
-        "`noDataPackage` takes true or false, not `2`");
+        "`noDataPackage` must be true or false, not `2`");
   CHECK(first_finding("jointIndex2: 1.5").message ==
-        "`jointIndex2` takes a whole number, not `1.5`");
+        "`jointIndex2` must be a whole number, not `1.5`");
   CHECK(first_finding("jointIndex2: 10.0").message == "");
   CHECK(first_finding("maxeffort_approximation: polynom6").help == "did you mean `polynom2`?");
   CHECK(first_finding("name: ~").message == "");

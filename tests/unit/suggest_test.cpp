@@ -93,6 +93,11 @@ TEST_CASE("suggest: the nearest name") {
   const std::vector<std::string_view> letters{"a", "c", "b"};
   CHECK(nearest("B", letters) == "b");
   CHECK(nearest("joint_c", ties) == "joint_a");
+  CHECK(!only_nearest("joint_c", ties));
+  CHECK(only_nearest("joint_aa", ties) == "joint_a");
+  CHECK(only_nearest("Joint_b", ties) == "joint_b");
+  CHECK(only_nearest("joint_c", std::vector<std::string_view>{"joint_a", "joint_a"}) == "joint_a");
+  CHECK(!only_nearest("elbow", std::vector<std::string_view>{"Elbow", "ELBOW"}));
   CHECK(!nearest("a", {}));
   CHECK(!nearest(std::string(100000, 'a'), known));
 }

@@ -56,9 +56,9 @@ struct KeywordCase {
 
 TEST_CASE("every keyword has its words") {
   const std::vector<KeywordCase> cases = {
-      {R"({"type": "object"})", "3", "`rainbow` takes a mapping, not `3`"},
+      {R"({"type": "object"})", "3", "`rainbow` must be a mapping, not `3`"},
       {R"({"type": ["integer", "null"]})", "3.5",
-       "`rainbow` takes a whole number or nothing, not `3.5`"},
+       "`rainbow` must be a whole number or nothing, not `3.5`"},
       {R"({"enum": ["red", "green"]})", "gren", "`rainbow` is not one of `red` or `green`"},
       {R"({"const": 7})", "8", "`rainbow` must be `7`"},
       {R"({"maximum": 0.5})", "1", "`rainbow` must be at most `0.5`"},
@@ -96,9 +96,9 @@ TEST_CASE("every keyword has its words") {
       {R"({"allOf": [{"$ref": "#/definitions/big"}], "definitions": {"big": {"minimum": 5}}})", "2",
        "`rainbow` must be at least `5`"},
       {R"({"items": {"type": "number"}})", "[1, two]",
-       "an item of `rainbow` takes a number, not the text `two`"},
+       "an item of `rainbow` must be a number, not the text `two`"},
       {R"({"patternProperties": {"^b": {"type": "string"}}})", "{bow: 2}",
-       "`bow` takes a text, not `2`"},
+       "`bow` must be a text, not `2`"},
   };
   for (const KeywordCase& one : cases) {
     CAPTURE(one.schema);
@@ -152,10 +152,10 @@ TEST_CASE("a broken schema is reported in the schema, and checks nothing") {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {R"({"type": "nunber"})", "`nunber` is not a type of JSON Schema"},
       {R"([])", "a schema must be a mapping, true or false, not a list"},
-      {R"({"properties": []})", "`properties` takes a mapping of schemas, not a list"},
-      {R"({"minimum": low})", "`minimum` takes a number, not the text `low`"},
-      {R"({"maxItems": -1})", "`maxItems` takes a whole number from 0, not `-1`"},
-      {R"({"required": a})", "`required` takes a list of names, not the text `a`"},
+      {R"({"properties": []})", "`properties` must be a mapping of schemas, not a list"},
+      {R"({"minimum": low})", "`minimum` must be a number, not the text `low`"},
+      {R"({"maxItems": -1})", "`maxItems` must be a whole number from 0, not `-1`"},
+      {R"({"required": a})", "`required` must be a list of names, not the text `a`"},
       {R"({"pattern": "("})", "`(` is not a regular expression: a group is not closed"},
       {R"({"pattern": "(a)\\1"})",
        "`(a)\\1` is not a regular expression: back-references are not supported"},

@@ -38,6 +38,10 @@ TEST_CASE("yaml: duplicate keys are kept and reported at the second") {
 TEST_CASE("yaml: syntax errors stand at their cause") {
   check({
       {"a: b: c\n", {"SML0010 1:5 [:]"}},
+      {"- name elbow\n  joint: elbow\n", {"SML0010 1:3 [name elbow]"}},
+      {"a:\n  name elbow  # c\n  joint: elbow\n", {"SML0010 2:3 [name elbow]"}},
+      {"name\njoint: elbow\n", {"SML0010 1:1 [name]"}},
+      {"- name elbow\n   joint: elbow\n", {"SML0010 2:9 [:]"}},
       {"a:\n\tb: 1\n", {"SML0010 2:1 [\\t]"}},
       {"{\n\t\"a\": 1\n\t\"b\": 2\n}\n", {"SML0010 3:5 [:]"}},
       {"a: [1, 2\n", {"SML0010 1:4 [[]"}},

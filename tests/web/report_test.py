@@ -266,6 +266,16 @@ class UseTest(ReportTest):
         self.assertIn("--target", results[1])
         self.assertEqual(results[2:], [True, None, []])
 
+    def test_links_that_were_not_followed_are_counted(self):
+        self.write("robots/arm.urdf", ROBOT.format(name="arm"))
+        self.write("other/hand.urdf", ROBOT.format(name="hand"))
+        (self.folder / "robots/hand").symlink_to("../other")
+        page, report = self.page("robots", cwd=self.folder)
+        self.assertEqual(report["summary"]["links"], 1)
+        steps = ["document.getElementById('counts').textContent"]
+        [text] = self.browse({"page": page, "steps": steps})[0]["results"]
+        self.assertIn("1 symbolic link that leads out of the folder was not followed.", text)
+
     def test_everything_has_a_name_and_is_readable(self):
         page, _ = self.page("rules/SML1401-type-missing-or-unknown/bad", "rules/SML3101-unknown-joint/bad",
                             "rules/SML0011-duplicate-key/bad", "--target", "mujoco,gazebo", cwd=cli.FIXTURES)

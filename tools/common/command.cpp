@@ -95,8 +95,9 @@ std::string help_text(const Command& command) {
   for (const std::string_view group : option_groups(options)) {
     out += options_text(options, group);
   }
-  out +=
-      "\nExit codes: 0 done, 1 " + std::string(command.exit_with_1) + ", 2 could not do the job\n";
+  out += "\n" + render::wrap("Exit codes: 0 done, 1 " + std::string(command.exit_with_1) +
+                                 ", 2 could not do the job",
+                             0, kColumns);
   return out + "More examples:\n  " + std::string(kHomepage) + "/blob/main/docs/tools/" +
          std::string(command.name) + ".md\n";
 }
@@ -154,7 +155,7 @@ std::string none_of(std::string_view value, std::span<const std::string_view> kn
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {
-  if (const auto found = nearest(name, known)) {
+  if (const auto found = only_nearest(name, known)) {
     return "; did you mean '" + std::string(*found) + "'?";
   }
   constexpr std::size_t kShortest = 3;  // leading dashes are ignored

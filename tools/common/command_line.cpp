@@ -158,8 +158,9 @@ class CommandLine {
     const auto& allowed = option.values;
     if (!allowed.empty() && !is_left_out &&
         std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
-      const std::string hint = option.hint ? option.hint(value) : "";
-      return long_name(option) + ": " + none_of(value, allowed) + hint;
+      const bool is_hinted = option.hint && did_you_mean(value, allowed).empty();
+      return long_name(option) + ": " + none_of(value, allowed) +
+             (is_hinted ? option.hint(value) : "");
     }
     if (!option.set) return std::nullopt;
     auto wrong = is_path(option) ? option.set(sys::from_user(value)) : option.set(value);

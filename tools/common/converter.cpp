@@ -12,6 +12,8 @@
 #include "common/input.hpp"
 #include "common/shared_options.hpp"
 #include "render/printable.hpp"
+#include "render/wrap.hpp"
+#include "smurf/archive_files.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/result_losses.hpp"
 
@@ -151,7 +153,12 @@ std::string count_rest(std::span<const Diagnostic> rest, const std::string& path
   if (summary.warnings > 0) {
     text += (text.empty() ? "" : " and ") + counted(summary.warnings, "warning");
   }
-  return text.empty() ? text : text + ": see smurf-lint " + path;
+  if (text.empty()) return text;
+  const bool is_known = input_kind(path) != InputKind::other || path == "-" || is_archive(path);
+  if (is_known) return text + ": see smurf-lint " + path;
+  // smurf-lint finds out by the name what a file is.
+  const std::string stem = path.substr(0, path.size() - path::extension(path).size());
+  return text + ": see smurf-lint --stdin-filename " + stem + ".urdf - < " + path;
 }
 
 /// "3 entries (2 in poses, 1 in sensors)", or "" when there are none.
@@ -244,11 +251,14 @@ ExitCode Conversion::write_reports(Report report, const LossOf& loss_of) {
   return verdict;
 }
 
-void Conversion::tell_written(const std::string& what) const {
+void Conversion::tell_written(const std::string& what, const std::string& remark) const {
   const bool is_for_programs =
       std::any_of(options_.reports.begin(), options_.reports.end(),
                   [](const ReportRequest& report) { return report.file.empty(); });
-  if (!options_.quiet && !is_for_programs) complain(tool_, "wrote " + what);
+  if (options_.quiet || is_for_programs) return;
+  constexpr std::size_t kColumns = 80;
+  complain(tool_, "wrote " + what);
+  if (!remark.empty()) write_error(render::wrap(render::escape(remark), 2, kColumns));
 }
 
 bool Conversion::keeps_inputs(std::vector<std::string> outputs) const {

@@ -85,7 +85,11 @@ std::string cell(std::string_view text) {
   std::string out;
   for (const char c : text) {
     if (c == '|' || c == '<') out += '\\';
-    out += c;
+    if (c == '\n') {
+      out += "<br>";
+    } else {
+      out += c;
+    }
   }
   return out;
 }

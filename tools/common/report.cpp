@@ -133,12 +133,23 @@ std::vector<std::string_view> report_format_names() {
 std::string_view report_option_help() {
   static const std::string help = [] {
     std::string text;
-    for (const ReportFormat& format : kFormats) {
-      text.append(text.empty() ? "" : "; ").append(format.name).append(": ").append(format.help);
+    for (const std::string_view name : report_format_names()) {
+      text.append(text.empty() ? "" : ", ").append(name);
     }
-    return text + ". May be repeated, with a FILE for all but one.";
+    return "The format of the report: " + text +
+           "; `help` describes them. May be repeated, with a FILE for all but one.";
   }();
   return help;
+}
+
+std::string report_formats_page() {
+  std::string page = "Formats of reports:\n\n";
+  for (const ReportFormat& format : kFormats) {
+    constexpr std::size_t kWidth = 10;
+    page.append("  ").append(format.name).append(kWidth - format.name.size(), ' ');
+    page.append(format.help).append("\n");
+  }
+  return page;
 }
 
 Setter append_report(std::vector<ReportRequest>& requests) {

@@ -50,6 +50,8 @@ Setter append_report(std::vector<ReportRequest>& requests);
 std::vector<std::string_view> report_format_names();
 /// The names of the formats, for --help.
 std::string_view report_option_help();
+/// A table of the formats, for the value `help`.
+std::string report_formats_page();
 
 /// `--fail-on` and `--max-warnings`.
 struct Threshold {

@@ -5,6 +5,7 @@
 
 #include "base/numbers.hpp"
 #include "base/system.hpp"
+#include "render/wrap.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -48,10 +49,12 @@ std::string limits_page() {
   std::string page = "Limits, their defaults and what they bound:\n\n";
   for (const LimitInfo& info : kLimits) {
     constexpr std::size_t kDigits = 10;
+    constexpr std::size_t kColumns = 80;
     const std::string number = std::to_string(Limits{}.*info.value);
     page.append("  ").append(info.name).append(longest - info.name.size() + 2, ' ');
-    page.append(kDigits - std::min(kDigits, number.size()), ' ').append(number);
-    page.append("  ").append(info.counts).append("\n");
+    page.append(kDigits - std::min(kDigits, number.size()), ' ').append(number).append("  ");
+    const std::size_t indent = longest + kDigits + 6;
+    page.append(render::wrap(info.counts, indent, kColumns).substr(indent));
   }
   return page + "\nSet one with --limit NAME=N, several separated by commas.\n";
 }
@@ -88,6 +91,7 @@ Option report_option(std::string_view name, std::vector<ReportRequest>& reports)
           .metavar = "FORMAT[=FILE]",
           .help = report_option_help(),
           .suggestions = report_format_names,
+          .help_page = report_formats_page,
           .set = append_report(reports)};
 }
 

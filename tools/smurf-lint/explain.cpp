@@ -76,6 +76,23 @@ std::string keys_called(std::string_view name) {
   return text;
 }
 
+/// "mesh: ...", with the attributes and the elements in it; "" if URDF has no such element.
+std::string element_called(std::string_view name) {
+  const auto element = element_help(name);
+  if (!element) return {};
+  std::string text = render::wrap(
+      std::string(name) + ": element of a URDF. " + std::string(element->doc), 0, kColumns);
+  for (const KeyHelp& attribute : element->attributes) {
+    text += "\n";
+    for (const std::string& line : describe(attribute)) text += render::wrap(line, 0, kColumns);
+  }
+  std::string children;
+  for (const std::string_view child : element->children) {
+    children.append(children.empty() ? "Elements in it: " : ", ").append(child);
+  }
+  return children.empty() ? text : text + "\n" + render::wrap(children + ".", 0, kColumns);
+}
+
 }  // namespace
 
 std::string explanation(std::string_view name, const TextStyle& style) {
@@ -90,11 +107,13 @@ std::string explanation(std::string_view name, const TextStyle& style) {
   for (const FormatPart& part : describe_format()) {
     if (is_called(part, what)) return page_of(part);
   }
-  return keys_called(what);
+  const std::string keys = keys_called(what);
+  const std::string element = element_called(what);
+  return keys.empty() || element.empty() ? keys + element : element + "\n" + keys;
 }
 
 std::string nothing_to_explain(std::string_view what) {
-  return "there is no rule, section or key '" + std::string(what) + "'" +
+  return "there is no rule, section, element or key '" + std::string(what) + "'" +
          did_you_mean(what, explained_words());
 }
 

@@ -12,6 +12,7 @@
 #include "base/path.hpp"
 #include "base/path_patterns.hpp"
 #include "base/places.hpp"
+#include "base/words.hpp"
 #include "common/discover.hpp"
 #include "common/ignore_files.hpp"
 #include "common/input.hpp"
@@ -19,6 +20,7 @@
 #include "smurf-lint/settings.hpp"
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
+#include "smurf/format.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -232,7 +234,9 @@ class Planner {
 
   void add_named(const std::string& path) {
     if (const auto reason = why_unreadable(path, files_)) {
-      fail("cannot read '" + path + "': " + *reason);
+      const bool is_word = is_one_of(path, {"check", "lint", "fix", "format", "run", "help"});
+      fail("cannot read '" + path + "': " + *reason +
+           (is_word ? "; smurf-lint has no subcommands, see --help" : ""));
     } else if (!is_left_out_by_force(path)) {
       add_file(path);
     }
@@ -256,11 +260,30 @@ class Planner {
                "another name: smurf-lint --stdin-filename NAME.urdf - < FILE"));
   }
 
+  /// Many JSON files have nothing to do with robots. Only looks for the names of sections, because
+  /// the file is parsed later.
+  bool has_section(const std::string& path) const {
+    const FileContent content = files_.read(path, options_.limits.file_bytes);
+    if (content.status != ReadStatus::ok) return true;  // reported when it is loaded
+    const auto is_named = [&](std::string_view name) {
+      return content.text.find('"' + std::string(name) + '"') != std::string::npos;
+    };
+    const std::vector<FormatPart> parts = describe_format();
+    return std::any_of(parts.begin(), parts.end(), [&](const FormatPart& part) {
+      return is_named(part.name) || std::any_of(part.aliases.begin(), part.aliases.end(), is_named);
+    });
+  }
+
   void add_part(const std::string& path) {
     const std::vector<std::string> models = models_.listing(path);
     for (const std::string& model : models) add(plan_.models, model);
     const bool is_passed_over = options_.only_listed && input_kind(path) == InputKind::annotation;
-    if (models.empty() && !is_passed_over) add(plan_.strays, path);
+    if (!models.empty() || is_passed_over) return;
+    if (path::to_lower(path::extension(path)) == ".json" && !has_section(path)) {
+      return fail("cannot check '" + path +
+                  "': it has no section of SMURF, such as `motors`, and no model lists it");
+    }
+    add(plan_.strays, path);
   }
 
   void add_resource(const std::string& path) {

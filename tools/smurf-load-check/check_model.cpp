@@ -75,7 +75,9 @@ class ModelCheck {
                               [](const urdf::Link& link) { return link.inertial.has_value(); });
     add_stand_ins(fixed_);
     stand_ins_ = add_stand_ins(whole_);
-    result.note = summary(add_shapes(whole_, files_, run_.sink()));
+    const ShapeCount count = add_shapes(whole_, files_, run_.sink());
+    result.note = summary(count);
+    if (count.missing_meshes > 0 && whole_.shapes.empty()) result.verdict = Verdict::warn;
   }
 
   std::string summary(const ShapeCount& count) const {
@@ -87,6 +89,7 @@ class ModelCheck {
     }
     if (count.missing_meshes > 0) {
       text += "; " + count_of(count.missing_meshes, "mesh", "meshes") + " missing";
+      if (whole_.shapes.empty()) text += ", so nothing can collide";
     }
     if (stand_ins_ > 0) text += "; " + count_of(stand_ins_, "stand-in", "stand-ins");
     if (fixed_.unbounded_joints > 0) {

@@ -117,6 +117,7 @@ class SceneCheck {
   void look_at_start(StageResult& result) {
     World world(plan_, setup());
     Figure figure = run_.figure("overlap");
+    std::map<std::pair<std::string, std::string>, std::vector<Overlap>> by_pair;
     for (const Overlap& overlap : world.overlaps()) {
       const ShapePlan& first = plan_.shapes[overlap.first];
       const ShapePlan& second = plan_.shapes[overlap.second];
@@ -128,16 +129,31 @@ class SceneCheck {
       run_.note_worst(figure, overlap.depth, [&] {
         return Named{a.name + " and " + b.name, a.place};
       });
-      if (overlap.depth <= figure.limit) continue;
-      Diagnostic& diagnostic =
-          run_.sink().report(rules::sml6201_initial_overlap, a.place,
-                             a.name + " is " + format_rounded(overlap.depth * 1000, 3) +
-                                 " mm inside " + b.name + " at the start");
-      diagnostic.label(b.place, "overlaps with this one");
-      if (first.body != kEnvironment) diagnostic.label(first.place, "with this shape");
-      if (second.body != kEnvironment) diagnostic.label(second.place, "and this one");
+      if (overlap.depth > figure.limit) by_pair[{a.name, b.name}].push_back(overlap);
     }
+    for (const auto& [names, overlaps] : by_pair) report_overlaps(overlaps);
     result.figures.push_back(figure);
+  }
+
+  /// One finding for two entities, because many of their shapes may overlap.
+  void report_overlaps(std::span<const Overlap> overlaps) {
+    const Overlap& deepest =
+        *std::max_element(overlaps.begin(), overlaps.end(),
+                          [](const Overlap& a, const Overlap& b) { return a.depth < b.depth; });
+    const ShapePlan& first = plan_.shapes[deepest.first];
+    const ShapePlan& second = plan_.shapes[deepest.second];
+    const Named a = entity_of(first);
+    const Named b = entity_of(second);
+    Diagnostic& diagnostic =
+        run_.sink().report(rules::sml6201_initial_overlap, a.place,
+                           a.name + " is " + format_rounded(deepest.depth * 1000, 3) +
+                               " mm inside " + b.name + " at the start");
+    diagnostic.label(b.place, "overlaps with this one");
+    if (first.body != kEnvironment) diagnostic.label(first.place, "with this shape");
+    if (second.body != kEnvironment) diagnostic.label(second.place, "and this one");
+    if (overlaps.size() == 1) return;
+    diagnostic.note(count_of(overlaps.size() - 1, "more pair of their shapes overlaps",
+                             "more pairs of their shapes overlap"));
   }
 
   Named entity_of(const ShapePlan& shape) const {

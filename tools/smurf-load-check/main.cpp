@@ -41,7 +41,7 @@ bool have_pose(const Inputs& inputs, const std::string& name) {
       if (pose.name) known.push_back(*pose.name);
     }
     std::string message = "'" + job.path + "' has no pose '" + name + "'";
-    if (const auto near = nearest(name, known)) {
+    if (const auto near = only_nearest(name, known)) {
       message += "; did you mean '" + std::string(*near) + "'?";
     }
     complain(kTool, message);

@@ -2,8 +2,11 @@
 #include "smurf-load-check/options.hpp"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "base/numbers.hpp"
+#include "base/path.hpp"
 #include "common/shared_options.hpp"
 
 namespace smurf::load_check {
@@ -15,13 +18,15 @@ using tools::Setter;
 Setter set_stages(std::set<Stage>& stages) {
   return [&stages](std::string_view list) -> std::optional<std::string> {
     stages.clear();
+    std::vector<std::string> names;  // the help has them in lower case
+    for (const std::string_view name : kStageNames) names.push_back(path::to_lower(name));
     for (const std::string_view item : tools::split_items(list)) {
-      std::string name(item);
-      std::transform(name.begin(), name.end(), name.begin(),
-                     [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
-      const auto* found = std::find(kStageNames.begin(), kStageNames.end(), name);
-      if (found == kStageNames.end()) return tools::none_of(name, kStageNames);
-      stages.insert(static_cast<Stage>(found - kStageNames.begin()));
+      const std::string name = path::to_lower(item);
+      const auto found = std::find(names.begin(), names.end(), name);
+      if (found == names.end()) {
+        return tools::none_of(item, std::vector<std::string_view>(names.begin(), names.end()));
+      }
+      stages.insert(static_cast<Stage>(found - names.begin()));
     }
     return std::nullopt;
   };
@@ -86,7 +91,8 @@ std::vector<Option> check_options(Options& options) {
       {.group = "Check",
        .name = "stages",
        .metavar = "LIST",
-       .help = "Run only these stages: pose0, still, hang, drop, anchor. BUILD is always run.",
+       .help =
+           "Run only these stages: pose0, still, hang, drop, anchor. The stage build is always run.",
        .set = set_stages(options.check.stages)},
       {.group = "Check",
        .name = "pose",

@@ -131,12 +131,13 @@ int main(int argc, char** argv) {
   if (!write_result(options, urdf, model)) return kFailed;
   const std::string& output = options.common.output;
   if (output.empty() || output == "-") return kDone;
-  std::string text = output + ": " + counted(model.robot->links.size(), "link") + ", " +
-                     counted(model.robot->joints.size(), "joint");
+  const std::string text = output + ": " + counted(verification.links, "link") + ", " +
+                           counted(verification.joints, "joint");
+  std::string lost;
   if (!conversion.lost().empty()) {
-    text += "; not in it: " + conversion.lost();
-    if (options.loss_report.empty()) text += ", see --loss-report";
+    lost = "not in it: " + conversion.lost();
+    if (options.loss_report.empty()) lost += ", see --loss-report";
   }
-  conversion.tell_written(text);
+  conversion.tell_written(text, lost);
   return kDone;
 }

@@ -40,6 +40,8 @@ Verification verify(const LinkedModel& model, const SourceMap& sources, const st
     verification.problem = "the result cannot be read again; this is a defect of this tool";
     return verification;
   }
+  verification.links = result.robot->links.size();
+  verification.joints = result.robot->joints.size();
   verification.tinyxml2_accepts =
       read_by_tinyxml2(result.robot->document, plain.sources, plain.sink);
   if (!verification.tinyxml2_accepts) {

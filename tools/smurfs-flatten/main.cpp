@@ -5,6 +5,7 @@
 #include "base/counted.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
+#include "base/ranges.hpp"
 #include "base/rules.hpp"
 #include "common/converter.hpp"
 #include "common/file_set.hpp"
@@ -54,7 +55,7 @@ std::vector<std::string_view> format_names() {
 std::string format_help() {
   std::string help = "The output format; by default, that of the extension of --output, or json.";
   for (const SceneFormat* format : scene_formats()) {
-    help += " " + std::string(format->name) + ": " + std::string(format->help) + ".";
+    help += "\n" + std::string(format->name) + ": " + std::string(format->help) + ".";
   }
   return help;
 }
@@ -153,9 +154,11 @@ void add_options(Command& command, Options& options) {
        .metavar = "FILE",
        .help = "List everything that the format cannot express in FILE, as JSON.",
        .set = set_text(options.loss_report)});
-  add({.name = "strict",
+  add({.name = "fail-on-loss",
        .help = "Refuse to write when the format cannot express something.",
        .set = set_flag(options.strict)});
+  // The old name.
+  command.options.push_back({.name = "strict", .set = set_flag(options.strict)});
 }
 
 Command make_command(Options& options) {
@@ -186,11 +189,21 @@ Command make_command(Options& options) {
   return command;
 }
 
-/// "sdf" of "scene.sdf"; "" when the extension is not the name of a format.
-std::string format_of(const std::string& output) {
-  const std::string_view extension = path::extension(output);
-  const SceneFormat* format = extension.empty() ? nullptr : find_scene_format(extension.substr(1));
-  return format != nullptr ? std::string(format->name) : std::string();
+/// The format to write: "sdf" for "scene.sdf". If the extension does not tell it, reports this and
+/// returns null.
+const SceneFormat* choose_format(const Options& options) {
+  if (!options.format.empty()) return find_scene_format(options.format);
+  const std::string extension = path::to_lower(path::extension(options.common.output));
+  // Tables and chains are texts under any name.
+  const bool is_text = options.compare_dialects || !options.explained.empty();
+  if (extension.empty() || is_text) return find_scene_format("json");
+  if (extension == ".world") return find_scene_format("sdf");
+  if (const SceneFormat* format = find_scene_format(extension.substr(1))) return format;
+  complain(kTool, "no format has the extension '" + extension + "'" +
+                      (extension == ".usd" || extension == ".usdc"
+                           ? "; smurfs-flatten writes OpenUSD as text: name a .usda file"
+                           : "; add --format"));
+  return nullptr;
 }
 
 /// Standard output counts as the current folder.
@@ -200,6 +213,23 @@ FlattenOptions flatten_options(const Options& options, const std::string& curren
   return {.links = options.links,
           .output_folder = to_stdout ? "." : std::string(path::parent(output)),
           .current_folder = current};
+}
+
+/// "; did you mean 'arm'?", or the first instances.
+std::string other_instances(const std::string& name, std::span<const std::string_view> known) {
+  constexpr std::size_t kMost = 8;
+  const std::string instance = name.substr(0, name.find("::"));
+  if (instance != name && ranges::contains(known, instance)) {
+    return "; name the instance alone, without a link: '" + instance + "'";
+  }
+  const std::string meant = did_you_mean(name, known);
+  if (!meant.empty() || known.empty()) return meant;
+  std::string text;
+  for (std::size_t i = 0; i < known.size() && i < kMost; ++i) {
+    text.append(i == 0 ? "; its instances are " : ", ").append(known[i]);
+  }
+  return text +
+         (known.size() > kMost ? " and " + std::to_string(known.size() - kMost) + " more" : "");
 }
 
 int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options& options) {
@@ -217,7 +247,7 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
       return kFailed;
     }
     complain(kTool, "the scene has no instance '" + options.explained + "'" +
-                        did_you_mean(options.explained, known));
+                        other_instances(options.explained, known));
     return kFailed;
   }
   const Dialect& dialect = *find_dialect(options.dialect);
@@ -249,6 +279,10 @@ bool check_options(const Options& options) {
   if (options.dialect == "spec" || !options.compare_dialects) return true;
   complain(kTool, "--compare-dialects cannot be combined with --dialect " + options.dialect);
   return false;
+}
+
+bool wants_json(const Options& options) {
+  return options.format == "json" || path::extension(options.common.output) == ".json";
 }
 
 /// The first finding that makes it impossible to compute a pose.
@@ -393,9 +427,9 @@ int main(int argc, char** argv) {
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
 
-  if (options.format.empty()) options.format = format_of(options.common.output);
-  if (!check_options(options)) return kFailed;
-  const SceneFormat& format = *find_scene_format(options.format.empty() ? "json" : options.format);
+  const SceneFormat* chosen = choose_format(options);
+  if (chosen == nullptr || !check_options(options)) return kFailed;
+  const SceneFormat& format = *chosen;
   if (const std::string_view why = format.obstacle ? format.obstacle() : ""; !why.empty()) {
     complain(kTool,
              "the format " + std::string(format.name) + " cannot be written: " + std::string(why));
@@ -417,7 +451,7 @@ int main(int argc, char** argv) {
   Result result;
   const bool is_sound = !first_loss(*loaded);
   if (is_sound && options.compare_dialects) {
-    result.text = compare_dialects(loaded->scene, sources, options.format == "json");
+    result.text = compare_dialects(loaded->scene, sources, wants_json(options));
   } else if (is_sound && options.explained.empty()) {
     result = flatten_scene(conversion, *loaded, options, format, *form, *current);
   }
@@ -435,6 +469,9 @@ int main(int argc, char** argv) {
   }
   if (!options.explained.empty()) {
     return explain_instance(loaded->scene, sources, options);
+  }
+  if (loaded->scene.instances.empty() && !options.compare_dialects && !options.common.force) {
+    return conversion.refuse("has no entities; see --force");
   }
   if (!write_losses(options, conversion.findings(), sources)) return kFailed;
   if (!result.is_complete && options.strict) return conversion.refuse("has losses");

@@ -16,7 +16,7 @@ export const byId = (id) => document.getElementById(id);
 
 export const counted = (number, thing) => `${number.toLocaleString("en")} ${thing}${number === 1 ? "" : "s"}`;
 
-/** Text in which names are between backticks. */
+/** The nodes of a text in which names are between backticks. */
 export function prose(text) {
   return text.split(/(`[^`]+`)/).map((part) => {
     const isName = part.length > 2 && part.startsWith("`") && part.endsWith("`");

@@ -2,7 +2,7 @@
 // The search and the filters above a list.
 import { byId, counted, element } from "./dom.js";
 
-/** How many items have each value of what `valuesOf` gives, most first. */
+/** The number of items for each value that `valuesOf` returns, the largest first. */
 function tally(items, valuesOf) {
   const counts = new Map();
   for (const item of items)
@@ -12,15 +12,15 @@ function tally(items, valuesOf) {
 
 export class Filters {
   /**
-   * items: what is filtered, each with its `number` in the list; noun: what an item is called
-   * textOf: what is searched of an item
-   * toggle: {host, values, valueOf, label}: a button for each value that items have; label(count, value) is its text
-   * selects: [{id, all, valuesOf, nameOf, least}]: lists to choose from, hidden with fewer than `least` values
+   * items: the filtered items, each with its `number` in the list; noun: the word for an item
+   * textOf: returns the text of an item that is searched
+   * toggle: {host, values, valueOf, label}: one button for each value of the items; label(count, value) is its text
+   * selects: [{id, all, valuesOf, nameOf, least}]: drop-down lists, hidden if there are fewer than `least` values
    */
   constructor({ items, noun, textOf, toggle, selects }, onChange) {
     Object.assign(this, { items, noun, textOf, toggle, selects, onChange });
     this.texts = [];
-    this.hidden = new Set(); // values of the toggle
+    this.hidden = new Set(); // values that the toggle switches off
     this.addButtons();
     for (const select of selects) this.addSelect(select);
     byId("words").addEventListener("input", () => this.change());
@@ -81,12 +81,12 @@ export class Filters {
     this.change();
   }
 
-  /** What somebody has chosen, for restore() of the filters of another list. */
+  /** The current choices, for restore() of the filters of another list. */
   get state() {
     return { hidden: [...this.hidden], values: this.fields().map(({ id, value }) => [id, value]) };
   }
 
-  /** Chooses the same again, as far as this list has it. */
+  /** Restores the choices that exist in this list. */
   restore({ hidden, values }) {
     this.hidden = new Set(hidden.filter((value) => this.shown.includes(value)));
     for (const [id, value] of values) {
@@ -100,7 +100,7 @@ export class Filters {
     return this.hidden.size > 0 || this.fields().some((field) => field.value !== "");
   }
 
-  /** The items that all filters let through. */
+  /** The items that match all filters. */
   chosen() {
     const words = byId("words").value.toLowerCase().split(/\s+/).filter(Boolean);
     const wanted = this.selects

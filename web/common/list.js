@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A page with a list of cards, which are made when one asks for them, with filters and keys.
+// A page with a list of cards, filters and keys. Cards are made when they are first shown.
 import { byId, counted, element } from "./dom.js";
 import { Filters } from "./filters.js";
 
-export const kAtOnce = 200; // cards shown before one asks for more
+export const kAtOnce = 200; // cards that are shown before the user asks for more
 
-/** Derived classes have addCards(items), a generator that adds cards and gives their number, and showNothing(). */
+/** Derived classes have addCards(items), a generator that adds cards and yields their number, and showNothing(). */
 export class ListPage {
-  /** `noun`: what an item is called, which is the class of its card as well; `filters`: see Filters; `signal` ends the keys. */
+  /** `noun`: the word for an item, also the class of its card; `filters`: see Filters; `signal` removes the key handlers. */
   constructor(items, noun, filters, signal) {
     this.items = items;
     this.noun = noun;
@@ -44,13 +44,13 @@ export class ListPage {
     );
   }
 
-  /** A part of the list that can be closed; the cards go into `body`. */
+  /** A part of the list that can be closed. Its cards belong into `body`. */
   addGroup(title, counts, body) {
     const summary = element("summary", {}, element("h2", {}, title), ...counts);
     byId("list").append(element("details", { class: "group", open: true }, summary, body));
   }
 
-  /** False when there are no more. */
+  /** Adds more cards. False when all are shown. */
   addMore(number) {
     let isDone = false;
     for (let added = 0; added < number && !isDone; ++added) {
@@ -90,7 +90,7 @@ export class ListPage {
     byId(`${this.noun}-${item.number}`)?.scrollIntoView({ block: "nearest" });
   }
 
-  /** From what one types in, else from the picture, else from the filters. */
+  /** Leaves an empty text field, else closes the picture, else clears the filters. */
   goBack(field) {
     if (field && byId("words").value === "") field.blur();
     else if (!field && this.picture.close?.()) return;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The viewer's page in a frame beside a list: what it shows, by names, and how it is loaded.
+// The viewer's page in a frame beside a list: loads it, and finds what it shows by name.
 import { byId } from "./dom.js";
 
-/** What a page of the viewer shows: its data, in which there is no "<". */
+/** The data of a page of the viewer. They contain no "<". */
 export const sceneIn = (page) => JSON.parse(page.match(/id="scene" [^>]*>([^<]*)/)[1]);
 
-/** Names of what is shown, by kind, with the {entity, link} to select. The first of a name counts. */
+/** The names of the shown things, by kind, with the {entity, link} to select. Of equal names, the first is used. */
 export function thingsOf({ entities, models, meshes }, isWanted = () => true) {
   const things = {};
   const add = (kind, name, thing) => {
@@ -31,7 +31,7 @@ export function thingsOf({ entities, models, meshes }, isWanted = () => true) {
   return things;
 }
 
-/** The viewer, once the page is loaded into the frame. The list is drawn first, since a large robot takes seconds. */
+/** Resolves to the viewer in the frame. The list is drawn first, because loading a large robot takes seconds. */
 export function loadViewer(page) {
   return new Promise((done) => {
     const frame = byId("viewer");

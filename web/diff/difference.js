@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One difference: what it is about, both values, and both places.
+// The card of a difference: its subject, both values and both places.
 import { element } from "../common/dom.js";
 
 function row(version, text, place) {
@@ -14,7 +14,7 @@ function row(version, text, place) {
   );
 }
 
-/** A click on the card, as long as it does not select text or press a button. */
+/** Chooses the difference on a click, except when the click selects text or presses a button. */
 function onClick(event, choose) {
   const isElsewhere = event.target.closest("button") || String(window.getSelection()) !== "";
   if (!isElsewhere) choose();

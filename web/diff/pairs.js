@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What belongs together in both versions: names that were changed, entities and joints.
+// Pairs of old and new things: changed names, entities and joints.
 
 const keyOf = (kind, name, owner, model) => JSON.stringify([model ?? null, kind, owner ?? "", name]);
 
-/** The names in the old version of what the new one has. */
+/** The old names of the things of the new version. */
 export class OldNames {
   constructor(differences) {
     this.names = new Map();
-    this.taken = new Set(); // old names of what was renamed
+    this.taken = new Set(); // old names of renamed things
     for (const { change, kind, name, of, old_name: oldName, new_model: model } of differences) {
       if (change !== "renamed") continue;
       this.names.set(keyOf(kind, name, of, model), oldName);
@@ -15,18 +15,18 @@ export class OldNames {
     }
   }
 
-  /** `owner`: as `of` of a difference; `model`: index in the new version, absent for what belongs to a scene. */
+  /** `owner`: the `of` of a difference; `model`: its index in the new version, undefined for things of a scene. */
   find(kind, name, owner, model) {
     return this.names.get(keyOf(kind, name, owner, model)) ?? name;
   }
 
-  /** The same, undefined for something new that has got the old name of something else. */
+  /** The same; undefined for a new thing that has the old name of a renamed thing. */
   ofJoint(name, model) {
     const key = keyOf("joint", name, undefined, model);
     return this.names.get(key) ?? (this.taken.has(key) ? undefined : name);
   }
 
-  /** The path of an entity, of which each part may have another name. */
+  /** The old path of an entity. Each part of the path may have been renamed. */
   ofPath(path) {
     const parts = path.split("/");
     for (let length = parts.length; length > 0; length--) {
@@ -37,7 +37,7 @@ export class OldNames {
   }
 }
 
-/** [[entity of the new version, of the old one]...] by index. Two models are a pair whatever their files are called. */
+/** [[new entity, old entity]...], by index. Two single models are a pair even if their files have different names. */
 function entitiesOf({ entities }, names) {
   const [fresh, old] = [false, true].map((isOld) =>
     [...entities.keys()].filter((index) => Boolean(entities[index].old) === isOld),
@@ -49,7 +49,7 @@ function entitiesOf({ entities }, names) {
     .filter(([, other]) => other !== undefined);
 }
 
-/** [{entity, other, joints: [[name, old name]...]}]: what moves together; entities of both versions by index. */
+/** The joints that move together: [{entity, other, joints: [[name, old name]...]}]; `other` is the old entity. */
 export function pairsOf(scene, names) {
   return entitiesOf(scene, names).map(([entity, other]) => {
     const [model, old] = [entity, other].map((index) => scene.entities[index].model);

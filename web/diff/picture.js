@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Both versions over each other: the viewer's page in a frame. It selects what a difference is about.
+// The picture of both versions over each other: the viewer's page in a frame. It selects the subject of a difference.
 import { byId, element } from "../common/dom.js";
 import { loadViewer, sceneIn, thingsOf } from "../common/viewer.js";
 import { pairsOf } from "./pairs.js";
@@ -16,7 +16,7 @@ const swatch = (kind, text) =>
   element("span", {}, element("span", { class: `swatch ${kind}`, "aria-hidden": "true" }), text);
 
 export class Picture {
-  /** `page`: the viewer's; undefined: there is no picture. `names`: OldNames. */
+  /** `page` is the viewer's page, undefined when there is no picture; `names` is an OldNames. */
   constructor(page, names) {
     this.page = page;
     this.names = names;
@@ -57,7 +57,7 @@ export class Picture {
     return this.loaded;
   }
 
-  /** Keys that are pressed in the frame. */
+  /** Passes on the keys that are pressed in the frame. */
   onKey(event) {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input, select")) return;
     this.keys()[event.key]?.();
@@ -77,7 +77,7 @@ export class Picture {
     if (this.chosen) this.select(viewer);
   }
 
-  /** The things of a model of a version, or without `model` those of the whole scene. */
+  /** The things of a model in one version; without `model`, those of the whole scene. */
   thingsIn(isOld, model) {
     const key = `${isOld} ${model}`;
     const index = isOld && model !== undefined ? this.oldModels + model : model;
@@ -87,14 +87,14 @@ export class Picture {
     return this.things.get(key);
   }
 
-  /** The name of a link or joint in a version; `isOld`: what is given is its name in the old one already. */
+  /** The name of a link or joint in a version. `isOld`: the given name is that of the old version. */
   nameIn(version, difference, kind, name, owner) {
     const { change, new_model: model } = difference;
     if (version === "new" || change === "removed") return name;
     return this.names.find(kind, name, owner, model);
   }
 
-  /** What to select in a version: {entity, link, list, shape}; undefined when the difference is not about what it shows. */
+  /** The selection in a version: {entity, link, list, shape}; undefined when the picture does not show the subject. */
   find(difference, version) {
     const { change, kind, of } = difference;
     if (!this.page || change === (version === "new" ? "removed" : "added")) return undefined;
@@ -117,7 +117,7 @@ export class Picture {
     return [...things.entity.values()][0].entity;
   }
 
-  /** A visual or collision, by its name or by its number among those without name. */
+  /** Finds a visual or collision by its name, or by its number among those without name. */
   shapeOf({ entity, link }, { kind, number = 1 }, name) {
     const list = kLists[kind];
     if (!list) return {};
@@ -131,7 +131,7 @@ export class Picture {
     return Boolean(this.find(difference, "new") ?? this.find(difference, "old"));
   }
 
-  /** The chosen difference in the version that is shown, else in the other one, and there: [{entity, link, shape}...]. */
+  /** The selections for the chosen difference, in the shown version if possible: [{entity, link, shape}...]. */
   chosenIn(viewer) {
     const order = this.versions === "old" ? ["old", "new"] : ["new", "old"];
     const found = order.map((version) => this.find(this.chosen, version));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Puts the playground together: a folder for any web server. usage: node assemble.mjs PACKAGE OUTPUT
-// PACKAGE is the npm package as scripts/wasm leaves it. The module says which programs can be targets, and its viewer
-// which script the policy of the page must allow.
+// Assembles the playground, a folder for any web server. usage: node assemble.mjs PACKAGE OUTPUT
+// PACKAGE is the npm package that scripts/wasm makes. The list of targets comes from its module, and the script that
+// the content security policy of the page must allow from its viewer.
 import { createHash } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
@@ -38,7 +38,7 @@ const kExamples = [
   },
 ];
 
-/** As files.js reads it. */
+/** In the notation of files.js. */
 function contentOf(bytes) {
   try {
     return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes);
@@ -72,7 +72,7 @@ async function said(tool, args) {
   return stdout;
 }
 
-/** The help has the list of targets, and a report their titles. */
+/** The names of the targets come from the help, their titles from a report. */
 async function targets() {
   const help = (await said("smurf-lint", ["--help"])).replace(/\s+/g, " ");
   const all = help.match(/whether each loads them: ([^.]*)/)[1].replaceAll(" ", "");
@@ -81,14 +81,14 @@ async function targets() {
   return Object.entries(report.targets).map(([name, { title }]) => ({ name, title }));
 }
 
-/** What the policy allows for the viewer; nothing for a module without it. */
+/** The sources that the policy allows for the viewer; none for a module without viewer. */
 async function viewerSums() {
   const { stdout } = await run("smurfs-flatten", ["--format=html", "a.urdf"], kTiny);
   const sums = stdout.match(/script-src ('sha256-[^']+'); style-src ('sha256-[^']+')/);
   return sums ? [` ${sums[1]}`, ` ${sums[2]}`] : ["", ""];
 }
 
-/** The body of the page of reports, as a part of another page. */
+/** The body of the page of reports, for use in another page. */
 function reportPart() {
   const page = fs.readFileSync(path.join(root, "web/report/index.html"), "utf8");
   return page

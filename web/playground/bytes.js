@@ -6,7 +6,7 @@ const decoder = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
 
 export const bytesOf = (text) => encoder.encode(text);
 
-/** Undefined for bytes that are no text. */
+/** Undefined if the bytes are not text. */
 export function textOf(bytes) {
   try {
     return decoder.decode(bytes);
@@ -34,7 +34,7 @@ export function joined(parts) {
   return all;
 }
 
-/** What comes out of a stream when bytes are put in. A few bytes can become gigabytes, so at most `most` come out. */
+/** The output of a stream for these bytes, at most `most` bytes, because a few bytes can unpack to gigabytes. */
 export async function through(stream, bytes, most) {
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
   const parts = [];

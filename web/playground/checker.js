@@ -6,9 +6,9 @@ import { Picture } from "../report/picture.js";
 import { bytesOf, textOf } from "./bytes.js";
 import { download } from "./download.js";
 
-const kPause = 400; // ms after the last letter
+const kPause = 400; // ms after the last key
 
-/** The data of a page of smurf-lint, in which there is no "<". */
+/** The data of a page of smurf-lint. They contain no "<". */
 const reportIn = (page) => JSON.parse(page.match(/id="report" [^>]*>([^<]*)/)[1]);
 
 export class Checker {
@@ -27,7 +27,7 @@ export class Checker {
     this.timer = setTimeout(() => this.check(), kPause);
   }
 
-  /** Checks now, or when the check that runs has ended. */
+  /** Checks now, or after the running check has ended. */
   async check() {
     clearTimeout(this.timer);
     const { files } = this.playground;
@@ -87,7 +87,7 @@ export class Checker {
     byId("show-robot").hidden = byId("conversion").hidden;
   }
 
-  /** Ends what the last report listens to; whether its picture was open. */
+  /** Removes the event handlers of the last report. Returns whether its picture was open. */
   close() {
     this.keys?.abort();
     const isOpen = this.page?.picture.isOpen ?? false;
@@ -105,8 +105,8 @@ export class Checker {
   }
 
   /**
-   * Opens the picture, with the view that another one had. The report has none where nothing was found, or where there
-   * are several robots.
+   * Opens the picture with the view of the previous one. A report without findings, or about several robots, has no
+   * picture.
    */
   async showRobot(hash) {
     const { page } = this;
@@ -124,7 +124,7 @@ export class Checker {
     if (hash && page === this.page) viewer?.readHash(hash);
   }
 
-  /** How many findings a file has, as the list of files shows it. */
+  /** The number of findings in a file, for the list of files. */
   countIn(name) {
     const own = this.byFile.get(name);
     if (!own) return undefined;

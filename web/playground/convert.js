@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the robot for other programs, and offers the result.
+// Converts the robot for other programs, and offers the result.
 import { byId, element } from "../common/dom.js";
 import { sizeOf, textOf } from "./bytes.js";
 import { download } from "./download.js";
@@ -15,7 +15,7 @@ const exported = (file, output) => ["smurf2urdf", ["-o", output, "--", file]];
 const imported = (file, output) => ["urdf2smurf", ["-o", output, "--", file]];
 
 const kScene = ["urdf", "smurf", "smurfs", "smurfa", "zsmurf", "zsmurfs"];
-/** [what is made, the end of its name, kinds of files that it is made of, the command] */
+/** [title of the result, end of its file name, extensions of the input, command] */
 const kForms = [
   ["URDF", ".urdf", ["smurf"], exported],
   ["SMURF", "_smurf", ["urdf"], imported],
@@ -38,7 +38,7 @@ function setOptions(select, values, nameOf = (value) => value) {
   if (values.some((value) => nameOf(value) === before)) select.value = before;
 }
 
-/** Scenes first, since they contain the models, which contain the URDFs; of each, what lies in the outer folders. */
+/** Scenes before models before URDFs, because the former contain the latter; of each kind, outer folders first. */
 function byImportance(a, b) {
   const rank = (name) => kScene.indexOf(kindOf(name).replace("z", ""));
   const depth = (name) => name.split("/").length;
@@ -59,7 +59,7 @@ export class Convert {
     });
   }
 
-  /** The file that is converted and shown. */
+  /** The path of the file to convert and show. */
   get source() {
     return byId("source").value;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Saves files on the computer.
+// Downloads files to the computer of the user.
 import { element } from "../common/dom.js";
 import { zip } from "./zip.js";
 

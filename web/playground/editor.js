@@ -4,15 +4,15 @@ import { byId } from "../common/dom.js";
 import { indexOf } from "../report/excerpt.js";
 import { bytesOf, sizeOf, textOf } from "./bytes.js";
 
-const kMostText = 2e6; // bytes; browsers lay out more only slowly
+const kMostText = 2e6; // bytes; browsers are slow with more
 
-/** Text fields have no carriage returns, so a file that ends some lines with them and others without cannot be kept. */
+/** Text fields remove carriage returns, so a file with mixed line ends would be changed. */
 function lineEndOf(text) {
   if (!text.includes("\r")) return "\n";
   return /\r(?!\n)|(?<!\r)\n/.test(text) ? undefined : "\r\n";
 }
 
-/** Why a file cannot be edited; "" when it can. */
+/** The reason why a file cannot be edited; "" if it can. */
 function obstacleOf(bytes, text) {
   if (text === undefined) return `This file is no text (${sizeOf(bytes.length)}).`;
   if (bytes.length > kMostText) return `This file is too large to be edited here (${sizeOf(bytes.length)}).`;
@@ -29,7 +29,7 @@ export class Editor {
     });
   }
 
-  /** Shows a file; without bytes, none. */
+  /** Shows a file; without bytes, clears the editor. */
   show(name, bytes) {
     byId("editor").hidden = bytes === undefined;
     if (bytes === this.bytes && name === this.name) return;
@@ -45,7 +45,7 @@ export class Editor {
     this.field.value = text === undefined || bytes.length > kMostText ? "" : text;
   }
 
-  /** Selects what a finding marks. */
+  /** Selects the marked text of a finding. */
   select({ line, column, end_line: endLine, end_column: endColumn }) {
     const lines = this.field.value.split("\n");
     const at = (number, column) => {

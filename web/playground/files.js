@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The files of a robot, and how they were before each change.
+// The files of a robot, with their earlier versions.
 import { fromBase64, bytesOf, textOf, toBase64 } from "./bytes.js";
 
-const kMostSteps = 200; // that can be undone
+const kMostSteps = 200; // most steps that can be undone
 
 export const kindOf = (name) => name.match(/\.(smurfs?|smurfa|zsmurfs?|urdf)$/i)?.[1].toLowerCase();
 
-/** The path of a file below the folder of the robot; an error for a path that leaves it. */
+/** The path of a file relative to the folder of the robot. Throws if it leads out of the folder. */
 export function cleaned(path) {
   const parts = path.split("/").filter((part) => part !== "" && part !== ".");
   if (parts.includes("..") || path.includes("\0")) throw new Error(`'${path}' is outside of the folder`);
   return parts.join("/");
 }
 
-/** Files as JSON has them: texts, and {base64} of others. */
+/** Files for JSON: texts as strings, other files as {base64}. */
 export const toJson = (files) =>
   Object.fromEntries([...files].map(([name, bytes]) => [name, textOf(bytes) ?? { base64: toBase64(bytes) }]));
 
@@ -53,7 +53,7 @@ export class Files {
     return this.#steps.length > 0;
   }
 
-  /** Changes with the same `step`, such as letters typed into one file, are undone at once. */
+  /** Changes with the same `step`, such as letters typed into one file, are undone together. */
   change(all, step = {}) {
     if (step !== this.#last) this.#steps.push(this.all);
     if (this.#steps.length > kMostSteps) this.#steps.shift();
@@ -72,7 +72,7 @@ export class Files {
     this.onChange();
   }
 
-  /** A name like NAME that no file and no folder has. */
+  /** `name`, or a similar name that no file and no folder has. */
   freeName(name) {
     const dot = name.lastIndexOf(".");
     const [stem, end] = dot > 0 ? [name.slice(0, dot), name.slice(dot)] : [name, ""];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads what was dropped or chosen: files, folders, or a zip file.
+// Reads dropped or chosen files, folders and zip files.
 import { sizeOf } from "./bytes.js";
 import { cleaned } from "./files.js";
 import { unzip } from "./zip.js";
@@ -12,7 +12,7 @@ const tooMany = () => new Error(`more than ${kMostFiles.toLocaleString("en")} fi
 
 const ask = (method) => new Promise((done, failed) => method(done, failed));
 
-/** Adds [path, File] of an entry and all below it. */
+/** Adds the [path, File] of an entry and of all entries below it. */
 async function addEntry(entry, found) {
   if (kLeftOut.test(entry.fullPath)) return;
   if (entry.isFile) {
@@ -28,7 +28,7 @@ async function addEntry(entry, found) {
   }
 }
 
-/** [[path, File]] of what was dropped. The entries must be asked for before anything is awaited. */
+/** [[path, File]] of a drop. Get the entries before the first await, because browsers clear them then. */
 export async function dropped({ items }) {
   const entries = [...items].map((item) => item.webkitGetAsEntry?.()).filter(Boolean);
   const found = [];
@@ -36,10 +36,10 @@ export async function dropped({ items }) {
   return found;
 }
 
-/** [[path, File]] of what was chosen. */
+/** [[path, File]] of chosen files. */
 export const chosen = (files) => [...files].map((file) => [file.webkitRelativePath || file.name, file]);
 
-/** Files by their paths. A zip file that comes alone is unpacked. */
+/** The files by path. A single zip file is unpacked. */
 export async function contentsOf(found) {
   const size = found.reduce((sum, [, file]) => sum + file.size, 0);
   if (size > kMostBytes)

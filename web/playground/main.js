@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The playground: opens files, lets the tools check, fix and convert them in a worker, and shows what they say.
+// The playground: opens files, runs the tools on them in a worker, and shows the results.
 // Nothing leaves the browser: the only requests are for the files of this page.
 import { byId, element } from "../common/dom.js";
 import { chosen, contentsOf, dropped } from "./intake.js";
@@ -11,7 +11,7 @@ import { Files, edited, fromJson } from "./files.js";
 import { fromHash, kMostShared, toHash } from "./share.js";
 import { Stopped, Tools } from "./tools.js";
 
-const kPatience = 1.5; // s without a message
+const kPatience = 1.5; // s before a message that the tools are working
 
 class Playground {
   /** `about`: {targets: [{name, title}], examples: [{title, targets, files}]} */
@@ -45,7 +45,7 @@ class Playground {
     onClick("stop", () => this.tools.stop());
     const hasFiles = (event) => event.dataTransfer.types.includes("Files");
     const mark = (event, isOver) => {
-      if (!hasFiles(event)) return; // text that is moved in the text field
+      if (!hasFiles(event)) return; // text that is dragged in the text field
       event.preventDefault();
       document.body.classList.toggle("dropping", isOver);
     };
@@ -160,7 +160,7 @@ class Playground {
   showNames() {
     const { all } = this.files;
     const names = [...all.keys()].sort();
-    // A list of thousands takes longer than a key stroke should.
+    // Drawing a list of thousands for each key stroke would be too slow.
     const listed = JSON.stringify([this.shown, names]);
     if (listed === this.listed && this.checker.byFile === this.counted) return;
     this.listed = listed;
@@ -191,7 +191,7 @@ class Playground {
     if (current) byId("names").scrollTop = current.offsetTop - byId("names").clientHeight / 2;
   }
 
-  /** The result of a tool; undefined when it could not be run, which is shown. */
+  /** The result of a tool. If it cannot be run, shows the reason and returns undefined. */
   async run(tool, args, files = this.files.all) {
     try {
       byId("failure").hidden = true;
@@ -211,13 +211,13 @@ class Playground {
 
   /** Applies the fix of a finding. */
   fix(finding) {
-    if (this.checker.checked !== this.files.all) return; // the new findings are on their way
+    if (this.checker.checked !== this.files.all) return; // a check of the changed files is running
     if (!finding.edits.every(({ file }) => this.has(file))) return;
     this.shown = finding.edits[0].file;
     this.files.change(edited(this.files.all, finding.edits));
   }
 
-  /** Whether a file can be changed; if not, this is said. */
+  /** Whether a file can be changed; if not, shows the reason. */
   has(file) {
     const isThere = this.files.all.has(file);
     this.tell(isThere ? "" : `${file} is in an archive: unpack it to change it.`);
@@ -240,7 +240,7 @@ class Playground {
 }
 
 async function workOffline() {
-  if (!navigator.serviceWorker) return; // not from https or this computer
+  if (!navigator.serviceWorker) return; // browsers have none for pages without https
   await navigator.serviceWorker.register("sw.js");
   await navigator.serviceWorker.ready;
   byId("offline").hidden = false;
@@ -249,4 +249,4 @@ async function workOffline() {
 const about = await (await fetch("about.json")).json();
 window.smurfPlayground = new Playground(about);
 document.documentElement.dataset.ready = "true";
-workOffline().catch(() => {}); // the page works without
+workOffline().catch(() => {}); // the page also works without it

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot in an address: "#robot=" and its files as JSON, compressed, in base64url.
+// A robot in an address: "#robot=" and its files as compressed JSON in base64url.
 import { bytesOf, fromBase64, textOf, through, toBase64 } from "./bytes.js";
 import { fromJson, toJson } from "./files.js";
 
 const kBegin = "#robot=";
 const kMostUnpacked = 20e6; // bytes
-/** Characters. Programs that pass on an address cut longer ones. */
+/** Characters. Some programs cut longer addresses. */
 export const kMostShared = 30000;
 
 /** The part of an address that begins with "#". */
@@ -15,7 +15,7 @@ export async function toHash(files, targets) {
   return kBegin + toBase64(packed).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 
-/** {files, targets}; undefined when the address has no robot; an error when it is damaged. */
+/** {files, targets}; undefined if the address has no robot. Throws if it is damaged. */
 export async function fromHash(hash) {
   if (!hash.startsWith(kBegin)) return undefined;
   try {

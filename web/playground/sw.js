@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps the files of the playground, so that it works without a network. assemble.mjs fills in what is between "@".
+// Caches the files of the playground, so that it works without a network. assemble.mjs replaces the words between "@".
 const kVersion = "@VERSION@";
 const kFiles = ["@FILES@"];
 const kPrefix = `smurf playground ${self.registration.scope} `;
@@ -23,7 +23,7 @@ async function answer(request) {
   return (await cache.match(request, { ignoreSearch: true })) ?? fetch(request);
 }
 
-// A new version waits until all pages of the old one are closed, so no page has files of both.
+// A new version waits until all pages of the old one are closed, so no page mixes files of both.
 self.addEventListener("install", (event) => event.waitUntil(keep()));
 self.addEventListener("activate", (event) => event.waitUntil(begin()));
 self.addEventListener("fetch", (event) => {

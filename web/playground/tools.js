@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tools in a worker that can be stopped.
+// Runs the tools in a worker that can be stopped.
 
 export class Stopped extends Error {}
 
@@ -8,7 +8,7 @@ export class Tools {
   #jobs = new Map();
   #count = 0;
 
-  /** `onWork` is called with the seconds since the tools began to work, and with undefined when they are done. */
+  /** Calls `onWork` with the seconds since the tools started, and with undefined when they are done. */
   constructor(onWork) {
     this.onWork = onWork;
   }
@@ -49,7 +49,7 @@ export class Tools {
     this.#rest();
   }
 
-  /** {code, stdout, stderr, files: those that were written} */
+  /** {code, stdout, stderr, files: the written files} */
   run(tool, args, files) {
     this.#worker ??= this.#start();
     this.#watch();

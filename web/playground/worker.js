@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the tools beside the page, so that it never waits for them.
+// Runs the tools in a worker, so that the page never waits for them.
 import { load, run } from "../smurf/index.mjs";
 
-load().catch(() => {}); // a job reports it
+load().catch(() => {}); // the first job reports the error
 
 addEventListener("message", async ({ data: { id, tool, args, files } }) => {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads and writes zip files. Names and sizes in them may be hostile.
+// Reads and writes zip files. Does not trust the names and sizes in them.
 import { bytesOf, joined, textOf, through } from "./bytes.js";
 
 const kEnd = 0x06054b50;
@@ -10,7 +10,7 @@ const kLongestComment = 0xffff;
 const kUtf8 = 0x0800;
 const kEncrypted = 1;
 const kLinkMode = 0o120000;
-const kFirstDay = 0x21; // 1 January 1980: results do not depend on the clock
+const kFirstDay = 0x21; // 1 January 1980, so that results do not depend on the clock
 
 const kSums = Uint32Array.from({ length: 256 }, (_, byte) => {
   let sum = byte;
@@ -69,7 +69,7 @@ async function contentOf(bytes, view, entry, most) {
   return content;
 }
 
-/** Files by their names as the zip file has them, at most `most` bytes. Folders and links are left out. */
+/** The files by their names in the zip file, at most `most` bytes in total. Skips folders and links. */
 export async function unzip(bytes, most) {
   const view = viewOf(bytes);
   const files = new Map();
@@ -107,7 +107,7 @@ function record(...fields) {
   return bytes;
 }
 
-/** A zip file of files that are not packed. */
+/** A zip file with these files, uncompressed. */
 export function zip(files) {
   const parts = [];
   const list = [];

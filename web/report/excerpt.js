@@ -5,7 +5,7 @@ import { element, prose } from "../common/dom.js";
 const kContext = 2; // lines before and after a mark
 const kLongest = 400; // characters shown of a line
 const kBefore = 120; // of these, before the first mark
-const kBeside = 96; // characters: if the mark and the text are shorter, the text begins below the mark
+const kBeside = 96; // characters; if mark and text together are shorter, the text begins below the mark
 
 /** The lines of the sources, by their numbers. */
 export class Sources {
@@ -14,7 +14,7 @@ export class Sources {
     this.lines = new Map();
   }
 
-  /** Whether the page has no lines of a source because others fill it. */
+  /** Whether the page omits the lines of a source because the limit of the page was reached. */
   isLeftOut(source) {
     return this.sources[source] === "";
   }
@@ -30,7 +30,7 @@ export class Sources {
   }
 }
 
-/** A column counts characters; an index, units of UTF-16. */
+/** Columns count characters; indices count UTF-16 units. */
 export function indexOf(line, column) {
   if (!/[\ud800-\udbff]/.test(line)) return Math.min(column - 1, line.length);
   let index = 0;
@@ -39,7 +39,7 @@ export function indexOf(line, column) {
   return index;
 }
 
-/** What a mark covers of a line: {begin, end, text, kind}. */
+/** The part of a line that a mark covers: {begin, end, text, kind}. */
 function rangeOf(mark, number, line) {
   const begin = number === mark.line ? indexOf(line, mark.column) : line.search(/\S|$/);
   const end = number === mark.end_line ? indexOf(line, mark.end_column) : line.length;
@@ -47,7 +47,7 @@ function rangeOf(mark, number, line) {
   return { begin, end: Math.max(end, Math.min(atLeast, line.length)), text: mark.text, kind: mark.kind };
 }
 
-/** The last line of a mark; one that ends with a line end is on that line. */
+/** The last line of a mark. A mark that ends with a line end belongs to the line before it. */
 const lastLine = ({ line, end_line, end_column }) =>
   end_column === 1 && end_line > line ? end_line - 1 : end_line;
 
@@ -88,7 +88,7 @@ function markedText(line, part, ranges) {
   });
   if (part.begin > 0) pieces.unshift("\u2026");
   if (part.end < line.length) pieces.push("\u2026");
-  // A mark behind the last character, for example in a file that ends too early.
+  // The mark is behind the last character, for example in a file that ends too early.
   for (const { begin, kind } of ranges)
     if (begin >= line.length) pieces.push(element("mark", { class: kind }, " "));
   return pieces;
@@ -140,7 +140,7 @@ export function excerpt(lines, marks) {
   return element("div", { class: "lines" }, ...rows);
 }
 
-/** How many characters two texts share at their beginning, and then at their end. */
+/** The numbers of characters that two texts share at their beginning and at their end. */
 function shared(a, b) {
   const most = Math.min(a.length, b.length);
   let front = 0;
@@ -179,7 +179,7 @@ function sameRow(number, line) {
   );
 }
 
-/** {line, before, after} of a fix as the lines that go and come. */
+/** {line, before, after} of a fix as removed and added lines. */
 export function diff({ line, before, after }) {
   const old = before.split("\n");
   const fresh = after.split("\n");

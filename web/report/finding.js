@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One finding with everything that helps to repair it.
+// The card of a finding.
 import { element, prose } from "../common/dom.js";
 import { diff, excerpt } from "./excerpt.js";
 
@@ -7,7 +7,7 @@ export const placeOf = ({ file, line, column }) => (file ? `${file}:${line}:${co
 
 const severityOf = (severity) => element("span", { class: `badge ${severity}` }, severity);
 
-/** The lines of a place, or why there are none. */
+/** The lines of a place, or the reason why they are missing. */
 function linesAt(place, marks, sources) {
   if (!place.file) return undefined;
   const lines = sources.of(place.source);
@@ -32,7 +32,7 @@ function source(place, pointer, lines) {
   );
 }
 
-/** The main source, and those of labels in other files. */
+/** The lines of the finding, and those of its labels in other files. */
 function figures(finding, sources) {
   if (!finding.file) return [];
   const labels = finding.labels ?? [];
@@ -101,7 +101,7 @@ function explanation(rule) {
   return parts;
 }
 
-/** Made when it is first opened: a page may have thousands of them. */
+/** Its contents are made when it is first opened, because a page may have thousands of cards. */
 function explanationOf(rule) {
   const details = element(
     "details",
@@ -113,7 +113,7 @@ function explanationOf(rule) {
   return details;
 }
 
-/** Buttons at the right of the title: the rule, the picture where there is one, and the place in an editor. */
+/** The buttons at the right of the title: the rule, the picture if there is one, and the place in an editor. */
 function tools(finding, { onRule, onPicture, onEdit }) {
   const attributes = { type: "button", class: "rule", title: "Show the findings of this rule only" };
   const rule = element(
@@ -131,8 +131,8 @@ function tools(finding, { onRule, onPicture, onEdit }) {
 }
 
 /**
- * `actions`: onRule shows the findings of a rule, onPicture shows what the finding is about. Where a page can change
- * the files, onEdit opens the place of a finding, and onFix applies its fix.
+ * `actions`: onRule shows the findings of a rule, onPicture shows the link or joint of the finding. A page that can
+ * change the files also has onEdit, which opens the place of a finding, and onFix, which applies its fix.
  */
 export function card(finding, report, actions) {
   const title = `title-${finding.number}`;

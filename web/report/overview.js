@@ -5,7 +5,7 @@ import { placeOf } from "./finding.js";
 
 const line = (text) => element("p", {}, ...prose(text));
 
-function checked({ files, models, scenes, suppressed, xacro }) {
+function checked({ files, models, scenes, suppressed, xacro, links }) {
   const parts = [models > 0 && counted(models, "model"), scenes > 0 && counted(scenes, "scene")].filter(
     Boolean,
   );
@@ -14,6 +14,10 @@ function checked({ files, models, scenes, suppressed, xacro }) {
     lines.push(`${counted(suppressed, "finding")} suppressed by comments, the configuration or a baseline.`);
   if (xacro > 0)
     lines.push(`${counted(xacro, ".xacro file")} not checked: expand them first (\`xacro FILE\`).`);
+  if (links > 0)
+    lines.push(
+      `${counted(links, "symbolic link")} that ${links === 1 ? "leads out of the folder was" : "lead out of the folder were"} not followed.`,
+    );
   return lines.join(" ");
 }
 
@@ -56,7 +60,7 @@ export function showTargets({ targets = {}, diagnostics }, onTarget) {
   byId("targets").hidden = rows.length === 0;
 }
 
-/** What a page without findings says. */
+/** The text of a page without findings. */
 export function showNothingFound({ targets, summary, tool }) {
   const lines = [];
   if (targets) lines.push("Everything that was checked is fine for these programs.");

@@ -7,7 +7,7 @@ import { card } from "./finding.js";
 import { Picture } from "./picture.js";
 import { showNothingFound, showSummary, showTargets } from "./overview.js";
 
-const kOfRule = 3; // findings of a rule in a file before the others are folded
+const kOfRule = 3; // findings of one rule in a file that are shown; the others are folded
 export const kSeverities = ["error", "warning", "info"];
 
 const rankOf = ({ severity }) => kSeverities.indexOf(severity);
@@ -62,7 +62,7 @@ const filtersOf = ({ rules, targets = {} }) => ({
   ],
 });
 
-/** `actions`: what else the cards of findings offer, see finding.js. `signal` ends the keys of the page. */
+/** `actions`: further actions of the cards, see finding.js. `signal` removes the page's handlers of keys. */
 export class Page extends ListPage {
   constructor(report, { actions = {}, signal } = {}) {
     super(report.diagnostics, "finding", filtersOf(report), signal);
@@ -113,7 +113,7 @@ export class Page extends ListPage {
     }
   }
 
-  /** A button that becomes the findings. */
+  /** A button that is replaced by the findings when it is pressed. */
   fold(findings) {
     const [{ id, name }] = findings;
     const button = element(

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robot or scene beside the list: the viewer's page in a frame. It selects the link or joint of a finding.
+// The picture beside the list: the viewer's page in a frame. It selects the link or joint of a finding.
 import { byId } from "../common/dom.js";
 import { loadViewer, sceneIn, thingsOf } from "../common/viewer.js";
 
-/** Names that a finding mentions, those of its place first: [[kind or "", name]]. */
+/** The names in a finding, those of its place first: [[kind or "", name]]. */
 function namesIn({
   file,
   pointer = "",
@@ -24,7 +24,7 @@ function namesIn({
 }
 
 export class Picture {
-  /** `page`: the viewer's; undefined: there is no picture. */
+  /** `page` is the viewer's page; undefined when there is no picture. */
   constructor(page) {
     this.page = page;
     this.things = page && thingsOf(sceneIn(page));
@@ -35,7 +35,7 @@ export class Picture {
     return !byId("picture").hidden;
   }
 
-  /** What to select for a finding: {kind, name, entity, link}; undefined when it is about nothing that is shown. */
+  /** The selection for a finding: {kind, name, entity, link}; undefined when the picture does not show its subject. */
   find(finding) {
     if (!this.things) return undefined;
     for (const [kind, name] of namesIn(finding)) {
@@ -46,7 +46,7 @@ export class Picture {
     return undefined;
   }
 
-  /** The viewer in the frame, which is loaded when it is first needed. */
+  /** The viewer in the frame. Loads it at the first call. */
   viewer() {
     this.loaded ??= loadViewer(this.page);
     return this.loaded;
@@ -67,12 +67,12 @@ export class Picture {
     viewer.goTo(thing.entity, thing.link);
   }
 
-  /** The view of the picture, as its address would have it; undefined when it is closed or loads. */
+  /** The view of the picture in the notation of its address; undefined while it is closed or loading. */
   get hash() {
     return this.isOpen ? byId("viewer").contentWindow?.smurfViewer?.hash() : undefined;
   }
 
-  /** False when it is closed already. */
+  /** Closes the picture. False if it was closed before. */
   close() {
     if (!this.isOpen) return false;
     byId("picture").hidden = true;

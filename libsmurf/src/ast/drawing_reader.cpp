@@ -173,7 +173,7 @@ class DrawingReader {
       refuse_transform(*transform,
                        has_blanks
                            ? "MARS expects commas between the numbers, and finds no transform here"
-                           : "`" + name + "` takes " + std::to_string(count) +
+                           : "`" + name + "` must have " + std::to_string(count) +
                                  " numbers with commas between them");
       return std::nullopt;
     }

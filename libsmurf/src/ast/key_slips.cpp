@@ -66,7 +66,7 @@ yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unkno
   const bool is_empty = key && !near;
   diagnostic.construct.append(spec.name).append(is_empty ? "-empty" : "");
   if (!key) {
-    diagnostic.label(place_to_add(mapping, spec.name), "add it after this");
+    diagnostic.label(place_to_add(mapping, spec.name), "add it after this key");
   }
   if (!near) return {};
   diagnostic.help("did you mean " + name + " by `" + std::string(*near) + "`?");

@@ -31,8 +31,8 @@ void offer(Diagnostic& diagnostic, std::string help, Span place, std::string_vie
 Diagnostic& report_type(const KeySpec& spec, std::string_view wanted, yaml::View value,
                         std::string_view expected, DiagnosticSink& sink) {
   return report_wrong_type(
-      wanted, value, name_of(spec) + " takes " + std::string(expected) + ", not " + describe(value),
-      sink);
+      wanted, value,
+      name_of(spec) + " must be " + std::string(expected) + ", not " + describe(value), sink);
 }
 
 void report_not_number(const KeySpec& spec, yaml::View value, std::string_view expected,
@@ -44,6 +44,41 @@ void report_not_number(const KeySpec& spec, yaml::View value, std::string_view e
         diagnostic,
         "remove the quotes: MARS reads a number, but readers that know the types of YAML read a text",
         value.span(), value.text());
+  } else if (value.is_scalar() && !spec.unit.empty()) {
+    diagnostic.help("write the number alone; its unit is " + std::string(spec.unit));
+  }
+}
+
+/// Numbers in a list where a mapping is needed, as `{r: 0.8, g: 0.2, b: 0.2, a: 1}`. Empty if the
+/// list does not have as many numbers as the mapping; the `a` of a colour may be missing.
+std::string as_mapping(const KeySpec& spec, yaml::View list) {
+  const auto names = components_of(spec.type);
+  const std::size_t least = spec.type == ValueType::color ? 3 : names.size();
+  if (!list.is_sequence() || list.size() < least || list.size() > names.size()) return {};
+  std::string text = "{";
+  const std::string_view quote = is_json(list.document()) ? "\"" : "";
+  std::size_t next = 0;
+  const auto add = [&](std::string_view number) {
+    text.append(next == 0 ? "" : ", ").append(quote).append(names[next]).append(quote);
+    text.append(": ").append(number);
+    ++next;
+  };
+  for (const yaml::View item : list) {
+    if (!item.is_scalar() || !item.number()) return {};
+    add(item.text());
+  }
+  if (next < names.size()) add("1");
+  return text + "}";
+}
+
+void report_not_mapping(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
+  Diagnostic& diagnostic = report_type(spec, wanted::kMapping, value, describe(spec.type), sink);
+  const std::string mapping = as_mapping(spec, value);
+  if (!mapping.empty()) {
+    diagnostic.help("write `" + mapping + "`");
+  } else if (spec.type == ValueType::color && value.is_sequence() && value.size() > 1) {
+    // Phobos reads a list of three or four numbers, and no others.
+    diagnostic.construct = std::string(wanted::kMapping) + "-items";
   }
 }
 
@@ -125,7 +160,7 @@ void check_choice(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   Diagnostic& diagnostic =
       sink.report(rules::sml4002_unknown_value, value.span(),
                   quoted(value.text()) + " is not a value of " + name_of(spec));
-  if (const auto near = nearest(value.text(), spec.choices)) {
+  if (const auto near = only_nearest(value.text(), spec.choices)) {
     return offer(diagnostic, "did you mean `" + std::string(*near) + "`?", within_quotes(value),
                  *near);
   }
@@ -152,7 +187,11 @@ void read_text(const KeySpec& spec, yaml::View value, Target target, DiagnosticS
     }
     text = std::string(value.text());
   } else {
-    report_type(spec, wanted::kValue, value, "a text", sink);
+    Diagnostic& diagnostic = report_type(spec, wanted::kValue, value, "a text", sink);
+    if (spec.names.kinds.contains(NameKind::pose) && value.is_sequence()) {
+      diagnostic.help("a pose is a named set of joint positions; the place of an entity is written "
+                      "as `position` and `rotation`");
+    }
   }
   store(target, value, std::move(text));
 }
@@ -296,7 +335,7 @@ void check_components(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
 bool read_components(const KeySpec& spec, yaml::View value, std::span<Field<double>> out,
                      DiagnosticSink& sink) {
   if (!value.is_mapping()) {
-    report_type(spec, wanted::kMapping, value, describe(spec.type), sink);
+    report_not_mapping(spec, value, sink);
     return false;
   }
   const auto names = components_of(spec.type);

@@ -247,7 +247,7 @@ class NumberReader {
     const bool is_scale = name == "scale";
     const bool is_color = name == "rgba";
     Diagnostic& diagnostic = sink_.report(rules::sml1807_vector_count, place(whole()),
-                                          quoted(name) + " takes " + counted(count, "number") +
+                                          quoted(name) + " must have " + counted(count, "number") +
                                               ", not " + std::to_string(tokens.size()));
     if (is_scale && tokens.size() == 1) {
       // Bullet, Drake and yourdfpy take one number for all three axes.

@@ -251,7 +251,10 @@ class ShapeChecker {
     }
     Diagnostic& diagnostic =
         sink_.report(rules::sml1106_unknown_element, child.name_span(), std::move(message));
-    diagnostic.note("URDF readers silently ignore it, with all its contents");
+    const bool is_alone = !parent.child(*near);
+    diagnostic.note(
+        "URDF readers silently ignore it, with all its contents" +
+        (is_alone ? ", so " + quoted(parent.name()) + " has no " + quoted(*near) : std::string()));
     diagnostic.severity = Severity::error;
     diagnostic.help("did you mean " + quoted(*near) + "?");
   }

@@ -108,7 +108,7 @@ Diagnostic& DiagnosticSink::report(const Rule& rule, Span span, std::string mess
 std::optional<std::string_view> DiagnosticSink::suggest(std::string_view name,
                                                         std::span<const std::string_view> known) {
   if (is_last_left_out_ || suggestions_end_) return std::nullopt;
-  const auto found = nearest(name, known, suggestions_left_);
+  const auto found = only_nearest(name, known, suggestions_left_);
   if (suggestions_left_ == 0) {
     suggestions_end_ = diagnostics_.empty() ? Span{} : diagnostics_.back().span;
   }

@@ -100,6 +100,50 @@ int distance_of(std::string_view a, std::string_view b, int limit, std::uint64_t
   return align(a, b, limit);
 }
 
+/// The search for the nearest of many names.
+struct Search {
+  int best;                  ///< distance of the nearest name so far
+  bool is_tied = false;      ///< whether two names have this distance
+  bool finds_ties = false;   ///< otherwise equally near names are not compared
+  std::string_view nearest = {};  ///< the first of them
+
+  /// The largest distance that still changes the result.
+  int limit() const { return finds_ties && !is_tied ? best : best - 1; }
+
+  void add(std::string_view candidate, int distance) {
+    if (candidate == nearest) return;  // some lists repeat names
+    is_tied = distance == best;
+    if (distance < best) nearest = candidate;
+    best = distance;
+  }
+};
+
+std::optional<std::string_view> search(std::string_view name,
+                                       std::span<const std::string_view> known, bool finds_ties,
+                                       std::uint64_t& steps_left) {
+  if (name.empty() || name.size() > kLongestName || known.size() > kMostNames) return std::nullopt;
+  const int farthest = std::max(1, static_cast<int>(name.size()) / 3);
+  Search result{.best = farthest + 1, .finds_ties = finds_ties};
+  const std::uint64_t own = characters(name);
+  for (const std::string_view candidate : known) {
+    if (candidate == name) return std::nullopt;
+    spend(1, steps_left);
+    if (result.limit() < 0) continue;  // from here on, search only for the exact name
+    spend(std::min(candidate.size(), kLongestName), steps_left);
+    if (steps_left == 0) return std::nullopt;
+    if (differ_only_in_case(name, candidate)) {  // nearer than all others
+      result.add(candidate, 0);
+      continue;
+    }
+    const int limit = std::min(result.limit(), farthest);
+    if (limit < 1 || fewest_edits(own, characters(candidate)) > limit) continue;
+    const int distance = distance_of(name, candidate, limit, steps_left);
+    if (distance <= limit) result.add(candidate, distance);
+  }
+  if (result.best > farthest || result.is_tied) return std::nullopt;
+  return result.nearest;
+}
+
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b, int limit) {
@@ -110,35 +154,19 @@ int edit_distance(std::string_view a, std::string_view b, int limit) {
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known) {
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
-  return nearest(name, known, steps);
+  return search(name, known, false, steps);
 }
 
-std::optional<std::string_view>
-nearest(std::string_view name, std::span<const std::string_view> known, std::uint64_t& steps_left) {
-  if (name.empty() || name.size() > kLongestName || known.size() > kMostNames) return std::nullopt;
-  const int limit = std::max(1, static_cast<int>(name.size()) / 3);
-  int best = limit + 1;
-  std::optional<std::string_view> found;
-  const std::uint64_t own = characters(name);
-  for (const std::string_view candidate : known) {
-    if (candidate == name) return std::nullopt;
-    spend(1, steps_left);
-    if (best == 0) continue;  // from here on, search only for the exact name
-    spend(std::min(candidate.size(), kLongestName), steps_left);
-    if (steps_left == 0) return std::nullopt;
-    if (differ_only_in_case(name, candidate)) {  // nearer than all others
-      best = 0;
-      found = candidate;
-    }
-    if (best <= 1) continue;
-    if (fewest_edits(own, characters(candidate)) >= best) continue;
-    const int distance = distance_of(name, candidate, best - 1, steps_left);
-    if (distance < best) {
-      best = distance;
-      found = candidate;
-    }
-  }
-  return found;
+std::optional<std::string_view> only_nearest(std::string_view name,
+                                             std::span<const std::string_view> known,
+                                             std::uint64_t& steps_left) {
+  return search(name, known, true, steps_left);
+}
+
+std::optional<std::string_view> only_nearest(std::string_view name,
+                                             std::span<const std::string_view> known) {
+  std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
+  return only_nearest(name, known, steps);
 }
 
 bool differ_only_in_digits(std::string_view a, std::string_view b) {

@@ -18,10 +18,14 @@ int edit_distance(std::string_view a, std::string_view b, int limit);
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known);
 
-/// The same with a limit: each comparison of two characters costs one step. If the steps do not
+/// The same for a suggestion: none if several names are equally near, because the first would be an
+/// arbitrary choice. Each comparison of two characters costs one step. If the steps do not
 /// suffice, returns none and sets them to 0.
-std::optional<std::string_view>
-nearest(std::string_view name, std::span<const std::string_view> known, std::uint64_t& steps_left);
+std::optional<std::string_view> only_nearest(std::string_view name,
+                                             std::span<const std::string_view> known,
+                                             std::uint64_t& steps_left);
+std::optional<std::string_view> only_nearest(std::string_view name,
+                                             std::span<const std::string_view> known);
 
 /// Numbered names, such as `finger_1` and `finger_3`, are not misspellings of each other.
 bool differ_only_in_digits(std::string_view a, std::string_view b);

@@ -11,6 +11,8 @@ namespace smurf {
 /// The parts of a model that are compared.
 enum class Scope : std::uint8_t { all, robot };
 
+/// Replaces units such as "rad or m" by the unit that applies to the joint, if it has one axis.
+void choose_units(Property& property, const urdf::Joint& joint);
 /// Appends the things of a URDF.
 void collect_robot(const LinkedModel& model, Things& things);
 /// Appends the things of the main file and the annotations.

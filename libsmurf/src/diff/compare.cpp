@@ -10,6 +10,7 @@
 
 #include "base/path.hpp"
 #include "base/quoted.hpp"
+#include "diff/values.hpp"
 
 namespace smurf {
 namespace {
@@ -182,11 +183,14 @@ class PropertyComparer {
 
   void report(const std::string& path, const Property& before, const Property& after) {
     Difference& difference = add(path, after);
-    // With its old name, a renamed thing would seem to differ, and a different thing with the old
-    // name would seem to be equal.
-    difference.before = value_of(
-        before, [&](std::string_view name, Span place) { return renames_.translate(name, place); });
+    difference.before = value_of(before);
     difference.after = value_of(after);
+    if (difference.before == difference.after) {  // the old name of a renamed thing
+      const DiffValue meant = value_of(before, [&](std::string_view name, Span place) {
+        return renames_.translate(name, place);
+      });
+      difference.detail = "which was renamed to " + value_text(meant, {}, {});
+    }
     difference.old_place = before.span;
     difference.new_place = after.span;
     if (before.form == Property::Form::file && after.form == Property::Form::file &&

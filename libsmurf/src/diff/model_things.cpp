@@ -75,6 +75,17 @@ class AnnotationCollector {
       if (naming.defines) thing.names = naming.kinds.first();
     }
     thing.properties = properties_.mapping({}, value, rows, entry.name ? is_no_name : nullptr);
+    if (&section == &sections::motors || &section == &sections::joint)
+      choose_units_of(thing, value);
+  }
+
+  /// An annotation of a joint without `joint` has the name of the joint.
+  void choose_units_of(Thing& thing, yaml::View entry) const {
+    yaml::View name = entry.find("joint");
+    if (!name) name = entry.find("name");
+    if (!model_.robot || !name || !name.is_scalar()) return;
+    const auto joint = model_.joint_names.find(name.text());
+    if (joint) choose_units(thing.properties, model_.robot->joints[*joint]);
   }
 
   void custom(const CustomSection& section) {

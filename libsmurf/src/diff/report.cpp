@@ -27,6 +27,10 @@ std::string sentence_of(const Difference& difference) {
   case Change::renamed: break;
   case Change::changed:
     text = ": " + label_in(difference) + " " + shown_value(change_text(difference));
+    if (difference.before == difference.after && !difference.detail.empty()) {
+      text = ": " + label_in(difference) + " is still " +
+             shown_value(value_text(difference.after, {}, {}));
+    }
     break;
   }
   if (!difference.detail.empty()) text += ", " + difference.detail;

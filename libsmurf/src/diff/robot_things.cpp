@@ -287,17 +287,7 @@ class RobotCollector {
     attributes(here, urdf::find_element_spec("joint"), thing.properties);
     add_member(thing.properties, pose(joint.origin, here.name_span()));
     children(here, thing.properties, [](std::string_view name) { return name == "origin"; });
-    if (joint.has_one_axis()) choose_units(thing.properties, joint.type);
-  }
-
-  /// "rad" or "m" for a unit of "rad or m", depending on the joint.
-  static void choose_units(Property& property, urdf::JointType type) {
-    constexpr std::string_view kOr = " or ";
-    for (Property& member : property.members) choose_units(member, type);
-    const std::size_t at = property.unit.find(kOr);
-    if (at == std::string_view::npos) return;
-    property.unit = type == urdf::JointType::prismatic ? property.unit.substr(at + kOr.size())
-                                                       : property.unit.substr(0, at);
+    choose_units(thing.properties, joint);
   }
 
   void extension(xml::View element) {
@@ -323,6 +313,16 @@ class RobotCollector {
 };
 
 }  // namespace
+
+void choose_units(Property& property, const urdf::Joint& joint) {
+  constexpr std::string_view kOr = " or ";
+  if (!joint.has_one_axis()) return;
+  for (Property& member : property.members) choose_units(member, joint);
+  const std::size_t at = property.unit.find(kOr);
+  if (at == std::string_view::npos) return;
+  property.unit = joint.type == urdf::JointType::prismatic ? property.unit.substr(at + kOr.size())
+                                                           : property.unit.substr(0, at);
+}
 
 void collect_robot(const LinkedModel& model, Things& things) {
   if (model.robot) RobotCollector(model, things).run();

@@ -10,6 +10,7 @@
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "base/utf8.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
@@ -19,6 +20,12 @@ bool has_room(const std::string& path, std::size_t bytes, LoadContext& context) 
   if (read.known.insert(context.files.identity(path)).second) return true;
   read.repeated += bytes;
   return read.repeated <= context.limits.repeated_bytes;
+}
+
+bool is_of_known_kind(std::string_view name) {
+  return is_one_of(path::to_lower(path::extension(name)),
+                   {".smurf", ".smurfs", ".smurfa", ".urdf", ".sdf", ".srdf", ".yml", ".yaml",
+                    ".json", ".stl", ".obj", ".bobj", ".dae", ".ply", ".glb", ".gltf", ".png"});
 }
 
 }  // namespace
@@ -80,8 +87,13 @@ std::optional<std::string> similar_name(std::string_view name, std::span<const s
   }
   std::vector<std::string_view> stems;
   for (const auto& [stem, one] : by_stem) stems.push_back(stem);
-  const auto near = nearest(path::stem(name), stems);
-  return near ? std::optional(*by_stem.at(*near)) : std::nullopt;
+  if (const auto near = only_nearest(path::stem(name), stems)) return *by_stem.at(*near);
+  std::vector<std::string_view> others;  // those whose extension may be misspelt
+  for (const std::string& one : names) {
+    if (path::stem(one) == path::stem(name) && may_be(one)) others.push_back(one);
+  }
+  const auto near = is_of_known_kind(name) ? std::nullopt : only_nearest(name, others);
+  return near && is_of_known_kind(*near) ? std::optional(std::string(*near)) : std::nullopt;
 }
 
 std::optional<std::string> similar_file(const std::string& path, const Rule& rule,

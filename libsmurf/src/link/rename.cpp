@@ -171,7 +171,7 @@ class Renamer {
     for_each([&](Owner, const Reference& one) {
       if (one.is_definition && is_of(rename, one)) known.push_back(one.name);
     });
-    const auto near = nearest(rename.from, known);
+    const auto near = only_nearest(rename.from, known);
     return "there is no " + kind + " " + quoted(rename.from) +
            (near ? "; did you mean " + quoted(*near) + "?" : std::string());
   }

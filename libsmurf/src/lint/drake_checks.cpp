@@ -57,7 +57,7 @@ void check_type(xml::View joint, std::string_view type, Findings& findings) {
   Diagnostic& diagnostic = findings.report(place, quoted(type) + " is not a type of `drake:joint`");
   constexpr std::array<std::string_view, 5> kTypes = {"ball", "curvilinear", "planar", "screw",
                                                       "universal"};
-  if (const auto near = nearest(type, kTypes)) {
+  if (const auto near = only_nearest(type, kTypes)) {
     diagnostic.help("did you mean " + quoted(*near) + "?");
   } else {
     diagnostic.help("write `ball`, `curvilinear`, `planar`, `screw` or `universal`");

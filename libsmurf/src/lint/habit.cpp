@@ -15,6 +15,7 @@ Diagnostic* Habit::report(std::string_view others, Findings& findings) const {
   if (count_ == 0) return nullptr;
   Diagnostic& diagnostic = findings.report(place_, message_);
   if (count_ > 1) {
+    if (count_ == 2) others.remove_suffix(1);  // "1 more such name"
     diagnostic.note(std::to_string(count_ - 1) + " more " + std::string(others) + " in this file");
   }
   return &diagnostic;

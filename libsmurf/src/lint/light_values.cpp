@@ -58,7 +58,7 @@ void report_incomplete_light(const Light& light, yaml::View mapping, Findings& f
   findings
       .report(place, subject("light", light) + " has no " + missing + ", which MARS reads as " +
                          (count == 1 ? "a random value" : "random values"))
-      .label(place_to_add(mapping, first), "add it after this");
+      .label(place_to_add(mapping, first), "add it after this key");
 }
 
 }  // namespace smurf

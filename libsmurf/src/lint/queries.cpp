@@ -8,15 +8,11 @@
 #include "ast/urdf_schema.hpp"
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
-#include "base/suggest.hpp"
 #include "base/words.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf {
 namespace {
-
-constexpr NameKind kKinds[] = {NameKind::link,      NameKind::joint,    NameKind::visual,
-                               NameKind::collision, NameKind::material, NameKind::motor,
-                               NameKind::sensor};
 
 Span visual_or_collision(const LinkedModel& model, NameKind kind, std::string_view name,
                          std::uint32_t link) {
@@ -81,38 +77,7 @@ bool can_judge(const LinkedModel& model, NameKind kind) {
 
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
                             Span place, const Subject& subject, Findings& findings) {
-  if (!can_judge(model, kind) || names(model, kind).contains(name)) return nullptr;
-  if (is_xacro(name)) return nullptr;  // SML1009
-  const std::string kind_name(to_string(kind));
-  Diagnostic& diagnostic =
-      findings.report(place, subject + " names the " + kind_name + " " + quoted(name) +
-                                 ", which the model does not have");
-  for (const NameKind other : kKinds) {
-    // A motor often has the name of its joint, so such a motor is not suggested for a joint.
-    const bool is_annotation = other == NameKind::motor || other == NameKind::sensor;
-    if (other == kind || is_annotation || !names(model, other).contains(name)) continue;
-    diagnostic.message = subject + " needs a " + kind_name + ", but " + quoted(name) + " is a " +
-                         std::string(to_string(other));
-    const Span defined = definition(model, other, name);
-    if (!defined.empty()) {
-      diagnostic.label(defined, "the " + std::string(to_string(other)) + " is defined here");
-    }
-    return &diagnostic;
-  }
-  diagnostic.caret = "no such " + kind_name;
-  if (!model.urdf_path.empty() && kind != NameKind::motor && kind != NameKind::sensor) {
-    diagnostic.caret += " in `" + model.urdf_path + "`";
-  }
-  const auto near = findings.suggest(name, names(model, kind).names());
-  if (!near || differ_only_in_digits(name, *near)) return &diagnostic;
-  diagnostic.help("did you mean " + quoted(*near) + "?");
-  if (fits_everywhere(*near)) {
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe, {{within_quotes(model, place), std::string(*near)}}});
-  }
-  const Span defined = definition(model, kind, *near);
-  if (!defined.empty()) diagnostic.label(defined, quoted(*near) + " is defined here");
-  return &diagnostic;
+  return check_reference(model, kind, name, place, subject, findings, nullptr);
 }
 
 void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,

@@ -2,14 +2,24 @@
 #include "lint/reference_queries.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <initializer_list>
+#include <set>
 #include <vector>
 
 #include "ast/sections.hpp"
+#include "ast/urdf_numbers.hpp"
+#include "base/edits.hpp"
+#include "base/ranges.hpp"
+#include "base/suggest.hpp"
 #include "base/words.hpp"
 
 namespace smurf {
 namespace {
+
+constexpr NameKind kKinds[] = {NameKind::link,      NameKind::joint,    NameKind::visual,
+                               NameKind::collision, NameKind::material, NameKind::motor,
+                               NameKind::sensor};
 
 bool is_in_yaml(const Reference& reference) {
   return reference.notation == Reference::Notation::yaml ||
@@ -36,6 +46,21 @@ bool is_first(yaml::View entry) {
   return entry.document().nodes[static_cast<std::size_t>(entry.id())].position() == 0;
 }
 
+/// The movable joints that no motor drives. Many motors have the name of their joint.
+UnusedNames joints_without_motor(const LinkedModel& model, std::string_view motor) {
+  std::set<std::string_view> driven;
+  for (const Motor& one : model.annotations.motors) {
+    if (one.joint) driven.insert(*one.joint);
+  }
+  UnusedNames unused{{}, motor, "which no motor drives"};
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (joint.name && joint.is_movable() && !driven.contains(*joint.name)) {
+      unused.names.push_back(*joint.name);
+    }
+  });
+  return unused;
+}
+
 /// The effect of an unknown name on readers depends on the entry.
 std::string_view construct_of(const LinkedModel& model, const AnnotationPlace& place) {
   if (place.section == "collision" && place.key == "link") {
@@ -56,7 +81,67 @@ std::string_view construct_of(const LinkedModel& model, const AnnotationPlace& p
   return is_one_of(name, {"NodeIMU", "IMU", "NodeContact", "NodeContactForce"}) ? "" : "of-others";
 }
 
+/// The name that a misspelt name probably means; empty if there is none.
+struct Guess {
+  std::string_view name;
+  std::string reason;  ///< why it is not the nearest name: ", which no motor drives"
+  bool has_fix = true;
+};
+
+Guess guess_name(std::string_view name, std::span<const std::string_view> all,
+                 const std::function<UnusedNames()>& unused, Findings& findings) {
+  const auto among = [&](std::span<const std::string_view> known) {
+    const auto near = findings.suggest(name, known);
+    return near && !differ_only_in_digits(name, *near) ? *near : std::string_view();
+  };
+  const std::string_view nearest = among(all);
+  if (!unused) return {nearest, {}};
+  const UnusedNames likely = unused();
+  std::string_view meant = among(likely.names);
+  if (meant.empty() && ranges::contains(likely.names, likely.own)) meant = likely.own;
+  // Another use of the nearest name would be another mistake.
+  if (meant.empty()) return {nearest, {}, false};
+  return {meant, meant == nearest ? std::string() : ", " + likely.reason};
+}
+
 }  // namespace
+
+Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
+                            Span place, const Subject& subject, Findings& findings,
+                            const std::function<UnusedNames()>& unused) {
+  if (!can_judge(model, kind) || names(model, kind).contains(name)) return nullptr;
+  if (is_xacro(name)) return nullptr;  // SML1009
+  const std::string kind_name(to_string(kind));
+  Diagnostic& diagnostic =
+      findings.report(place, subject + " names the " + kind_name + " " + quoted(name) +
+                                 ", which the model does not have");
+  for (const NameKind other : kKinds) {
+    // A motor often has the name of its joint, so such a motor is not suggested for a joint.
+    const bool is_annotation = other == NameKind::motor || other == NameKind::sensor;
+    if (other == kind || is_annotation || !names(model, other).contains(name)) continue;
+    diagnostic.message = subject + " needs a " + kind_name + ", but " + quoted(name) + " is a " +
+                         std::string(to_string(other));
+    const Span defined = definition(model, other, name);
+    if (!defined.empty()) {
+      diagnostic.label(defined, "the " + std::string(to_string(other)) + " is defined here");
+    }
+    return &diagnostic;
+  }
+  diagnostic.caret = "no such " + kind_name;
+  if (!model.urdf_path.empty() && kind != NameKind::motor && kind != NameKind::sensor) {
+    diagnostic.caret += " in `" + model.urdf_path + "`";
+  }
+  const Guess guess = guess_name(name, names(model, kind).names(), unused, findings);
+  if (guess.name.empty()) return &diagnostic;
+  diagnostic.help("did you mean " + quoted(guess.name) + guess.reason + "?");
+  if (guess.has_fix && fits_everywhere(guess.name)) {
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe, {{within_quotes(model, place), std::string(guess.name)}}});
+  }
+  const Span defined = definition(model, kind, guess.name);
+  if (!defined.empty()) diagnostic.label(defined, quoted(guess.name) + " is defined here");
+  return &diagnostic;
+}
 
 AnnotationPlace annotation_place(const LinkedModel& model, const Reference& reference) {
   const yaml::Document* document =
@@ -130,8 +215,12 @@ Diagnostic* report_unknown(const LinkedModel& model, const Reference& reference,
                            Findings& findings) {
   const AnnotationPlace place = annotation_place(model, reference);
   const std::string subject = subject_of(place);
+  std::function<UnusedNames()> unused;
+  if (place.section == "motors" && place.key == "joint") {
+    unused = [&] { return joints_without_motor(model, name_of(place)); };
+  }
   Diagnostic* diagnostic = check_reference(model, reference.kind, reference.name,
-                                           place_of(reference), subject.c_str(), findings);
+                                           place_of(reference), subject.c_str(), findings, unused);
   if (diagnostic != nullptr) diagnostic->construct += construct_of(model, place);
   return diagnostic;
 }

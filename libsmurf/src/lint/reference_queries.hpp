@@ -5,10 +5,23 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lint/queries.hpp"
 
 namespace smurf {
+
+/// The names to which no other reference of the same sort leads, although each should have one. A
+/// misspelt name means one of them rather than a name that is already used.
+struct UnusedNames {
+  std::vector<std::string_view> names;
+  std::string_view own;  ///< the name of the entry; suggested if it is among them
+  std::string reason;    ///< "which no motor drives"
+};
+/// As in lint/queries.hpp, but suggests one of `unused()` if possible; it may be null.
+Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
+                            Span place, const Subject& subject, Findings& findings,
+                            const std::function<UnusedNames()>& unused);
 
 /// The place of a name in the annotations.
 struct AnnotationPlace {

@@ -11,14 +11,19 @@
 #include "base/counted.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"
+#include "render/wrap.hpp"
+#include "smurf/readers.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf {
 namespace {
 
 constexpr std::size_t kMostOfRule = 3;  ///< in a file
-constexpr std::size_t kMostLines = 150;
+constexpr std::size_t kMostLines = 140;
 constexpr std::size_t kMostNames = 15;  ///< number of files listed by name only
+constexpr std::size_t kFewest = 3;      ///< fewer findings are shown instead of counted
+constexpr std::size_t kScreen = 8;      ///< findings that fit on about one screen
+constexpr std::size_t kColumns = 80;
 
 /// The findings of one severity in one file.
 struct Section {
@@ -47,6 +52,7 @@ class Overview {
       repeated.last = file;
     }
     std::for_each(by_severity.rbegin(), by_severity.rend(), [&](std::vector<Section>& sections) {
+      if (!options.shows_all && diagnostics.size() > kScreen) put_worst_first(sections);
       std::move(sections.begin(), sections.end(), std::back_inserter(sections_));
     });
     has_titles_ = std::any_of(sections_.begin(), sections_.end(), [&](const Section& section) {
@@ -78,6 +84,36 @@ class Overview {
     std::size_t shown = 0;
   };
 
+  /// The number of readers that do not load a file with such a finding, and of those that lose a
+  /// part of it.
+  using Harm = std::pair<std::size_t, std::size_t>;
+
+  /// Depends on the place of a finding only for few rules, so the first place of each construct
+  /// stands for all.
+  Harm harm_of(const Diagnostic& finding) {
+    const auto [place, is_new] = harms_.try_emplace({finding.rule, finding.construct}, Harm{0, 0});
+    if (!is_new) return place->second;
+    for (const Reader* reader : all_readers()) {
+      const Fact* fact = reader->is_target ? find_fact(*reader, finding) : nullptr;
+      if (fact == nullptr) continue;
+      if (fact->effect >= Effect::refuses) ++place->second.first;
+      if (fact->effect >= Effect::loses) ++place->second.second;
+    }
+    return place->second;
+  }
+
+  /// Otherwise the files are in the order of their names, and the first screen shows any of them.
+  void put_worst_first(std::vector<Section>& sections) {
+    std::map<SourceId, Harm> worst;
+    for (const Section& section : sections) {
+      Harm& harm = worst[section.file];
+      for (const Diagnostic* finding : section.findings) harm = std::max(harm, harm_of(*finding));
+    }
+    std::stable_sort(sections.begin(), sections.end(), [&](const Section& a, const Section& b) {
+      return worst[a.file] > worst[b.file];
+    });
+  }
+
   void write(const std::string& text) {
     lines_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
     out_ += text;
@@ -94,13 +130,24 @@ class Overview {
 
   void add(const Section& section) {
     std::map<std::string_view, Tally> of_rule;
-    bool is_titled = !has_titles_;
+    std::vector<std::pair<const Diagnostic*, Tally*>> mine;
     for (const Diagnostic* one : section.findings) {
-      Repeated& repeated = repeated_[{one->rule, one->message}];
+      const Repeated& repeated = repeated_[{one->rule, one->message}];
       if (!options_.shows_all && repeated.first != section.file) continue;
-      Tally& tally = of_rule[one->rule->id];
-      ++tally.all;
-      if (!options_.shows_all && (tally.shown == kMostOfRule || lines_ >= kMostLines)) continue;
+      mine.emplace_back(one, &of_rule[one->rule->id]);
+      ++mine.back().second->all;
+    }
+    bool is_titled = !has_titles_;
+    bool is_too_long = false;
+    std::size_t left = mine.size();
+    for (const auto& [one, of_this] : mine) {
+      Repeated& repeated = repeated_[{one->rule, one->message}];
+      Tally& tally = *of_this;
+      const bool is_too_many = tally.shown >= kMostOfRule && tally.all >= kMostOfRule + kFewest;
+      is_too_long = is_too_long || (lines_ >= kMostLines && left >= kFewest);
+      const bool is_cut = !options_.shows_all && (is_too_many || is_too_long);
+      --left;
+      if (is_cut) continue;
       if (!is_titled) write(paint_(render::Ink::strong, title(section)) + "\n\n");
       is_titled = true;
       ++tally.shown;
@@ -115,15 +162,20 @@ class Overview {
     return "... and the same in " + counted(repeated.files - 1, "more file") + "\n\n";
   }
 
-  /// "... and 12 more of SML1501, 3 more of SML1502 in this file"
+  /// "... and 12 more of SML1501, 3 of SML1502 in this file; --all shows them"
   static std::string cut(const std::map<std::string_view, Tally>& of_rule) {
     std::string text;
+    std::size_t count = 0;
     for (const auto& [id, tally] : of_rule) {
       if (tally.shown == tally.all) continue;
       text += (text.empty() ? "... and " : ", ") + std::to_string(tally.all - tally.shown) +
-              " more of " + std::string(id);
+              (tally.shown > 0 ? " more of " : " of ") + std::string(id);
+      count += tally.all - tally.shown;
     }
-    return text.empty() ? text : text + " in this file\n\n";
+    if (text.empty()) return text;
+    const std::string_view them = count == 1 ? "it" : "them";
+    return render::wrap(text + " in this file; --all shows " + std::string(them), 0, kColumns) +
+           "\n";
   }
 
   /// The files whose findings do not fit, as "arm.urdf: 3 errors, 2 warnings".
@@ -159,6 +211,7 @@ class Overview {
   render::Painter paint_;
   std::vector<Section> sections_;
   std::map<std::pair<const Rule*, std::string_view>, Repeated> repeated_;
+  std::map<std::pair<const Rule*, std::string_view>, Harm> harms_;  ///< by construct
   bool has_titles_ = false;
   std::size_t lines_ = 0;
   std::string out_;

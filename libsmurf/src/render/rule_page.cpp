@@ -72,10 +72,15 @@ std::string render_rule_list(std::span<const Rule* const> rules, const TextStyle
   const Painter paint(style.color);
   std::string out;
   for (const Rule* rule : rules) {
+    constexpr std::size_t kIndent = 18;  // behind the id and the severity
+    constexpr std::size_t kColumns = 80;
     const std::string_view severity = to_string(rule->severity);
+    const std::string name(rule->name);
+    const std::string text =
+        render::wrap(name + ": " + std::string(rule->summary), kIndent, kColumns);
     out += std::string(rule->id) + "  " + paint(render::ink_of(rule->severity), severity) +
-           std::string(9 - severity.size(), ' ') + paint(Ink::strong, rule->name) + ": " +
-           std::string(rule->summary) + "\n";
+           std::string(9 - severity.size(), ' ') + paint(Ink::strong, name) +
+           text.substr(kIndent + name.size());
   }
   return out;
 }

@@ -172,7 +172,7 @@ class SchemaChecker {
   void expect(bool is_right, yaml::View value, std::string_view expected) {
     if (is_right) return;
     fault(value.place(),
-          quoted(value.key()) + " takes " + std::string(expected) + ", not " + describe(value));
+          quoted(value.key()) + " must be " + std::string(expected) + ", not " + describe(value));
   }
 
   json schema(yaml::View node) {
@@ -280,7 +280,7 @@ class SchemaChecker {
     Diagnostic& diagnostic =
         fault(value.place(), (value.is_scalar() ? quoted(value.text()) : describe(value)) +
                                  " is not a type of JSON Schema");
-    const auto near = nearest(value.text(), kTypes);
+    const auto near = only_nearest(value.text(), kTypes);
     diagnostic.help(near ? "did you mean " + quoted(*near) + "?"
                          : "types are array, boolean, integer, null, number, object, string");
   }

@@ -22,7 +22,7 @@ struct Phrase {
 };
 
 constexpr Phrase kPhrases[] = {
-    {"Value type not permitted", "type", "takes ", ""},
+    {"Value type not permitted", "type", "must be ", ""},
     {"Failed to match against any enum", "enum", "is not one of ", ""},
     {"Failed to match expected value", "const", "must be ", ""},
     {"Expected number less than or equal", "maximum", "must be at most ", ""},
@@ -354,7 +354,7 @@ class Explainer {
                                              std::span<const std::string_view> known) {
     const auto most = static_cast<std::uint64_t>(std::max<std::int64_t>(steps_left_, 0));
     std::uint64_t comparisons_left = most * kComparisonsForStep;
-    const auto near = nearest(name, known, comparisons_left);
+    const auto near = only_nearest(name, known, comparisons_left);
     steps_left_ = static_cast<std::int64_t>(comparisons_left / kComparisonsForStep);
     return near;
   }

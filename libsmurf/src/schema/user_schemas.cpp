@@ -45,7 +45,7 @@ void check(const UserSchema* schema, yaml::View value, SchemaWork& work, Finding
     diagnostic.notes = violation.notes;
     diagnostic.fixes = violation.fixes;
     if (!violation.add_span.empty()) {
-      diagnostic.label(violation.add_span, "add it after this");
+      diagnostic.label(violation.add_span, "add it after this key");
     }
     if (!violation.schema_span.empty()) {
       diagnostic.label(violation.schema_span, "required here by the schema");

@@ -2,9 +2,11 @@
 #include "syntax/yaml_errors.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <vector>
 
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
 
@@ -70,6 +72,23 @@ void report_in_brackets(std::uint32_t at, Span bracket, std::string_view text,
       .label(bracket, "opened here");
 }
 
+/// The words of the line before `at` if a key there lacks its `:`, as in "- name elbow". The parser
+/// takes this line and the next one for a single text, and stops at the `:` of the next one.
+Span key_without_colon(std::string_view text, std::uint32_t at, SourceId id) {
+  const std::size_t line = text.rfind('\n', at) + 1;
+  if (line < 2) return {};
+  const std::size_t before = text.rfind('\n', line - 2) + 1;
+  const std::size_t begin = text.find_first_not_of(" -", before);
+  std::size_t end = std::min(text.find(" #", before), line - 1);
+  while (end > before && (text[end - 1] == ' ' || text[end - 1] == '\r')) --end;
+  if (begin >= end) return {};
+  const std::string_view words = text.substr(begin, end - begin);
+  const bool is_key = std::isalpha(static_cast<unsigned char>(words.front())) != 0;
+  const bool is_aligned = text.find_first_not_of(' ', line) - line == begin - before;
+  if (!is_key || !is_aligned || words.find(':') != std::string_view::npos) return {};
+  return {id, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+}
+
 }  // namespace
 
 void report_parser_error(std::string_view words, int place, Span bracket, const SourceMap& sources,
@@ -86,6 +105,13 @@ void report_parser_error(std::string_view words, int place, Span bracket, const 
   if (words.starts_with("illegal block entry") && bracket.empty()) {
     const Span open = open_before(text, at, id);
     if (!open.empty()) return report_in_brackets(size, open, text, sink);
+  }
+  if (words == "illegal map value" && bracket.empty() && at > 0) {
+    if (const Span key = key_without_colon(text, at - 1, id); !key.empty()) {
+      sink.report(rules::sml0010_yaml_syntax, key, quoted(sources.text(key)) + " has no `:`")
+          .help("write `KEY: VALUE`");
+      return;
+    }
   }
   std::string message = explain(words);
   // yaml-cpp reports a tab in the indentation at the following colon, with another message.

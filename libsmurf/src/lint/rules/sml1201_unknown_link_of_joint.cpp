@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <set>
 
 #include "base/readers.hpp"
 #include "lint/name_queries.hpp"
@@ -16,13 +17,31 @@ bool has_motor(const LinkedModel& model, xml::View joint) {
          });
 }
 
+/// The links to which no joint leads. If there is only one, it is the root, as it should be.
+UnusedNames links_without_joint(const LinkedModel& model) {
+  std::set<std::string_view> children;
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (joint.child) children.insert(*joint.child);
+  });
+  UnusedNames unused{{}, {}, "to which no joint leads"};
+  for_each_link(model, [&](const urdf::Link& link) {
+    if (link.name && !children.contains(*link.name)) unused.names.push_back(*link.name);
+  });
+  if (unused.names.size() == 1) unused.names.clear();
+  return unused;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   const urdf::Link* unnamed = link_without_name(model);
   for (const Reference& one : findings.doubtful_references()) {
     const xml::View end = element_of(model, one);
     if (!end || (end.name() != "parent" && end.name() != "child")) continue;
+    const std::string subject = subject_of(end.parent());
     Diagnostic* diagnostic =
-        check_link_of_joint(model, one, subject_of(end.parent()), unnamed, findings);
+        end.name() == "child" && unnamed == nullptr
+            ? check_reference(model, NameKind::link, one.name, one.span, subject.c_str(), findings,
+                              [&] { return links_without_joint(model); })
+            : check_link_of_joint(model, one, subject, unnamed, findings);
     withhold_fix(diagnostic, other_link(end));
     if (diagnostic != nullptr && has_motor(model, end.parent())) diagnostic->construct = "driven";
     if (diagnostic != nullptr && end.name() == "parent" && one.name == "world") {

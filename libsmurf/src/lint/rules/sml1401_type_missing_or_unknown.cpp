@@ -31,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (*joint.type_name == "spherical") {
       diagnostic.note("only Bullet and MuJoCo know this type");
     }
-    if (const auto near = nearest(*joint.type_name, kTypes)) {
+    if (const auto near = only_nearest(*joint.type_name, kTypes)) {
       diagnostic.help("did you mean " + quoted(*near) + "?");
       const bool is_case = path::to_lower(*joint.type_name) == *near;
       diagnostic.fixes.push_back({is_case ? Applicability::safe : Applicability::unsafe,

@@ -9,6 +9,9 @@
 namespace smurf::rules {
 namespace {
 
+/// The name that smurf-lint gives to a URDF from standard input.
+constexpr std::string_view kStandardInput = "stdin.urdf";
+
 Diagnostic& report(const MeshReference& reference, std::string_view what, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(reference.span, (reference.is_texture ? "the texture" : "the mesh") +
@@ -41,7 +44,7 @@ bool lies_outside(const MeshFile& file) {
 }
 
 /// These files may be sound, and all of them have the same cause.
-void report_outside(const std::vector<Span>& places, Findings& findings) {
+void report_outside(const std::vector<Span>& places, bool is_standard_input, Findings& findings) {
   if (places.empty()) return;
   const std::string message =
       places.size() == 1 ? "the mesh was not looked at: it lies outside of the project"
@@ -50,7 +53,10 @@ void report_outside(const std::vector<Span>& places, Findings& findings) {
   Diagnostic& diagnostic = findings.report(places.front(), message);
   diagnostic.severity = Severity::warning;
   diagnostic.help("add `--allow-outside` to check " +
-                  std::string(places.size() == 1 ? "it" : "them"));
+                  std::string(places.size() == 1 ? "it" : "them") +
+                  (is_standard_input ? "; or, if the URDF belongs into another folder, add "
+                                       "`--stdin-filename FOLDER/robot.urdf`"
+                                     : ""));
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -88,7 +94,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                               : "";
     }
   }
-  report_outside(outside, findings);
+  report_outside(outside, model.urdf_path == kStandardInput, findings);
 }
 
 constexpr Fact kFacts[] = {

@@ -74,7 +74,7 @@ void check_entries(const LinkedModel& model, const std::vector<T>& entries, std:
       odd->name.written ? odd->name.span : odd->span,
       subject(what, *odd) + " has no " + quoted(needed.key) + ", unlike " +
           (others == 1 ? "the other one" : "the " + std::to_string(others) + " others"));
-  diagnostic.label(place_to_add(mapping, needed.key), "add it after this");
+  diagnostic.label(place_to_add(mapping, needed.key), "add it after this key");
   diagnostic.note(std::string(needed.consequence));
 }
 

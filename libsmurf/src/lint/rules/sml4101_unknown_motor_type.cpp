@@ -18,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(motor.type.span, quoted(*motor.type) + " is not a motor type");
     diagnostic.note("MARS runs " + subject("motor", motor) + " as a position controller");
     diagnostic.help("known types: PID, DC, generic_bldc, generic_dc, direct_torque, direct_effort");
-    if (const auto near = nearest(*motor.type, kMotorTypes)) {
+    if (const auto near = only_nearest(*motor.type, kMotorTypes)) {
       diagnostic.help("did you mean " + quoted(*near) + "?");
       diagnostic.fixes.push_back(
           {Applicability::unsafe, {{within_quotes(model, motor.type.span), std::string(*near)}}});

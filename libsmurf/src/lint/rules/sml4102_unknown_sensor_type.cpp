@@ -24,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
       diagnostic.construct = "phobos-sensor";
       diagnostic.note("Phobos knows it");
       diagnostic.help(*sensor.type == "IMU" ? "the type of MARS is `NodeIMU`" : "");
-    } else if (const auto near = nearest(*sensor.type, kSensorTypes)) {
+    } else if (const auto near = only_nearest(*sensor.type, kSensorTypes)) {
       diagnostic.help("did you mean " + quoted(*near) + "?");
       diagnostic.fixes.push_back(
           {Applicability::unsafe, {{within_quotes(model, sensor.type.span), std::string(*near)}}});

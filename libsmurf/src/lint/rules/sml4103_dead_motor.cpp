@@ -31,7 +31,7 @@ void check_need(const LinkedModel& model, const Motor& motor, const Need& need,
   findings
       .report(place, subject("motor", motor) + " has no " + quoted(need.key) + " and " +
                          std::string(need.consequence))
-      .label(place_to_add(mapping, need.key), "add it after this");
+      .label(place_to_add(mapping, need.key), "add it after this key");
 }
 
 /// Models that are not meant for MARS have no gains at all; a gain of 0 was written on purpose.

@@ -22,7 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(sensor.type.span, subject("sensor", sensor) + " has no `link`");
     diagnostic.construct = *sensor.type;
-    diagnostic.label(place_to_add(mapping, "link"), "add it after this");
+    diagnostic.label(place_to_add(mapping, "link"), "add it after this key");
   }
 }
 

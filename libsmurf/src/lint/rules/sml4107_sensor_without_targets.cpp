@@ -28,7 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
         place, subject("sensor", sensor) + " names no " +
                    std::string(to_string(*sensor_target(*sensor.type))) + " to measure");
     if (!targets && !sensor.id.written) {
-      diagnostic.label(place_to_add(mapping, "id"), "add `id` after this");
+      diagnostic.label(place_to_add(mapping, "id"), "add `id` after this key");
     }
     if (!targets) continue;
     diagnostic.help("did you mean `id` instead of `targets`?");

@@ -18,7 +18,7 @@ void report_shape(yaml::View shape, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(shape.place(), quoted(shape.text()) + " is not a shape of a primitive");
   diagnostic.help("shapes are plane, box, sphere, cylinder and capsule");
-  if (const auto near = nearest(shape.text(), kShapes)) {
+  if (const auto near = only_nearest(shape.text(), kShapes)) {
     diagnostic.help("did you mean " + quoted(*near) + "?");
     diagnostic.fixes.push_back(
         {Applicability::unsafe, {{within_quotes(shape), std::string(*near)}}});

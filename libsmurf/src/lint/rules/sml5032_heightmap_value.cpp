@@ -55,7 +55,7 @@ void check_keys(const Entity& entity, yaml::View mapping, Findings& findings) {
       KeyRenames(mapping).offer(diagnostic.fixes, {mapping.document(), slip->node}, key);
     } else {
       findings.report(place_of(entity), title(entity) + " has no " + quoted(key))
-          .label(place_to_add(mapping, key), "add it after this");
+          .label(place_to_add(mapping, key), "add it after this key");
     }
   }
 }

@@ -24,7 +24,7 @@ void check(const LinkedScene& scene, Findings& findings) {
         findings.report(entity.parent.span, title(entity) + " is placed on " +
                                                 quoted(*entity.parent) + ", but not fixed to it");
     const yaml::View mapping = mapping_of(use.scene.file(use.around), entity);
-    diagnostic.label(place_to_add(mapping, "anchor"), "add `anchor` after this");
+    diagnostic.label(place_to_add(mapping, "anchor"), "add `anchor` after this key");
     diagnostic.help("add `anchor: parent`, or `anchor: none` if it should move freely");
   });
 }
