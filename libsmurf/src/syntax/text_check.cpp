@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/rules.hpp"
+#include "base/uncertain.hpp"
 #include "base/utf8.hpp"
 
 namespace smurf {
@@ -49,6 +50,12 @@ std::size_t find_control_character(std::string_view text, TextFormat format) {
   return text.size();
 }
 
+/// A text of NUL and blanks. What the readers of the text before it do is not known.
+bool is_padded(std::string_view text) {
+  using namespace std::string_view_literals;
+  return text.front() == '\0' && text.find_first_not_of("\0 \t\r\n"sv) == std::string_view::npos;
+}
+
 std::string hex(char c) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   const auto byte = static_cast<unsigned char>(c);
@@ -76,6 +83,8 @@ bool check_text(const SourceMap& sources, SourceId id, TextFormat format, Diagno
                                              " is not allowed in a text file");
     diagnostic.help("delete it");
     // Readers of XML stop only at a NUL.
+    if (format == TextFormat::xml && is_padded(text.substr(control)))
+      diagnostic.construct = kUncertain.substr(1);
     if (format == TextFormat::yaml || text.find('\0') != std::string_view::npos) return false;
     diagnostic.construct = "in-urdf";
   }

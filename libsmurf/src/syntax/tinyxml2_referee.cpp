@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "base/rules.hpp"
+#include "syntax/xml_lenient.hpp"
 #include "syntax/xml_references.hpp"
 
 namespace smurf {
@@ -71,8 +71,8 @@ void report_tinyxml_error(const tinyxml2::XMLDocument& parsed, const SourceMap& 
                           SourceId id, DiagnosticSink& sink) {
   const auto line = static_cast<std::uint32_t>(std::max(parsed.ErrorLineNum(), 1));
   const Span place = sources.line_span(id, std::min(line, sources.line_count(id)));
-  sink.report(rules::sml1001_xml_malformed, place,
-              std::string("tinyxml2 cannot read this line: ") + parsed.ErrorName());
+  report_malformed(place, std::string("tinyxml2 cannot read this line: ") + parsed.ErrorName(),
+                   "fault", sink);
 }
 
 }  // namespace
@@ -86,8 +86,8 @@ bool read_by_tinyxml2(xml::Document& document, const SourceMap& sources, Diagnos
     return false;
   }
   if (!Decoder(document, sources).decode(*parsed.RootElement())) {
-    sink.report(rules::sml1001_xml_malformed, {document.source, 0, 0},
-                "tinyxml2 reads a different structure");
+    report_malformed({document.source, 0, 0}, "tinyxml2 reads a different structure", "fault",
+                     sink);
     return false;
   }
   return true;

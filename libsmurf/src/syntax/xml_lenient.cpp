@@ -2,6 +2,7 @@
 #include "syntax/xml_lenient.hpp"
 
 #include <string>
+#include <utility>
 
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
@@ -26,6 +27,19 @@ std::optional<std::size_t> end_of_value_with_less_than(std::string_view text, st
   return is_closed ? std::optional(end) : std::nullopt;
 }
 
+Diagnostic& report_malformed(Span place, std::string message, const char* construct,
+                             DiagnosticSink& sink) {
+  Diagnostic& diagnostic = sink.report(rules::sml1001_xml_malformed, place, std::move(message));
+  diagnostic.construct = construct;
+  return diagnostic;
+}
+
+void report_second_root(Span place, std::string_view name, Span first, DiagnosticSink& sink) {
+  sink.report(rules::sml1006_xml_several_roots, place,
+              "a second root element " + quoted(name) + " begins after the first has ended")
+      .label(first, "the root element");
+}
+
 void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink) {
   sink.report(rules::sml1014_xml_missing_blank, place,
               "a space is missing before the attribute " + quoted(name))
@@ -44,6 +58,12 @@ void report_less_than(Span place, DiagnosticSink& sink) {
   sink.report(rules::sml1017_xml_less_than_in_value, place,
               "this `<` is in the value of an attribute")
       .fixes.push_back({Applicability::safe, {{place, "&lt;"}}});
+}
+
+void report_unknown_entity(Span place, std::string_view entity, DiagnosticSink& sink) {
+  sink.report(rules::sml1013_dtd_or_xinclude, place,
+              "URDF readers do not expand the entity `" + std::string(entity) + "`")
+      .help("write the text out");
 }
 
 void report_bare_ampersand(Span place, std::string_view text, DiagnosticSink& sink) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Malformed text and attributes that some readers accept.
+// Reports of malformed text and attributes, which some readers accept.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "smurf/diagnostic.hpp"
@@ -18,10 +19,15 @@ std::optional<std::size_t> end_of_bare_value(std::string_view text, std::size_t 
 std::optional<std::size_t> end_of_value_with_less_than(std::string_view text, std::size_t begin,
                                                        char quote);
 
+/// The construct says what readers make of the fault; see the facts of SML1001.
+Diagnostic& report_malformed(Span place, std::string message, const char* construct,
+                             DiagnosticSink& sink);
+void report_second_root(Span place, std::string_view name, Span first, DiagnosticSink& sink);
 /// Nothing separates the attribute from the one before it.
 void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink);
 void report_missing_quotes(Span value, std::string_view name, DiagnosticSink& sink);
 void report_less_than(Span place, DiagnosticSink& sink);
+void report_unknown_entity(Span place, std::string_view entity, DiagnosticSink& sink);
 /// `text` begins with the `&`.
 void report_bare_ampersand(Span place, std::string_view text, DiagnosticSink& sink);
 

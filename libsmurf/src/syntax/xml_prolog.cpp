@@ -10,6 +10,7 @@
 #include "base/words.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_bytes.hpp"
+#include "syntax/xml_lenient.hpp"
 
 namespace smurf {
 namespace {
@@ -129,7 +130,7 @@ std::optional<std::uint32_t> read_doctype(std::string_view text, Span start, Dia
     close = text.find('>', std::min(text.find(']', subset), text.size()));
   }
   if (close == std::string_view::npos) {
-    sink.report(rules::sml1001_xml_malformed, start, "this document type is never closed");
+    report_malformed(start, "this document type is never closed", "fault", sink);
     return std::nullopt;
   }
   if (first_close < close &&

@@ -62,10 +62,11 @@ class Scanner {
     at_ = at;
   }
 
-  Diagnostic& malformed(Span place, std::string message) {
+  Diagnostic& malformed(Span place, std::string message, const char* construct = "fault") {
     well_formed_ = false;
-    return sink_.report(rules::sml1001_xml_malformed, place, std::move(message));
+    return report_malformed(place, std::move(message), construct, sink_);
   }
+  bool is_behind() const { return tree_.depth() == 0 && !tree_.elements().empty(); }
 
   void too_much(const Rule& rule, Span place, std::string message, std::string_view limit) {
     well_formed_ = false;
@@ -92,10 +93,10 @@ class Scanner {
     declaration();
   }
 
-  void skip_section(std::string_view end, std::string_view message) {
+  void skip_section(std::string_view end, std::string_view message, const char* construct) {
     const std::size_t found = text_.find(end, at_ + 2);
     if (found == std::string_view::npos) {
-      malformed(span(at_, at_ + 2), std::string(message));
+      malformed(span(at_, at_ + 2), std::string(message), construct);
       return;
     }
     at_ = static_cast<std::uint32_t>(found + end.size());
@@ -103,7 +104,7 @@ class Scanner {
 
   void character_section() {
     const std::uint32_t begin = at_;
-    skip_section("]]>", "this CDATA section is never closed");
+    skip_section("]]>", "this CDATA section is never closed", "fault");
     if (!well_formed_) return;
     if (tree_.depth() == 0) {
       outside_of_root(span(begin, at_));
@@ -117,7 +118,8 @@ class Scanner {
     is_prolog_ = false;
     const std::size_t found = text_.find("-->", begin + 4);
     if (found == std::string_view::npos) {
-      malformed(span(begin, begin + 4), "this comment is never closed");
+      malformed(span(begin, begin + 4), "this comment is never closed",
+                is_behind() ? "comment-behind" : "fault");
       return;
     }
     at_ = static_cast<std::uint32_t>(found + 3);
@@ -153,16 +155,14 @@ class Scanner {
     is_prolog_ = false;
     at_ = static_cast<std::uint32_t>(close + 1);
     if (tree_.depth() > 0) tree_.add_declaration();
-    sink_
-        .report(rules::sml1001_xml_malformed, span(begin, begin + 2),
-                "`<!` does not begin a comment here")
-        .construct = "declaration";
+    report_malformed(span(begin, begin + 2), "`<!` does not begin a comment here", "declaration",
+                     sink_);
   }
 
   void instruction() {
     const std::uint32_t begin = at_;
     const bool is_declaration = looking_at("<?xml ");
-    skip_section("?>", "this processing instruction is never closed");
+    skip_section("?>", "this processing instruction is never closed", "instruction");
     if (well_formed_ && is_prolog_ && is_declaration && has_declaration_) {
       Diagnostic& diagnostic = sink_.report(rules::sml1005_xml_junk_before_prolog, span(begin, at_),
                                             "a second XML declaration");
@@ -182,7 +182,8 @@ class Scanner {
     }
     if (const auto place = find_unsound(text_.substr(begin, at_ - begin))) {
       const auto at = static_cast<std::uint32_t>(begin + *place);
-      malformed(span(at, at + 1), "this is not an attribute of the XML declaration")
+      malformed(span(at, at + 1), "this is not an attribute of the XML declaration",
+                "instruction-attribute")
           .help("write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`");
       return;
     }
@@ -197,7 +198,9 @@ class Scanner {
     const Span name = scan_name();
     skip_space();
     if (at_ >= size() || text_[at_] != '>') {
-      malformed(span(begin, std::max(at_, begin + 2)), "this end tag is not closed by `>`");
+      const bool has_attribute = at_ < size() && !name.empty() && is(text_[at_], name_start);
+      malformed(span(begin, std::max(at_, begin + 2)), "this end tag is not closed by `>`",
+                has_attribute ? "end-tag-attribute" : "fault");
       return;
     }
     ++at_;
@@ -256,12 +259,16 @@ class Scanner {
     element.name_begin = text_.data() + name.begin;
     element.name_size = name.end - name.begin;
     if (name.empty()) {
-      malformed(span(begin, begin + 1), "`<` does not begin an element here")
+      const bool is_blank = at_ < size() && is(text_[at_], blank);
+      malformed(span(begin, begin + 1), "`<` does not begin an element here",
+                is_blank ? "blank-tag" : "no-tag")
           .help("write `&lt;` for the character itself");
       return;
     }
     if (tree_.depth() == 0 && !tree_.elements().empty()) {
-      malformed_second_root(element.name_span());
+      well_formed_ = false;
+      report_second_root(element.name_span(), element.name(), tree_.elements().front().name_span(),
+                         sink_);
       return;
     }
     if (tree_.depth() >= limits_.xml_depth) {
@@ -280,14 +287,6 @@ class Scanner {
     tree_.open(element);
     if (has_prefix_) check_prefixes(element);
     if (is_closed) close_element();
-  }
-
-  void malformed_second_root(Span name) {
-    well_formed_ = false;
-    Diagnostic& diagnostic =
-        sink_.report(rules::sml1006_xml_several_roots, name,
-                     "a second root element " + quoted(name) + " begins after the first has ended");
-    diagnostic.label(tree_.elements().front().name_span(), "the root element");
   }
 
   bool attributes(const Element& element, bool& is_closed) {
@@ -320,7 +319,8 @@ class Scanner {
     const Span name = scan_name();
     if (name.empty()) {
       malformed(span(at_, at_ + 1),
-                "this character is not allowed in the start tag of " + quoted(element.name_span()));
+                "this character is not allowed in the start tag of " + quoted(element.name_span()),
+                looking_at("\f") || looking_at("\v") ? "control" : "fault");
       return false;
     }
     skip_space();
@@ -352,7 +352,10 @@ class Scanner {
     const std::uint32_t begin = at_;
     const auto end = end_of_bare_value(text_, begin);
     if (!end) {
-      malformed(name, "the value of the attribute " + quoted(name) + " has no quotes");
+      const bool is_typographic =
+          begin < size() && static_cast<unsigned char>(text_[begin]) >= 0x80;
+      malformed(name, "the value of the attribute " + quoted(name) + " has no quotes",
+                is_typographic ? "typographic-quotes" : "fault");
       return false;
     }
     at_ = static_cast<std::uint32_t>(*end);
@@ -438,17 +441,14 @@ class Scanner {
     if (reference.kind == XmlReference::Kind::none) {
       report_bare_ampersand(span(begin, begin + 1), text_.substr(begin), sink_);
     } else if (reference.kind == XmlReference::Kind::unknown_entity) {
-      sink_
-          .report(rules::sml1013_dtd_or_xinclude, span(begin, at_),
-                  "URDF readers do not expand the entity `" + std::string(slice(span(begin, at_))) +
-                      "`")
-          .help("write the text out");
+      report_unknown_entity(span(begin, at_), slice(span(begin, at_)), sink_);
     }
   }
 
   void outside_of_root(Span text) {
-    malformed(text, tree_.elements().empty() ? "text before the root element"
-                                             : "text after the root element");
+    const bool is_before = tree_.elements().empty();
+    malformed(text, is_before ? "text before the root element" : "text after the root element",
+              is_before && has_declaration_ ? "text-behind-declaration" : "fault");
   }
 
   void character_data() {

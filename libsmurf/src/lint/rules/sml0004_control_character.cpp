@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "base/rules.hpp"
+#include "base/uncertain.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -8,6 +9,8 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::takes, "keeps the byte inside names and values",
      "urdfdom, sdformat, DART, MuJoCo, run", "#in-urdf"},
+    {&readers::urdf, Effect::refuses, "refuses the file, or reads no further than the NUL",
+     "urdfdom, sdformat, DART, MuJoCo, run", kUncertain},
     {&readers::urdf, Effect::refuses, "refuses the file, or reads no further", "urdfdom, run"},
     {&readers::mars, Effect::changes, "keeps the byte inside names and values",
      "yaml-cpp 0.7, run"},

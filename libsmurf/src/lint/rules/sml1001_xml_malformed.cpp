@@ -5,14 +5,29 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kRefuses = "refuses the file";
+
 constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, run"},
     {&readers::urdf, Effect::takes, "skips the declaration", "urdfdom, sdformat, MuJoCo, run",
      "#declaration"},
     {&readers::urdf, Effect::takes, "reads no further", "urdfdom, sdformat, MuJoCo, run",
      "#end-tag-behind"},
-    {&readers::urdf, Effect::refuses, "refuses the file, or reads no further than the fault",
-     "urdfdom, sdformat, MuJoCo, run"},
+    // TinyXML, which urdfdom uses, and tinyxml2 read on after different faults. What they make of
+    // the rest is not known: there is no fact for those readers.
+    {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, sdformat, MuJoCo, run",
+     "#fault"},
+    {&readers::gazebo, Effect::refuses, kRefuses, kRun, "#no-tag"},
+    {&readers::gazebo, Effect::refuses, kRefuses, kRun, "#comment-behind"},
+    {&readers::gazebo, Effect::refuses, kRefuses, kRun, "#instruction"},
+    {&readers::gazebo, Effect::refuses, kRefuses, kRun, "#text-behind-declaration"},
+    {&readers::mujoco, Effect::refuses, kRefuses, kRun, "#no-tag"},
+    {&readers::mujoco, Effect::refuses, kRefuses, kRun, "#comment-behind"},
+    {&readers::mujoco, Effect::refuses, kRefuses, kRun, "#instruction"},
+    {&readers::mujoco, Effect::refuses, kRefuses, kRun, "#typographic-quotes"},
+    {&readers::urdfdom, Effect::refuses, kRefuses, kRun, "#text-behind-declaration"},
+    {&readers::ros, Effect::refuses, kRefuses, "urdfdom 3.0.1, run", "#end-tag-attribute"},
+    {&readers::dart, Effect::refuses, kRefuses, kRun, "#end-tag-attribute"},
 };
 
 }  // namespace

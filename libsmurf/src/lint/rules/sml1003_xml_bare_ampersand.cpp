@@ -6,6 +6,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::takes, "reads on", kRun, "#character"},
     {&readers::urdfdom, Effect::refuses, "refuses the file", kRun, "#character"},
     {&readers::dart, Effect::refuses, "refuses the file", kRun, "#character"},
     {&readers::urdf, Effect::takes, "reads on", "urdfdom, sdformat, MuJoCo and Bullet, run"},
