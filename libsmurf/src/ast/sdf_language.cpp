@@ -142,7 +142,7 @@ constexpr Element kElements[] = {
      "cfm_damping:b implicit_spring_damper:b fudge_factor:d cfm:d erp:d bounce:d max_force:d "
      "velocity:d limit@soft-stop suspension@soft-stop"},
     {"soft-stop", "", "!cfm:d !erp:d"},
-    {"gripper", "!name:s", "grasp_check@grasp_check !gripper_link:s !palm_link:s"},
+    {"gripper", "!name:s", "grasp_check@grasp_check gripper_link:s !palm_link:s"},
     {"grasp_check", "", "detach_steps:i attach_steps:i min_contact_count:u"},
     {"include", "merge:b", "!uri:s pose:p@pose plugin@plugin static:b"},
 };

@@ -148,7 +148,8 @@ class Checker {
   template <class Words>
   void text(xml::View parent, std::string_view name, const Words& known, std::string_view what) {
     const xml::View child = parent.child(name);
-    if (child) word(place_of(child), trimmed_text(child.text()), known, what);
+    const std::string_view text = child ? trimmed_text(child.text()) : std::string_view();
+    if (!text.empty()) word(place_of(child), text, known, what);  // an empty one is the default
   }
 
   void meaning(xml::View element, std::string_view kind) {
