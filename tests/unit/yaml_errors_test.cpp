@@ -39,7 +39,7 @@ TEST_CASE("yaml: syntax errors stand at their cause") {
   check({
       {"a: b: c\n", {"SML0010 1:5 [:]"}},
       {"- name elbow\n  joint: elbow\n", {"SML0010 1:3 [name elbow]"}},
-      {"a:\n  name elbow  # c\n  joint: elbow\n", {"SML0010 2:3 [name elbow]"}},
+      {"a:\n  name elbow\n  joint: elbow\n", {"SML0010 2:3 [name elbow]"}},
       {"name\njoint: elbow\n", {"SML0010 1:1 [name]"}},
       {"- name elbow\n   joint: elbow\n", {"SML0010 2:9 [:]"}},
       {"a:\n\tb: 1\n", {"SML0010 2:1 [\\t]"}},

@@ -111,7 +111,8 @@ struct Search {
   int limit() const { return finds_ties && !is_tied ? best : best - 1; }
 
   void add(std::string_view candidate, int distance) {
-    if (candidate == nearest) return;  // some lists repeat names
+    const bool is_repeated = nearest.data() != nullptr && candidate == nearest;
+    if (is_repeated) return;  // some lists have a name twice
     is_tied = distance == best;
     if (distance < best) nearest = candidate;
     best = distance;

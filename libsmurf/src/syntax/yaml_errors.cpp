@@ -79,7 +79,7 @@ Span key_without_colon(std::string_view text, std::uint32_t at, SourceId id) {
   if (line < 2) return {};
   const std::size_t before = text.rfind('\n', line - 2) + 1;
   const std::size_t begin = text.find_first_not_of(" -", before);
-  std::size_t end = std::min(text.find(" #", before), line - 1);
+  std::size_t end = line - 1;
   while (end > before && (text[end - 1] == ' ' || text[end - 1] == '\r')) --end;
   if (begin >= end) return {};
   const std::string_view words = text.substr(begin, end - begin);
