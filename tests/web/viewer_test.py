@@ -120,6 +120,13 @@ class SafetyTest(viewer.ViewerTest):
         self.assertEqual(results[6], [None, 0, 2, 0])
         self.assertEqual(results[8], "__proto__")
 
+    def test_marks_that_reorder_text_are_visible(self):
+        self.write("robot.urdf", CHAIN.replace('"a"', '"ab\u202ecd"'))
+        results = self.browse({"page": self.page("robot.urdf"), "steps": [
+            "smurfViewer.select(0, 0)", "document.body.innerText"]})[0]["results"]
+        self.assertIn("ab\\u202ecd", results[1])
+        self.assertNotIn("\u202e", results[1])
+
     def test_nothing_else_runs_and_nothing_is_fetched(self):
         self.check_nothing_else_runs(self.page(ARM))
 

@@ -72,8 +72,16 @@ function orderOf(entities) {
   return order;
 }
 
+/** Marks that reorder the text after them, so that a name looks like another one; as such or as an escape of JSON. */
+const kReordering = /\p{Bidi_Control}|\\u(?:061c|200[ef]|202[a-e]|206[6-9])/iu;
+
+const withVisibleMarks = (key, value) =>
+  typeof value === "string"
+    ? value.replace(/\p{Bidi_Control}/gu, (mark) => `\\u${mark.codePointAt(0).toString(16).padStart(4, "0")}`)
+    : value;
+
 export function readScene(text) {
-  const scene = JSON.parse(text);
+  const scene = JSON.parse(text, kReordering.test(text) ? withVisibleMarks : undefined);
   for (const model of scene.models) {
     model.links.forEach((link, index) => (link.name ??= `link ${index + 1}, without name`));
     model.joints.forEach((joint, index) => {
