@@ -12,7 +12,6 @@
 #include "base/path.hpp"
 #include "base/path_patterns.hpp"
 #include "base/places.hpp"
-#include "base/words.hpp"
 #include "common/discover.hpp"
 #include "common/ignore_files.hpp"
 #include "common/input.hpp"
@@ -234,7 +233,9 @@ class Planner {
 
   void add_named(const std::string& path) {
     if (const auto reason = why_unreadable(path, files_)) {
-      const bool is_word = is_one_of(path, {"check", "lint", "fix", "format", "run", "help"});
+      constexpr std::array<std::string_view, 6> kWords = {"check",  "lint", "fix",
+                                                          "format", "run",  "help"};
+      const bool is_word = std::find(kWords.begin(), kWords.end(), path) != kWords.end();
       fail("cannot read '" + path + "': " + *reason +
            (is_word ? "; smurf-lint has no subcommands, see --help" : ""));
     } else if (!is_left_out_by_force(path)) {

@@ -5,7 +5,6 @@
 #include "base/counted.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
-#include "base/ranges.hpp"
 #include "base/rules.hpp"
 #include "common/converter.hpp"
 #include "common/file_set.hpp"
@@ -219,7 +218,7 @@ FlattenOptions flatten_options(const Options& options, const std::string& curren
 std::string other_instances(const std::string& name, std::span<const std::string_view> known) {
   constexpr std::size_t kMost = 8;
   const std::string instance = name.substr(0, name.find("::"));
-  if (instance != name && ranges::contains(known, instance)) {
+  if (instance != name && std::find(known.begin(), known.end(), instance) != known.end()) {
     return "; name the instance alone, without a link: '" + instance + "'";
   }
   const std::string meant = did_you_mean(name, known);
