@@ -78,13 +78,13 @@ class CliTest(unittest.TestCase):
 
     def expect(self, code, *arguments, **keywords):
         """Runs and checks the exit code (None: 0 or 1); with 0 and 1, standard error contains only the messages of
-        converters."""
+        converters, which continue indented."""
         done = self.run_tool(*arguments, **keywords)
         self.assertIn(done.returncode, (0, 1) if code is None else (code,),
                       f"{arguments}\nstdout:\n{done.stdout}\nstderr:\n{done.stderr}")
         if code != 2:
             wrote = f"{pathlib.Path(TOOL).name}: wrote "
-            self.assertEqual([line for line in done.stderr.splitlines() if not line.startswith(wrote)], [])
+            self.assertEqual([line for line in done.stderr.splitlines() if not line.startswith((wrote, "  "))], [])
         return done
 
     def expect_complaint(self, text, *arguments, **keywords):

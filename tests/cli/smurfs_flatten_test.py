@@ -202,12 +202,15 @@ class Output(FlattenTest):
         self.assertEqual(self.run_tool("scene.smurfs", "-o", "flat.json", "--quiet").stderr, "")
         self.assertEqual(self.run_tool("scene.smurfs").stderr, "")
 
-    def test_an_empty_scene_is_refused(self):
+    def test_a_scene_with_misspelt_entities_is_refused(self):
         self.write("empty.smurfs", "entites:\n- {name: A, file: models/box.urdf}\n")
         done = self.run_tool("empty.smurfs", "-o", "e.sdf", "-q")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
-        self.assertIn("'empty.smurfs' has no entities; see --force; nothing was written", done.stderr)
+        self.assertIn("'empty.smurfs' has no `entities`; see --force; nothing was written", done.stderr)
         self.assertEqual(self.run_tool("empty.smurfs", "-o", "e.sdf", "--force").returncode, 0)
+        for text in ("entities: []", "physics: {gravity: {x: 0, y: 0, z: -1}}"):
+            self.write("empty.smurfs", text)
+            self.assertEqual(self.run_tool("empty.smurfs", "-o", "e.sdf", "-q").returncode, 0)
 
     def test_a_floor_on_request(self):
         self.write("free.smurfs", "entities:\n- {name: A, file: models/box.urdf}\n")

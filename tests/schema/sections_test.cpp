@@ -49,7 +49,7 @@ TEST_CASE("messages say what is written and what to write") {
   CHECK(first_finding("jointIndex2: 1.5").message ==
         "`jointIndex2` must be a whole number, not `1.5`");
   CHECK(first_finding("jointIndex2: 10.0").message == "");
-  CHECK(first_finding("maxeffort_approximation: polynom6").help == "did you mean `polynom2`?");
+  CHECK(first_finding("maxeffort_approximation: polynom22").help == "did you mean `polynom2`?");
   CHECK(first_finding("name: ~").message == "");
 }
 

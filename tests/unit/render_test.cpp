@@ -140,7 +140,7 @@ Sources
   }
   const std::vector<const Rule*> rules{&kOtherRule, &kRule};
   CHECK(render_rule_list(rules, {}) ==
-        "SML0011  warning  duplicate-key: \n"
+        "SML0011  warning  duplicate-key:\n"
         "SML3101  error    unknown-joint: A name is not that of a joint.\n");
   const auto list = nlohmann::json::parse(render_rule_list_json(rules));
   CHECK(list.size() == 2);

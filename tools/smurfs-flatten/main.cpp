@@ -419,6 +419,14 @@ bool write_result(const SceneFormat& format, const Options& options, const std::
   return write_files(kTool, {named_by_user(beside, content), named_by_user(output, text)}, true);
 }
 
+/// Whether an unknown key may be a misspelt `entities`. Scenes can be empty on purpose.
+bool lacks_entities(const LinkedScene& scene) {
+  const SceneFile& file = scene.scenes.front();
+  if (!scene.instances.empty() || file.scene.extra.empty() || !file.document) return false;
+  const yaml::View root = file.document->view();
+  return !root.find("entities") && !root.find("smurfs") && !root.find("smurfa");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -469,8 +477,8 @@ int main(int argc, char** argv) {
   if (!options.explained.empty()) {
     return explain_instance(loaded->scene, sources, options);
   }
-  if (loaded->scene.instances.empty() && !options.compare_dialects && !options.common.force) {
-    return conversion.refuse("has no entities; see --force");
+  if (lacks_entities(loaded->scene) && !options.compare_dialects && !options.common.force) {
+    return conversion.refuse("has no `entities`; see --force");
   }
   if (!write_losses(options, conversion.findings(), sources)) return kFailed;
   if (!result.is_complete && options.strict) return conversion.refuse("has losses");

@@ -17,6 +17,9 @@
 namespace smurf {
 namespace {
 
+/// With more unknown names than this, they are no slips, and looking for unused names for each of
+/// them would take too long.
+constexpr std::size_t kMostSlips = 200;
 constexpr NameKind kKinds[] = {NameKind::link,      NameKind::joint,    NameKind::visual,
                                NameKind::collision, NameKind::material, NameKind::motor,
                                NameKind::sensor};
@@ -95,7 +98,7 @@ Guess guess_name(std::string_view name, std::span<const std::string_view> all,
     return near && !differ_only_in_digits(name, *near) ? *near : std::string_view();
   };
   const std::string_view nearest = among(all);
-  if (!unused) return {nearest, {}};
+  if (!unused || findings.doubtful_references().size() > kMostSlips) return {nearest, {}};
   const UnusedNames likely = unused();
   std::string_view meant = among(likely.names);
   if (meant.empty() && ranges::contains(likely.names, likely.own)) meant = likely.own;
