@@ -13,7 +13,7 @@ struct Verification {
   bool tinyxml2_accepts = false;
   RefereeVerdict urdfdom;
   std::size_t links = 0, joints = 0;  ///< of the result
-  std::string problem;  ///< why the result must not be written; empty if it may be
+  std::string problem;                ///< why the result must not be written; empty if it may be
 
   bool holds() const { return problem.empty(); }
 };

@@ -102,9 +102,9 @@ int distance_of(std::string_view a, std::string_view b, int limit, std::uint64_t
 
 /// The search for the nearest of many names.
 struct Search {
-  int best;                  ///< distance of the nearest name so far
-  bool is_tied = false;      ///< whether two names have this distance
-  bool finds_ties = false;   ///< otherwise equally near names are not compared
+  int best;                       ///< distance of the nearest name so far
+  bool is_tied = false;           ///< whether two names have this distance
+  bool finds_ties = false;        ///< otherwise equally near names are not compared
   std::string_view nearest = {};  ///< the first of them
 
   /// The largest distance that still changes the result.

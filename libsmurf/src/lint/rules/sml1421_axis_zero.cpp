@@ -14,7 +14,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!joint.axis || !joint.is_movable()) return;
     const Vector3& axis = *joint.axis;
     if (hypotenuse(axis[0], axis[1], axis[2]) >= kShortest) return;
-    findings.report(joint.axis.span, "the axis of " + title(joint) + " is zero, so it has no direction");
+    findings.report(joint.axis.span,
+                    "the axis of " + title(joint) + " is zero, so it has no direction");
   });
 }
 
