@@ -60,9 +60,9 @@ struct UrdfExport {
 };
 
 /// The model's URDF, byte for byte except for relative mesh and texture paths that would not
-/// resolve from the output folder, and for the changes that the options request. Reports ambiguous
-/// values (SML8003). Preconditions: model.robot is set; with a base, the tree has one root and no
-/// link is called `world`.
+/// resolve from the output folder, for characters that strict readers of XML refuse, and for the
+/// changes that the options request. Reports ambiguous values (SML8003). Preconditions: model.robot
+/// is set; with a base, the tree has one root and no link is called `world`.
 std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
                         const UrdfExport& options, DiagnosticSink& sink);
 
