@@ -128,7 +128,7 @@ bool is_sound(const Sums& sums) {
   if (!about_center.allFinite()) return false;
   const double tolerance = 10 * std::numeric_limits<double>::epsilon() * about_center.trace() / 2;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(about_center, Eigen::EigenvaluesOnly);
-  const Eigen::Vector3d moments = solver.eigenvalues();
+  const Eigen::Vector3d& moments = solver.eigenvalues();
   return moments[0] >= -tolerance && moments[0] + moments[1] >= moments[2] - tolerance;
 }
 
