@@ -89,7 +89,7 @@ TEST_CASE("any text survives, XML with odd line breaks too") {
 }
 
 TEST_CASE("keys may be longer than YAML allows before a colon") {
-  for (const std::string key :
+  for (const std::string& key :
        {std::string(3000, 'n'), std::string(999, 'n'), std::string(1100, ':')}) {
     CAPTURE(key.size());
     CHECK(read_back(text_value(key, "x")) == "x");
