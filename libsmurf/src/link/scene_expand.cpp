@@ -447,7 +447,7 @@ std::optional<std::string_view> type_meant(const LinkedScene& scene, std::string
     const std::vector<std::string_view> own = scene.schemas->entity_types();
     known.insert(known.end(), own.begin(), own.end());
   }
-  return only_nearest(type, known);
+  return nearest(type, known);
 }
 
 bool is_old_scene(std::string_view type) {
