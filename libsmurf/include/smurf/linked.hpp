@@ -79,8 +79,10 @@ struct MeshReference {
   bool exists = false;  ///< also true outside of the project, where files are not looked up
   /// If there is no file at `path`: a file whose path differs only in case or in `/` for `\`.
   std::string similar;
-  /// If that file does not exist either: the name of a file beside `path` with a similar name.
-  std::string near_name;
+  /// If that file does not exist either: a path that was probably meant, as it would be written. It
+  /// leads to a file with a similar name in the same folder, or to the file that the path leads to
+  /// from a folder above the URDF.
+  std::string meant;
   const MeshFile* file = nullptr;  ///< facts about the mesh at `path`; null if it was not opened
 
   /// The file that MARS opens: the .bobj of this mesh where there is one (smurf.cpp:1070-1111).

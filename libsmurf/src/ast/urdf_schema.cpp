@@ -51,11 +51,13 @@ constexpr AttributeSpec kLinkAttributes[] = {
     {"name", true, "Name of the link; joints, motors and sensors refer to it, so it is unique."},
     {"type", false, "From old files; readers ignore it."}};
 constexpr ChildSpec kLinkChildren[] = {{"inertial", true}, {"visual"}, {"collision"}};
-constexpr std::string_view kLinkExtensions[] = {
-    "contact",     "collision_checking", "audio_source", "self_collision_checking",
-    "sensor",      "velocity_decay",     "kinematic",    "selfCollide",
-    "gravity",     "inertia_from_file",  "bullet",       "self_filter",
-    "drake_ignore"};
+constexpr std::string_view kLinkExtensions[] = {"contact",      "collision_checking",
+                                                "audio_source", "self_collision_checking",
+                                                "sensor",       "velocity_decay",
+                                                "kinematic",    "selfCollide",
+                                                "gravity",      "inertia_from_file",
+                                                "bullet",       "self_filter",
+                                                "drake_ignore", "fem"};
 
 constexpr ChildSpec kInertialChildren[] = {
     {"origin", true}, {"mass", true, true}, {"inertia", true, true}};
@@ -80,8 +82,8 @@ constexpr ChildSpec kVisualChildren[] = {
 constexpr AttributeSpec kCollisionAttributes[] = {{"name", false, "Name of the collision."}};
 constexpr ChildSpec kCollisionChildren[] = {{"origin", true}, {"geometry", true, true}};
 constexpr std::string_view kCollisionExtensions[] = {
-    "group",        "mask",   "concave",         "verbose", "material", "contact_coefficients",
-    "max_contacts", "bullet", "drake_compliance"};
+    "group",        "mask",   "concave",          "verbose", "material", "contact_coefficients",
+    "max_contacts", "bullet", "drake_compliance", "sdf"};
 
 constexpr ChildSpec kGeometryChildren[] = {
     {"box"}, {"sphere"}, {"cylinder"}, {"capsule"}, {"mesh"}};

@@ -34,7 +34,7 @@ class Resolver {
         !is_found && !reference.path.empty() && context_.files.is_denied(reference.path);
     reference.exists = is_found || is_denied;
     if (!reference.exists) reference.similar = find_similar(reference);
-    if (!reference.exists && reference.similar.empty()) reference.near_name = find_near(reference);
+    if (!reference.exists && reference.similar.empty()) reference.meant = find_meant(reference);
     if (has_main_ && !filename->empty() && !is_address(*filename)) see_as_mars(reference);
     if (context_.meshes == nullptr || (is_texture && !is_denied)) return reference;
     if (reference.exists) reference.file = open(reference.path);
@@ -78,14 +78,32 @@ class Resolver {
   }
 
   /// Only for the first missing files, because a robot may name a hundred thousand.
-  std::string find_near(const MeshReference& reference) {
+  std::string find_meant(const MeshReference& reference) {
     constexpr int kMostSought = 20;
     if (reference.path.empty() || sought_ == kMostSought) return {};
     ++sought_;
+    std::string from_above = find_from_above(reference.filename);
+    if (!from_above.empty()) return from_above;
+    const std::string_view name = path::file_name(reference.filename);
+    const std::string folder =
+        reference.filename.substr(0, reference.filename.size() - name.size());
     const auto near =
-        similar_name(path::file_name(reference.path),
-                     index_.list(std::string(path::parent(reference.path))), fits_everywhere);
-    return near.value_or("");
+        similar_name(name, index_.list(std::string(path::parent(reference.path))), fits_everywhere);
+    return near ? folder + *near : std::string();
+  }
+
+  /// Bullet and Isaac Gym also look in folders above the URDF, so that their files name meshes from
+  /// there.
+  std::string find_from_above(const std::string& filename) {
+    constexpr int kMostAbove = 4;
+    if (is_address(filename) || path::is_absolute(filename)) return {};
+    std::string folder = urdf_folder_;
+    for (int level = 0; level < kMostAbove; ++level) {
+      folder = path::join(folder, "..");
+      const std::string there = path::join(folder, filename);
+      if (index_.exists(there)) return path::relative(there, urdf_folder_);
+    }
+    return {};
   }
 
   void see_as_mars(MeshReference& reference) {

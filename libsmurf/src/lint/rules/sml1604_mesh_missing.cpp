@@ -27,16 +27,16 @@ void report_package(const std::vector<const MeshReference*>& uses, std::string_v
   diagnostic.help("name its folder: `--package " + name + "=DIR`");
 }
 
-/// Suggests a file with a similar name in all places that name the missing one.
+/// Suggests another file in all places that name the missing one.
 void suggest(const MeshReference& mesh, const LinkedModel& model, Diagnostic& diagnostic) {
-  diagnostic.help("did you mean " + quoted(mesh.near_name) + "?");
+  const bool is_beside = path::parent(mesh.meant) == path::parent(mesh.filename);
+  diagnostic.help("did you mean " + quoted(is_beside ? path::file_name(mesh.meant) : mesh.meant) +
+                  "?");
   PathUses uses{mesh.filename, {}};
   for (const MeshReference& other : model.meshes) {
     if (other.filename == mesh.filename) uses.references.push_back(&other);
   }
-  const std::size_t folder = mesh.filename.size() - path::file_name(mesh.filename).size();
-  diagnostic.fixes.push_back(
-      rewrite(uses, mesh.filename.substr(0, folder) + mesh.near_name, Applicability::unsafe));
+  diagnostic.fixes.push_back(rewrite(uses, mesh.meant, Applicability::unsafe));
 }
 
 void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_t lost_beside,
@@ -63,7 +63,7 @@ void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_
                         ? "add the mesh itself; only MARS reads .bobj"
                         : "keep the URDF and the .smurf in folders side by side");
   }
-  if (!mesh.near_name.empty()) suggest(mesh, model, diagnostic);
+  if (!mesh.meant.empty()) suggest(mesh, model, diagnostic);
   if (mesh.is_texture) diagnostic.severity = Severity::warning;
 }
 
