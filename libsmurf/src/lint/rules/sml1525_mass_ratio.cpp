@@ -38,8 +38,7 @@ extern constinit const Rule sml1525_mass_ratio{
     .name = "mass-ratio",
     .severity = Severity::info,
     .summary = "A link is a thousand times heavier or lighter than the link it carries.",
-    .why = "The iterative solvers of ODE (MARS, Gazebo) and Bullet converge slowly at such ratios: "
-           "joints drift apart.",
+    .why = "Iterative solvers converge slowly at such ratios: joints drift apart.",
     .remedy =
         "Check the units of both masses; small parts can be merged into the link that they are "
         "fixed to.",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include <array>
 #include <cmath>
 #include <map>
@@ -35,6 +36,10 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "shows the colour of the annotation", "MARS smurf.cpp:333-352"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3221_material_color_disagrees{
@@ -42,9 +47,9 @@ extern constinit const Rule sml3221_material_color_disagrees{
     .name = "material-color-disagrees",
     .severity = Severity::info,
     .summary = "A material has another colour in the annotation than in the URDF.",
-    .why = "MARS shows the colour of the annotation, readers of the URDF that of the URDF.",
+    .why = "Readers of the URDF alone show the colour of the URDF.",
     .remedy = "Make the two agree, if the robot should look the same everywhere.",
-    .sources = "MARS smurf.cpp:333-352.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

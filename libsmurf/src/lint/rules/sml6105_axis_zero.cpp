@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "base/rules.hpp"
 
 namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::refuses, "stops loading at the joint", "MARS JointManager.cpp:82-85"},
+};
+
+}  // namespace
 
 extern constinit const Rule sml6105_axis_zero{.id = "SML6105",
                                               .name = "ode-axis-zero",
                                               .severity = Severity::error,
                                               .summary = "A universal joint has no second axis.",
-                                              .why = "MARS stops loading at such a joint.",
                                               .remedy = "Write `axis2` beside `axis`.",
-                                              .sources = "MARS JointManager.cpp:82-85.",
+                                              .facts = kFacts,
                                               .reported_by = Tool::load_check};
 
 }  // namespace smurf::rules

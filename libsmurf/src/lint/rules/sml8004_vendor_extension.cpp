@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "base/rules.hpp"
 
 namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::loses, "misses what its extensions add", "sdformat parser_urdf.cc"},
+};
+
+}  // namespace
 
 extern constinit const Rule sml8004_vendor_extension{
     .id = "SML8004",
     .name = "vendor-extension",
     .severity = Severity::info,
     .summary = "An extension of the URDF is left out of the export.",
-    .why = "Programs that read the extension, Gazebo or ros2_control for example, miss it.",
+    .why = "Programs that read the extension miss it, ros2_control for example.",
     .remedy = "Export with `--vendor keep`.",
-    .sources = "sdformat parser_urdf.cc; ros2_control hardware_interface.",
+    .facts = kFacts,
     .reported_by = Tool::converters};
 
 }  // namespace smurf::rules
