@@ -7,6 +7,7 @@
 
 #include "base/edits.hpp"
 #include "base/path.hpp"
+#include "base/suggest.hpp"
 #include "link/packages.hpp"
 #include "link/read_file.hpp"
 
@@ -89,7 +90,8 @@ class Resolver {
         reference.filename.substr(0, reference.filename.size() - name.size());
     const auto near =
         similar_name(name, index_.list(std::string(path::parent(reference.path))), fits_everywhere);
-    return near ? folder + *near : std::string();
+    // `bolt_m8.obj` for `bolt_m4.obj` is another part.
+    return near && !differ_only_in_digits(name, *near) ? folder + *near : std::string();
   }
 
   /// Bullet and Isaac Gym also look in folders above the URDF, so that their files name meshes from
