@@ -139,6 +139,22 @@ TEST_CASE("resources: a mesh above the limit is not read") {
   CHECK(model.meshes[0].file->status == ReadStatus::too_large);
 }
 
+TEST_CASE("resources: a mesh that exists from a folder above is suggested") {
+  test::Loaded loaded;
+  loaded.files.add("assets/arm/r.urdf",
+                   "<robot name='r'><link name='a'><visual><geometry><mesh filename='arm/m/a.stl'/>"
+                   "</geometry></visual></link></robot>");
+  loaded.files.add("assets/arm/m/a.stl", "solid a\nendsolid a\n");
+  loaded.load("assets/arm/r.urdf");
+  bool is_found = false;
+  for (const Diagnostic& diagnostic : loaded.diagnostics) {
+    if (diagnostic.rule->id != "SML1604") continue;
+    is_found = true;
+    CHECK(diagnostic.help_text == "did you mean `m/a.stl`?");
+  }
+  CHECK(is_found);
+}
+
 TEST_CASE("resources: an STL too large for MuJoCo") {
   constexpr std::uint32_t kTriangles = 200001;
   std::string bytes(84 + std::size_t{kTriangles} * 50, '\0');
