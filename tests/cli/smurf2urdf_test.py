@@ -255,7 +255,7 @@ class Refusal(ExportTest):
         robot, other = '<robot name="r"><link name="b"/>{}</robot>', '<robot name="r">{}<link name="b"/></robot>'
         declaration = '<?xml version="1.0" encoding="UTF-8"?>'
         for text, xml in ((robot.format("<!-- a -- b -->"), robot.format("<!-- a - - b -->")),
-                          (robot.format("<!------ a --->"), robot.format("<!--- - a - -->")),
+                          (robot.format("<!------ a --->"), robot.format("<!--- - - - a - -->")),
                           (robot.format("<!-- & <!-- ]]> -->"), robot.format("<!-- & <!- - ]]> -->")),
                           ("<!----->" + other.format("<!---->"), "<!--- -->" + other.format("<!---->")),
                           ('\n <?xml version="1.0"?>' + other, '<?xml version="1.0"?>' + other),
@@ -278,7 +278,7 @@ class Refusal(ExportTest):
     def test_what_is_xml_for_all_stays(self):
         robot = '<robot name="r\u00e9"><link name="b"/><!-- - a - b- --><x><![CDATA[--&]]></x><!----></robot>'
         for prolog in ("<?xml version='1.1' encoding='utf-8' standalone = 'yes' ?>", '<?xml version="1.0"\n?><?x --&?>',
-                       '<!DOCTYPE robot><!-- \u00e9 -->', '<?xml version="1.0" encoding="ISO-8859-15"?>', "<?xml-a b?>"):
+                       '<!DOCTYPE robot><!-- \u00e9 -->', '<?xml version="1.0" encoding="ISO-8859-15"?>', "<?x-a b?>"):
             self.write("a.urdf", prolog + robot)
             self.assertEqual(self.run_with_messages(0, "a.urdf").stdout, prolog + robot)
 

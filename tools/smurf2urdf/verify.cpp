@@ -3,7 +3,6 @@
 
 #include "base/numbers.hpp"
 #include "smurf/load.hpp"
-#include "syntax/strict_xml.hpp"
 #include "syntax/tinyxml2_referee.hpp"
 
 namespace smurf::tools {
@@ -49,7 +48,7 @@ Verification verify(const LinkedModel& model, const SourceMap& sources, const st
     verification.problem = "tinyxml2: " + plain.sink.diagnostics().back().message;
     return verification;
   }
-  verification.strict_fault = why_strict_readers_refuse(result.robot->document, urdf);
+  verification.strict_fault = why_strict_readers_refuse(result, urdf);
   if (options.apply.mimic) {
     Plain source(sources.text(model.robot->document.source));
     source.forget_mimics();

@@ -140,4 +140,8 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
   return strict_xml_file(steps.text());
 }
 
+std::string why_strict_readers_refuse(const LinkedModel& result, std::string_view urdf) {
+  return why_strict_readers_refuse(result.robot->document, urdf);
+}
+
 }  // namespace smurf
