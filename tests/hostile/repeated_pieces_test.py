@@ -38,6 +38,8 @@ VALUES = {
     "patternProperties: {'^.*z$': {type: string}}": "{? " + "a" * 30000 + " : 1}",
     "items: {oneOf: [" + ",".join(f"{{const: {i}}}" for i in range(200)) + "]}": "[" + "[[]]," * 60000 + "]",
     "items: {enum: [" + ",".join(map(str, range(50000))) + "]}": "[" + ",".join(f"a{i}" for i in range(60000)) + "]",
+    "items: {anyOf: [" + ",".join(f"{{properties: {{a{i}: {{type: string}}}}, required: [b{i}]}}" for i in range(150)) + "]}":
+        "[" + "".join(f"{{a{i}: 1}}," for i in range(90000)) + "]",
     "required: [" + ",".join(f"a{i}" for i in range(60000)) + "]":
         "{" + ",".join(f"b{i}: 1" for i in range(60000)) + "}",
     "uniqueItems: true": "[" + "1," * 100000 + "]",
