@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import unittest
+import xml.parsers.expat as expat
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
@@ -249,6 +250,50 @@ class Refusal(ExportTest):
             self.assertEqual(self.run_with_messages(0, "a.urdf").stdout, xml)
             self.assertEqual(self.run_with_messages(0, "--prefix", "p_", "a.urdf").stdout,
                              xml.replace('link name="', 'link name="p_'))
+
+    def test_comments_and_declarations_become_xml_for_all(self):
+        robot, other = '<robot name="r"><link name="b"/>{}</robot>', '<robot name="r">{}<link name="b"/></robot>'
+        declaration = '<?xml version="1.0" encoding="UTF-8"?>'
+        for text, xml in ((robot.format("<!-- a -- b -->"), robot.format("<!-- a - - b -->")),
+                          (robot.format("<!------ a --->"), robot.format("<!--- - - - a - -->")),
+                          (robot.format("<!-- & <!-- ]]> -->"), robot.format("<!-- & <!- - ]]> -->")),
+                          ("<!----->" + other.format("<!---->"), "<!--- -->" + other.format("<!---->")),
+                          ('\n <?xml version="1.0"?>' + other, '<?xml version="1.0"?>' + other),
+                          ('\ufeff\n<?xml version="1.0"?>' + other, '\ufeff<?xml version="1.0"?>' + other),
+                          ('<?xml version="1.0"?><?xml version="1.0"?>' + other, '<?xml version="1.0"?>' + other),
+                          ("<?XML version='1.0'?>" + other, declaration + other),
+                          ('<?xml encoding="utf-8" version="1.0"?>' + other, declaration + other),
+                          ('<?xml encoding="utf-8"?>' + other, declaration + other),
+                          ("<?xml?>" + other, declaration + other),
+                          ('<?xml version="1.0" standalone="maybe"?>' + other, declaration + other),
+                          ('<?xml version="1.0" encoding="ANSI"?>' + other, declaration + other),
+                          ('<?xml version="1.0" encoding="us-ascii"?>' + robot.format("<!-- \u00e9 -->"),
+                           declaration + robot.format("<!-- \u00e9 -->")),
+                          (robot.format("<x>]]> &nbsp; \uffff</x>"), robot.format("<x>]]&gt; &amp;nbsp; \ufffd</x>"))):
+            self.write("a.urdf", text.replace("{}", ""))
+            done = self.run_with_messages(0, "a.urdf")
+            self.assertEqual(done.stdout, xml.replace("{}", ""))
+            expat.ParserCreate().Parse(done.stdout.encode(), True)
+
+    def test_what_is_xml_for_all_stays(self):
+        robot = '<robot name="r\u00e9"><link name="b"/><!-- - a - b- --><x><![CDATA[--&]]></x><!----></robot>'
+        for prolog in ("<?xml version='1.1' encoding='utf-8' standalone = 'yes' ?>", '<?xml version="1.0"\n?><?x --&?>',
+                       '<!DOCTYPE robot><!-- \u00e9 -->', '<?xml version="1.0" encoding="ISO-8859-15"?>', "<?x-a b?>"):
+            self.write("a.urdf", prolog + robot)
+            self.assertEqual(self.run_with_messages(0, "a.urdf").stdout, prolog + robot)
+
+    def test_what_has_no_repair_is_refused(self):
+        for text, why in (('<robot name="r"><link name="b"/><a\u00d7/></robot>', "XML does not allow the name `a\u00d7`"),
+                          ('<robot name="r"><link name="b"/><a \u00d7="1"/></robot>', "XML does not allow the name `\u00d7`"),
+                          ('<robot name="r"><link name="b"/><a \u00b7="1"/></robot>', "XML does not allow the name `\u00b7`"),
+                          ('<!DOCTYPE a><!DOCTYPE b><robot name="r"><link name="b"/></robot>', "XML allows one document type")):
+            self.write("a.urdf", text)
+            done = self.run_with_messages(1, "a.urdf")
+            self.assertEqual(done.stdout, "")
+            self.assertIn(f"cannot be converted: the result would not be XML: {why}; see --force", done.stderr)
+            self.assertEqual(self.run_with_messages(0, "--force", "a.urdf").stdout, text)
+        self.write("a.urdf", '<robot name="r"><link name="b"/><a\u00e9\u00b7\u4e2d/></robot>')
+        self.run_with_messages(0, "a.urdf")
 
     def test_what_does_not_load_is_refused_and_the_old_file_kept(self):
         self.break_type()

@@ -413,6 +413,14 @@ def buffers_of_one_file(n, write):
     write("r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.gltf"/></geometry></visual></link></robot>')
 
 
+@grows(1000, "smurf-lint", "-q", "a.smurf")
+def driven_joints_of_unknown_links(n, write):
+    write("a.urdf", '<robot name="a"><link name="l"/>' + "".join(
+        f'<joint name="j{i}" type="fixed"><parent link="l"/><child link="c{i}"/></joint>' for i in range(n)) + "</robot>")
+    write("a.yml", "motors:\n" + "".join(f"- {{name: m{i}, joint: j{i}}}\n" for i in range(n)))
+    write("a.smurf", "modelname: a\nfiles: [a.urdf, a.yml]\n")
+
+
 @grows(50, "smurf-lint", "-q", "a.smurf")
 def keys_beside_a_missing_one(n, write):
     keys = "".join(f", k{i}: 1" for i in range(n * 8))

@@ -38,6 +38,8 @@ VALUES = {
     "patternProperties: {'^.*z$': {type: string}}": "{? " + "a" * 30000 + " : 1}",
     "items: {oneOf: [" + ",".join(f"{{const: {i}}}" for i in range(200)) + "]}": "[" + "[[]]," * 60000 + "]",
     "items: {enum: [" + ",".join(map(str, range(50000))) + "]}": "[" + ",".join(f"a{i}" for i in range(60000)) + "]",
+    "items: {anyOf: [" + ",".join(f"{{properties: {{a{i}: {{type: string}}}}, required: [b{i}]}}" for i in range(150)) + "]}":
+        "[" + "".join(f"{{a{i}: 1}}," for i in range(90000)) + "]",
     "required: [" + ",".join(f"a{i}" for i in range(60000)) + "]":
         "{" + ",".join(f"b{i}: 1" for i in range(60000)) + "}",
     "uniqueItems: true": "[" + "1," * 100000 + "]",
@@ -74,6 +76,11 @@ def cases():
         for entry in entries:
             files = {".smurf-lint.yaml": pieces(entry, head), "a.urdf": URDF, "a.smurf": MODEL + "motors: [{name: a}]\n"}
             yield f"configuration {head}{entry}", files, "a.smurf"
+    deep = "d/" * 300
+    for mesh in ("package://p/x@.dae", "x@/y.stl"):
+        shapes = pieces(f'<visual><geometry><mesh filename="{mesh}"/></geometry></visual>',
+                        '<robot name="r"><link name="a">', "</link></robot>")
+        yield f"deep in folders {mesh}", {f"{deep}a.urdf": shapes}, f"{deep}a.urdf"
     for schema, value in VALUES.items():
         files = {".smurf-lint.yaml": "schemas: {sections: {foo: s.yaml}}\n", "s.yaml": schema + "\n",
                  "a.urdf": URDF, "a.smurf": f"{MODEL}foo: {value}\n"}
@@ -86,6 +93,7 @@ def fault(tool: pathlib.Path, files: dict, main: str) -> str:
         folder = pathlib.Path(work)
         (folder / ".git").mkdir()
         for name, text in files.items():
+            os.makedirs((folder / name).parent, exist_ok=True)
             (folder / name).write_text(text, encoding="utf-8")
         with subprocess.Popen([tool, "-q", "--statistics", main], cwd=folder, stdin=subprocess.DEVNULL,
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as run:

@@ -19,15 +19,17 @@ void add_scalars(yaml::View value, const std::string& folder, std::vector<FileLi
 
 /// Keys whose values are files, by the tables. Textures are looked up by the linker, see below.
 void add_keys(yaml::View value, KeyLanguage language, const std::string& folder,
-              std::vector<FileLink>& links) {
-  if (!value.is_mapping() && !value.is_sequence()) return;
+              std::vector<FileLink>& links, int depth = 0) {
+  constexpr int kDeepest = 12;  // the tables have fewer levels
+  if ((!value.is_mapping() && !value.is_sequence()) || depth == kDeepest) return;
   for (const yaml::View member : value) {
-    const KeyPath path = key_path(member.document(), member.id());
-    const auto help = key_help(language, path);
+    const bool is_item = value.is_sequence();  // without a key; there may be hundreds of thousands
+    const auto help =
+        is_item ? std::nullopt : key_help(language, key_path(member.document(), member.id()));
     if (help && help->is_path) {
       add_scalars(member, folder, links);
     } else {
-      add_keys(member, language, folder, links);
+      add_keys(member, language, folder, links, depth + 1);
     }
   }
 }

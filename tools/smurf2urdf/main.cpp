@@ -123,6 +123,10 @@ int main(int argc, char** argv) {
       verify(model, sources, urdf, wanted, may_ask_urdfdom(conversion.findings()));
   if (options.prove) write_error(describe(verification));
   if (!verification.holds()) return conversion.refuse(verification.problem);
+  if (!verification.strict_fault.empty() && !options.common.force) {
+    return conversion.refuse("cannot be converted: the result would not be XML: " +
+                             verification.strict_fault + "; see --force");
+  }
   if (!conversion.report_losses(*loaded, losses.take(), options.loss_report,
                                 options.fails_on_loss)) {
     return options.fails_on_loss ? conversion.refuse("has losses") : kFailed;

@@ -48,6 +48,7 @@ Verification verify(const LinkedModel& model, const SourceMap& sources, const st
     verification.problem = "tinyxml2: " + plain.sink.diagnostics().back().message;
     return verification;
   }
+  verification.strict_fault = why_strict_readers_refuse(result, urdf);
   if (options.apply.mimic) {
     Plain source(sources.text(model.robot->document.source));
     source.forget_mimics();

@@ -13,6 +13,7 @@ struct Verification {
   bool tinyxml2_accepts = false;
   RefereeVerdict urdfdom;
   std::size_t links = 0, joints = 0;  ///< of the result
+  std::string strict_fault;           ///< why strict readers of XML refuse it; empty if they do not
   std::string problem;                ///< why the result must not be written; empty if it may be
 
   bool holds() const { return problem.empty(); }

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/linked.hpp"
@@ -65,6 +66,10 @@ struct UrdfExport {
 /// is set; with a base, the tree has one root and no link is called `world`.
 std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
                         const UrdfExport& options, DiagnosticSink& sink);
+
+/// Why readers of strict XML refuse an exported URDF, read as `result`; empty if they accept it.
+/// Precondition: result.robot is set.
+std::string why_strict_readers_refuse(const LinkedModel& result, std::string_view urdf);
 
 /// An SRDF beside the URDF. Joint pose sets become group states. Neighbouring links, and links
 /// whose bitmasks share no bit, become pairs that do not collide. Precondition: model.robot is set.

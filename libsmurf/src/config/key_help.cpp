@@ -145,6 +145,8 @@ Place place_at(KeyLanguage language, std::span<const std::string> path) {
     Place next = step_into(place, path[i], language, i == 0);
     if (next.read_by.empty()) next.read_by = place.read_by;
     place = std::move(next);
+    // Nothing is known below, however deep the path is.
+    if (place.keys.empty() && place.section == nullptr && place.key == nullptr) break;
   }
   return place;
 }

@@ -11,29 +11,10 @@
 #include "convert/passes.hpp"
 #include "convert/rebase.hpp"
 #include "smurf/load.hpp"
-#include "syntax/xml_reader.hpp"
+#include "syntax/strict_xml.hpp"
 
 namespace smurf {
 namespace {
-
-/// Readers of URDF load a bare `&`, a `<` in a value and attributes without a blank between them;
-/// strict readers of XML refuse the file. The repaired text means the same to all of them.
-std::string strict_xml(const std::string& text) {
-  SourceMap sources;
-  DiagnosticSink sink;
-  parse_xml(sources, sources.add("step.urdf", text), {}, sink);
-  std::vector<Edit> edits;
-  for (const Diagnostic& finding : sink.diagnostics()) {
-    const bool is_repaired = finding.rule == &rules::sml1003_xml_bare_ampersand ||
-                             finding.rule == &rules::sml1014_xml_missing_blank ||
-                             finding.rule == &rules::sml1017_xml_less_than_in_value;
-    if (!is_repaired) continue;
-    for (const Fix& fix : finding.fixes) {
-      edits.insert(edits.end(), fix.edits.begin(), fix.edits.end());
-    }
-  }
-  return edits.empty() ? text : apply_edits(text, edits);
-}
 
 /// The text between two steps, and its model.
 class Stepper {
@@ -156,7 +137,11 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
   if (options.is_canonical && steps.is_sound()) {
     steps.take(canonical_urdf(steps.model(), steps.text()));
   }
-  return strict_xml(steps.text());
+  return strict_xml_file(steps.text());
+}
+
+std::string why_strict_readers_refuse(const LinkedModel& result, std::string_view urdf) {
+  return why_strict_readers_refuse(result.robot->document, urdf);
 }
 
 }  // namespace smurf

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/file_index.hpp"
 
+#include <algorithm>
+
 #include "base/path.hpp"
 #include "base/utf8.hpp"
 
@@ -19,14 +21,40 @@ const std::string& FirstNames::of(const std::string& path) {
 
 bool FileIndex::exists(const std::string& path) {
   const auto [place, is_new] = known_.try_emplace(path);
-  if (is_new) place->second = files_.is_file(path);
+  if (!is_new) return place->second;
+  const std::string_view folder = path::parent(path);
+  if (is_unlisted(folder) || is_unlisted(path)) return false;
+  place->second = files_.is_file(path);
+  if (!place->second) miss(folder);
   return place->second;
 }
 
 const std::vector<std::string>& FileIndex::list(const std::string& folder) {
   const auto [place, is_new] = lists_.try_emplace(folder);
-  if (is_new) place->second = files_.list(folder);
+  if (!is_new || is_unlisted(folder)) return place->second;
+  place->second = files_.list(folder);
+  if (place->second.empty()) miss(path::parent(folder));
   return place->second;
+}
+
+void FileIndex::miss(std::string_view folder) {
+  const auto known = misses_.find(folder);
+  if (known == misses_.end()) {
+    misses_.emplace(folder, 1);
+  } else {
+    ++known->second;
+  }
+}
+
+/// Hidden names may exist without being listed.
+bool FileIndex::is_unlisted(std::string_view path) {
+  constexpr int kFewMisses = 20;
+  const std::string_view name = path::file_name(path);
+  if (name.empty() || name.starts_with('.')) return false;
+  const auto misses = misses_.find(path::parent(path));
+  if (misses == misses_.end() || misses->second < kFewMisses) return false;
+  const std::vector<std::string>& names = list(misses->first);
+  return !std::binary_search(names.begin(), names.end(), name);
 }
 
 std::optional<std::string> FileIndex::in_other_case(const std::string& path, int most_folders) {

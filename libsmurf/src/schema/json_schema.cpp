@@ -21,6 +21,8 @@ constexpr std::size_t kPairsForStep = 64;    // items that are compared with eac
 /// quadratic time in the length of the name.
 constexpr std::size_t kLongestMatchedName = 256;
 constexpr std::size_t kNameForStep = 250;  // characters, squared
+/// Each uses 300 bytes of memory, and nobody reads so many.
+constexpr std::size_t kMostErrors = 300'000;
 
 struct TooMuchWork {};
 
@@ -33,6 +35,7 @@ class Guard final : public vj::constraints::PolyConstraint {
   bool validate(const vj::adapters::Adapter& target, const std::vector<std::string>& context,
                 vj::ValidationResults* results) const override {
     spend(guard_->steps);
+    if (results != nullptr && results->numErrors() > kMostErrors) throw TooMuchWork{};
     if (guard_->has_unique_items && target.isArray()) {
       const std::size_t items = target.getArraySize();
       spend(static_cast<std::int64_t>(items * items / kPairsForStep));

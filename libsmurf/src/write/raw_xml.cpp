@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/raw_xml.hpp"
 
-#include <algorithm>
 #include <set>
-#include <utility>
 
 #include "base/edits.hpp"
-#include "syntax/xml_references.hpp"
+#include "syntax/strict_xml.hpp"
 
 namespace smurf {
 namespace {
@@ -36,56 +34,7 @@ void declare(xml::View element, const xml::Attribute& declaration, std::vector<E
        " " + std::string(declaration.name()) + "=\"" + escape_xml(declaration.value()) + "\""});
 }
 
-/// U+FFFE and U+FFFF become U+FFFD.
-std::string with_characters_of_xml(std::string_view text) {
-  std::string result(text);
-  for (std::size_t at = result.find("\xEF\xBF"); at != result.npos;
-       at = result.find("\xEF\xBF", at + 1)) {
-    char& last = result[std::min(at + 2, result.size() - 1)];
-    if (last == '\xBE' || last == '\xBF') last = '\xBD';
-  }
-  return result;
-}
-
-/// Bytes of a comment or CDATA section, in which `&` is not a reference; 0 for anything else.
-std::size_t unread_part(std::string_view text) {
-  for (const auto& [begin, end] : {std::pair("<!--", "-->"), std::pair("<![CDATA[", "]]>")}) {
-    if (!text.starts_with(begin)) continue;
-    const std::size_t found = text.find(end, std::string_view(begin).size());
-    return found == text.npos ? text.size() : found + std::string_view(end).size();
-  }
-  return 0;
-}
-
 }  // namespace
-
-std::string strict_xml(std::string_view text) {
-  constexpr std::string_view kEnd = "]]>";  // of a CDATA section
-  const std::string whole = with_characters_of_xml(text);
-  std::string_view rest = whole;
-  std::string result;
-  result.reserve(whole.size());
-  while (!rest.empty()) {
-    const std::size_t plain = std::min(rest.find_first_of("<&]"), rest.size());
-    result += rest.substr(0, plain);
-    rest.remove_prefix(plain);
-    std::size_t size = std::min<std::size_t>(1, rest.size());
-    if (const std::size_t unread = unread_part(rest); unread > 0) {
-      size = unread;
-      result += rest.substr(0, size);
-    } else if (rest.starts_with(kEnd)) {
-      size = kEnd.size();
-      result += "]]&gt;";
-    } else if (rest.starts_with('&') &&
-               read_reference(rest).kind != XmlReference::Kind::character) {
-      result += "&amp;";
-    } else {
-      result += rest.substr(0, size);
-    }
-    rest.remove_prefix(size);
-  }
-  return result;
-}
 
 void declare_prefix(xml::View robot, const xml::Attribute& declaration, std::vector<Edit>& edits) {
   for (const xml::View child : robot) declare(child, declaration, edits);

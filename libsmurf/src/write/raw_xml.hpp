@@ -11,11 +11,6 @@
 
 namespace smurf {
 
-/// Converts XML for readers that are stricter than those of URDF. URDF readers read an undefined
-/// `&name;` literally, so its `&` is escaped; `]]>` in a text and characters that XML does not
-/// allow are replaced. `text` is part of a file that our reader accepted.
-std::string strict_xml(std::string_view text);
-
 /// Adds the edits that move a namespace declaration of the robot element into those of its
 /// children that use the prefix.
 void declare_prefix(xml::View robot, const xml::Attribute& declaration, std::vector<Edit>& edits);

@@ -7,6 +7,7 @@
 #include "base/edits.hpp"
 #include "base/path.hpp"
 #include "base/utf8.hpp"
+#include "syntax/strict_xml.hpp"
 #include "write/raw_xml.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"

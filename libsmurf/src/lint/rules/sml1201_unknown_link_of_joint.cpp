@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <set>
 
 #include "base/readers.hpp"
@@ -9,17 +8,24 @@
 namespace smurf::rules {
 namespace {
 
-bool has_motor(const LinkedModel& model, xml::View joint) {
+using Names = std::set<std::string_view>;
+
+Names joints_with_motor(const LinkedModel& model) {
+  Names driven;
+  for (const Motor& motor : model.annotations.motors) {
+    if (motor.joint) driven.insert(*motor.joint);
+  }
+  return driven;
+}
+
+bool is_driven(xml::View joint, const Names& driven) {
   const xml::Attribute* name = joint.attribute("name");
-  const std::vector<Motor>& motors = model.annotations.motors;
-  return name != nullptr && std::any_of(motors.begin(), motors.end(), [&](const Motor& motor) {
-           return motor.joint.value_or("") == name->value();
-         });
+  return name != nullptr && driven.contains(name->value());
 }
 
 /// The links to which no joint leads. If there is only one, it is the root, as it should be.
 UnusedNames links_without_joint(const LinkedModel& model) {
-  std::set<std::string_view> children;
+  Names children;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (joint.child) children.insert(*joint.child);
   });
@@ -32,7 +38,9 @@ UnusedNames links_without_joint(const LinkedModel& model) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
+  if (findings.doubtful_references().empty()) return;
   const urdf::Link* unnamed = link_without_name(model);
+  const Names driven = joints_with_motor(model);
   for (const Reference& one : findings.doubtful_references()) {
     const xml::View end = element_of(model, one);
     if (!end || (end.name() != "parent" && end.name() != "child")) continue;
@@ -43,7 +51,7 @@ void check(const LinkedModel& model, Findings& findings) {
                               [&] { return links_without_joint(model); })
             : check_link_of_joint(model, one, subject, unnamed, findings);
     withhold_fix(diagnostic, other_link(end));
-    if (diagnostic != nullptr && has_motor(model, end.parent())) diagnostic->construct = "driven";
+    if (diagnostic != nullptr && is_driven(end.parent(), driven)) diagnostic->construct = "driven";
     if (diagnostic != nullptr && end.name() == "parent" && one.name == "world") {
       diagnostic->construct += "#drake-world";
       diagnostic->note(
