@@ -18,7 +18,7 @@ void check_collision(const OpenedMesh& mesh, Findings& findings) {
       "slow to collide; half of all public collision meshes have fewer than 900 triangles";
   if (mesh.facts.format != MeshFormat::stl_binary || mesh.facts.triangles <= kMostOfMujoco) return;
   diagnostic.severity = Severity::error;
-  diagnostic.note("MuJoCo refuses an STL of more than 200000");
+  diagnostic.note("MuJoCo refuses an STL of more than 200000 triangles");
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -45,7 +45,7 @@ extern constinit const Rule sml1619_mesh_triangles{
     .severity = Severity::warning,
     .summary = "A collision mesh has more than 10000 triangles, or a visual mesh more than 100000.",
     .why =
-        "Contacts and distances are computed triangle by triangle in Gazebo, MARS and MoveIt: simulation and planning slow down. Of 100 public collision meshes, 96 are smaller. MuJoCo refuses an STL of more than 200000. A large visual takes long to load and to draw, most of all in a browser.",
+        "Contacts and distances are computed triangle by triangle in Gazebo, MARS and MoveIt: simulation and planning slow down. Of 100 public collision meshes, 96 are smaller. MuJoCo refuses an STL of more than 200000 triangles. A large visual takes long to load and to draw, most of all in a browser.",
     .remedy = "Simplify the mesh; in a collision, use its convex hull or a primitive shape.",
     .sources = "957 collision meshes of 322 public URDFs: median 854, 95 % below 8540; 733 visual "
                "meshes: 95 % below 34850, at most 82075; MuJoCo stl_decoder.cc:70.",

@@ -42,7 +42,7 @@ extern constinit const Rule sml3221_material_color_disagrees{
     .name = "material-color-disagrees",
     .severity = Severity::info,
     .summary = "A material has another colour in the annotation than in the URDF.",
-    .why = "MARS shows the colour of the annotation, readers of the URDF that of the URDF.",
+    .why = "MARS shows the colour of the annotation; other programs show that of the URDF.",
     .remedy = "Make the two agree, if the robot should look the same everywhere.",
     .sources = "MARS smurf.cpp:333-352.",
     .check_model = check};

@@ -9,8 +9,7 @@ extern constinit const Rule sml8002_not_requested{
     .severity = Severity::info,
     .summary = "An annotation differs from the URDF, and the export keeps the value of the URDF.",
     .why =
-        "MARS simulates with the annotation, a reader of the exported URDF with the other value: "
-        "the same robot behaves differently.",
+        "MARS simulates with the annotation; programs that read the exported URDF use the other value, and the same robot behaves differently.",
     .remedy = "Export with `--apply`, which uses the values of the annotations.",
     .sources = "MARS smurf.cpp:902 (limits of the URDF are not used), MaterialData.cpp:47-118.",
     .reported_by = Tool::converters};
