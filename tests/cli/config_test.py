@@ -40,6 +40,12 @@ class Search(ConfigTest):
         self.write("robots/.smurf-lint.yaml", "severity: {unnamed-entity: error}\n")
         self.assertEqual(self.findings("robots"), [(*self.UNNAMED[:2], "error")])
 
+    def test_a_rule_that_is_switched_off_as_in_other_linters(self):
+        self.write(".smurf-lint.yaml", "severity: {SML5012: off}\n")
+        found = self.expect(1, "robots").stdout
+        self.assertIn("`SML5012` must be error, warning or info, not the text `off`", found)
+        self.assertIn("= help: to switch a rule off: `ignore: [SML5012]`\n", found)
+
     def test_named_and_isolated(self):
         self.write(".smurf-lint.yaml", "ignore: SML5012\n")
         self.write("other.yaml", "severity: {SML5: info}\n")

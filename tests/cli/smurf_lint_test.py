@@ -62,6 +62,8 @@ class CalmReports(LintTest):
         self.assertIn("... and 12 more of SML1404 in this file; --all shows them", lines)
         self.assertTrue(any(line.startswith("... and ") and line.endswith(" more files") for line in lines), lines)
         self.assertIn("The most frequent findings:", lines)
+        self.assertIn(" 600  error    SML1404 limit-incomplete", lines)
+        self.assertNotIn("SML1502", done.stdout)  # an info, which is not shown
         self.assertIn("40 infos are not shown; --min-severity info shows them", lines)
         self.assertIn("robot08_.urdf: 15 errors, 30 warnings", lines)
         self.assertTrue(lines[-1].startswith("smurf-lint --explain SML1404, or https://"), lines[-1])
@@ -246,7 +248,7 @@ class Fixes(LintTest):
         self.assertIn("error[SML3101]", done.stdout)
         self.assertNotIn("SML1401", done.stdout)
         self.assertTrue(done.stdout.endswith(
-            "fixed 1 finding\n1 fixable with `--fix --unsafe-fixes`\n" + MORE), done.stdout)
+            "fixed 1 finding at 1 place in 1 file\n1 fixable with `--fix --unsafe-fixes`\n" + MORE), done.stdout)
         self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF)
         self.assertEqual((self.folder / "arm/urdf/arm.urdf").stat().st_mode & 0o777, 0o640)
         self.assertEqual(self.read("arm/smurf/arm_motors.yml"), BROKEN_MOTORS)
@@ -266,10 +268,16 @@ class Fixes(LintTest):
         before = BROKEN_MOTORS.replace("elbwo", "'elbwo'  # half right").replace("\n", "\r\n")
         self.write_model(motors="\ufeff" + before)
         done = self.expect(0, "--fix", "--unsafe-fixes", "arm")
-        self.assertIn("fixed 1 finding\n", done.stdout)
+        self.assertIn("fixed 1 finding at 1 place in 1 file\n", done.stdout)
         after = (self.folder / "arm/smurf/arm_motors.yml").read_bytes().decode()
         self.assertEqual(after, "\ufeff" + before.replace("elbwo", "elbow"))
         self.assertIn("no findings", self.expect(0, "--fix", "--unsafe-fixes", "arm").stdout)
+
+    def test_a_finding_that_stands_for_many_places(self):
+        link = '<link name="{}"/><joint name="j{}" type="fixed"><axis xyz="0 0 1"/><parent link="{}"/><child link="{}"/></joint>'
+        self.write("r.urdf", '<robot name="r"><link name="l0"/>' + "".join(
+            link.format(f"l{i + 1}", i, f"l{i}", f"l{i + 1}") for i in range(5)) + "</robot>")
+        self.assertIn("fixed 1 finding at 5 places in 1 file\n", self.expect(0, "--fix", "r.urdf").stdout)
 
     def test_fix_only(self):
         self.write_model(motors=BROKEN_MOTORS, urdf=URDF.replace('type="continuous"', 'type="Continuous"'))
@@ -446,6 +454,17 @@ class WhatMayPass(LintTest):
         from_inside = self.expect(0, "--baseline", "../../robots.yaml", "arm.smurf", cwd=self.folder / "arm/smurf")
         self.assertIn("1 suppressed", from_inside.stdout)
         self.expect(1, "arm")
+
+    def test_infos_are_recorded_on_request_only(self):
+        self.write("a.urdf", FixedJoint.URDF)
+        record = ["--baseline", "b.yaml", "--generate-baseline", "a.urdf"]
+        self.assertGreater(len(self.findings("a.urdf", "--min-severity", "info", code=0)), 0)
+        self.assertRegex(self.expect(0, *record).stdout,
+                         r"^wrote 0 findings to b.yaml, without \d+ infos? \(--min-severity info records (it|them)\)\n$")
+        self.assertNotIn("a.urdf", self.read("b.yaml"))
+        for request in (["--min-severity", "info"], ["--all"], ["--fail-on", "info"]):
+            self.assertRegex(self.expect(0, *request, *record).stdout, r"^wrote [1-9]\d* findings? to b.yaml\n$")
+            self.assertIn("a.urdf", self.read("b.yaml"))
 
     def test_baseline_outlives_moves_and_does_not_hide_new_faults(self):
         self.write_model(motors=BROKEN_MOTORS)
@@ -769,7 +788,7 @@ class Files(LintTest):
         self.write("report.txt", "old")
         for path, reason in (("arm", "Is a directory"),
                              ("arm/", "Is a directory"),
-                             ("absent/report.txt", "No such file or directory"),
+                             ("absent/report.txt", "there is no folder 'absent'"),
                              ("report.txt/x", "Not a directory"),
                              ("/dev/full", "No space left on device")):
             with self.subTest(path):
@@ -840,9 +859,73 @@ class Inputs(LintTest):
         self.write("motors.json", '{"motors": []}')
         self.expect(0, "motors.json")
 
+    def test_yaml_of_other_programs(self):
+        self.write("ci.yml", "name: CI\non: push\njobs: {}\n")
+        self.expect_complaint("cannot check 'ci.yml': it has no section of SMURF, such as `motors`, and no model lists it",
+                              "ci.yml")
+        self.expect(0, "--only-listed", "ci.yml")  # as hooks do
+        for text in ("motors: []\n", "'motors' : []\n", "{lights: []}\n"):
+            self.write("a.yml", text)
+            self.expect(0, "a.yml")
+        self.write("a.yml", "# a draft\n")
+        self.assertIn("the annotation file is empty", self.expect(1, "a.yml").stdout)
+        self.write("jobs.json", '{"type": "array"}')
+        self.write(".smurf-lint.yaml", "schemas: {sections: {jobs: jobs.json}}\n")
+        self.assertIn("SML4301", self.expect(1, "ci.yml").stdout)
+
+    def test_a_package_folder_without_the_file(self):
+        urdf = '<robot name="r"><link name="l"><visual><geometry><mesh filename="package://arm/m.obj"/></geometry></visual></link></robot>'
+        self.write("arm/urdf/r.urdf", urdf)
+        self.write("other/r.urdf", urdf)
+        self.assertIn("the folder `arm` above the URDF does not contain it", self.expect(0, "arm").stdout)
+        self.assertIn("in no folder above the URDF", self.expect(0, "other").stdout)
+
+    def test_merge_conflicts(self):
+        urdf = '<robot name="r">\n<<<<<<< HEAD\n<link name="a"/>\n=======\n<link name="b"/>\n>>>>>>> b\n</robot>\n'
+        self.write("r.urdf", urdf)
+        self.assertIn("error[SML1001]: a merge conflict left its markers here\n --> r.urdf:2:1\n", self.expect(1, "r.urdf").stdout)
+
+    def test_scenes_as_newcomers_write_them(self):
+        self.write_model()
+        for text, helps in (
+                ("entities:\n- arm/smurf/arm.smurf\n", ["write `{name: NAME, file: FILE}`"]),
+                ("- {name: a, file: arm/smurf/arm.smurf}\n", ["write `entities:` above the list"]),
+                ("entities:\n- {name: a, type: Robot, path: arm/smurf/arm.smurf}\n", ["did you mean `smurf`?"]),
+                ("entities:\n- {name: a, type: model, file: arm/urdf/arm.urdf}\n", ["did you mean `urdf`?"])):
+            self.write("s.smurfs", text)
+            report = json.loads(self.run_tool("s.smurfs", "--format", "json").stdout)
+            self.assertEqual([d.get("help") for d in report["diagnostics"] if d["severity"] != "info"], helps, text)
+
+    def test_where_standard_input_looks_for_files(self):
+        urdf = '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.obj"/></geometry></visual></link></robot>'
+        remark = "paths start at the current folder; --stdin-filename PATH sets another place\n"
+        self.assertIn(remark, self.expect(1, "-", stdin=urdf).stdout)
+        self.assertNotIn(remark, self.expect(1, "-", "--stdin-filename", "a/b.urdf", stdin=urdf).stdout)
+        self.assertNotIn(remark, self.expect(0, "-", stdin=urdf.replace("<visual>", "<!--").replace("</visual>", "-->")).stdout)
+
+    def test_sections_are_explained_before_rules_that_had_their_name(self):
+        self.assertTrue(self.expect(0, "--explain", "scene").stdout.startswith("scene: a mapping"))
+        for name in ("smurf", "model"):
+            self.assertTrue(self.expect(0, "--explain", name).stdout.startswith("main file: "))
+        self.assertTrue(self.expect(0, "--explain", "scene-unread").stdout.startswith("SML7100"))
+
+    def test_a_level_of_other_linters(self):
+        self.expect_complaint("--severity: 'off' is not one of error, warning, info; to switch it off: --ignore SML1501",
+                              "--severity", "SML1501=off", ".")
+
+    def test_a_configuration_is_no_model(self):
+        self.write(".smurf-lint.yaml", "targets: [ros]\n")
+        self.assertEqual(self.expect(0, ".smurf-lint.yaml").stdout, "no findings in 1 file\n")
+        self.write(".smurf-lint.yaml", "targets: [ros, gazbo]\n")
+        self.assertIn("there is no target `gazbo`", self.expect(1, ".smurf-lint.yaml").stdout)
+        self.assertEqual(self.expect(2, ".").stdout.count("no findings"), 0)
+
     def test_subcommands(self):
-        self.assertIn("cannot read 'check': No such file or directory; smurf-lint has no subcommands, see --help",
-                      self.expect(2, "check", ".").stderr)
+        for word, instead in (("check", "leave the word out"), ("fix", "write --fix"), ("rule", "write --explain"),
+                              ("help", "write --help")):
+            self.assertIn(f"cannot read '{word}': No such file or directory; smurf-lint has no subcommands: {instead}",
+                          self.expect(2, word, ".").stderr)
+        self.assertIn("; to read about a rule, write --explain SML1501", self.expect(2, "SML1501").stderr)
 
     def test_nothing_to_check(self):
         self.write("notes/readme.txt", "")

@@ -194,6 +194,24 @@ class Scenes(LoadCheckTest):
                          ("SML6201", "scene.smurfs", 2))
         self.assertIn("50 mm", found["message"])
 
+    def test_a_base_without_mass_falls_unless_it_is_anchored(self):
+        table = '<robot name="table"><link name="top"/></robot>'
+        self.write("table.urdf", table)
+        arm = table.replace("/></robot>", '/><link name="arm"><inertial><mass value="1"/><inertia ixx="0.1" '
+                            'iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial></link><joint name="j" '
+                            'type="continuous"><parent link="top"/><child link="arm"/></joint></robot>')
+        self.write("arm.urdf", arm)
+        for file in ["table.urdf", "arm.urdf"]:
+            entities = "".join(f"- {{name: {name}, file: {file}}}\n" for name in "AB")
+            self.write("scene.smurfs", "entities:\n" + entities)
+            report = self.report(1, "scene.smurfs", "--stages", "build")
+            self.assertEqual([check["verdict"] for check in report["checks"]], ["pass", "fail"])
+            [found] = report["diagnostics"]  # one for the model, not one per entity
+            self.assertEqual((found["id"], found["file"]), ("SML1501", file))
+            self.assertIn("anchor: world", found["help"])
+            self.write("scene.smurfs", "entities:\n" + entities.replace("}", ", anchor: world}"))
+            self.report(0, "scene.smurfs", "--stages", "build")
+
     def test_two_robots_a_plane_and_a_heightfield(self):
         for name in ["showcase", "terrain"]:
             report = self.report(0, cli.FIXTURES / f"scenes/{name}/{name}.smurfs")
@@ -432,6 +450,10 @@ class Options(LoadCheckTest):
         report = self.report(1, ".")
         self.assertEqual({c["verdict"] for c in report["checks"]}, {"pass", "warn", "fail"})
         jsonschema.validate(report, schema)
+
+    def test_other_formats_are_those_of_report(self):
+        self.expect_complaint("--format: 'sarif' is not one of full, json; --report sarif writes the findings in this format",
+                              "--format", "sarif", "good.urdf")
 
     def test_tables_fit_a_terminal(self):
         for line in self.expect(1, ".").stdout.splitlines():

@@ -150,7 +150,7 @@ class Output(FlattenTest):
         self.assertEqual(self.read("scene.world"), self.read("scene.sdf"))
         self.run_tool("scene.smurfs", "-o", "flat")
         self.assertEqual(len(json.loads(self.read("flat"))["instances"]), 2)
-        self.expect_complaint("no format has the extension '.xml'; add --format", "scene.smurfs", "-o", "scene.xml")
+        self.expect_complaint("no format has the extension '.xml'; for MuJoCo, add --format mjcf", "scene.smurfs", "-o", "scene.xml")
         self.expect_complaint("no format has the extension '.usd'; smurfs-flatten writes OpenUSD as text: name a .usda file",
                               "scene.smurfs", "-o", "scene.usd")
         self.run_tool("scene.smurfs", "-o", "flat.sdf", "--format", "json")
@@ -201,6 +201,9 @@ class Output(FlattenTest):
         self.assertEqual(self.run_tool("scene.smurfs", "-o", "flat.json").stderr, wrote)
         self.assertEqual(self.run_tool("scene.smurfs", "-o", "flat.json", "--quiet").stderr, "")
         self.assertEqual(self.run_tool("scene.smurfs").stderr, "")
+        self.assertIn("wrote d.dmd and package.xml: 2 instances", self.run_tool("scene.smurfs", "-o", "d.dmd").stderr)
+        self.assertIn("cannot write 'no/flat.json': there is no folder 'no'",
+                      self.run_tool("scene.smurfs", "-o", "no/flat.json").stderr)
 
     def test_a_scene_with_misspelt_entities_is_refused(self):
         self.write("empty.smurfs", "entites:\n- {name: A, file: models/box.urdf}\n")
@@ -1002,6 +1005,10 @@ class Mistakes(FlattenTest):
 
     def test_help(self):
         text = self.expect(0, "--help").stdout
+        self.assertIn("sdf1.6, mjcf, urdf,", text)
+        page = self.expect(0, "--format", "help").stdout.splitlines()
+        self.assertIn("  dmd     Drake model directives", page)
+        self.assertLessEqual(max(map(len, page)), 80)
         for option in ["--format", "--links", "--dialect", "--explain", "--fail-on-loss", "--output"]:
             self.assertIn(option, text)
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Expressions that CONTRIBUTING.md asks to avoid do not come back: words_test.py TOOL...
 
-Looks at README.md, CHANGELOG.md, everything in docs/, the hooks, and the --help of the tools.
+Looks at README.md, CHANGELOG.md, SECURITY.md, everything in docs/, the hooks, and the --help of the tools.
 """
 import pathlib
 import re
@@ -20,7 +20,7 @@ def avoided():
 
 
 def texts(tools):
-    for path in [*(ROOT / name for name in ("README.md", "CHANGELOG.md", ".pre-commit-hooks.yaml")),
+    for path in [*(ROOT / name for name in ("README.md", "CHANGELOG.md", "SECURITY.md", ".pre-commit-hooks.yaml")),
                  *sorted((ROOT / "docs").rglob("*.md"))]:
         yield str(path.relative_to(ROOT)), path.read_text(encoding="utf-8")
     for tool in tools:

@@ -82,6 +82,22 @@ TEST_CASE("labels in the same file share the frame; gaps become dots, one line i
 )");
 }
 
+TEST_CASE("a label on the marked token is its caption") {
+  SourceMap sources;
+  const SourceId yaml = sources.add("m.yml", "- joint: elbow\n");
+  Diagnostic diagnostic = diagnose(find(sources, yaml, "joint"), "this motor has no `name`");
+  diagnostic.label(find(sources, yaml, "joint"), "add it after this key");
+  CHECK(render_full(diagnostic, sources, {}) ==
+        R"(error[SML3101]: this motor has no `name`
+ --> m.yml:1:3
+  |
+1 | - joint: elbow
+  |   ^^^^^ add it after this key
+  |
+
+)");
+}
+
 TEST_CASE("a gutter as wide as the largest line number shown") {
   std::string text;
   for (int i = 1; i < 10; ++i) text += "x" + std::to_string(i) + ": 0\n";

@@ -161,7 +161,7 @@ std::string count_rest(std::span<const Diagnostic> rest, const std::string& path
   return text + ": see smurf-lint --stdin-filename " + stem + ".urdf - < " + path;
 }
 
-/// "3 entries (2 in poses, 1 in sensors)", or "" when there are none.
+/// "3 entries (2 in poses, 1 in sensors)", "3 entries in poses", or "" when there are none.
 std::string by_section(const std::map<std::string_view, std::size_t>& counts,
                        std::string_view singular, std::string_view plural) {
   std::size_t all = 0;
@@ -171,7 +171,9 @@ std::string by_section(const std::map<std::string_view, std::size_t>& counts,
     all += number;
   }
   if (all == 0) return "";
-  return counted(all, singular, plural) + text + ")";
+  const std::string amount = counted(all, singular, plural);
+  if (counts.size() == 1) return amount + " in " + std::string(counts.begin()->first);
+  return amount + text + ")";
 }
 
 /// "3 entries (2 in poses, 1 in sensors) and 4 values of other entries (4 in motors)". Findings in
@@ -251,14 +253,16 @@ ExitCode Conversion::write_reports(Report report, const LossOf& loss_of) {
   return verdict;
 }
 
-void Conversion::tell_written(const std::string& what, const std::string& remark) const {
+void Conversion::tell_written(const std::string& what, std::span<const std::string> remarks) const {
   const bool is_for_programs =
       std::any_of(options_.reports.begin(), options_.reports.end(),
                   [](const ReportRequest& report) { return report.file.empty(); });
   if (options_.quiet || is_for_programs) return;
   constexpr std::size_t kColumns = 80;
   complain(tool_, "wrote " + what);
-  if (!remark.empty()) write_error(render::wrap(render::escape(remark), 2, kColumns));
+  for (const std::string& remark : remarks) {
+    write_error(render::wrap(render::escape(remark), 2, kColumns));
+  }
 }
 
 bool Conversion::keeps_inputs(std::vector<std::string> outputs) const {

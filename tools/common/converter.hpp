@@ -83,7 +83,7 @@ class Conversion {
   ExitCode refuse(std::string_view reason) const;
   /// Prints "smurf2urdf: wrote arm.urdf: 7 joints" on standard error, unless the user asked for
   /// silence or for a report there.
-  void tell_written(const std::string& what, const std::string& remark = {}) const;
+  void tell_written(const std::string& what, std::span<const std::string> remarks = {}) const;
   ExitCode fail() const { return kFailed; }
 
   const FileReader& files() const { return session_.files(); }

@@ -124,6 +124,10 @@ bool write_output(std::string_view tool, const std::string& path, std::string_vi
   if (error != 0) reason = reason_of(error);
   if (reason.empty()) return true;
   const std::string where = is_standard ? "standard output" : "'" + path + "'";
+  const std::string folder(path::parent(path));
+  if (!folder.empty() && reason == reason_of(ENOENT) && !places::is_folder(folder)) {
+    reason = "there is no folder '" + folder + "'";
+  }
   complain(tool, "cannot write " + where + ": " + reason);
   return false;
 }

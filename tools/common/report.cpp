@@ -11,13 +11,20 @@
 namespace smurf::tools {
 namespace {
 
-/// A table of the ten most frequent rules; empty for 50 findings or fewer.
+/// A table of the ten most frequent rules among the findings that the report shows; empty for 50
+/// findings or fewer.
 std::string most_frequent(const Results& results, const TextStyle& style) {
   constexpr std::size_t kMany = 50;
   constexpr std::size_t kRules = 10;
-  if (results.diagnostics.size() <= kMany) return {};
-  return "The most frequent findings:\n" + render_statistics(results.diagnostics, style, kRules) +
-         "\n";
+  std::vector<Diagnostic> shown;  // without texts, which the table does not need
+  for (const Diagnostic& one : results.diagnostics) {
+    if (one.severity < results.overview.least) continue;
+    Diagnostic& copy = shown.emplace_back();
+    copy.rule = one.rule;
+    copy.severity = one.severity;
+  }
+  if (shown.size() <= kMany) return {};
+  return "The most frequent findings:\n" + render_statistics(shown, style, kRules) + "\n";
 }
 
 /// A line that says that less severe findings are not shown.
@@ -136,7 +143,7 @@ std::string_view report_option_help() {
     for (const std::string_view name : report_format_names()) {
       text.append(text.empty() ? "" : ", ").append(name);
     }
-    return "The format of the report: " + text +
+    return "Choose the format of the report: " + text +
            "; `help` describes them. May be repeated, with a FILE for all but one.";
   }();
   return help;

@@ -65,7 +65,9 @@ Option color_option(ColorChoice& color) {
   return {.group = "General",
           .name = "color",
           .metavar = "WHEN",
-          .help = "auto (the default: on a terminal, unless NO_COLOR is set), always or never.",
+          .help =
+              "Use colours: auto (the default: on a terminal, unless NO_COLOR is set), always or "
+              "never.",
           .values = {"auto", "always", "never"},
           .set = choose<ColorChoice>(color, {{"auto", ColorChoice::automatic},
                                              {"always", ColorChoice::always},

@@ -32,8 +32,8 @@ std::vector<Option> own_options(Options& options) {
       {.group = "Output",
        .name = "format",
        .metavar = "FORMAT",
-       .help = "text (the default), json, or html: a page for a browser that lists the differences "
-               "and overlays both versions in 3D.",
+       .help = "Choose the format: text (the default), json, or html, a page for a browser that "
+               "lists the differences and overlays both versions in 3D.",
        .values = {"text", "json", "html"},
        .set = choose<DiffFormat>(
            options.format,

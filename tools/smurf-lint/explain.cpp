@@ -33,7 +33,8 @@ std::vector<const Rule*> family(std::string_view what) {
 }
 
 bool is_called(const FormatPart& part, std::string_view name) {
-  return part.name == name ||
+  const bool is_main_file = part.name == "main file" && (name == "smurf" || name == "model");
+  return is_main_file || part.name == name ||
          std::find(part.aliases.begin(), part.aliases.end(), name) != part.aliases.end();
 }
 
@@ -100,13 +101,14 @@ std::string explanation(std::string_view name, const TextStyle& style) {
   std::string id = path::to_lower(name);
   if (id.starts_with("sml")) id.replace(0, 3, "SML");
   const std::string_view what = id.starts_with("SML") ? std::string_view(id) : name;
+  // Before rules, because some had the name of a section once.
+  for (const FormatPart& part : describe_format()) {
+    if (is_called(part, what)) return page_of(part);
+  }
   if (const Rule* rule = find_rule(what)) return render_rule(*rule, style);
   const std::vector<const Rule*> rules = family(what);
   if (rules.size() == 1) return render_rule(*rules.front(), style);
   if (!rules.empty()) return render_rule_list(rules, style);
-  for (const FormatPart& part : describe_format()) {
-    if (is_called(part, what)) return page_of(part);
-  }
   const std::string keys = keys_called(what);
   const std::string element = element_called(what);
   return keys.empty() || element.empty() ? keys + element : element + "\n" + keys;

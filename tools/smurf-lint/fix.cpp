@@ -110,6 +110,7 @@ Fixed fix_all(const LintOptions& options, const LintPlan& plan, Session& session
     }
     if (!has_left_out(fixed.report)) ++counted;
     fixed.count += applied.count;
+    fixed.places += applied.edits.size();
     for (FixedText& file : applied.texts) {
       const auto [change, is_new] = fixed.changes.try_emplace(file.path);
       if (is_new) {
@@ -146,7 +147,7 @@ std::string unified_diff(const std::map<std::string, Change>& changes) {
   return text;
 }
 
-std::string fix_remarks(std::size_t fixed, std::span<const Diagnostic> left) {
+std::string fix_remarks(const Fixed* fixed, std::span<const Diagnostic> left) {
   std::size_t safe = 0;
   std::size_t unsafe = 0;
   for (const Diagnostic& diagnostic : left) {
@@ -155,7 +156,10 @@ std::string fix_remarks(std::size_t fixed, std::span<const Diagnostic> left) {
     }
   }
   std::string text;
-  if (fixed > 0) text += "fixed " + counted(fixed, "finding") + "\n";
+  if (fixed != nullptr && fixed->count > 0) {
+    text += "fixed " + counted(fixed->count, "finding") + " at " + counted(fixed->places, "place") +
+            " in " + counted(fixed->changes.size(), "file") + "\n";
+  }
   std::string fixable;
   if (safe > 0) fixable = std::to_string(safe) + " fixable with `--fix`";
   if (unsafe > 0) {

@@ -29,6 +29,7 @@ struct Fixed {
   Report report;                          ///< checked on the fixed texts
   std::map<std::string, Change> changes;  ///< by path
   std::size_t count = 0;                  ///< findings that were fixed
+  std::size_t places = 0;                 ///< changed for them; a finding may stand for many
   FixEnd end = FixEnd::nothing_left;
 };
 
@@ -48,7 +49,8 @@ bool write_changes(const std::map<std::string, Change>& changes, const LintPlan&
 /// Escapes control characters, which sound files do not contain: the text is mainly for people.
 std::string unified_diff(const std::map<std::string, Change>& changes);
 
-/// "fixed 2 findings" and "3 fixable with --fix ...", one per line; "" if there are none.
-std::string fix_remarks(std::size_t fixed, std::span<const Diagnostic> left);
+/// "fixed 2 findings at 5 places in 2 files" and "3 fixable with --fix ...", one per line; "" if
+/// there are none. `fixed` may be null.
+std::string fix_remarks(const Fixed* fixed, std::span<const Diagnostic> left);
 
 }  // namespace smurf::tools

@@ -6,9 +6,11 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "base/counted.hpp"
 #include "base/limits.hpp"
+#include "base/rules.hpp"
 #include "common/input.hpp"
 #include "common/process.hpp"
 #include "common/progress.hpp"
@@ -85,7 +87,8 @@ ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const s
   const Report& report = checked.report;
   const RunSettings settings = merge_run(report.wishes, options);
   // The failure was already reported; "no findings" would hide it.
-  const bool is_nothing = report.summary.files == 0 && !report.problems.empty();
+  const bool has_robots = report.summary.models + report.summary.scenes > 0;
+  const bool is_nothing = !has_robots && report.diagnostics.empty() && !report.problems.empty();
   const Results results{.diagnostics = report.diagnostics,
                         .sources = checked.session.sources(),
                         .summary = report.summary,
@@ -109,14 +112,27 @@ ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const s
   return code;
 }
 
+/// Says where the files that standard input names were looked up, if one was not found there.
+std::string remark_on_input(const LintOptions& options, const LintPlan& plan,
+                            const Report& report) {
+  if (plan.standard_input.empty() || !options.stdin_filename.empty()) return {};
+  const auto is_missing = [](const Diagnostic& one) {
+    return one.rule == &rules::sml1604_mesh_missing || one.rule == &rules::sml2001_missing_file ||
+           one.rule == &rules::sml5006_missing_entity_file;
+  };
+  if (std::none_of(report.diagnostics.begin(), report.diagnostics.end(), is_missing)) return {};
+  return "paths start at the current folder; --stdin-filename PATH sets another place\n";
+}
+
 ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked& checked,
-                std::size_t fixed) {
+                const Fixed* fixed) {
   // Standard output is then used for the fixed text.
   const bool is_changing = options.fix || !options.renames.empty();
   const bool is_taken = is_changing && !plan.standard_input.empty() && options.output.empty();
   const std::string place = is_taken ? "/dev/stderr" : options.output;
-  const ExitCode written =
-      write_reports(options, plan, place, checked, fix_remarks(fixed, checked.report.diagnostics));
+  const ExitCode written = write_reports(options, plan, place, checked,
+                                         remark_on_input(options, plan, checked.report) +
+                                             fix_remarks(fixed, checked.report.diagnostics));
   if (written != kDone) return written;
   return judge(checked.report.summary, merge_run(checked.report.wishes, options).threshold);
 }
@@ -142,7 +158,7 @@ ExitCode give_out(const LintOptions& options, const LintPlan& plan, Session& ses
   if (options.diff) return show_diff(options, fixed.changes);
   if (!write_all(options, plan, session, fixed.changes)) return kFailed;
   if (options.fix_only) return kDone;
-  return report(options, plan, {fixed.report, session}, fixed.count);
+  return report(options, plan, {fixed.report, session}, &fixed);
 }
 
 ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session, Report found,
@@ -174,7 +190,7 @@ ExitCode rename(const LintOptions& options, const LintPlan& plan, Session& sessi
     complain(kTool, "wrote " + counted(changes.size(), "file") + ": renamed " + renames);
   }
   if (options.fix_only) return kDone;
-  return report(options, plan, {found, session}, 0);
+  return report(options, plan, {found, session}, nullptr);
 }
 
 /// The path of the baseline to write. A configuration beside the files cannot choose it; if it
@@ -201,7 +217,11 @@ bool may_be_overwritten(const std::string& path, const LintOptions& options) {
   return false;
 }
 
-ExitCode write_baseline(const LintOptions& options, const Session& session, const Report& report) {
+/// Records what a report for people shows: usually no infos, which would make up most of the file.
+ExitCode write_baseline(const LintOptions& options, const Session& session, Report report) {
+  const Severity least = overview(options, merge_run(report.wishes, options).threshold).least;
+  const std::size_t hidden = std::erase_if(
+      report.diagnostics, [&](const Diagnostic& one) { return one.severity < least; });
   const std::string& known = report.wishes.baseline;
   const auto path = baseline_to_write(options, known);
   if (!path || !may_be_overwritten(*path, options)) return kFailed;
@@ -214,6 +234,10 @@ ExitCode write_baseline(const LintOptions& options, const Session& session, cons
   const auto count = static_cast<std::size_t>(
       std::count_if(report.diagnostics.begin(), report.diagnostics.end(), may_be_in_baseline));
   std::string done = "wrote " + counted(count, "finding") + " to " + render::escape(*path);
+  if (hidden > 0) {
+    done += ", without " + counted(hidden, "info") + " (--min-severity info records " +
+            (hidden == 1 ? "it" : "them") + ")";
+  }
   if (known.empty()) done += "; from now on, add --baseline " + *path;
   return write_text(options, done + "\n");
 }
@@ -281,6 +305,10 @@ Report run_check(const LintOptions& options, const LintPlan& plan, Session& sess
   Report report = session.check(plan, settings);
   report.summary.xacro = plan.xacro;
   report.summary.links = plan.links;
+  // A configuration alone: there is nothing that a target could load.
+  if (report.summary.models + report.summary.scenes + report.problems.size() == 0) {
+    report.targets.clear();
+  }
   if (options.min_severity) {
     std::erase_if(report.diagnostics,
                   [&](const Diagnostic& one) { return one.severity < *options.min_severity; });
@@ -322,12 +350,12 @@ ExitCode run(const LintOptions& options) {
   Report found = check();
   if (!keeps_inputs(options, found, std::array{&inputs, &read})) return kFailed;
   if (options.generate_baseline) {
-    return !plan.problems.empty() ? kFailed : write_baseline(options, session, found);
+    return !plan.problems.empty() ? kFailed : write_baseline(options, session, std::move(found));
   }
   if (renamed) return rename(options, plan, session, *renamed, found);
   const ExitCode code = options.fix || options.fix_only || options.diff
                             ? fix(options, plan, session, std::move(found), check)
-                            : report(options, plan, {found, session}, 0);
+                            : report(options, plan, {found, session}, nullptr);
   return !plan.problems.empty() ? kFailed : code;
 }
 

@@ -41,7 +41,9 @@ Setter set_severity(std::map<std::string, Severity>& severities) {
       const auto* level = std::find_if(std::begin(kLevels), std::end(kLevels),
                                        [&](const auto& one) { return one.first == word; });
       if (level == std::end(kLevels)) {
-        return none_of(word, std::vector<std::string_view>{"error", "warning", "info"});
+        // Other linters know the level `off`.
+        return none_of(word, std::vector<std::string_view>{"error", "warning", "info"}) +
+               (word == "off" ? "; to switch it off: --ignore " + std::string(pattern) : "");
       }
       severities[std::string(pattern)] = level->second;
     }

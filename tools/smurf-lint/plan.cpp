@@ -2,7 +2,7 @@
 #include "smurf-lint/plan.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <deque>
 #include <map>
 #include <set>
@@ -26,13 +26,14 @@ namespace {
 
 constexpr std::string_view kTool = "smurf-lint";
 
-/// The files that a configuration excludes.
+/// The files that a configuration excludes, and its own sections.
 struct Exclusions {
   struct Patterns {
     std::string folder;  ///< absolute
     PathPatterns patterns;
   };
   std::vector<Patterns> all;
+  std::vector<std::string> sections;  ///< that have a schema
   bool is_forced = false;
 
   Exclusions(const std::string& config, const LintOptions& options, const FileReader& files)
@@ -47,6 +48,7 @@ struct Exclusions {
       all.back().patterns.add(one.text.value);
     }
     is_forced = is_forced || (read.force_exclude && read.force_exclude->value);
+    for (const auto& [section, schema] : read.section_schemas) sections.push_back(section);
   }
 
   std::size_t size() const {
@@ -73,6 +75,46 @@ void append_planned(const LintPlan& plan, std::vector<std::string>& paths) {
   for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
     for (const PlannedFile& file : *planned) paths.push_back(file.path);
   }
+}
+
+/// A remark for users of linters with subcommands: what to write instead of the word.
+std::string hint_for_word(std::string_view word) {
+  struct Habit {
+    std::string_view word;
+    std::string_view instead;
+  };
+  constexpr Habit kHabits[] = {
+      {"check", "leave the word out"},   {"lint", "leave the word out"},
+      {"run", "leave the word out"},     {"fix", "write --fix"},
+      {"format", "write --fix"},         {"diff", "write --diff"},
+      {"rename", "write --rename"},      {"explain", "write --explain"},
+      {"rule", "write --explain"},       {"rules", "write --list-rules"},
+      {"config", "write --show-config"}, {"help", "write --help"},
+      {"version", "write --version"},
+  };
+  for (const Habit& habit : kHabits) {
+    if (habit.word == word) {
+      return "; smurf-lint has no subcommands: " + std::string(habit.instead);
+    }
+  }
+  if (find_rule(word) == nullptr) return {};
+  return "; to read about a rule, write --explain " + std::string(word);
+}
+
+/// Whether a text in YAML or JSON seems to have a key of that name.
+bool has_key(std::string_view text, std::string_view name) {
+  const auto is_inner = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+  };
+  for (std::size_t at = text.find(name); at != std::string_view::npos;
+       at = text.find(name, at + 1)) {
+    if (at > 0 && is_inner(text[at - 1])) continue;
+    std::string_view rest = text.substr(at + name.size());
+    if (!rest.empty() && (rest.front() == '"' || rest.front() == '\'')) rest.remove_prefix(1);
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+    if (rest.starts_with(':')) return true;
+  }
+  return false;
 }
 
 class Planner {
@@ -233,11 +275,9 @@ class Planner {
 
   void add_named(const std::string& path) {
     if (const auto reason = why_unreadable(path, files_)) {
-      constexpr std::array<std::string_view, 6> kWords = {"check",  "lint", "fix",
-                                                          "format", "run",  "help"};
-      const bool is_word = std::find(kWords.begin(), kWords.end(), path) != kWords.end();
-      fail("cannot read '" + path + "': " + *reason +
-           (is_word ? "; smurf-lint has no subcommands, see --help" : ""));
+      fail("cannot read '" + path + "': " + *reason + hint_for_word(path));
+    } else if (path::file_name(path) == kConfigName) {
+      config_of_entry(path);  // every run checks the configurations that it reads
     } else if (!is_left_out_by_force(path)) {
       add_file(path);
     }
@@ -261,14 +301,15 @@ class Planner {
                "another name: smurf-lint --stdin-filename NAME.urdf - < FILE"));
   }
 
-  /// Many JSON files have nothing to do with robots. Only looks for the names of sections, because
-  /// the file is parsed later.
-  bool has_section(const std::string& path) const {
+  /// Many YAML and JSON files have nothing to do with robots. Only looks for the names of sections,
+  /// because the file is parsed later.
+  bool has_section(const std::string& path) {
     const FileContent content = files_.read(path, options_.limits.file_bytes);
-    if (content.status != ReadStatus::ok) return true;  // reported when it is loaded
-    const auto is_named = [&](std::string_view name) {
-      return content.text.find('"' + std::string(name) + '"') != std::string::npos;
-    };
+    if (content.status != ReadStatus::ok) return true;             // reported when it is loaded
+    if (content.text.find(':') == std::string::npos) return true;  // no mapping, such as a draft
+    const auto is_named = [&](std::string_view name) { return has_key(content.text, name); };
+    const std::vector<std::string>& own = exclusions_[config_of_entry(path)].sections;
+    if (std::any_of(own.begin(), own.end(), is_named)) return true;
     const std::vector<FormatPart> parts = describe_format();
     return std::any_of(parts.begin(), parts.end(), [&](const FormatPart& part) {
       return is_named(part.name) || std::any_of(part.aliases.begin(), part.aliases.end(), is_named);
@@ -280,7 +321,7 @@ class Planner {
     for (const std::string& model : models) add(plan_.models, model);
     const bool is_passed_over = options_.only_listed && input_kind(path) == InputKind::annotation;
     if (!models.empty() || is_passed_over) return;
-    if (path::to_lower(path::extension(path)) == ".json" && !has_section(path)) {
+    if (input_kind(path) == InputKind::annotation && !has_section(path)) {
       return fail("cannot check '" + path +
                   "': it has no section of SMURF, such as `motors`, and no model lists it");
     }

@@ -69,6 +69,10 @@ class BodyCheck {
     return {axis, ratio};
   }
 
+  void check_mass(std::size_t index) {
+    if (!(plan_.bodies[index].mass.mass > 0)) check_body(index);
+  }
+
  private:
   bool is_drawing() const {
     return !plan_.bodies.empty() &&
@@ -243,6 +247,10 @@ std::optional<InertiaFault> fault_of(const Eigen::Matrix3d& inertia) {
 
 std::vector<Figure> check_bodies(const Plan& plan, const Bounds& bounds, DiagnosticSink& sink) {
   return BodyCheck(plan, bounds, sink).run();
+}
+
+void check_mass(const Plan& plan, std::size_t body, DiagnosticSink& sink) {
+  BodyCheck(plan, Bounds(), sink).check_mass(body);
 }
 
 Named name_of(const Plan& plan, const LinkPlan& link) {

@@ -17,6 +17,9 @@ std::optional<InertiaFault> fault_of(const Eigen::Matrix3d& inertia);
 /// ratios, under the rules of the linter for these faults, with their effects in ODE.
 std::vector<Figure> check_bodies(const Plan& plan, const Bounds& bounds, DiagnosticSink& sink);
 
+/// Reports a body whose mass is not positive; nothing about other bodies.
+void check_mass(const Plan& plan, std::size_t body, DiagnosticSink& sink);
+
 /// The body's link nearest to the root, or for a joint "joint `a`", at its name.
 struct Named {
   std::string name;

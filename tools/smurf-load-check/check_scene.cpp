@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "base/numbers.hpp"
 #include "base/rules.hpp"
@@ -72,6 +73,7 @@ class SceneCheck {
     result.figures = check_bodies(plan_, run_.options().bounds, of_models);
     add_shapes(plan_, files_, of_models);
     if (of_models.has_errors()) result.verdict = Verdict::fail;
+    report_falling_bases();
     const std::size_t stand_ins = add_stand_ins(plan_);
     const std::size_t left_out = add_environment(scene_, flat_, plan_, files_, run_.sink());
     result.note = count_of(plan_.models.size(), "model", "models") + ", " +
@@ -82,6 +84,37 @@ class SceneCheck {
       result.note +=
           "; " + count_of(stand_ins, "stand-in", "stand-ins") + ", see the checks of the models";
     }
+  }
+
+  /// The check of a model alone holds a root without mass in place, as a fixed base. In the scene
+  /// it moves unless it is anchored, and only the scene can report that it has no mass.
+  void report_falling_bases() {
+    std::set<const LinkedModel*> reported;
+    for (std::size_t i = 0; i < plan_.models.size(); ++i) {
+      const PlacedModel& placed = plan_.models[i];
+      if (placed.base.kind != Base::Kind::free || is_drawing(i)) continue;
+      if (!reported.insert(placed.model).second) continue;
+      const std::size_t root = link_index_.at({i, placed.model->tree.roots.front()});
+      DiagnosticSink of_root;
+      check_mass(plan_, plan_.links[root].body, of_root);
+      for (Diagnostic& one : of_root.take()) {
+        one.label(place_of(scene_.entity(scene_.instances[instance_of_[i]])),
+                  "this entity is free to move");
+        one.help("give the link a mass, or anchor the entity, such as by `anchor: world`");
+        run_.sink().report(*one.rule, one.span, {}) = std::move(one);
+      }
+    }
+  }
+
+  /// Whether the model has several bodies and no masses, which its own check reports.
+  bool is_drawing(std::size_t instance) const {
+    std::set<std::size_t> bodies;
+    for (const LinkPlan& link : plan_.links) {
+      if (link.instance != instance) continue;
+      if (plan_.link(link).inertial) return false;
+      bodies.insert(link.body);
+    }
+    return bodies.size() > 1;
   }
 
   std::vector<PlacedModel> placed_models() {

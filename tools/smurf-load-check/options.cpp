@@ -84,6 +84,11 @@ std::string_view bounds_help() {
   return help;
 }
 
+std::string format_hint(std::string_view value) {
+  if (tools::find_report_format(value) == nullptr) return {};
+  return "; --report " + std::string(value) + " writes the findings in this format";
+}
+
 std::vector<Option> check_options(Options& options) {
   constexpr double kLongest = 3600;
   constexpr double kLongestStep = 1;
@@ -104,14 +109,13 @@ std::vector<Option> check_options(Options& options) {
       {.group = "Check",
        .name = "time",
        .metavar = "S",
-       .help =
-           "Seconds that each stage simulates; the default is 0.5, and 0.25 for HANG. In longer "
-           "runs, joint stops may add energy even to a sound robot that has no damping.",
+       .help = "Simulate S seconds in each stage; the default is 0.5, and 0.25 for HANG. In longer "
+               "runs, joint stops may add energy even to a sound robot that has no damping.",
        .set = set_seconds(options.check.time, kLongest)},
       {.group = "Check",
        .name = "step",
        .metavar = "S",
-       .help = "Seconds of one simulation step. The default is 0.001, for which the bounds are "
+       .help = "Simulate in steps of S seconds. The default is 0.001, for which the bounds are "
                "calibrated; for ANCHOR, the step of the scene, or 0.01.",
        .set = set_seconds(options.check.step, kLongestStep)},
       {.group = "Check",
@@ -122,15 +126,15 @@ std::vector<Option> check_options(Options& options) {
       {.group = "Check",
        .name = "time-limit",
        .metavar = "S",
-       .help = "Seconds of processor time for a model, or for a scene and all of its models; the "
-               "default is 10.",
+       .help = "Give a model, or a scene and all of its models, at most S seconds of processor "
+               "time; the default is 10.",
        .set = set_time_limit(options.limits.seconds)},
       {.group = "Check",
        .name = "memory-limit",
        .metavar = "MB",
        .help =
-           "Megabytes of memory that one check may use in addition to its files; the default is "
-           "160.",
+           "Give one check at most MB megabytes of memory in addition to its files; the default "
+           "is 160.",
        .set = set_memory_limit(options.limits.memory_bytes)},
   };
 }
@@ -140,8 +144,10 @@ std::vector<Option> output_options(Options& options) {
       {.group = "Output",
        .name = "format",
        .metavar = "FORMAT",
-       .help = "full: tables and source lines; json: for programs.",
+       .help = "Choose the format: full (the default), with tables and source lines, or json, for "
+               "programs. --report writes the findings alone in other formats.",
        .values = {"full", "json"},
+       .hint = format_hint,
        .set = tools::set_text(options.format)},
       tools::output_option(options.output, "Write the report to FILE."),
       tools::report_option("report", options.reports),

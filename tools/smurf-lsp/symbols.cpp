@@ -14,7 +14,7 @@ constexpr int kNamespace = 3, kClass = 5, kProperty = 7, kField = 8, kFunction =
               kObject = 19, kEvent = 24;
 /// Clients and JSON libraries fail at chains of thousands of links.
 constexpr int kDeepest = 40;
-/// Longer lists would not be read; a longer query finds fewer.
+/// Nobody reads a longer list; the user types more of the name instead.
 constexpr std::size_t kMostSymbols = 2000;
 
 int kind_of(NameKind kind) {

@@ -142,6 +142,6 @@ int main(int argc, char** argv) {
     lost = "not in it: " + conversion.lost();
     if (options.loss_report.empty()) lost += ", see --loss-report";
   }
-  conversion.tell_written(text, lost);
+  conversion.tell_written(text, std::span(&lost, lost.empty() ? 0 : 1));
   return kDone;
 }

@@ -122,7 +122,7 @@ std::vector<Option> content_options(UrdfExport& wanted) {
        .set = set_flag(wanted.collapses_fixed)},
       {.name = "keep",
        .metavar = "NAMES",
-       .help = "Links or joints that --collapse-fixed keeps, comma-separated.",
+       .help = "Keep these links or joints with --collapse-fixed; separate them by commas.",
        .set = append_items(wanted.keep)},
       {.name = "prefix",
        .metavar = "TEXT",
@@ -131,8 +131,8 @@ std::vector<Option> content_options(UrdfExport& wanted) {
        .set = set_text(wanted.prefix)},
       {.name = "base",
        .metavar = "HOW",
-       .help = "as-is (the default); fixed or floating: add a link `world` and a joint of that "
-               "type to the root.",
+       .help = "Keep the root as it is (as-is, the default), or add a link `world` above it with "
+               "a fixed or floating joint.",
        .values = {"as-is", "fixed", "floating"},
        .set = choose<BaseJoint>(wanted.base, {{"as-is", BaseJoint::as_is},
                                               {"fixed", BaseJoint::fixed},
@@ -154,7 +154,7 @@ std::vector<Option> form_options(UrdfExport& wanted) {
                                                 {"keep", MeshUri::keep}})},
       {.name = "package-name",
        .metavar = "NAME",
-       .help = "Name of the package for --mesh-uri package. The folder of the package is the DIR "
+       .help = "Set the package for --mesh-uri package. The folder of the package is the DIR "
                "of --package NAME=DIR; otherwise, it is the nearest folder above the URDF with a "
                "package.xml, or else the folder above urdf/.",
        .set = set_text(wanted.package_name)},

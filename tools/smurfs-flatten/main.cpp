@@ -18,6 +18,7 @@
 #include "smurfs-flatten/assets.hpp"
 #include "smurfs-flatten/chain.hpp"
 #include "smurfs-flatten/compare.hpp"
+#include "smurfs-flatten/formats.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -44,31 +45,6 @@ struct Options {
   bool links = false;
   bool strict = false;
 };
-
-std::vector<std::string_view> format_names() {
-  std::vector<std::string_view> names;
-  for (const SceneFormat* format : scene_formats()) names.push_back(format->name);
-  return names;
-}
-
-std::string format_help() {
-  std::string help = "The output format; by default, that of the extension of --output, or json.";
-  for (const SceneFormat* format : scene_formats()) {
-    help += "\n" + std::string(format->name) + ": " + std::string(format->help) + ".";
-  }
-  return help;
-}
-
-/// Suggests the format of the program that the user named.
-std::string format_hint(std::string_view value) {
-  constexpr std::size_t kShortest = 3;
-  if (value.size() < kShortest) return {};
-  for (const SceneFormat* format : scene_formats()) {
-    if (path::to_lower(format->help).find(path::to_lower(value)) == std::string::npos) continue;
-    return "; did you mean '" + std::string(format->name) + "'?";
-  }
-  return {};
-}
 
 /// "sdf, sdf1.6, mjcf": the formats that can add a floor.
 std::string ground_formats() {
@@ -107,12 +83,12 @@ void add_options(Command& command, Options& options) {
        .help = options.format_help,
        .values = format_names(),
        .hint = format_hint,
+       .help_page = formats_page,
        .set = set_text(options.format)});
   add({.name = "form",
        .metavar = "FORM",
-       .help =
-           "reference: name the files of the models; expand: write the models out. Formats that "
-           "support both expand by default, which loses less.",
+       .help = "Choose how models are written. reference: the result names their files; expand: it "
+               "contains them. Formats that support both expand by default, which loses less.",
        .values = {"reference", "expand"},
        .set = set_text(options.form)});
   add({.name = "ground", .help = options.ground_help, .set = set_flag(options.ground)});
@@ -198,10 +174,8 @@ const SceneFormat* choose_format(const Options& options) {
   if (extension.empty() || is_text) return find_scene_format("json");
   if (extension == ".world") return find_scene_format("sdf");
   if (const SceneFormat* format = find_scene_format(extension.substr(1))) return format;
-  complain(kTool, "no format has the extension '" + extension + "'" +
-                      (extension == ".usd" || extension == ".usdc"
-                           ? "; smurfs-flatten writes OpenUSD as text: name a .usda file"
-                           : "; add --format"));
+  complain(kTool,
+           "no format has the extension '" + extension + "'; " + std::string(advice_on(extension)));
   return nullptr;
 }
 
@@ -488,8 +462,10 @@ int main(int argc, char** argv) {
   if (!is_written) return kFailed;
   const std::string& output = options.common.output;
   if (output.empty() || output == "-" || options.compare_dialects) return kDone;
-  conversion.tell_written(output + ": " + counted(loaded->scene.instances.size(), "instance") +
-                          " of " + counted(loaded->scene.models.size(), "model") +
+  const std::string_view companion = format.companion.first;
+  conversion.tell_written(output + (companion.empty() ? "" : " and " + std::string(companion)) +
+                          ": " + counted(loaded->scene.instances.size(), "instance") + " of " +
+                          counted(loaded->scene.models.size(), "model") +
                           (result.has_falling_robots ? "; robots fall, see --ground" : ""));
   return kDone;
 }

@@ -46,7 +46,9 @@ std::vector<Option> own_options(Options& options) {
        .set = set_flag(options.flat)},
       {.name = "name",
        .metavar = "NAME",
-       .help = "Set the name of the files; the default is the name of the URDF file.",
+       .help =
+           "Set the name of the files; the default is the name of the URDF file, or that of the "
+           "robot when the file is called model.urdf or robot.urdf, or is standard input.",
        .set = set_text(options.name)},
       {.name = "motors",
        .metavar = "WHICH",
@@ -131,12 +133,18 @@ std::string problem_of(const Options& options) {
   return {};
 }
 
+/// Gazebo calls every robot model.urdf, so a file of that name does not tell robots apart.
+bool is_general(std::string_view stem) {
+  const std::string name = path::to_lower(stem);
+  return name == "model" || name == "robot";
+}
+
 std::string file_name_of(const Options& options, const LinkedModel& model) {
   if (!options.name.empty()) return options.name;
-  if (options.urdf != "-" || !options.common.stdin_filename.empty()) {
-    return safe_name(path::stem(model.urdf_path));
-  }
-  return "robot";
+  const bool has_file = options.urdf != "-" || !options.common.stdin_filename.empty();
+  const std::string stem(has_file ? path::stem(model.urdf_path) : "robot");
+  const bool is_named = model.robot && model.robot->name && !model.robot->name->empty();
+  return safe_name(is_general(stem) && is_named ? *model.robot->name : stem);
 }
 
 /// Everything that will be written.
@@ -256,15 +264,14 @@ std::string remark_on_motors(const NewModel& made, MotorChoice choice, std::size
   return "no motors: no transmission or ros2_control of the URDF drives a joint; see --motors all";
 }
 
-/// "wrote 4 files to kuka/: 2 materials, 7 joints; no motors: ..."
+/// "wrote 4 files to kuka/: 2 materials, 7 joints", and the remarks below it.
 void tell(const Conversion& conversion, const std::string& folder, std::size_t files,
-          const std::string& content, const std::string& remark) {
+          const std::string& content, std::span<const std::string> remarks) {
   const bool is_here = folder.empty();
   std::string text = counted(files, "file") + " to " + (is_here ? "this folder" : folder);
   if (!is_here && !folder.ends_with('/')) text += "/";
   if (!content.empty()) text += ": " + content;
-  if (!remark.empty()) text += "; " + remark;
-  conversion.tell_written(text);
+  conversion.tell_written(text, remarks);
 }
 
 /// Counts the mesh paths that MARS cannot open, because it does not resolve `package://`.
@@ -322,11 +329,14 @@ bool write_plan(const Plan& plan, const Options& options, const Conversion& conv
                     [&] { return write_files(kTool, written, options.overwrite); });
 }
 
-/// Remarks for the user: no errors, but reasons why the robot may not behave as expected.
-std::string remarks_on(const LinkedModel& model, const Plan& plan, const Options& options,
-                       const Verification& verification) {
-  std::string text = remark_on_motors(plan.made, options.motors, verification.dead_motors);
-  const auto add = [&](const std::string& remark) { text += (text.empty() ? "" : "; ") + remark; };
+/// Reasons why the robot may not behave as expected.
+std::vector<std::string> remarks_on(const LinkedModel& model, const Plan& plan,
+                                    const Options& options, const Verification& verification) {
+  std::vector<std::string> remarks;
+  const auto add = [&](std::string remark) { remarks.push_back(std::move(remark)); };
+  const std::string on_motors =
+      remark_on_motors(plan.made, options.motors, verification.dead_motors);
+  if (!on_motors.empty()) add(on_motors);
   if (const std::size_t uris = count_uris(model, options, plan.copies); uris > 0) {
     add(counted(uris, "mesh path") + (uris == 1 ? " stays a URI" : " stay URIs") +
         ", which MARS does not open: " +
@@ -336,7 +346,7 @@ std::string remarks_on(const LinkedModel& model, const Plan& plan, const Options
     add("MARS reads the URDF differently (" + counted(verification.for_mars, "error") +
         "): see smurf-lint " + path::join(plan.folder, plan.texts.back().path));
   }
-  return text;
+  return remarks;
 }
 
 ExitCode convert(Conversion& conversion, const Options& options) {

@@ -113,7 +113,7 @@ export class Stage {
 
   /** Brings a whole box into view. `from` points from the box to the camera. */
   fit(box, from = new Vector3(1, -1.5, 0.9)) {
-    this.fitted = box; // until somebody turns it
+    this.fitted = box; // as long as nobody turns the view
     const around = box.isEmpty() ? new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 1)) : box;
     const sphere = around.getBoundingSphere(new Sphere());
     this.radius = Math.max(sphere.radius, 1e-6);

@@ -162,8 +162,10 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
     if (item.is_mapping()) {
       scene.entities.push_back(read_entity(item, list, sink));
     } else {
-      report_wrong_type(wanted::kEntity, item,
-                        "an entry of `" + key + "` must be a mapping, not " + describe(item), sink);
+      Diagnostic& diagnostic = report_wrong_type(
+          wanted::kEntity, item,
+          "an entry of `" + key + "` must be a mapping, not " + describe(item), sink);
+      if (item.is_scalar()) diagnostic.help("write `{name: NAME, file: FILE}`");
     }
   }
 }
@@ -212,9 +214,11 @@ std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& 
   const yaml::View root = document.view();
   if (!root || !root.is_mapping()) {
     const Span place = root ? root.span() : Span{document.source, 0, 0};
-    sink.report(rules::sml2011_root_not_mapping, place,
-                "the scene contains " + (root ? describe(root) : "nothing") +
-                    " instead of keys and values");
+    Diagnostic& diagnostic =
+        sink.report(rules::sml2011_root_not_mapping, place,
+                    "the scene contains " + (root ? describe(root) : "nothing") +
+                        " instead of keys and values");
+    if (root && root.is_sequence()) diagnostic.help("write `entities:` above the list");
     return std::nullopt;
   }
   Scene scene;

@@ -347,9 +347,20 @@ class ConfigReader {
       if (const auto severity = level.is_scalar() ? to_severity(level.text()) : std::nullopt) {
         levels[std::string(level.key())] = {*severity, level.span()};
       } else {
-        expect(level, "error, warning or info");
+        report_level(level);
       }
     });
+  }
+
+  /// Other linters know the level `off`.
+  void report_level(yaml::View level) {
+    Diagnostic& diagnostic = wrong(
+        level, quoted(level.key()) + " must be error, warning or info, not " + describe(level));
+    constexpr std::string_view kOff[] = {"off",      "none",  "ignore", "disable",
+                                         "disabled", "false", "0"};
+    if (!level.is_scalar()) return;
+    if (std::find(std::begin(kOff), std::end(kOff), level.text()) == std::end(kOff)) return;
+    diagnostic.help("to switch a rule off: `ignore: [" + std::string(level.key()) + "]`");
   }
 
   bool is_rule(yaml::View value, std::string_view pattern, Span place) {

@@ -63,7 +63,7 @@ struct Thing {
   std::string name;  ///< may be empty
   std::string path;  ///< in nested scenes, with the names of outer scenes; otherwise empty
   Span place;        ///< place of the name, or of the whole thing
-  std::optional<NameKind> names;  ///< the kind of name that others use for it
+  std::optional<NameKind> names;  ///< the kind of its name, if other things name it
   std::size_t parent = kNone;     ///< the thing that contains it; has a smaller index
   std::size_t brings = kNone;     ///< for an entity that includes a scene: that scene file
   bool is_scene = false;          ///< a scene file, identified by the entity that includes it

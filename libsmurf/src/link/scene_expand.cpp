@@ -447,6 +447,9 @@ std::optional<std::string_view> type_meant(const LinkedScene& scene, std::string
     const std::vector<std::string_view> own = scene.schemas->entity_types();
     known.insert(known.end(), own.begin(), own.end());
   }
+  // Words of other formats, which no edit turns into a type of MARS.
+  const std::string lower = path::to_lower(type);
+  if (lower == "robot" || lower == "model") return "smurf";
   return nearest(type, known);
 }
 

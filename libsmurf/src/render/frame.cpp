@@ -29,8 +29,19 @@ Frame::Frame(const SourceMap& sources, const TextStyle& style, Mark main, std::v
       others_(std::move(others)) {
   std::stable_sort(others_.begin(), others_.end(),
                    [](const Mark& a, const Mark& b) { return a.span.begin < b.span.begin; });
+  share_mark();
   choose_lines(context_lines);
   gutter_ = std::to_string(shown_.back()).size();
+}
+
+/// A label on the main mark is the caption of that mark, if it has none.
+void Frame::share_mark() {
+  if (!main_.text.empty()) return;
+  const auto same = std::find_if(others_.begin(), others_.end(),
+                                 [&](const Mark& mark) { return mark.span == main_.span; });
+  if (same == others_.end()) return;
+  main_.text = same->text;
+  others_.erase(same);
 }
 
 Frame::Lines Frame::lines_of(Span span) const {

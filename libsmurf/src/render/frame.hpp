@@ -41,6 +41,7 @@ class Frame {
     std::uint32_t last = 1;
   };
   Lines lines_of(Span span) const;
+  void share_mark();
   void choose_lines(std::uint32_t context_lines);
   /// The part of the mark on its first line.
   ByteRange on_first_line(Span span) const;

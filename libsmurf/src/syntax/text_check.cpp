@@ -50,7 +50,7 @@ std::size_t find_control_character(std::string_view text, TextFormat format) {
   return text.size();
 }
 
-/// A text of NUL and blanks. What the readers of the text before it do is not known.
+/// Whether a text consists of NUL and blanks. Readers treat such an end of a file differently.
 bool is_padded(std::string_view text) {
   using namespace std::string_view_literals;
   return text.front() == '\0' && text.find_first_not_of("\0 \t\r\n"sv) == std::string_view::npos;

@@ -34,6 +34,19 @@ Diagnostic& report_malformed(Span place, std::string message, const char* constr
   return diagnostic;
 }
 
+void report_no_element(Span place, std::string_view text, const char* construct,
+                       DiagnosticSink& sink) {
+  constexpr std::string_view kMergeMark = "<<<<<<<";
+  if (text.starts_with(kMergeMark)) {
+    place.end = place.begin + static_cast<std::uint32_t>(kMergeMark.size());
+    report_malformed(place, "a merge conflict left its markers here", construct, sink)
+        .help("keep one of the two versions, and delete the markers");
+    return;
+  }
+  report_malformed(place, "`<` does not begin an element here", construct, sink)
+      .help("write `&lt;` for the character itself");
+}
+
 void report_second_root(Span place, std::string_view name, Span first, DiagnosticSink& sink) {
   sink.report(rules::sml1006_xml_several_roots, place,
               "a second root element " + quoted(name) + " begins after the first has ended")

@@ -260,9 +260,9 @@ class Scanner {
     element.name_size = name.end - name.begin;
     if (name.empty()) {
       const bool is_blank = at_ < size() && is(text_[at_], blank);
-      malformed(span(begin, begin + 1), "`<` does not begin an element here",
-                is_blank ? "blank-tag" : "no-tag")
-          .help("write `&lt;` for the character itself");
+      well_formed_ = false;
+      report_no_element(span(begin, begin + 1), text_.substr(begin),
+                        is_blank ? "blank-tag" : "no-tag", sink_);
       return;
     }
     if (tree_.depth() == 0 && !tree_.elements().empty()) {

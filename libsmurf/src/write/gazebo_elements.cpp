@@ -284,7 +284,7 @@ void GazeboElements::add_to_joint(XmlText& xml, std::string_view joint, UniqueNa
     xml.close();
     xml.close();
   }
-  if (model_.link_names.contains(joint)) return;  // the link has them
+  if (model_.link_names.contains(joint)) return;  // they belong to the link of that name
   for (const xml::View element : of(joint)) {
     if (!is_one_of(element.name(), kOfJoints)) add_raw(xml, element, {}, {}, names);
   }

@@ -2,6 +2,7 @@
 #include "write/scene_losses.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "base/counted.hpp"
 #include "base/quoted.hpp"
@@ -12,19 +13,23 @@
 namespace smurf {
 namespace {
 
-/// "`a`, `b` and 3 more".
 const std::string& name_in(const std::string& name) { return name; }
 const std::string& name_in(const FoundThing& thing) { return thing.name; }
 
+/// "`a`, `b` and 3 more". Two models may have the same names, which are listed once.
 template <class Names>
 std::string list(const Names& names) {
   constexpr std::size_t kShown = 8;
+  std::set<std::string_view> listed;
   std::string text;
-  for (std::size_t i = 0; i < names.size() && i < kShown; ++i) {
-    const std::string& name = name_in(names[i]);
-    text += (i == 0 ? "" : ", ") + (name.empty() ? "a node without name" : quoted(name));
+  std::size_t count = 0;
+  for (const auto& each : names) {
+    const std::string& name = name_in(each);
+    if (!name.empty() && !listed.insert(name).second) continue;
+    if (++count > kShown) continue;
+    text += (count == 1 ? "" : ", ") + (name.empty() ? "a node without name" : quoted(name));
   }
-  if (names.size() > kShown) text += " and " + std::to_string(names.size() - kShown) + " more";
+  if (count > kShown) text += " and " + std::to_string(count - kShown) + " more";
   return text;
 }
 

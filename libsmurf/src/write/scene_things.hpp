@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of the contents of models and scenes and their fate in each format. The warnings of the
-// writers, --strict, --loss-report and docs/scene-formats.md are made from it.
+// writers, --fail-on-loss, --loss-report and docs/scene-formats.md are made from it.
 #pragma once
 
 #include <array>

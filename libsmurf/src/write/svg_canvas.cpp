@@ -216,7 +216,7 @@ std::optional<Box2> SvgCanvas::place_of_label(const Point2& at, double width) co
   constexpr std::size_t kMostLost = 100;
   const double farthest = top_ > 0 || lost_names_ > kMostLost ? 30 : 130;
   const Box2 area{{4, kTitleHeight}, {width_ - 4, height_ - kNumbersHeight}};
-  // Right, left, above, below; then farther away.
+  // Tries all sides of the point, and then places farther away.
   for (double far = 0; far < farthest; far += kFontSize + 3) {
     for (const Point2& offset : {Point2{12, -10 - far}, Point2{-12 - width, -10 - far},
                                  Point2{12, 20 + far}, Point2{-12 - width, 20 + far},

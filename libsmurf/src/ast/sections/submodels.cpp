@@ -34,7 +34,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec submodels{
     .name = "submodels",
     .entry = "submodel",
-    .doc = "Parts of the model that Phobos exported as models of their own.",
+    .doc = "Parts of the model that Phobos exported as separate models.",
     .read_by = "Phobos 2",
     .form = SectionForm::named,
     .filtered_keys = keys,

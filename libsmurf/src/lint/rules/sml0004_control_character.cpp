@@ -9,9 +9,9 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::takes, "keeps the byte inside names and values",
      "urdfdom, sdformat, DART, MuJoCo, run", "#in-urdf"},
-    {&readers::urdf, Effect::refuses, "refuses the file, or reads no further than the NUL",
+    {&readers::urdf, Effect::refuses, "refuses the file, or stops reading at the NUL",
      "urdfdom, sdformat, DART, MuJoCo, run", kUncertain},
-    {&readers::urdf, Effect::refuses, "refuses the file, or reads no further", "urdfdom, run"},
+    {&readers::urdf, Effect::refuses, "refuses the file, or stops reading there", "urdfdom, run"},
     {&readers::mars, Effect::changes, "keeps the byte inside names and values",
      "yaml-cpp 0.7, run"},
     {&readers::phobos, Effect::loses, "logs the error and continues without the annotations", kRun,

@@ -11,7 +11,7 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, run"},
     {&readers::urdf, Effect::takes, "skips the declaration", "urdfdom, sdformat, MuJoCo, run",
      "#declaration"},
-    {&readers::urdf, Effect::takes, "reads no further", "urdfdom, sdformat, MuJoCo, run",
+    {&readers::urdf, Effect::takes, "stops reading there", "urdfdom, sdformat, MuJoCo, run",
      "#end-tag-behind"},
     // TinyXML, which urdfdom uses, and tinyxml2 read on after different faults. What they make of
     // the rest is not known: there is no fact for those readers.

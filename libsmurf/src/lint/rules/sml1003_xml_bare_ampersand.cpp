@@ -6,10 +6,10 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::gazebo, Effect::takes, "reads on", kRun, "#character"},
+    {&readers::gazebo, Effect::takes, "continues", kRun, "#character"},
     {&readers::urdfdom, Effect::refuses, "refuses the file", kRun, "#character"},
     {&readers::dart, Effect::refuses, "refuses the file", kRun, "#character"},
-    {&readers::urdf, Effect::takes, "reads on", "urdfdom, sdformat, MuJoCo and Bullet, run"},
+    {&readers::urdf, Effect::takes, "continues", "urdfdom, sdformat, MuJoCo and Bullet, run"},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
 };
 

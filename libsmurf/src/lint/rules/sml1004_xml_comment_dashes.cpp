@@ -6,7 +6,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::takes, "reads on", "urdfdom, run; tinyxml2"},
+    {&readers::urdf, Effect::takes, "continues", "urdfdom, run; tinyxml2"},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
 };
 

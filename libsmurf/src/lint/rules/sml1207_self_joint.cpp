@@ -33,7 +33,7 @@ bool is_only_root(const LinkedModel& model, std::string_view link) {
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.parent || !joint.child || *joint.parent != *joint.child) return;
-    if (!model.link_names.contains(*joint.child)) return;  // reported where it is unknown
+    if (!model.link_names.contains(*joint.child)) return;  // SML1201 reports the unknown link
     Diagnostic& diagnostic =
         findings.report(joint.child.span,
                         title(joint) + " connects the link " + quoted(*joint.child) + " to itself");

@@ -29,8 +29,8 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses,
      "finds no link with that name, because the space is part of it", "urdfdom, run"},
-    {&readers::urdfdom, Effect::changes, "does not look for the joint; it is left free", kRun,
-     "/mimic/"},
+    {&readers::urdfdom, Effect::changes,
+     "does not look for the leading joint, so the joint moves freely", kRun, "/mimic/"},
     {&readers::urdfdom, Effect::takes, "keeps the space in the name", kRun, "/joint/@name/"},
     {&readers::gazebo, Effect::takes, "merges the two into one link without a joint", kRun,
      "/joint/@name/#nothing-else#in-fixed/"},

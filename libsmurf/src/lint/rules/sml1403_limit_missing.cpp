@@ -25,8 +25,9 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(name_place(model, joint),
                 title(joint) + " is " + *joint.type_name + " and has no `limit`")
-        .help(joint.type == urdf::JointType::revolute ? "add one, or make the joint continuous"
-                                                      : "add one");
+        .help(std::string(
+                  "add `<limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>`") +
+              (joint.type == urdf::JointType::revolute ? ", or make the joint continuous" : ""));
   });
 }
 

@@ -22,7 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
-    {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun, "#one-axis"},
+    {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun, "#one-axis"},
     {&readers::dart, Effect::ignores, "reads the dynamics of joints with one axis only", kRun},
     {&readers::drake, Effect::refuses, "refuses negative damping", "Drake revolute_joint.h:125"},
     {&readers::mujoco, Effect::changes, "reads the number", kRun},

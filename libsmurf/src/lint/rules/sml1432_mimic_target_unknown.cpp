@@ -33,7 +33,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::changes, "does not look for the joint; it is left free", kRun},
+    {&readers::urdfdom, Effect::changes,
+     "does not look for the leading joint, so the joint moves freely", kRun},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::pybullet, Effect::ignores, "ignores mimic",
      "Bullet UrdfParser.cpp has no code for it"},

@@ -82,8 +82,8 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun, "#number"},
     {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun,
      "#empty-include"},
-    {&readers::gazebo, Effect::refuses, "refuses the file unless its own paths have such a model",
-     kRun, kUncertain},
+    {&readers::gazebo, Effect::refuses,
+     "refuses the file unless it finds such a model in its own paths", kRun, kUncertain},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
 };
 
@@ -95,8 +95,7 @@ extern constinit const Rule sml1447_gazebo_value{
     .severity = Severity::warning,
     .summary = "An element for Gazebo lacks a part, or contains one that Gazebo cannot read.",
     .why =
-        "An empty `mu1`, or a word in `dampingFactor`, ends the simulator. Other elements are SDF, "
-        "where attributes such as `type`, values, and names are read strictly.",
+        "An empty `mu1`, or a word in `dampingFactor`, ends the simulator. Other elements are read as SDF, which does not tolerate wrong types, values or names.",
     .remedy = "Write the element as the specification of SDF says.",
     .check_model = check,
     .facts = kFacts};

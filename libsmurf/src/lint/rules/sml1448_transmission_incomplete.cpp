@@ -30,7 +30,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses, "ros_control skips it and does not load the actuator",
      "ros_control transmission_interface/src/transmission_parser.cpp"},
-    {&readers::drake, Effect::loses, "makes an actuator of a simple transmission only",
+    {&readers::drake, Effect::loses, "makes actuators only for simple transmissions",
      "Drake detail_urdf_parser.cc:930-936", "#not-simple"},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:915-964"},
 };

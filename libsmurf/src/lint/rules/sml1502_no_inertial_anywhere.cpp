@@ -46,7 +46,7 @@ extern constinit const Rule sml1502_no_inertial_anywhere{
     .name = "no-inertial-anywhere",
     .severity = Severity::warning,
     .summary = "A robot with movable joints has no inertial at all.",
-    .why = "Viewers and path planners do not need one, simulators do.",
+    .why = "Simulators need inertials; viewers and path planners do not.",
     .remedy = "Add inertials, if the robot is to be simulated.",
     .sources = "102 of 322 files of the Tola/Corke dataset.",
     .check_model = check,

@@ -25,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
-    {&readers::mars, Effect::breaks, "passes a mass to ODE that ODE reports as wrong",
+    {&readers::mars, Effect::breaks, "passes the mass to ODE, which reports it as wrong",
      "ODE dMassCheck, run"},
     {&readers::pybullet, Effect::takes, "keeps the number", kRun},
     {&readers::gazebo, Effect::changes,

@@ -31,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the zeros", kRun},
-    {&readers::mars, Effect::breaks, "passes an inertia to ODE that ODE reports as wrong",
+    {&readers::mars, Effect::breaks, "passes the inertia to ODE, which reports it as wrong",
      "ODE dMassCheck, run"},
     {&readers::phobos, Effect::takes, "keeps the numbers", kRun},
     {&readers::pybullet, Effect::ignores, "computes the inertia from the collisions",

@@ -52,14 +52,14 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the numbers", kRun},
-    {&readers::mars, Effect::breaks, "passes an inertia to ODE that ODE reports as wrong",
+    {&readers::mars, Effect::breaks, "passes the inertia to ODE, which reports it as wrong",
      "ODE dMassCheck, run"},
     {&readers::phobos, Effect::takes, "keeps the numbers", kRun},
     {&readers::pybullet, Effect::ignores,
      "computes the inertia from the collisions, unless told otherwise",
      "BulletUrdfImporter.cpp:374-411"},
     {&readers::gazebo, Effect::takes,
-     "uses the body that fixed joints merge it into, or drops the link", kRun, "#sound-together"},
+     "merges the link into the body it is fixed to, or drops the link", kRun, "#sound-together"},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "computes with it anyway", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the inertia", "MuJoCo user_util.cc:862, run"},

@@ -39,7 +39,7 @@ constexpr Fact kFacts[] = {
      "computes the inertia from the collisions, unless told otherwise",
      "BulletUrdfImporter.cpp:374-411"},
     {&readers::gazebo, Effect::takes,
-     "uses the body that fixed joints merge it into, or drops the link", kRun, "#sound-together"},
+     "merges the link into the body it is fixed to, or drops the link", kRun, "#sound-together"},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "computes with it anyway", kRun},
     {&readers::mujoco, Effect::changes, "balances the moments, because the file tells it to", kRun,

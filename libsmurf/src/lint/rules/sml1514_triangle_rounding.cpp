@@ -93,7 +93,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::takes,
-     "uses the body that fixed joints merge it into, or drops the link", kRun, "#sound-together"},
+     "merges the link into the body it is fixed to, or drops the link", kRun, "#sound-together"},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia",
      "gz-math MassMatrix3.hh, run", "#sdformat"},
     {&readers::gazebo, Effect::refuses,

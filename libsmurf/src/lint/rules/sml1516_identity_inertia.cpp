@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "base/counted.hpp"
 #include "base/numbers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
@@ -27,7 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
   diagnostic.caret = "that of a ball of " + format_rounded(2 * std::sqrt(2.5 / mass), 2) +
                      " m and " + format_rounded(mass, 3) + " kg";
   if (count > 1) {
-    diagnostic.note(std::to_string(count - 1) + " more links in this file");
+    diagnostic.note(counted(count - 1, "more link") + " in this file");
   }
 }
 

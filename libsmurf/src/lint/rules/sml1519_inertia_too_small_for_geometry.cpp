@@ -8,7 +8,8 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   const double smallest = findings.tolerance();
-  constexpr double kUnit = 1e-4;  // of a homogeneous block, and less: no shape, but another unit
+  constexpr double kUnit =
+      1e-4;  // of a homogeneous block: no shape explains less, a wrong unit does
   for_each_link(model, [&](const urdf::Link& link) {
     const auto extent = extent_of(model, link);
     const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/counted.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
@@ -26,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(first, "the inertial of " + whose + " is rotated");
   diagnostic.note("Isaac ignores the rotation, and Phobos cannot merge such links");
   if (count > 1) {
-    diagnostic.note(std::to_string(count - 1) + " more links in this file");
+    diagnostic.note(counted(count - 1, "more link") + " in this file");
   }
 }
 
@@ -37,8 +38,8 @@ extern constinit const Rule sml1527_inertial_frame_rotated{
     .name = "inertial-frame-rotated",
     .severity = Severity::info,
     .summary = "The frame of an inertial is rotated.",
-    .why = "Isaac reads the position of the origin only, so the tensor is about other axes there; "
-           "Phobos cannot merge such links.",
+    .why =
+        "Isaac reads the position of the origin only, so it uses the tensor in the wrong frame; Phobos cannot merge such links.",
     .remedy =
         "Rotate the tensor into the axes of the link and write rpy=\"0 0 0\", if these readers "
         "matter.",

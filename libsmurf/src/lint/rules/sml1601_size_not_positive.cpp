@@ -42,9 +42,9 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
     {&readers::mars, Effect::breaks,
-     "stops loading here: everything after it, the pose and the anchor are missing",
+     "stops loading here, so all later objects, the pose and the anchor are missing",
      "MARS smurf.cpp:1014-1058, NodePhysics.cpp:626-634"},
-    {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
+    {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a size that is not positive", kRun},
     {&readers::drake, Effect::takes, "accepts a sphere of radius 0",
      "Drake shape_specification.cc:284", "/sphere/@radius/#zero"},

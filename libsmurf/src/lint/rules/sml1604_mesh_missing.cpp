@@ -11,20 +11,30 @@
 namespace smurf::rules {
 namespace {
 
+/// Whether a folder on the way to the URDF has this name, as far as the path is written.
+bool lies_in(const LinkedModel& model, std::string_view name) {
+  const std::string folders = "/" + std::string(path::parent(model.urdf_path)) + "/";
+  return !name.empty() && folders.find("/" + std::string(name) + "/") != std::string::npos;
+}
+
 /// A package without any file on this machine is one finding, and not an error: it may be
 /// elsewhere.
 void report_package(const std::vector<const MeshReference*>& uses, std::string_view package,
-                    Findings& findings) {
+                    const LinkedModel& model, Findings& findings) {
   const std::string name(package);
   Diagnostic& diagnostic =
       findings.report(uses.front()->span, "cannot find any file of the package " + quoted(package));
-  diagnostic.caret = "in no folder above the URDF";
+  const bool is_here = lies_in(model, package);
+  diagnostic.caret = is_here
+                         ? "the folder " + quoted(package) + " above the URDF does not contain it"
+                         : "in no folder above the URDF";
   diagnostic.severity = Severity::warning;
   diagnostic.construct = "package";
   if (uses.size() > 1) {
     diagnostic.note("the URDF names " + std::to_string(uses.size()) + " files of it");
   }
-  diagnostic.help("name its folder: `--package " + name + "=DIR`");
+  diagnostic.help(is_here ? "add the files, or name another folder: `--package " + name + "=DIR`"
+                          : "name its folder: `--package " + name + "=DIR`");
 }
 
 /// Suggests another file in all places that name the missing one.
@@ -92,7 +102,7 @@ void check(const LinkedModel& model, Findings& findings) {
       lost_folders[{folder, fault}].push_back(mesh);
     }
   }
-  for (const auto& [package, uses] : lost_packages) report_package(uses, package, findings);
+  for (const auto& [package, uses] : lost_packages) report_package(uses, package, model, findings);
   for (const auto& [folder, uses] : lost_folders) {
     report_file(*uses.front(), model, uses.size() - 1, findings);
   }
@@ -134,7 +144,7 @@ extern constinit const Rule sml1604_mesh_missing{
     .name = "mesh-missing",
     .severity = Severity::error,
     .summary = "A mesh or texture file does not exist.",
-    .why = "Pinocchio refuses the body.",
+    .why = "Pinocchio refuses a body whose mesh is missing.",
     .remedy =
         "Correct the path (relative to the URDF), add the file, or name the package's folder with "
         "`--package NAME=DIR`.",

@@ -36,7 +36,7 @@ constexpr Fact kFacts[] = {
      "finds no file, or no retriever for the scheme, and refuses the model", kRun},
     {&readers::mujoco, Effect::refuses, "treats the scheme as a part of the path", kRun},
     ros_without_mesh(),
-    {&readers::gazebo, Effect::loses, "does not look for the file; the link may have no such shape",
+    {&readers::gazebo, Effect::loses, "does not look for the file, and may leave the shape out",
      "sdformat parser_urdf.cc:2416-2431"},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
 };

@@ -35,8 +35,7 @@ extern constinit const Rule sml1612_mesh_path_depth_mars{
     .severity = Severity::warning,
     .summary = "MARS does not find a mesh that URDF readers find.",
     .why =
-        "One reader resolves relative paths from the folder of the .smurf, all others from that of "
-        "the URDF.",
+        "A relative path starts at the folder of the .smurf for one reader, and at the folder of the URDF for all others.",
     .remedy = "Keep both files in folders side by side, such as `smurf/` and `urdf/`, and write "
               "`../meshes/x.obj`.",
     .check_model = check,

@@ -47,10 +47,10 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks,
-     "stops loading here: everything after it, the pose and the anchor are missing",
+     "stops loading here, so all later objects, the pose and the anchor are missing",
      "MARS NodePhysics.cpp:626-634", "#zero"},
     {&readers::dart, Effect::takes, "keeps the scale", kRun, "#tiny"},
-    {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
+    {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a mesh of less than 1e-15 m3", kRun, "#tiny"},
     {&readers::mujoco, Effect::refuses, "refuses a scale of 0", kRun},
     {&readers::drake, Effect::refuses, "refuses a scale below 1e-8", "Drake shape_specification.h",

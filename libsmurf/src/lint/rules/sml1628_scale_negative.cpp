@@ -23,11 +23,11 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks,
-     "stops loading here: everything after it, the pose and the anchor are missing",
+     "stops loading here, so all later objects, the pose and the anchor are missing",
      "MARS NodePhysics.cpp:626-634"},
     {&readers::pybullet, Effect::changes, "mirrors the mesh and leaves its faces inside out",
      "BulletUrdfImporter.cpp"},
-    {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
+    {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun},
     {&readers::mujoco, Effect::takes, "turns the faces with the mesh", kRun},
 };
 

@@ -62,8 +62,7 @@ extern constinit const Rule sml1630_mesh_units{
     .severity = Severity::warning,
     .summary = "A mesh is longer than 50 m or shorter than 1 mm with its scale.",
     .why =
-        "URDF lengths are in metres, CAD programs write millimetres: the robot is a thousand times "
-        "too large, or, scaled twice, too small to see.",
+        "URDF lengths are in metres, and CAD programs write millimetres: the robot is a thousand times too large or, when it is scaled twice, too small to see.",
     .remedy = "Correct `scale`, or export the mesh in metres.",
     .sources =
         "40 of 322 public URDFs scale by 0.001; rerun issue 11290 and pinocchio issue 1370 are "

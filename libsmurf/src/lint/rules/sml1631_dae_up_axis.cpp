@@ -23,8 +23,8 @@ extern constinit const Rule sml1631_dae_up_axis{
     .name = "dae-up-axis",
     .severity = Severity::warning,
     .summary = "A COLLADA mesh declares an up axis other than Z, or none, which means Y.",
-    .why = "Bullet turns the mesh, RViz, Gazebo, MoveIt and urdf-loader do not: a mesh that looks "
-           "right in one is turned in another.",
+    .why =
+        "Bullet rotates the mesh; RViz, Gazebo, MoveIt and urdf-loader do not. A mesh that looks right in one of them is rotated in another.",
     .remedy = "Export the mesh with Z up and the rotation applied.",
     .sources =
         "Bullet LoadMeshFromCollada.cpp:538-550, RViz assimp_loader.cpp:201, gz-common "

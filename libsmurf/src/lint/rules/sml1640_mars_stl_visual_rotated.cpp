@@ -21,8 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "turns the mesh of a visual by -90 degrees about x when it is an STL, but not that of a "
-     "collision",
+     "rotates the STL mesh of a visual by -90 degrees about x, but not that of a collision",
      "MARS smurf.cpp:1129-1136"},
 };
 

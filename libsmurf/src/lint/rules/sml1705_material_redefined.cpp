@@ -58,8 +58,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes, "uses the first for both", kRun},
-    {&readers::pybullet, Effect::takes, "gives each its own", kRun},
-    {&readers::mujoco, Effect::takes, "gives each its own", kRun},
+    {&readers::pybullet, Effect::takes, "gives each visual its own", kRun},
+    {&readers::mujoco, Effect::takes, "gives each visual its own", kRun},
     {&readers::drake, Effect::takes, "treats colours that differ by less than 1e-10 as equal",
      "Drake detail_urdf_geometry.cc:76-80", "#rounding"},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc:64-102"},

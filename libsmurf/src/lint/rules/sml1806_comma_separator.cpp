@@ -17,7 +17,7 @@ extern constinit const Rule sml1806_comma_separator{
     .name = "comma-separator",
     .severity = Severity::error,
     .summary = "Commas separate the numbers of a vector.",
-    .why = "yourdfpy accepts it for some attributes.",
+    .why = "yourdfpy accepts commas in some attributes.",
     .remedy = "Separate the numbers by single spaces.",
     .facts = kFacts};
 

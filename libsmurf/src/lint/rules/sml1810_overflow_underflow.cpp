@@ -5,7 +5,7 @@
 namespace smurf::rules {
 namespace {
 
-constexpr std::string_view kAsserts = "reads 0, and ends the process by an assertion";
+constexpr std::string_view kAsserts = "reads 0, and ends the process with an assertion";
 
 constexpr std::string_view kCannotRead = "cannot read the number, and refuses the file";
 constexpr std::string_view kComputes = "reads the number, and computes with it";

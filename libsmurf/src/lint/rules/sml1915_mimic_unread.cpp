@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/counted.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
@@ -14,7 +15,8 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(tag_name(model, mimics.front()->mimic->element),
                                            title(*mimics.front()) + " mimics another joint");
   if (mimics.size() > 1) {
-    diagnostic.note("so do " + std::to_string(mimics.size() - 1) + " more joints");
+    diagnostic.note(counted(mimics.size() - 1, "more joint mimics another one",
+                            "more joints mimic another one"));
   }
 }
 

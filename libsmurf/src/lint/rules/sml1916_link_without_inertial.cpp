@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/counted.hpp"
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
@@ -69,7 +70,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.construct += "#massless-body";
   }
   if (links.size() > 1) {
-    diagnostic.note(std::to_string(links.size() - 1) + " more links have none");
+    diagnostic.note(counted(links.size() - 1, "more link has none", "more links have none"));
   }
 }
 

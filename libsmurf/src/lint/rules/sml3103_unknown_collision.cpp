@@ -32,7 +32,7 @@ extern constinit const Rule sml3103_unknown_collision{
     .name = "unknown-collision",
     .severity = Severity::error,
     .summary = "An annotation names a collision that the URDF does not have.",
-    .remedy = "Correct the name; collisions without name in the URDF cannot be referred to.",
+    .remedy = "Correct the name; an annotation cannot name a collision that has no name.",
     .check_model = check,
     .facts = kFacts};
 

@@ -22,7 +22,7 @@ extern constinit const Rule sml3106_unknown_visual{
     .name = "unknown-visual",
     .severity = Severity::error,
     .summary = "An annotation names a visual that the URDF does not have.",
-    .remedy = "Correct the name; visuals without name cannot be referred to.",
+    .remedy = "Correct the name; an annotation cannot name a visual that has no name.",
     .check_model = check,
     .facts = kFacts};
 

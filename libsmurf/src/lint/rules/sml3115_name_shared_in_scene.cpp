@@ -64,7 +64,7 @@ extern constinit const Rule sml3115_name_shared_in_scene{
     .id = "SML3115",
     .name = "name-shared-in-scene",
     .severity = Severity::info,
-    .summary = "A name that MARS looks up in the whole scene belongs to several robots of it.",
+    .summary = "Several robots of a scene share a name that MARS looks up in the whole scene.",
     .why =
         "The leader of a mimicking motor, the frame of a NodeCOM sensor, the node of a light and "
         "`frictionDirNode` are looked up by name among all robots of the simulation, and the first "

@@ -52,7 +52,8 @@ extern constinit const Rule sml3204_motor_stronger_than_joint{
     .name = "motor-stronger-than-joint",
     .severity = Severity::warning,
     .summary = "A motor is stronger or faster than the URDF allows its joint to be.",
-    .why = "Readers of the URDF take them from the joint: the robot behaves differently in each.",
+    .why =
+        "Readers of the URDF use the limits of the joint, so the robot behaves differently there.",
     .remedy = "Make the two agree.",
     .check_model = check,
     .tolerance = {.value = 1.1,

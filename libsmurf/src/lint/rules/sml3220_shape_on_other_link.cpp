@@ -80,7 +80,8 @@ extern constinit const Rule sml3220_shape_on_other_link{
     .id = "SML3220",
     .name = "shape-on-other-link",
     .severity = Severity::error,
-    .summary = "A collision or visual entry names a link that does not have it.",
+    .summary =
+        "A collision or visual entry names a link that does not have this collision or visual.",
     .remedy = "Correct `link`.",
     .check_model = check,
     .facts = kFacts};

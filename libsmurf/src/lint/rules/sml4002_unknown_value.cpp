@@ -8,7 +8,7 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::refuses, "ends with an uncaught exception", kRun, "/physicmode/"},
     {&readers::mars, Effect::breaks,
-     "stops loading here: everything after it, the pose and the anchor are missing",
+     "stops loading here, so all later objects, the pose and the anchor are missing",
      "MARS SensorManager.cpp:357-360"},
 };
 

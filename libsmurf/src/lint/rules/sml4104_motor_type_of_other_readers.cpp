@@ -39,8 +39,7 @@ extern constinit const Rule sml4104_motor_type_of_other_readers{
     .severity = Severity::warning,
     .summary = "A motor has a type that MARS treats as a position controller, but others do not.",
     .why =
-        "`velocity` and `force` are types of one reader, `DirectEffort`, `FeedForwardEffort` and "
-        "`ff_torque` of another.",
+        "One reader knows the types `velocity` and `force`; another knows `DirectEffort`, `FeedForwardEffort` and `ff_torque`.",
     .remedy = "Write `DC` for a speed or `direct_effort` for a torque, which MARS knows.",
     .check_model = check,
     .facts = kFacts};

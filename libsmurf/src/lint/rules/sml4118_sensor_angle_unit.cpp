@@ -96,7 +96,7 @@ extern constinit const Rule sml4118_sensor_angle_unit{
     .severity = Severity::warning,
     .summary = "An angle of a sensor looks like radians where MARS reads degrees, or the reverse.",
     .why =
-        "1.57 degrees is a slit, 90 rad are 14 turns. Roll, pitch and yaw of an offset are degrees.",
+        "A camera that opens by 1.57 degrees sees almost nothing, and 90 rad are 14 turns. Roll, pitch and yaw of an offset are degrees.",
     .remedy = "Convert the value.",
     .check_model = check,
     .facts = kFacts};

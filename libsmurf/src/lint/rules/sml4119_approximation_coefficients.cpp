@@ -38,9 +38,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::crashes,
-     "reads the coefficients by number without checking how many there are: it reads memory beyond "
-     "the end of the list",
+    {&readers::mars, Effect::crashes, "reads memory beyond the end of the list",
      "MARS MotorData.cpp"},
 };
 

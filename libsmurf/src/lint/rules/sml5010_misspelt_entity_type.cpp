@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/edits.hpp"
+#include "base/path.hpp"
 #include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
@@ -8,10 +9,18 @@
 namespace smurf::rules {
 namespace {
 
+/// The type that is meant, for the file of the entity.
+std::optional<std::string_view> suggestion(const LinkedScene& scene, const Entity& entity) {
+  const auto near = type_meant(scene, entity_type(entity));
+  const std::string_view file = entity.file ? std::string_view(*entity.file) : std::string_view();
+  const bool is_urdf = path::to_lower(path::extension(file)) == ".urdf";
+  return near == "smurf" && is_urdf ? "urdf" : near;
+}
+
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
     const std::string type = entity_type(entity);
-    const auto near = type_meant(scene, type);
+    const auto near = suggestion(scene, entity);
     if (!near) return;
     const bool is_written = entity.type && !entity.type->empty();
     const Span place = type_place(entity);

@@ -20,7 +20,8 @@ yaml::View unknown_key(yaml::View root) {
   return {};
 }
 
-/// SML4001 reports a value that is not a list, SML4005 a misspelt key.
+/// SML4001 reports a value that is not a list, and entries that are no entities; SML4005 reports a
+/// misspelt key.
 bool is_reported(yaml::View root) {
   KeyRenames renames(root);
   return std::any_of(root.begin(), root.end(), [&](const yaml::View value) {
@@ -28,7 +29,7 @@ bool is_reported(yaml::View root) {
     const bool is_known = meant != nullptr;
     if (!is_known) meant = misspelt_key(value, renames, scene_keys());
     const bool is_list = meant != nullptr && ranges::contains(kLists, meant->name);
-    return is_list && !(is_known && value.is_sequence());
+    return is_list && !(is_known && value.is_sequence() && value.size() == 0);
   });
 }
 

@@ -18,7 +18,8 @@ extern constinit const Rule sml5042_drawing_width{
     .name = "drawing-width",
     .severity = Severity::error,
     .summary = "The width of a drawn scene is missing or not a plain number.",
-    .why = "The y of a page goes down, that of the world up: all entities are shifted.",
+    .why =
+        "The y axis points down on a page and up in the world. The reader converts one into the other by this width, and shifts all entities when it is wrong.",
     .remedy = "Give the `svg` element a `width` without unit; one unit is one metre.",
     .facts = kFacts};
 

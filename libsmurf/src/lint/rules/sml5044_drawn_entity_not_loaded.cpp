@@ -33,7 +33,7 @@ extern constinit const Rule sml5044_drawn_entity_not_loaded{
     .name = "drawn-entity-not-loaded",
     .severity = Severity::warning,
     .summary = "A drawn scene contains an entity that MARS does not load or place from a drawing.",
-    .why = "smurfs-flatten places them as they are drawn.",
+    .why = "smurfs-flatten places the entity as it is drawn.",
     .remedy = "Flatten the drawing to a .smurfs (`smurfs-flatten --format smurfs`), or use a type "
               "of your own.",
     .check_scene = check,

@@ -31,8 +31,7 @@ void check(const LinkedScene& scene, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "waits for the parent only when `anchor` names it as well, and else creates the entity last, "
-     "in file order",
+     "waits for the parent only when `anchor` names it as well; otherwise, it creates the entity last, in file order",
      "MARS SimEntity.cpp:344-501, SMURFLoader.cpp:587-636, run"},
 };
 

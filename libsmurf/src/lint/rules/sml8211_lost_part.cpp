@@ -9,8 +9,8 @@ extern constinit const Rule sml8211_lost_part{
     .severity = Severity::warning,
     .summary =
         "A part of a model or of an entity is not in the result, or is written as something else.",
-    .why = "The simulator does not get what the format cannot express: joints lose their velocity "
-           "limits, robots the plug-ins of their `<gazebo>` elements.",
+    .why =
+        "The simulator does not get what the format cannot express, such as velocity limits of joints or plug-ins in `<gazebo>` elements.",
     .remedy =
         "Set it up in the simulator, or choose a format that keeps it; docs/scene-formats.md has "
         "the table.",
