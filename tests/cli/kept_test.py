@@ -43,8 +43,8 @@ URDF = """<robot name="rich">
 <gazebo reference="arm"><mu1>0.75</mu1><sensor name="eye" type="camera"><camera/></sensor></gazebo>
 <transmission name="drive"><type>transmission_interface/SimpleTransmission</type>
   <joint name="knuckle"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
-  <actuator name="knuckle_actuator"/></transmission>
-<ros2_control name="system" type="system"><joint name="hinge"><command_interface name="velocity"/></joint>
+  <actuator name="knuckle_actuator"><mechanicalReduction>50</mechanicalReduction></actuator></transmission>
+<ros2_control name="system" type="system"><joint name="hinge"><command_interface name="velocity"/><state_interface name="position"/></joint>
 </ros2_control>
 </robot>
 """
@@ -94,6 +94,7 @@ entities:
 - {name: Ball, type: primitive, geometry: {type: sphere}, position: {x: 2, y: 0, z: 3}, bitmask: 2,
    cfriction2: 0.25, colour: blue}
 - {name: Cloud, type: weather, rain: heavy}
+- {name: Free, file: free.urdf}
 """
 
 # For every thing: a text of the model, and the text that replaces it.
@@ -154,6 +155,8 @@ CHANGES = {
     "attenuations and specular colours of lights": (", linearAttenuation: 0.25", ""),
     "entities of other types": ("- {name: Cloud.*?}\n", ""),
     "anchors": (", anchor: world", ""),
+    "roots named `world` without an anchor": ('<robot name="free"><link name="world"/>',
+                                              '<robot name="free"><link name="root"/>'),
     "start positions": (", pose: bent", ""),
     "keys of primitives": (", colour: blue", ""),
 }
@@ -166,11 +169,14 @@ PARTS = {
     "bitmask of a primitive": ("bitmask: 2", "bitmask: 4", ("sdf", "mjcf")),
     "friction of a primitive": ("cfriction2: 0.25", "cfriction2: 0.5", ("sdf",)),
     "gain of a motor": ("p: 20", "p: 10", ("mjcf", "usda")),
+    "reduction of a transmission": ("<mechanicalReduction>50</mechanicalReduction>", "", ("mjcf", "usda")),
+    "interface of ros2_control": ('<state_interface name="position"/>', "", ("mjcf", "usda")),
 }
 # A format that keeps everything else does not report these.
 ASIDES = {"masses of moving links that have none", "inertias that simulators refuse", "motor setting",
           "sensor setting", "material setting", "gravity when none is set", "step size when none is set",
-          "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives"}
+          "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives",
+          "roots named `world` without an anchor"}
 OF_URDF = set(list(CHANGES)[:list(CHANGES).index("motor")])
 
 
@@ -204,6 +210,7 @@ class KeptTest(cli.CliTest):
     @staticmethod
     def texts():
         return {"rich.urdf": URDF, "rich_all.yml": ANNOTATIONS, "rich.smurfs": SCENE,
+                "free.urdf": '<robot name="free"><link name="world"/></robot>',
                 "rich.smurf": "modelname: rich\nfiles: [rich.urdf, rich_all.yml]\n"}
 
     def test_nothing_is_lost_without_a_word(self):

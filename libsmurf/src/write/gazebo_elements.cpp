@@ -9,6 +9,7 @@
 #include "base/path.hpp"
 #include "convert/import.hpp"
 #include "write/raw_xml.hpp"
+#include "write/sdf_names.hpp"
 
 namespace smurf {
 namespace {
@@ -168,7 +169,7 @@ void GazeboElements::add_raw(XmlText& xml, xml::View element, std::string_view f
   };
   if (const xml::Attribute* name = element.attribute("name");
       name != nullptr && element.name() == "sensor") {
-    const std::string unique = names.add(std::string(name->value()));
+    const std::string unique = names.add(sdf_name(name->value()));
     if (unique != name->value()) edits.push_back({name->value_span(), escape_xml(unique)});
   }
   const xml::View pose = element.child("pose");
