@@ -40,7 +40,7 @@ URDF = """<robot name="rich">
 <link name="flat"><inertial><mass value="1"/><inertia ixx="0.0001" iyy="0.0001" izz="0.000201" ixy="0"
   ixz="0" iyz="0"/></inertial></link>
 <joint name="hinge" type="continuous"><parent link="base"/><child link="flat"/><axis xyz="0 0 1"/></joint>
-<gazebo reference="arm"><mu1>0.75</mu1><sensor name="eye" type="camera"><camera/></sensor></gazebo>
+<gazebo reference="arm"><mu1>0.75</mu1><kp>7</kp><sensor name="eye" type="camera"><camera/></sensor></gazebo>
 <transmission name="drive"><type>transmission_interface/SimpleTransmission</type>
   <joint name="knuckle"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
   <actuator name="knuckle_actuator"><mechanicalReduction>50</mechanicalReduction></actuator></transmission>
@@ -50,6 +50,7 @@ URDF = """<robot name="rich">
 """
 ANNOTATIONS = """motors:
 - {name: shoulder_motor, joint: shoulder, type: PID, maxEffort: 5, maxSpeed: 3, p: 20, filterValue: 0.5}
+- {name: wrist_motor, joint: wrist, type: direct_torque, maxEffort: 5, maxSpeed: 3}
 sensors:
 - {name: imu, type: NodeIMU, link: arm, id: [arm], cutoff: 3}
 controllers:
@@ -125,7 +126,7 @@ CHANGES = {
     "elements of ros2_control": ("<ros2_control.*</ros2_control>", ""),
     "elements in <gazebo>": ('<plugin name="brain" filename="libbrain.so"/>', ""),
     "elements that URDF does not define": ('<contact><lateral_friction value="0.4"/></contact>', ""),
-    "motor": ("- {name: shoulder_motor.*?}\n", "[]\n"),
+    "motor": ("- {name: shoulder_motor.*?}\n", ""),
     "motor setting": (", filterValue: 0.5", ""),
     "sensor": ("- {name: imu.*?}\n", "[]\n"),
     "sensor setting": (", cutoff: 3", ""),
@@ -170,6 +171,8 @@ PARTS = {
     "friction of a primitive": ("cfriction2: 0.25", "cfriction2: 0.5", ("sdf",)),
     "gain of a motor": ("p: 20", "p: 10", ("mjcf", "usda")),
     "reduction of a transmission": ("<mechanicalReduction>50</mechanicalReduction>", "", ("mjcf", "usda")),
+    "contact of a link without collisions": ("<kp>7</kp>", "", ("sdf", "sdf1.6", "mjcf", "usda")),
+    "motor of a joint that mimics": ("- {name: wrist_motor.*?}\n", "", ("sdf", "mjcf", "usda")),
     "interface of ros2_control": ('<state_interface name="position"/>', "", ("mjcf", "usda")),
 }
 # A format that keeps everything else does not report these.

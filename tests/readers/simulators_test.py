@@ -153,6 +153,13 @@ class Sdf(SimulatorTest):
         self.assertIn("zoo::a_b_link", poses)
 
     @reader.needs_built("sdf_poses")
+    def test_names_that_look_like_flags(self):
+        """libsdformat reads a name `true` as `1`, but not at the end of a scoped name."""
+        self.write("zoo.urdf", ZOO.replace('"base"', '"true"').replace('"tip"', '"False"'))
+        self.write("zoo.smurfs", ZOO_SCENE.replace("One::tip", "One::False"))
+        self.assertTrue(self.sdf(self.folder / "zoo.smurfs"))
+
+    @reader.needs_built("sdf_poses")
     def test_reserved_names_of_other_parts(self):
         text = ZOO.replace('joint name="mount"', 'joint name="world"').replace('joint="arm"', 'joint="a::m"')
         text = text.replace('joint name="arm"', 'joint name="a::m"').replace("<visual>", '<visual name="v::1">')

@@ -21,6 +21,10 @@ constexpr std::string_view kOfLinks[] = {
     "mu1",       "mu2",           "fdir1",         "kp",          "kd",       "maxVel",
     "minDepth",  "maxContacts",   "laserRetro",    "selfCollide", "material", "visual",
     "collision", "dampingFactor", "turnGravityOff"};
+/// Elements that only become parts of collisions, and of visuals.
+constexpr std::string_view kOfCollisions[] = {"mu1",    "mu2",      "fdir1",       "kp",       "kd",
+                                              "maxVel", "minDepth", "maxContacts", "collision"};
+constexpr std::string_view kOfVisuals[] = {"material", "visual"};
 constexpr std::string_view kOfJoints[] = {"stopCfm",
                                           "stopErp",
                                           "fudgeFactor",
@@ -105,6 +109,12 @@ bool is_sound(std::string_view name, std::string_view value) {
   return !is_one_of(name, kFlags) || is_one_of(path::to_lower(value), kFlagValues);
 }
 
+/// Whether a link has the shapes that an element in its <gazebo> is about.
+bool has_shapes_for(const urdf::Link& link, std::string_view element) {
+  if (is_one_of(element, kOfCollisions)) return !link.collisions.empty();
+  return !is_one_of(element, kOfVisuals) || !link.visuals.empty();
+}
+
 }  // namespace
 
 bool is_taken_by_gazebo(const LinkedModel& model, xml::View child) {
@@ -114,7 +124,8 @@ bool is_taken_by_gazebo(const LinkedModel& model, xml::View child) {
   if (!reference.empty() && !is_sound(child.name(), value_of(child))) return false;
   if (reference.empty()) return child.name().find(':') == std::string_view::npos;
   const bool is_of_joint = is_one_of(child.name(), kOfJoints);
-  if (model.link_names.contains(reference) && !is_of_joint) return true;
+  const auto link = model.link_names.find(reference);
+  if (link && !is_of_joint) return has_shapes_for(model.robot->links[*link], child.name());
   const auto joint = model.joint_names.find(reference);
   return joint && is_joint_of_sdf(model, *joint) && !is_one_of(child.name(), kOfLinks);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/sdf_names.hpp"
 
+#include "base/path.hpp"
 #include "base/unique_names.hpp"
 #include "write/scene_parts.hpp"
 
@@ -8,8 +9,11 @@ namespace smurf {
 
 namespace {
 
+/// libsdformat reads `true` and `false` as 1 and 0 where they stand alone, so references break.
 bool is_reserved(std::string_view name) {
-  return name == "world" || (name.starts_with("__") && name.ends_with("__"));
+  const std::string lower = path::to_lower(name);
+  return name == "world" || lower == "true" || lower == "false" ||
+         (name.starts_with("__") && name.ends_with("__"));
 }
 
 std::string without_separators(std::string_view name) {
