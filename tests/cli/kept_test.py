@@ -40,16 +40,17 @@ URDF = """<robot name="rich">
 <link name="flat"><inertial><mass value="1"/><inertia ixx="0.0001" iyy="0.0001" izz="0.000201" ixy="0"
   ixz="0" iyz="0"/></inertial></link>
 <joint name="hinge" type="continuous"><parent link="base"/><child link="flat"/><axis xyz="0 0 1"/></joint>
-<gazebo reference="arm"><mu1>0.75</mu1><sensor name="eye" type="camera"><camera/></sensor></gazebo>
+<gazebo reference="arm"><mu1>0.75</mu1><kp>7</kp><sensor name="eye" type="camera"><camera/></sensor></gazebo>
 <transmission name="drive"><type>transmission_interface/SimpleTransmission</type>
   <joint name="knuckle"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
-  <actuator name="knuckle_actuator"/></transmission>
-<ros2_control name="system" type="system"><joint name="hinge"><command_interface name="velocity"/></joint>
+  <actuator name="knuckle_actuator"><mechanicalReduction>50</mechanicalReduction></actuator></transmission>
+<ros2_control name="system" type="system"><joint name="hinge"><command_interface name="velocity"/><state_interface name="position"/></joint>
 </ros2_control>
 </robot>
 """
 ANNOTATIONS = """motors:
 - {name: shoulder_motor, joint: shoulder, type: PID, maxEffort: 5, maxSpeed: 3, p: 20, filterValue: 0.5}
+- {name: wrist_motor, joint: wrist, type: direct_torque, maxEffort: 5, maxSpeed: 3}
 sensors:
 - {name: imu, type: NodeIMU, link: arm, id: [arm], cutoff: 3}
 controllers:
@@ -94,6 +95,7 @@ entities:
 - {name: Ball, type: primitive, geometry: {type: sphere}, position: {x: 2, y: 0, z: 3}, bitmask: 2,
    cfriction2: 0.25, colour: blue}
 - {name: Cloud, type: weather, rain: heavy}
+- {name: Free, file: free.urdf}
 """
 
 # For every thing: a text of the model, and the text that replaces it.
@@ -124,7 +126,7 @@ CHANGES = {
     "elements of ros2_control": ("<ros2_control.*</ros2_control>", ""),
     "elements in <gazebo>": ('<plugin name="brain" filename="libbrain.so"/>', ""),
     "elements that URDF does not define": ('<contact><lateral_friction value="0.4"/></contact>', ""),
-    "motor": ("- {name: shoulder_motor.*?}\n", "[]\n"),
+    "motor": ("- {name: shoulder_motor.*?}\n", ""),
     "motor setting": (", filterValue: 0.5", ""),
     "sensor": ("- {name: imu.*?}\n", "[]\n"),
     "sensor setting": (", cutoff: 3", ""),
@@ -154,6 +156,8 @@ CHANGES = {
     "attenuations and specular colours of lights": (", linearAttenuation: 0.25", ""),
     "entities of other types": ("- {name: Cloud.*?}\n", ""),
     "anchors": (", anchor: world", ""),
+    "roots named `world` without an anchor": ('<robot name="free"><link name="world"/>',
+                                              '<robot name="free"><link name="root"/>'),
     "start positions": (", pose: bent", ""),
     "keys of primitives": (", colour: blue", ""),
 }
@@ -166,11 +170,16 @@ PARTS = {
     "bitmask of a primitive": ("bitmask: 2", "bitmask: 4", ("sdf", "mjcf")),
     "friction of a primitive": ("cfriction2: 0.25", "cfriction2: 0.5", ("sdf",)),
     "gain of a motor": ("p: 20", "p: 10", ("mjcf", "usda")),
+    "reduction of a transmission": ("<mechanicalReduction>50</mechanicalReduction>", "", ("mjcf", "usda")),
+    "contact of a link without collisions": ("<kp>7</kp>", "", ("sdf", "sdf1.6", "mjcf", "usda")),
+    "motor of a joint that mimics": ("- {name: wrist_motor.*?}\n", "", ("sdf", "mjcf", "usda")),
+    "interface of ros2_control": ('<state_interface name="position"/>', "", ("mjcf", "usda")),
 }
 # A format that keeps everything else does not report these.
 ASIDES = {"masses of moving links that have none", "inertias that simulators refuse", "motor setting",
           "sensor setting", "material setting", "gravity when none is set", "step size when none is set",
-          "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives"}
+          "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives",
+          "roots named `world` without an anchor"}
 OF_URDF = set(list(CHANGES)[:list(CHANGES).index("motor")])
 
 
@@ -204,6 +213,7 @@ class KeptTest(cli.CliTest):
     @staticmethod
     def texts():
         return {"rich.urdf": URDF, "rich_all.yml": ANNOTATIONS, "rich.smurfs": SCENE,
+                "free.urdf": '<robot name="free"><link name="world"/></robot>',
                 "rich.smurf": "modelname: rich\nfiles: [rich.urdf, rich_all.yml]\n"}
 
     def test_nothing_is_lost_without_a_word(self):

@@ -3,6 +3,7 @@
 import json
 import pathlib
 import re
+import struct
 import xml.etree.ElementTree as ElementTree
 
 import reader
@@ -151,6 +152,25 @@ class Sdf(SimulatorTest):
         self.assertIn("zoo::world_link", poses)
         self.assertIn("zoo::a_b_link", poses)
 
+    @reader.needs_built("sdf_poses")
+    def test_names_that_look_like_flags(self):
+        """libsdformat reads a name `true` as `1`, but not at the end of a scoped name."""
+        self.write("zoo.urdf", ZOO.replace('"base"', '"true"').replace('"tip"', '"False"'))
+        self.write("zoo.smurfs", ZOO_SCENE.replace("One::tip", "One::False"))
+        self.assertTrue(self.sdf(self.folder / "zoo.smurfs"))
+
+    @reader.needs_built("sdf_poses")
+    def test_reserved_names_of_other_parts(self):
+        text = ZOO.replace('joint name="mount"', 'joint name="world"').replace('joint="arm"', 'joint="a::m"')
+        text = text.replace('joint name="arm"', 'joint name="a::m"').replace("<visual>", '<visual name="v::1">')
+        text = text.replace("<collision>", '<collision name="__c">').replace(
+            "</robot>", '<gazebo reference="body"><sensor name="s::1" type="imu"/></gazebo></robot>')
+        self.write("zoo.urdf", text)
+        for form in ("sdf", "sdf1.6"):
+            lines = self.sdf(self.folder / "zoo.urdf", form=form)
+            names = {line[1] for line in lines if line[0] in ("joint", "sensor")}
+            self.assertLessEqual({"zoo::a_m", "zoo::world_0", "zoo::body::s_1"}, names, form)
+
     @reader.needs_program("ign")
     def test_ign_accepts_them(self):
         for scene in self.scenes:
@@ -181,6 +201,108 @@ class Mjcf(SimulatorTest):
             file = self.write_scene(scene, "mjcf")
             lines = self.lines("node", HERE / "mujoco_poses.mjs", reader.NODE_MODULES, file)
             self.assert_links(self.poses(lines), self.flat(scene), lambda i, l: f"{i}/{l}")
+
+
+CORNERS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+SIDES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+
+
+def stl(corners=CORNERS, sides=tuple(SIDES), count=None):
+    facets = [struct.pack("<12fH", 0, 0, 0, *corners[a], *corners[b], *corners[c], 0) for a, b, c in sides]
+    return bytes(80) + struct.pack("<I", len(sides) if count is None else count) + b"".join(facets)
+
+
+def stl_text():
+    points = "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % CORNERS[i] for i in side)
+                     + "endloop\nendfacet\n" for side in SIDES)
+    return f"solid s\n{points}endsolid s\n".encode()
+
+
+def obj(corners=CORNERS, sides=tuple(SIDES)):
+    lines = ["v %g %g %g" % corner for corner in corners]
+    return "\n".join(lines + ["f %d %d %d" % tuple(i + 1 for i in side) for side in sides] + [""]).encode()
+
+
+FLAT = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
+# MuJoCo refuses the whole world for one mesh that it does not read.
+MESHES_OF_MUJOCO = {"binary.stl": stl(), "inside_out.stl": stl(sides=[side[::-1] for side in SIDES]),
+                    "open.stl": stl(sides=SIDES[:2]), "good.obj": obj(), "text.stl": stl_text()}
+OTHER_MESHES = {"empty.stl": b"", "cut.stl": stl()[:-20], "longer.stl": stl() + bytes(2),
+                "none.stl": stl(sides=[]), "flat.stl": stl(FLAT, SIDES[:2]),
+                "one.stl": stl(sides=SIDES[:1]), "pointer.stl": b"version https://git-lfs.github.com/spec/v1\n",
+                "tiny.stl": stl([tuple(1e-6 * x for x in corner) for corner in CORNERS]), "flat.obj": obj(FLAT, SIDES[:2]),
+                "one.obj": obj(sides=SIDES[:1]), "page.obj": b"<html></html>\n"}
+
+
+class MeshesOfMjcf(SimulatorTest):
+    def write_robot(self, name, content):
+        (self.folder / name).write_bytes(content)
+        shape = f'<geometry><mesh filename="{name}"/></geometry>'
+        self.write(f"{name}.urdf", f'<robot name="m"><link name="l"><inertial><mass value="1"/><inertia ixx="1" iyy="1" '
+                   f'izz="1" ixy="0" ixz="0" iyz="0"/></inertial><visual>{shape}</visual>'
+                   f'<collision>{shape}</collision></link></robot>')
+
+    def world(self, name):
+        """The world, which both versions of MuJoCo load, and its losses of shapes."""
+        file = self.write_scene(f"{name}.urdf", "mjcf", "--force", "--loss-report", "lost.json")
+        self.lines(reader.BUILD / "mujoco_poses", file)
+        names = [mesh.get("file") for mesh in ElementTree.parse(file).iter("mesh")]
+        lines = self.lines("node", HERE / "mujoco_poses.mjs", reader.NODE_MODULES, file, *filter(None, names))
+        self.assertTrue(lines)
+        return names, [loss["message"] for loss in json.loads(self.read("lost.json"))["losses"]
+                       if loss["id"] == "SML8205"]
+
+    @reader.needs_built("mujoco_poses")
+    @reader.needs_npm("@mujoco/mujoco")
+    def test_each_is_read_or_named(self):
+        for name, content in {**MESHES_OF_MUJOCO, **OTHER_MESHES}.items():
+            with self.subTest(name):
+                self.write_robot(name, content)
+                names, losses = self.world(name)
+                self.assertEqual(len(names), 1 if name in MESHES_OF_MUJOCO else 0)
+                self.assertEqual(bool(losses), name in OTHER_MESHES, losses)
+
+    @reader.needs_built("mujoco_poses")
+    def test_files_that_are_no_pictures(self):
+        """MuJoCo refuses the world for them, too."""
+        texture = '<visual><geometry><box size="1 1 1"/></geometry><material name="m"><texture filename="{}"/>' \
+                  '</material></visual>'
+        terrain = "entities:\n- {{name: T, type: heightmap, file: {}, position: [0, 0, 0], anchor: world, " \
+                  "width: 2.0, length: 2.0, height: 0.5}}\n"
+        picture = (reader.cli.FIXTURES / "scenes/terrain/heightmaps/terraces.png").read_bytes()
+        for name, content in {"good.png": picture, "jpeg.png": b"\xff\xd8\xff\xe0", "cut.png": picture[:-20]}.items():
+            (self.folder / name).write_bytes(content)
+            self.write("t.urdf", f'<robot name="t"><link name="l">{BODY}{texture.format(name)}</link></robot>')
+            self.write("t.smurfs", terrain.format(name))
+            for scene in ("t.urdf", "t.smurfs"):
+                file = self.write_scene(scene, "mjcf", "--loss-report", "lost.json")
+                self.lines(reader.BUILD / "mujoco_poses", file)
+                named = [loss["message"] for loss in json.loads(self.read("lost.json"))["losses"] if "PNG" in loss["message"]]
+                self.assertEqual((f'file="{name}"' in self.read("out.mjcf"), bool(named)),
+                                 (name == "good.png", name != "good.png"), (scene, named))
+
+    @reader.needs_built("mujoco_poses")
+    @reader.needs_built("sdf_poses")
+    def test_axes_and_followers_that_readers_refuse(self):
+        joint = ('<joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="{}"/>'
+                 '<mimic joint="j"/></joint>')
+        for axis, written in {"0 0 0": "1 0 0", "0 0 1e-9": "0 0 1", "0 3e-200 0": "0 1 0", "0 0 2": "0 0 2"}.items():
+            self.write("x.urdf", f'<robot name="x"><link name="a">{BODY}</link><link name="b">{BODY}</link>'
+                       + joint.format(axis) + "</robot>")
+            for form, program in {"mjcf": "mujoco_poses", "sdf": "sdf_poses"}.items():
+                file = self.write_scene("x.urdf", form, "--force", "--loss-report", "lost.json")
+                self.lines(reader.BUILD / program, file)
+                self.assertIn(f'axis="{written}"' if form == "mjcf" else f"<xyz>{written}</xyz>", file.read_text())
+                is_named = any("its axis is zero" in loss["message"]
+                               for loss in json.loads(self.read("lost.json"))["losses"])
+                self.assertEqual(is_named, axis == "0 0 0")
+
+    @reader.needs_built("mujoco_poses")
+    @reader.needs_npm("@mujoco/mujoco")
+    def test_text_becomes_triangles(self):
+        for name, is_named in {"binary.stl": True, "text.stl": False}.items():
+            self.write_robot(name, MESHES_OF_MUJOCO[name])
+            self.assertEqual(self.world(name)[0], [name if is_named else None])
 
 
 class AttachedMjcf(SimulatorTest):

@@ -6,6 +6,7 @@
 
 #include "base/quoted.hpp"
 #include "base/ranges.hpp"
+#include "convert/import.hpp"
 #include "convert/passes.hpp"
 #include "write/gazebo_elements.hpp"
 #include "write/joint_drives.hpp"
@@ -43,6 +44,25 @@ bool has_drives(SceneColumn column) {
   return column == SceneColumn::mjcf || column == SceneColumn::usda;
 }
 
+/// Whether an actuator or drive has what this part of a transmission or ros2_control states. Its
+/// own parts are considered separately.
+bool is_said_by_drive(xml::View part) {
+  const std::string_view name = part.name();
+  if (name == "mechanicalReduction") return import::text_of(part) == "1";
+  if (name == "command_interface") return part.parent().child(name).id() == part.id();
+  return name == "type" || name == "joint" || name == "actuator" || name == "hardwareInterface";
+}
+
+void add_unsaid_settings(xml::View element, const std::string& driver, Found& found) {
+  for (const xml::View part : element) {
+    if (is_said_by_drive(part)) {
+      add_unsaid_settings(part, driver, found);
+    } else {
+      found.push_back({part.name_span(), std::string(part.name()) + " of " + driver});
+    }
+  }
+}
+
 Found drivers(const LinkedModel& model, SceneColumn column, std::string_view element) {
   Found found;
   if (!model.robot) return found;
@@ -52,8 +72,12 @@ Found drivers(const LinkedModel& model, SceneColumn column, std::string_view ele
   }
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View view(model.robot->document, id);
-    if (view.name() != element || written.contains(id)) continue;
-    found.push_back({view.name_span(), name_of(view)});
+    if (view.name() != element) continue;
+    if (written.contains(id)) {
+      add_unsaid_settings(view, shortened(name_of(view), kMostOfName), found);
+    } else {
+      found.push_back({view.name_span(), name_of(view)});
+    }
   }
   return found;
 }
@@ -346,6 +370,18 @@ Found start_positions(const SceneExport& scene, SceneColumn) {
     const Entity& entity = scene.scene.entity(scene.scene.instances[i]);
     found.push_back(
         {entity.pose.written ? entity.pose.span : place_of(entity), scene.flat.instances[i].path});
+  }
+  return found;
+}
+
+Found free_worlds(const SceneExport& scene, SceneColumn) {
+  Found found;
+  for (std::size_t i = 0; i < scene.flat.instances.size(); ++i) {
+    const FlatInstance& instance = scene.flat.instances[i];
+    const LinkedModel* model = robot_of(scene.scene, i);
+    if (model == nullptr || instance.anchor.kind != Attachment::Kind::none) continue;
+    if (root_link_name(*model) != "world") continue;
+    found.push_back({place_of(scene.scene.entity(scene.scene.instances[i])), instance.path});
   }
   return found;
 }

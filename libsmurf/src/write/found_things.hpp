@@ -66,6 +66,7 @@ Found ambient_lights(const SceneExport& scene, SceneColumn);
 Found light_details(const SceneExport& scene, SceneColumn);
 /// Start positions of joints that do not start at zero.
 Found start_positions(const SceneExport& scene, SceneColumn);
+Found free_worlds(const SceneExport& scene, SceneColumn);  ///< entities without an anchor
 /// Keys of entities with shapes that the format ignores.
 Found entity_keys(const SceneExport& scene, SceneColumn column);
 

@@ -9,6 +9,7 @@
 #include "base/path.hpp"
 #include "convert/import.hpp"
 #include "write/raw_xml.hpp"
+#include "write/sdf_names.hpp"
 
 namespace smurf {
 namespace {
@@ -20,6 +21,10 @@ constexpr std::string_view kOfLinks[] = {
     "mu1",       "mu2",           "fdir1",         "kp",          "kd",       "maxVel",
     "minDepth",  "maxContacts",   "laserRetro",    "selfCollide", "material", "visual",
     "collision", "dampingFactor", "turnGravityOff"};
+/// Elements that only become parts of collisions, and of visuals.
+constexpr std::string_view kOfCollisions[] = {"mu1",    "mu2",      "fdir1",       "kp",       "kd",
+                                              "maxVel", "minDepth", "maxContacts", "collision"};
+constexpr std::string_view kOfVisuals[] = {"material", "visual"};
 constexpr std::string_view kOfJoints[] = {"stopCfm",
                                           "stopErp",
                                           "fudgeFactor",
@@ -104,6 +109,12 @@ bool is_sound(std::string_view name, std::string_view value) {
   return !is_one_of(name, kFlags) || is_one_of(path::to_lower(value), kFlagValues);
 }
 
+/// Whether a link has the shapes that an element in its <gazebo> is about.
+bool has_shapes_for(const urdf::Link& link, std::string_view element) {
+  if (is_one_of(element, kOfCollisions)) return !link.collisions.empty();
+  return !is_one_of(element, kOfVisuals) || !link.visuals.empty();
+}
+
 }  // namespace
 
 bool is_taken_by_gazebo(const LinkedModel& model, xml::View child) {
@@ -113,7 +124,8 @@ bool is_taken_by_gazebo(const LinkedModel& model, xml::View child) {
   if (!reference.empty() && !is_sound(child.name(), value_of(child))) return false;
   if (reference.empty()) return child.name().find(':') == std::string_view::npos;
   const bool is_of_joint = is_one_of(child.name(), kOfJoints);
-  if (model.link_names.contains(reference) && !is_of_joint) return true;
+  const auto link = model.link_names.find(reference);
+  if (link && !is_of_joint) return has_shapes_for(model.robot->links[*link], child.name());
   const auto joint = model.joint_names.find(reference);
   return joint && is_joint_of_sdf(model, *joint) && !is_one_of(child.name(), kOfLinks);
 }
@@ -168,7 +180,7 @@ void GazeboElements::add_raw(XmlText& xml, xml::View element, std::string_view f
   };
   if (const xml::Attribute* name = element.attribute("name");
       name != nullptr && element.name() == "sensor") {
-    const std::string unique = names.add(std::string(name->value()));
+    const std::string unique = names.add(sdf_name(name->value()));
     if (unique != name->value()) edits.push_back({name->value_span(), escape_xml(unique)});
   }
   const xml::View pose = element.child("pose");

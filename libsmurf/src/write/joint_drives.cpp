@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/joint_drives.hpp"
 
+#include <set>
+
 #include "base/numbers.hpp"
 #include "base/quantity.hpp"
 #include "convert/annotation_values.hpp"
@@ -70,6 +72,7 @@ class DriveReader {
   void of_motor(const Motor& motor, const urdf::Joint* joint) {
     JointDrive* drive = drive_of(joint);
     if (drive == nullptr) return;
+    drive->motor = &motor;
     if (motor.name) drive->name = *motor.name;
     drive->kind = kind_of(passes::interface_of(motor));
     if (const auto effort = above_zero(limit_of(motor, LimitValue::effort))) drive->effort = effort;
@@ -152,9 +155,12 @@ std::vector<const Motor*> idle_motors(const LinkedModel& model) {
   std::vector<const Motor*> idle;
   if (!model.robot) return idle;
   const AnnotationValues values(model);
+  std::set<const Motor*> driving;
+  for (const JointDrive& drive : joint_drives(model)) driving.insert(drive.motor);
   for (const Motor& motor : model.annotations.motors) {
-    const bool has_leader = !motor.mimic_motor || values.leader_of(motor) != nullptr;
-    if (values.joint_of(motor) == nullptr || !has_leader) idle.push_back(&motor);
+    const bool is_follower = motor.mimic_motor && values.joint_of(motor) != nullptr &&
+                             values.leader_of(motor) != nullptr;
+    if (!is_follower && !driving.contains(&motor)) idle.push_back(&motor);
   }
   return idle;
 }

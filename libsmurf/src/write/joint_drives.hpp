@@ -15,6 +15,7 @@ namespace smurf {
 enum class DriveKind : std::uint8_t { position, velocity, effort };
 
 struct JointDrive {
+  const Motor* motor = nullptr;  ///< null if an element of the URDF states it
   const urdf::Joint* joint = nullptr;
   DriveKind kind = DriveKind::position;
   std::string name;                          ///< name of the motor; otherwise of the joint

@@ -2,6 +2,7 @@
 #include "write/mjcf_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/floating.hpp"
 #include "base/numbers.hpp"
@@ -52,6 +53,20 @@ bool is_mesh_of_mujoco(const FlatMesh& mesh) {
   return extension == ".stl" || extension == ".obj";
 }
 
+/// MuJoCo reads only binary STL, of at most 200,000 triangles and without other bytes after them.
+bool is_stl_of_mujoco(std::string_view bytes) {
+  constexpr std::size_t kCountAt = 80;
+  constexpr std::size_t kHeader = 84;
+  constexpr std::size_t kTriangle = 50;
+  constexpr std::size_t kMost = 200000;
+  if (bytes.size() < kHeader) return false;
+  std::size_t triangles = 0;
+  for (std::size_t i = kHeader; i-- > kCountAt;) {
+    triangles = triangles << 8U | static_cast<unsigned char>(bytes[i]);
+  }
+  return triangles <= kMost && bytes.size() == kHeader + kTriangle * triangles;
+}
+
 using Point = std::array<float, 3>;
 
 Vector3 between(const Point& a, const Point& b) {
@@ -76,6 +91,35 @@ bool is_flat(const std::vector<Point>& points) {
     const double height = dot(normal, between(points.front(), point));
     return height * height <= least;
   });
+}
+
+/// The volume as MuJoCo computes it: of the tetrahedra between the triangles and the centre of the
+/// surface, whatever the side that a triangle faces.
+double volume_of(const MeshTriangles& mesh) {
+  const auto point = [&](std::size_t at) -> Vector3 {
+    const Point& p = mesh.points[mesh.indices[at]];
+    return {p[0], p[1], p[2]};
+  };
+  Vector3 center{};
+  double total_area = 0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Vector3 normal =
+        cross(difference(point(i + 1), point(i)), difference(point(i + 2), point(i)));
+    const double area = std::sqrt(dot(normal, normal));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      center[axis] += area * (point(i)[axis] + point(i + 1)[axis] + point(i + 2)[axis]) / 3;
+    }
+    total_area += area;
+  }
+  if (!(total_area > 0)) return 0;
+  for (double& coordinate : center) coordinate /= total_area;
+  double volume = 0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Vector3 normal =
+        cross(difference(point(i + 1), point(i)), difference(point(i + 2), point(i)));
+    volume += std::abs(dot(normal, difference(point(i), center))) / 6;
+  }
+  return volume;
 }
 
 }  // namespace
@@ -164,21 +208,15 @@ void MjcfParts::add_geom(std::vector<XmlText::Attribute> geom, const Pose& pose,
   xml_.empty("geom", geom);
 }
 
-/// Meshes of old scenes. MuJoCo refuses the whole world if one is not a mesh, so they are
-/// read.
+/// Meshes of old scenes.
 void MjcfParts::add_meshes_of_entities() {
   for (std::size_t i = 0; i < count(); ++i) {
     for (const FlatShape& shape : flat(i).shapes) {
       const auto* mesh = std::get_if<FlatMesh>(&shape.geometry);
       if (mesh == nullptr || !flat(i).X_WE || meshes_.contains(mesh_key(*mesh))) continue;
       const Span place = place_of(scene_.scene.entity(linked(i)));
-      std::string reason;
-      if (is_mesh_of_mujoco(*mesh)) {
-        reason = scene_.meshes.triangles
-                     ? scene_.meshes.triangles(mesh->file, TexturePoints::ignored).reason
-                     : "is not available";
-      }
-      if (reason.empty()) reason = declare_mesh(*mesh, place);
+      const std::string reason =
+          scene_.meshes.triangles ? declare_mesh(*mesh, place) : "is not available";
       if (!reason.empty()) losses_.unseen_shape(place, shape.geometry, reason);
     }
   }
@@ -189,7 +227,7 @@ void MjcfParts::add_heightmaps() {
     for (const FlatShape& shape : flat(i).shapes) {
       const auto* map = std::get_if<FlatHeightmap>(&shape.geometry);
       if (map == nullptr || !flat(i).X_WE) continue;
-      if (path::to_lower(path::extension(map->file)) != ".png") {
+      if (path::to_lower(path::extension(map->file)) != ".png" || !is_png(map->file)) {
         losses_.entity(i, "MuJoCo reads heightmaps from PNG files only");
         continue;
       }
@@ -238,28 +276,62 @@ std::string MjcfParts::mesh_key(const FlatMesh& mesh) {
 }
 
 std::string MjcfParts::declare_mesh(const FlatMesh& mesh, Span place) {
+  const std::string& file = files_.first_name(mesh.file);
+  const auto [known, is_new] = mesh_files_.try_emplace(file);
+  MeshOfFile& of_file = known->second;
+  if (!of_file.reason.empty()) return of_file.reason;
+  if (is_new) examine(mesh, of_file);
+  MeshTriangles triangles;
+  if (!of_file.is_named) {
+    triangles = files_.read(file, place);
+  } else if (is_new && of_file.is_readable) {
+    triangles = scene_.meshes.triangles(file, TexturePoints::ignored);
+  }
+  if (triangles.reason.empty() && !triangles.points.empty() && is_new) {
+    if (is_flat(triangles.points)) triangles.reason = "is flat, which MuJoCo refuses";
+    of_file.volume = volume_of(triangles);
+  }
+  if (!triangles.reason.empty()) return of_file.reason = triangles.reason;
+  // MuJoCo refuses a volume below mjMINVAL.
+  constexpr double kLeastVolume = 1e-14;
+  const Vector3& scale = mesh.scale;
+  if (of_file.volume &&
+      !(*of_file.volume * std::abs(scale[0] * scale[1] * scale[2]) > kLeastVolume)) {
+    return "has too little volume for MuJoCo";
+  }
   const std::string mesh_name = "mesh_" + std::to_string(meshes_.size());
-  if (is_mesh_of_mujoco(mesh)) {
-    xml_.empty("mesh",
-               {{"name", mesh_name}, {"file", mesh.file}, {"scale", join_numbers(mesh.scale)}});
+  if (of_file.is_named) {
+    xml_.empty("mesh", {{"name", mesh_name}, {"file", mesh.file}, {"scale", join_numbers(scale)}});
   } else {
-    std::string reason = declare_triangles(mesh_name, mesh, place);
-    if (!reason.empty()) return reason;
+    declare_triangles(mesh_name, mesh, triangles);
   }
   meshes_.emplace(mesh_key(mesh), mesh_name);
   return {};
 }
 
-std::string MjcfParts::declare_triangles(const std::string& name, const FlatMesh& mesh,
-                                         Span place) {
-  const std::string& file = files_.first_name(mesh.file);
-  const auto known = why_none_.find(file);
-  if (known != why_none_.end()) return known->second;
-  MeshTriangles triangles = files_.read(file, place);
-  if (triangles.reason.empty() && is_flat(triangles.points)) {
-    triangles.reason = "is flat, which MuJoCo refuses";
-  }
-  if (!triangles.reason.empty()) return why_none_[file] = triangles.reason;
+/// Decided by the extension, and of STL also by the content. A file that may not be read here, such
+/// as one outside of the project, may be sound.
+void MjcfParts::examine(const FlatMesh& mesh, MeshOfFile& of_file) const {
+  of_file.is_named = is_mesh_of_mujoco(mesh);
+  if (!of_file.is_named || !scene_.meshes.image || !scene_.meshes.triangles) return;
+  const FileContent content = scene_.meshes.image(mesh.file);
+  of_file.is_readable = content.status == ReadStatus::ok || content.status == ReadStatus::not_found;
+  if (content.status != ReadStatus::ok) return;
+  const bool is_stl = path::to_lower(path::extension(mesh.file)) == ".stl";
+  of_file.is_named = !is_stl || is_stl_of_mujoco(content.text);
+}
+
+bool MjcfParts::is_png(const std::string& file) const {
+  if (!scene_.meshes.image) return true;
+  const FileContent content = scene_.meshes.image(file);
+  if (content.status != ReadStatus::ok) return content.status != ReadStatus::not_found;
+  // The last part is missing in a file that was cut off.
+  return content.text.starts_with("\x89PNG\r\n\x1a\n") &&
+         content.text.find("IEND") != std::string::npos;
+}
+
+void MjcfParts::declare_triangles(const std::string& name, const FlatMesh& mesh,
+                                  const MeshTriangles& triangles) {
   std::string points;
   for (const std::array<float, 3>& point : triangles.points) {
     for (const float coordinate : point) {
@@ -276,7 +348,6 @@ std::string MjcfParts::declare_triangles(const std::string& name, const FlatMesh
                       {"vertex", std::move(points)},
                       {"face", std::move(faces)},
                       {"scale", join_numbers(mesh.scale)}});
-  return {};
 }
 
 void MjcfParts::add_free_joint(std::size_t i) {

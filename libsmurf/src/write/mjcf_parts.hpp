@@ -48,8 +48,11 @@ class MjcfParts {
   void add_meshes_of_entities();
   static std::string mesh_key(const FlatMesh& mesh);
   /// Declares a mesh: by file name if MuJoCo reads the file, otherwise with its triangles. Returns
-  /// the reason if there is no mesh, such as "is flat, which MuJoCo refuses", or "".
+  /// the reason if there is no mesh, such as "is flat, which MuJoCo refuses", or "". MuJoCo refuses
+  /// the whole world for one mesh that it cannot read, so the files are read here.
   std::string declare_mesh(const FlatMesh& mesh, Span place);
+  /// Whether the content of a file is PNG; MuJoCo refuses the whole world for one that is not.
+  bool is_png(const std::string& file) const;
   /// The joint of a free body. Not <freejoint/>, which DART reads as a weld.
   void add_free_joint(std::size_t i);
   /// Appends the positions of the next joint, in the order of the joints.
@@ -69,10 +72,19 @@ class MjcfParts {
 
  private:
   void add_class(const std::string& name, const std::vector<XmlText::Attribute>& geom);
-  std::string declare_triangles(const std::string& name, const FlatMesh& mesh, Span place);
+  void declare_triangles(const std::string& name, const FlatMesh& mesh,
+                         const MeshTriangles& triangles);
+
+  struct MeshOfFile {
+    bool is_named = true;          ///< MuJoCo reads the file; otherwise its triangles are written
+    std::string reason;            ///< the reason if there is no mesh for MuJoCo
+    std::optional<double> volume;  ///< before scaling; none if the file was not read
+    bool is_readable = false;      ///< here
+  };
+  void examine(const FlatMesh& mesh, MeshOfFile& of_file) const;
 
   PreviewMeshes files_;
-  std::map<std::string, std::string> why_none_;  ///< of files without triangles for MuJoCo
+  std::map<std::string, MeshOfFile> mesh_files_;
   bool has_bitmasks_ = false;
   std::set<std::size_t> heightmaps_;  ///< instances whose hfield is declared
 };

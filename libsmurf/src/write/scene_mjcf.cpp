@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/numbers.hpp"
+#include "base/quoted.hpp"
 #include "base/unique_names.hpp"
 #include "write/annotated_colors.hpp"
 #include "write/mjcf_attach.hpp"
@@ -73,7 +74,8 @@ class MjcfWriter : MjcfSensors {
       std::set<std::string> textures;
       for (const MeshReference& reference : model.meshes) {
         if (reference.exists) existing_.insert(reference.filename);
-        if (is_texture_of_mujoco(reference)) textures.insert(file_of(reference, m));
+        if (is_texture_of_mujoco(reference))
+          add_texture(reference, file_of(reference, m), textures);
       }
       for (const urdf::Link& link : model.robot->links) {
         for (const urdf::Visual& visual : link.visuals) {
@@ -88,6 +90,15 @@ class MjcfWriter : MjcfSensors {
     add_meshes_of_entities();
     add_heightmaps();
     xml_.close();
+  }
+
+  void add_texture(const MeshReference& reference, const std::string& file,
+                   std::set<std::string>& textures) {
+    if (is_png(file)) {
+      textures.insert(file);
+    } else {
+      losses_.shape(reference.span, "the texture " + quoted(file) + ", whose content is not PNG,");
+    }
   }
 
   /// By the name that texture_of() returns.
@@ -207,6 +218,8 @@ class MjcfWriter : MjcfSensors {
       }
       return false;
     }
+    const std::optional<Vector3> axis = joint_axis(joint);
+    if (!axis && without_axis_.insert(&joint).second) losses_.joint(joint, kWithoutAxis);
     const bool is_limited = joint.type != urdf::JointType::continuous && joint.limit;
     const double lower = is_limited ? joint.limit->lower.value_or(0) : 0;
     const double upper = is_limited ? joint.limit->upper.value_or(0) : 0;
@@ -215,7 +228,7 @@ class MjcfWriter : MjcfSensors {
         "joint",
         {{"name", name(i, joint.name.value_or(""))},
          {"type", is_linear ? "slide" : "hinge"},
-         {"axis", join_numbers(joint.axis.value_or({1, 0, 0}))},
+         {"axis", join_numbers(axis.value_or(Vector3{1, 0, 0}))},
          {"limited", is_limited && lower < upper ? "true" : "false"},
          {"range", join_numbers({lower, upper})},
          {"damping", format_number(joint.dynamics ? joint.dynamics->damping.value_or(0) : 0)},
@@ -226,11 +239,12 @@ class MjcfWriter : MjcfSensors {
     return true;
   }
 
-  /// MuJoCo refuses an equality for a joint that does not exist.
+  /// MuJoCo refuses an equality for a joint that does not exist, and of a joint with itself.
   void add_follower(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
     const auto leader =
         joint.mimic->joint ? model.joint_names.find(*joint.mimic->joint) : std::nullopt;
-    if (leader && joint.name && model.robot->joints[*leader].has_one_axis()) {
+    if (leader && joint.name && model.robot->joints[*leader].has_one_axis() &&
+        &model.robot->joints[*leader] != &joint) {
       followers_.emplace_back(i, &joint);
     } else if (reported_.insert(&joint).second) {
       losses_.joint(joint, "free to move, since its leader does not move,");
@@ -310,6 +324,7 @@ class MjcfWriter : MjcfSensors {
   std::map<std::string, std::string> textures_;  ///< file -> name of its material
   std::set<std::string_view> existing_;          ///< names of the model's declared meshes
   std::set<const urdf::Joint*> reported_;
+  std::set<const urdf::Joint*> without_axis_;  ///< those that were reported
   std::vector<std::pair<std::size_t, const urdf::Joint*>> followers_;
 };
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/scene_parts.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/exact_math.hpp"
 #include "base/path.hpp"
 #include "base/unique_names.hpp"
+#include "base/vectors.hpp"
 #include "flatten/shapes.hpp"
 #include "link/kinematics.hpp"
 
@@ -155,6 +157,20 @@ LinkInertial smallest_mass() { return SolidMass(0.01)(FlatSphere{0.01}); }
 
 LinkInertial solid_mass(const FlatGeometry& geometry, double mass) {
   return std::visit(SolidMass(mass), geometry);
+}
+
+std::optional<Vector3> joint_axis(const urdf::Joint& joint) {
+  Vector3 axis = joint.axis.value_or({1, 0, 0});
+  double largest = 0;
+  for (const double value : axis) largest = std::max(largest, std::abs(value));
+  if (!(largest > 0)) return std::nullopt;
+  constexpr double kShort = 1e-3;
+  constexpr double kLong = 1e3;
+  if (largest > kShort && largest < kLong) return axis;
+  for (double& value : axis) value /= largest;  // first, because squares may underflow
+  const double length = std::sqrt(dot(axis, axis));
+  for (double& value : axis) value /= length;
+  return axis;
 }
 
 double start_position(const LinkedModel& model, const urdf::Joint& joint,

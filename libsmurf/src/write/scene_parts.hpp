@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "write/placed_shapes.hpp"
@@ -56,6 +57,11 @@ inline constexpr double kGroundSize = 100;  ///< sides of the floor of SceneExpo
 /// The start position of a joint of an instance: given, or computed from its leader; otherwise 0.
 double start_position(const LinkedModel& model, const urdf::Joint& joint,
                       const JointPositions& positions);
+
+/// The axis of a joint for simulators, which refuse axes near zero: a very short or long one has
+/// length 1 here. None if it is zero.
+std::optional<Vector3> joint_axis(const urdf::Joint& joint);
+inline constexpr std::string_view kWithoutAxis = "one about or along x, since its axis is zero,";
 
 /// Whether an entity without model can move, and its mass in kg (MARS: `movable`, `mass`). Old
 /// scenes do not move.

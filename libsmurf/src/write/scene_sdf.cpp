@@ -275,8 +275,8 @@ class SdfWriter {
   /// Uses the names of libsdformat, because contact sensors in <gazebo> refer to them.
   static std::string shape_name(const Field<std::string>& name, std::string_view link,
                                 const char* kind, std::size_t index) {
-    if (name) return *name + kind;
-    return std::string(link) + kind + (index > 0 ? "_" + std::to_string(index) : "");
+    if (name) return sdf_name(*name + kind);
+    return sdf_name(std::string(link) + kind) + (index > 0 ? "_" + std::to_string(index) : "");
   }
 
   void add_shapes(const LinkedModel& model, const FlatModel& flat_model, std::size_t part,
@@ -353,7 +353,7 @@ class SdfWriter {
 
   /// Links and joints share one name space in SDF, but not in a URDF.
   static std::string joint_name(const LinkedModel& model, const urdf::Joint& joint) {
-    std::string name = *joint.name;
+    std::string name = sdf_name(*joint.name);
     const auto is_taken = [&](const std::string& one) {
       return model.link_names.contains(one) ||
              (one != *joint.name && model.joint_names.contains(one));
@@ -376,7 +376,9 @@ class SdfWriter {
   void add_axis(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
     const double start = start_of(i, model, joint);
     xml_.open("axis");
-    xml_.leaf("xyz", join_numbers(joint.axis.value_or({1, 0, 0})));
+    const std::optional<Vector3> axis = joint_axis(joint);
+    if (!axis && without_axis_.insert(&joint).second) losses_.joint(joint, kWithoutAxis);
+    xml_.leaf("xyz", join_numbers(axis.value_or(Vector3{1, 0, 0})));
     xml_.open("limit");
     constexpr double kUnlimited = 1e16;  // SDF's default
     if (joint.type != urdf::JointType::continuous && joint.limit) {
@@ -408,6 +410,7 @@ class SdfWriter {
     const auto leader = model.joint_names.find(*joint.mimic->joint);
     if (!leader || !model.robot->joints[*leader].has_one_axis()) return;
     const urdf::Joint& leading = model.robot->joints[*leader];
+    if (&leading == &joint) return;
     const double multiplier = joint.mimic->multiplier.value_or(1);
     const double offset = joint.mimic->offset.value_or(0) +
                           multiplier * start_of(i, model, leading) - start_of(i, model, joint);
@@ -455,6 +458,7 @@ class SdfWriter {
   /// By model with anchored entities: the bodies of its links.
   std::map<const LinkedModel*, std::vector<std::size_t>> bodies_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;
+  std::set<const urdf::Joint*> without_axis_;  ///< those that were reported
   XmlText xml_{scene_.most_bytes};
 };
 

@@ -19,8 +19,10 @@ constexpr std::string_view kNoPlace = "lost: SDF has no element for them";
 constexpr std::string_view kSpeed = "lost: MuJoCo does not limit speeds";
 constexpr std::string_view kEffort =
     "partly: MuJoCo limits the forces of actuators, which driven joints have";
-constexpr std::string_view kActuator = "partly: actuators, where one joint is driven";
-constexpr std::string_view kDrive = "partly: drives, where one joint is driven";
+constexpr std::string_view kActuator =
+    "partly: actuators, where one joint is driven, without other settings";
+constexpr std::string_view kDrive =
+    "partly: drives, where one joint is driven, without other settings";
 constexpr std::string_view kFields = "partly: poses and fields of view of sensors";
 constexpr std::string_view kGazeboOnly = "lost: only Gazebo reads them";
 constexpr std::string_view kAsGazebo =
@@ -30,6 +32,8 @@ constexpr std::string_view kNearest = "changed: to the nearest inertia that the 
 constexpr std::string_view kTenGrams = "added: 10 g in a ball of 1 cm, the default of MARS";
 constexpr std::string_view kReadMeshes =
     "kept: meshes that are STL, OBJ, bobj, COLLADA or glTF, without skins and textures";
+constexpr std::string_view kFreeWorld =
+    "added: a free body, as MARS has; Gazebo fixes such a URDF to the world";
 constexpr std::string_view kColours = "lost: shapes have colours";
 
 constexpr SceneThing kThings[] = {
@@ -249,6 +253,10 @@ constexpr SceneThing kThings[] = {
     {.title = "anchors",
      .of = ThingOf::scene,
      .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, kKept}},
+    {.title = "roots named `world` without an anchor",
+     .of = ThingOf::scene,
+     .in_scene = things::free_worlds,
+     .cells = {kFreeWorld, kFreeWorld, kKept, kKept, kKept, kKept, kKept, kKept}},
     {.title = "start positions",
      .of = ThingOf::scene,
      .in_scene = things::start_positions,

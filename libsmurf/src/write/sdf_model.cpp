@@ -4,6 +4,7 @@
 #include "base/edits.hpp"
 #include "convert/passes.hpp"
 #include "write/placed_shapes.hpp"
+#include "write/sdf_names.hpp"
 
 namespace smurf {
 
@@ -61,7 +62,7 @@ void SdfModel::add_sensors(XmlText& xml, std::string_view carrier, std::string_v
     const Sensor& sensor = *at->second;
     const yaml::Document* document = model_.document(sensor.span.source);
     if (document == nullptr) continue;
-    std::string text = passes::gazebo_sensor(*document, sensor, names.add(*sensor.name));
+    std::string text = passes::gazebo_sensor(*document, sensor, names.add(sdf_name(*sensor.name)));
     constexpr std::string_view kEnd = "</collision>";
     for (std::size_t end = text.find(kEnd); end != std::string::npos; end = text.find(kEnd, end)) {
       text.insert(end, "_collision");  // names of collisions in the result

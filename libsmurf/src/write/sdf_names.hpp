@@ -3,14 +3,18 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "smurf/linked.hpp"
 
 namespace smurf {
 
-/// The names of the links of a model. SDF reserves `world`, names like `__this__`, and the
-/// separator `::`.
+/// SDF reserves `world`, names like `__this__`, and the separator `::`. libsdformat refuses the
+/// file for one of them.
+std::string sdf_name(std::string_view name);
+
+/// The names of the links of a model.
 std::vector<std::string> sdf_names(const LinkedModel& model);
 
 }  // namespace smurf
