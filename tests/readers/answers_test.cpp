@@ -325,3 +325,170 @@ TEST_CASE("sdformat reads numbers of sensors, and poses of models") {
   CHECK(add("<gazebo><pose>1 2 3</pose></gazebo>") == refuses);
   CHECK(add("<gazebo><pose>1 2 3 0 0 0</pose></gazebo>") == takes);
 }
+
+namespace {
+
+/// The robot with more elements at its end.
+std::string with(std::string_view elements, std::string robot = std::string(kRobot)) {
+  return robot.insert(robot.rfind("</robot>"), elements);
+}
+
+constexpr std::string_view kTip =
+    "<link name=\"tip\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" "
+    "iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial></link>";
+constexpr std::string_view kFrame = "<link name=\"tip\"/>";
+
+std::string joint(std::string_view name, std::string_view type, std::string_view parent,
+                  std::string_view child, std::string_view rest = "") {
+  std::string text("<joint name=\"");
+  text.append(name).append("\" type=\"").append(type).append("\"><parent link=\"");
+  text.append(parent).append("\"/><child link=\"").append(child).append("\"/>");
+  return text.append(rest).append("</joint>");
+}
+
+}  // namespace
+
+TEST_CASE("MuJoCo refuses settings that it cannot read") {
+  using enum Answer;
+  const auto answer_with = [](std::string_view settings) {
+    return answer_to("mujoco", with("<mujoco>" + std::string(settings) + "</mujoco>"));
+  };
+  CHECK(answer_with("<size memory=\"-1\"/>") == takes);
+  CHECK(answer_with("<size memory=\"1M\"/>") == unknown);
+  CHECK(answer_with("<size memory=\"1MB\"/>") == refuses);
+  CHECK(answer_with("<size memory=\"1e6\"/>") == refuses);
+  CHECK(answer_with("<size nconmax=\"-1\"/>") == takes);
+  CHECK(answer_with("<size nconmax=\"-2\"/>") == refuses);
+  CHECK(answer_with("<size nuser_body=\"1.5\"/>") == refuses);
+  CHECK(answer_with("<option iterations=\"\"/>") == takes);
+  CHECK(answer_with("<option iterations=\"5.5\"/>") == refuses);
+  CHECK(answer_with("<option timestep=\"1e-310\"/>") == refuses);
+  CHECK(answer_with("<option o_solref=\"1\"/>") == takes);
+  CHECK(answer_with("<option o_solref=\"1 2 3\"/>") == refuses);
+  CHECK(answer_with("<option actuatorgroupdisable=\"31\"/>") == refuses);
+  CHECK(answer_with("<option/><option/>") == refuses);
+  CHECK(answer_with("<option><flag gravity=\"disable\"/></option>") == takes);
+  CHECK(answer_with("<option><flag gravity=\"off\"/></option>") == refuses);
+  CHECK(answer_with("<compiler inertiagrouprange=\"1\"/>") == refuses);
+}
+
+TEST_CASE("a body can float in what is fixed to the root, which MuJoCo makes a part of the world") {
+  const std::string tip = std::string(kTip) + joint("f", "floating", "arm", "tip");
+  const std::string fixed = damaged("revolute", "fixed");
+  CHECK(answer_to("mujoco", with(tip, fixed)) == Answer::takes);
+  CHECK(answer_to("mujoco", with(tip)) == Answer::refuses);
+  CHECK(answer_to("mujoco", with(tip + "<mujoco><compiler fusestatic=\"false\"/></mujoco>",
+                                 fixed)) == Answer::refuses);
+}
+
+TEST_CASE("MuJoCo builds joints that mimic each other, but none that mimics itself") {
+  using enum Answer;
+  constexpr std::string_view kLimit =
+      "<limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/>";
+  const auto mimic = [&](std::string_view followed) {
+    return std::string(kLimit) + "<mimic joint=\"" + std::string(followed) + "\"/>";
+  };
+  const auto tip = [&](std::string_view type, std::string_view followed) {
+    return std::string(kTip) + joint("b", type, "arm", "tip", mimic(followed));
+  };
+  const std::string follower = damaged("velocity=\"1\"/>", "velocity=\"1\"/><mimic joint=\"b\"/>");
+  CHECK(answer_to("mujoco", with(tip("revolute", "a"), follower)) == loses);
+  CHECK(answer_to("mujoco", with(tip("revolute", "b"))) == refuses);
+  CHECK(answer_to("mujoco", with(tip("fixed", "b"))) == takes);
+  const std::string far = std::string(kLimit) + "<mimic joint=\"a\" offset=\"1e200\"/>";
+  CHECK(answer_to("mujoco", with(std::string(kTip) + joint("b", "revolute", "arm", "tip", far))) ==
+        loses);
+}
+
+TEST_CASE("MuJoCo adds moments of inertia as it compares them") {
+  CHECK(answer_for("mujoco", "ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"",
+                   "ixx=\"0.30000000000000004\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" "
+                   "izz=\"0.2\"") == Answer::takes);
+}
+
+TEST_CASE("MuJoCo counts the numbers of a vector before it uses them") {
+  constexpr const char* kMeshes[] = {"a.obj", "a"};
+  const auto answer_with = [&](std::string_view mesh) {
+    return answer_to("mujoco", damaged("<sphere radius=\"1\"/>", std::string(mesh)), kMeshes);
+  };
+  using enum Answer;
+  CHECK(answer_with("<mesh filename=\"a.obj\" scale=\"0x2 1 1\"/>") == loses);
+  CHECK(answer_with("<mesh filename=\"a.obj\" scale=\"0x2\"/>") == refuses);
+  CHECK(answer_with("<mesh filename=\"a.obj\" scale=\"inf 1 1\"/>") == loses);
+  CHECK(answer_with("<mesh filename=\"a.obj\" scale=\"inf 1 1 1\"/>") == refuses);
+  CHECK(answer_with("<mesh filename=\"a.obj\" scale=\"infinity 1 1\"/>") == refuses);
+  CHECK(answer_with("<mesh filename=\"a\"/>") == refuses);
+}
+
+TEST_CASE("sdformat does not build joints to links that it drops") {
+  using enum Answer;
+  const auto answer_with = [](std::string_view link, std::string_view type) {
+    return answer_to("gazebo", with(std::string(link) + joint("f", type, "arm", "tip")));
+  };
+  CHECK(answer_with(kTip, "floating") == refuses);
+  CHECK(answer_with(kFrame, "floating") != refuses);
+  CHECK(answer_with(kTip, "planar") == refuses);
+  CHECK(answer_with(kFrame, "planar") != refuses);
+  CHECK(answer_to("gazebo", with(std::string(kTip) + joint("tip", "continuous", "arm", "tip"))) ==
+        refuses);
+  CHECK(answer_to("gazebo", with(std::string(kFrame) + joint("tip", "continuous", "arm", "tip"))) !=
+        refuses);
+}
+
+TEST_CASE("sdformat merges a link into both of its parents if its last joint is fixed") {
+  using enum Answer;
+  const auto answer_with = [](std::string_view last) {
+    return answer_to("gazebo", with(std::string(kTip) + joint("b", "fixed", "base", "tip") +
+                                    joint("c", last, "arm", "tip")));
+  };
+  CHECK(answer_with("fixed") == loses);
+  CHECK(answer_with("continuous") == refuses);
+}
+
+TEST_CASE("sdformat drops a root without mass if it is told to keep its fixed joint") {
+  std::string robot = damaged("revolute", "fixed");
+  const std::size_t inertial = robot.find("  <inertial>");
+  robot.erase(inertial, robot.find("  <collision>") - inertial);
+  CHECK(answer_to("gazebo", robot) != Answer::refuses);
+  CHECK(answer_to("gazebo", with("<gazebo reference=\"a\"><preserveFixedJoint> true "
+                                 "</preserveFixedJoint></gazebo>",
+                                 robot)) == Answer::refuses);
+}
+
+TEST_CASE("nobody misses an attribute of a second element, and nobody knows what follows a root") {
+  using enum Answer;
+  CHECK(answer_for("ros", "<axis xyz=\"0 0 1\"/>",
+                   "<axis xyz=\"0 0 1\"/><safety_controller "
+                   "k_velocity=\"1\"/><safety_controller/>") == loses);
+  CHECK(answer_for("gazebo", "<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 1\"/><axis/>") != refuses);
+  const std::string robot(kRobot);
+  CHECK(answer_to("ros", robot + robot) == loses);
+  CHECK(answer_to("ros", robot + "<link name=\"more\"/>") == unknown);
+}
+
+TEST_CASE("urdfdom skips a tab in front of a number, but not behind one") {
+  CHECK(answer_for("ros", "xyz=\"0 0 1\"", "xyz=\"0 \t0 1\"") != Answer::refuses);
+  CHECK(answer_for("ros", "xyz=\"0 0 1\"", "xyz=\"0\t 0 1\"") == Answer::refuses);
+}
+
+TEST_CASE("DART may find a file that a URI names") {
+  using enum Answer;
+  const auto answer_with = [](std::string_view path) {
+    return answer_for("dart", "<sphere radius=\"1\"/>",
+                      "<mesh filename=\"" + std::string(path) + "\"/>");
+  };
+  CHECK(answer_with("file:gone.obj") == unknown);
+  CHECK(answer_with("file://gone.obj") == refuses);
+}
+
+TEST_CASE("Gazebo leaves out what a misspelt element means") {
+  using enum Answer;
+  const auto answer_with = [](std::string_view element) {
+    return answer_to("gazebo",
+                     with("<gazebo reference=\"arm\">" + std::string(element) + "</gazebo>"));
+  };
+  CHECK(answer_with("<mu1>1</mu1>") == takes);
+  CHECK(answer_with("<m1u>1</m1u>") == loses);
+  CHECK(answer_with("<MaxVel>1</MaxVel>") == loses);
+  CHECK(answer_with("<gravity>true</gravity>") == takes);
+}

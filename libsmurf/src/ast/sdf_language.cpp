@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/ranges.hpp"
+#include "base/suggest.hpp"
 #include "base/words.hpp"
 
 namespace smurf::sdf {
@@ -214,6 +215,10 @@ std::optional<Part> find_part(std::string_view list, std::string_view name) {
     if (part->name == name) return part;
   }
   return std::nullopt;
+}
+
+std::optional<std::string_view> meant_translated(std::string_view name) {
+  return nearest(name, kTranslated);
 }
 
 bool is_translated(std::string_view name) { return ranges::contains(kTranslated, name); }

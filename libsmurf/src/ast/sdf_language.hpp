@@ -33,5 +33,7 @@ std::optional<Part> find_part(std::string_view list, std::string_view name);
 
 /// True for what sdformat takes out of a `gazebo` element and translates.
 bool is_translated(std::string_view name);
+/// The one of them that an unknown name resembles.
+std::optional<std::string_view> meant_translated(std::string_view name);
 
 }  // namespace smurf::sdf

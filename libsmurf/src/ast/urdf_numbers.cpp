@@ -76,7 +76,9 @@ class NumberReader {
   bool read(std::span<double> out) {
     if (has_residue() || is_comma_separated()) return false;
     const std::vector<Token> tokens = split(text_);
-    has_too_many_ = tokens.size() > out.size();
+    miscount_ = tokens.size() > out.size()   ? "#too-many"
+                : tokens.size() < out.size() ? "#too-few"
+                                             : "";
     for (std::size_t i = 0; i < tokens.size(); ++i) {
       const std::optional<double> value = number(tokens[i]);
       if (!value) return false;
@@ -143,22 +145,20 @@ class NumberReader {
                                       : std::string_view(lower);
     const std::string shown = quoted(text);
     if (bare == "nan" || (bare.starts_with("nan(") && bare.ends_with(')'))) {
-      sink_
-          .report(rules::sml1803_number_nan, place(token),
-                  shown + " is not a number that a reader can use")
-          .construct = has_too_many_ ? "too-many" : "";
+      Diagnostic& diagnostic = sink_.report(rules::sml1803_number_nan, place(token),
+                                            shown + " is not a number that a reader can use");
+      add_constructs("", bare, diagnostic);
     } else if (bare == "inf" || bare == "infinity") {
-      sink_
-          .report(rules::sml1804_number_infinite, place(token),
-                  shown + " is infinite, which urdfdom refuses")
-          .construct = lower.starts_with('-') ? "not-positive" : "";
+      Diagnostic& diagnostic = sink_.report(rules::sml1804_number_infinite, place(token),
+                                            shown + " is infinite, which urdfdom refuses");
+      add_constructs(lower.starts_with('-') ? "#not-positive" : "", bare, diagnostic);
     } else if (is_decimal_comma(text)) {
       report_comma(token, text);
     } else if (bare.starts_with("0x") || has_suffix(bare)) {
       sink_
           .report(rules::sml1809_hex_or_suffix, place(token),
                   shown + " is not a plain decimal number")
-          .construct = kind_of_hex_or_suffix(text);
+          .construct = kind_of_hex_or_suffix(text) + miscount_;
     } else if (std::any_of(text.begin(), text.end(),
                            [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) {
       sink_
@@ -175,6 +175,13 @@ class NumberReader {
       sink_.report(rules::sml1801_not_a_number, place(token), shown + " is not a number");
     }
     return std::nullopt;
+  }
+
+  /// MuJoCo counts the numbers first, and reads only short words in a scale.
+  void add_constructs(std::string constructs, std::string_view word, Diagnostic& diagnostic) const {
+    constructs += miscount_;
+    if (attribute_.name() == "scale" && word.size() > 3) constructs += "#long-word";
+    if (!constructs.empty()) diagnostic.construct = constructs.substr(1);
   }
 
   void report_subnormal(Token token, std::string_view text) {
@@ -266,6 +273,14 @@ class NumberReader {
     diagnostic.fixes.push_back({applicability, {{attribute_.value_span(), std::move(text)}}});
   }
 
+  /// Whether each number ends at a space or at the end, so that readers that split at spaces find
+  /// other blanks in front of numbers only, where they skip them.
+  bool are_blanks_leading(const std::vector<Token>& tokens) const {
+    return std::all_of(tokens.begin(), tokens.end(), [&](Token token) {
+      return token.end == text_.size() || text_[token.end] == ' ';
+    });
+  }
+
   void check_blanks(const std::vector<Token>& tokens, std::size_t count) {
     const auto is_line_or_tab = [](char c) { return c == '\t' || c == '\n' || c == '\r'; };
     std::string fixed;
@@ -284,9 +299,7 @@ class NumberReader {
                                             "a tab or line break between the numbers of `" +
                                                 std::string(attribute_.name()) + "`");
       diagnostic.help("separate them by single spaces");
-      const std::string_view rest = text_.substr(tokens.front().begin);
-      const bool is_leading = std::none_of(rest.begin(), rest.end(), is_line_or_tab);
-      diagnostic.construct = is_leading ? "vector#leading" : "vector";
+      diagnostic.construct = are_blanks_leading(tokens) ? "vector#leading" : "vector";
       diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span(), fixed}}});
     }
   }
@@ -294,7 +307,7 @@ class NumberReader {
   const xml::Attribute& attribute_;
   std::string_view text_;
   DiagnosticSink& sink_;
-  bool has_too_many_ = false;  ///< more words than numbers are expected
+  std::string miscount_;  ///< "#too-many" or "#too-few" words, as a construct
 };
 
 }  // namespace

@@ -63,8 +63,8 @@ class ShapeChecker {
 
  private:
   // The depth of the document is bounded by Limits::xml_depth.
-  void element(View element, const ElementSpec& spec) {
-    attributes(element, spec);
+  void element(View element, const ElementSpec& spec, bool is_first = true) {
+    attributes(element, spec, is_first);
     text(element);
     std::uint64_t seen = 0;  // children by their position in the short table
     bool is_repeated = false;
@@ -75,9 +75,12 @@ class ShapeChecker {
         continue;
       }
       const std::uint64_t bit = std::uint64_t{1} << i;
-      is_repeated = is_repeated || (spec.children[i].single && (seen & bit) != 0);
+      const bool is_second = spec.children[i].single && (seen & bit) != 0;
+      is_repeated = is_repeated || is_second;
       seen |= bit;
-      if (const ElementSpec* known = spec_of(spec.children[i])) this->element(child, *known);
+      if (const ElementSpec* known = spec_of(spec.children[i])) {
+        this->element(child, *known, !is_second);
+      }
     }
     if (is_repeated) repeated(element, spec);
   }
@@ -102,7 +105,8 @@ class ShapeChecker {
                                      [](const AttributeSpec& known) { return known.required; });
   }
 
-  void attributes(View element, const ElementSpec& spec) {
+  /// Readers do not miss an attribute of a repeated element, because they use the first one.
+  void attributes(View element, const ElementSpec& spec, bool is_first) {
     if (has_what_it_needs(element, spec)) return;
     std::vector<std::string_view> absent;
     for (const AttributeSpec& known : spec.attributes) {
@@ -126,7 +130,7 @@ class ShapeChecker {
         foreign.push_back(&attribute);
       }
     }
-    if (required_attributes(element, spec, absent, foreign)) return;
+    if (is_first && required_attributes(element, spec, absent, foreign)) return;
     // SML1110 reports an empty geometry.
     if (element.name() == "geometry" && element.begin() == element.end()) return;
     for (const xml::Attribute* attribute : foreign) {

@@ -77,9 +77,17 @@ const Fact* find_unread(const Reader& reader, const Rule& rule, std::string_view
   return nullptr;
 }
 
+/// Only the facts of the reader that it is like apply there.
+bool is_dropped_by(const Reader& reader, std::string_view path) {
+  const std::size_t at = path.find(kDroppedBy);
+  return at != std::string_view::npos &&
+         path.substr(at + kDroppedBy.size()).starts_with(reader.name);
+}
+
 const Fact* find_fact(const Reader& reader, const Rule& rule, std::string_view path) {
   if (const Fact* fact = find_unread(reader, rule, path)) return fact;
   for (const Reader* known = &reader; known != nullptr; known = known->like) {
+    if (is_dropped_by(*known, path)) continue;
     for (const Fact& fact : rule.facts) {
       if (fact.reader == known && path.find(fact.where) != std::string_view::npos) return &fact;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Findings whose effect on a reader is not certain.
+// Findings whose effect on a reader is not certain, or that a reader does not come to.
 #pragma once
 
 #include <string_view>
@@ -9,5 +9,9 @@ namespace smurf {
 /// A construct of findings whose effect depends on files outside of the model, or on text that was
 /// not checked. A refusal in a fact about them makes the verdict `not known`.
 inline constexpr std::string_view kUncertain = "#uncertain";
+
+/// Begins the construct of findings in parts that a reader reads, but does not build: the name of
+/// the reader follows.
+inline constexpr std::string_view kDroppedBy = "#dropped-by-";
 
 }  // namespace smurf

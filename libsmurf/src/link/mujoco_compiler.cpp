@@ -87,6 +87,10 @@ bool balances_inertias(const LinkedModel& model) {
   return says(mujoco_compiler(model), "balanceinertia", "true");
 }
 
+bool fuses_fixed_links(const LinkedModel& model) {
+  return !says(mujoco_compiler(model), "fusestatic", "false");
+}
+
 bool is_told_where_meshes_are(const LinkedModel& model) {
   const xml::View compiler = mujoco_compiler(model);
   const xml::Attribute* folder = mesh_folder(compiler);

@@ -24,6 +24,9 @@ bool is_told_where_meshes_are(const LinkedModel& model);
 /// Whether `balanceinertia` tells MuJoCo to repair impossible inertias.
 bool balances_inertias(const LinkedModel& model);
 
+/// Whether links that are fixed to others become one body, which is MuJoCo's default.
+bool fuses_fixed_links(const LinkedModel& model);
+
 /// Reports meshes that are not in the folder where MuJoCo looks for them.
 void check_meshes_of_mujoco(const LinkedModel& model, const LoadContext& context);
 

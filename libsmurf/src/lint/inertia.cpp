@@ -49,7 +49,7 @@ bool is_positive_definite(const std::array<double, 3>& moments) {
 
 double triangle_excess(const std::array<double, 3>& moments) {
   const auto& [low, middle, high] = moments;
-  return (high - low - middle) / high;
+  return (high - (low + middle)) / high;  // as MuJoCo adds them
 }
 
 bool is_unit_tensor(const urdf::Inertial& inertial) {

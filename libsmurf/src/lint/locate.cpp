@@ -2,13 +2,18 @@
 // Finds the YAML pointer or XPath of a byte span: rules report spans, users and programs also need
 // names of places.
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <optional>
 #include <span>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "base/quoted.hpp"
 #include "base/readers.hpp"
+#include "base/rules.hpp"
+#include "base/uncertain.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/rigid_bodies.hpp"
 #include "smurf/lint.hpp"
@@ -87,10 +92,10 @@ bool is_carried(const LinkedModel& model, std::size_t link) {
 }
 
 /// Effects on readers depend on motion and on the type of the joint. So inertials get the construct
-/// "#carried" or, if the link moves by itself, "#alone/inertia/@ixx/"; parts of joints get
-/// "#in-fixed/limit/@lower/".
+/// "#of-world", "#carried", "#carried#still" or, if the link moves by itself,
+/// "#alone/inertia/@ixx/"; parts of joints get "#in-fixed/limit/@lower/".
 void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
-  std::vector<bool> alone;  // by link; computed when it is needed
+  std::vector<bool> alone, still;  // by link; computed when they are needed
   for (Diagnostic* diagnostic : found) {
     constexpr std::string_view kJoint = "/robot/joint/";
     constexpr std::string_view kInertial = "/robot/link/inertial/";
@@ -98,9 +103,11 @@ void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
     if (path.starts_with(kInertial)) {
       const urdf::Link* link = part_at(model.robot->links, diagnostic->span.begin);
       if (link == nullptr) continue;
+      if (link->name.value_or("") == "world") diagnostic->construct += "#of-world";
       const auto index = static_cast<std::size_t>(link - model.robot->links.data());
       if (is_carried(model, index)) {
-        diagnostic->construct += "#carried";
+        if (still.empty()) still = fixed_to_root(model);
+        diagnostic->construct += still[index] ? "#carried#still" : "#carried";
         continue;
       }
       if (alone.empty()) alone = alone_in_motion(model);
@@ -117,6 +124,90 @@ void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
     }
   }
 }
+
+/// Joints to links that sdformat drops, names of links that it drops or merges, and numbers that it
+/// computes with because it merges links.
+class SdformatMarks {
+ public:
+  explicit SdformatMarks(const LinkedModel& model)
+      : model_(model),
+        links_(links_of_sdformat(model)),
+        count_(links_.size(), 0),
+        is_dropped_(links_.size()) {
+    for (const auto& top : links_) {
+      if (top) ++count_[to_size(*top)];
+    }
+    for (const LinkIndex link : model.tree.order) {  // not those in a ring, at which it crashes
+      const std::size_t i = to_size(link);
+      is_dropped_[i] = !links_[i] && model.link(link).name.value_or("") != "world";
+    }
+  }
+
+  /// Whether all links are dropped, which is reported.
+  bool is_empty() const {
+    return std::none_of(links_.begin(), links_.end(),
+                        [](const auto& top) { return top.has_value(); });
+  }
+
+  void mark(Diagnostic& diagnostic) const {
+    const std::string path = fact_path(diagnostic);
+    if (path.starts_with("/robot/joint/")) {
+      const urdf::Joint* joint = part_at(model_.robot->joints, diagnostic.span.begin);
+      if (joint != nullptr) mark_joint(index_in(model_.robot->joints, *joint), path, diagnostic);
+    } else if (path.starts_with("/robot/link/")) {
+      const urdf::Link* link = part_at(model_.robot->links, diagnostic.span.begin);
+      if (link != nullptr) mark_link(index_in(model_.robot->links, *link), path, diagnostic);
+    }
+  }
+
+ private:
+  template <class Part>
+  static std::size_t index_in(const std::vector<Part>& parts, const Part& part) {
+    return static_cast<std::size_t>(&part - parts.data());
+  }
+
+  static void drop(Diagnostic& diagnostic) {
+    diagnostic.construct.append(kDroppedBy).append(readers::gazebo.name);
+  }
+
+  void mark_joint(std::size_t index, const std::string& path, Diagnostic& diagnostic) const {
+    const auto child = model_.tree.joint_child[index];
+    if (!child) return;
+    const auto above = model_.tree.parent_joint[to_size(*child)];
+    if (is_dropped_[to_size(*child)] && above && to_size(*above) == index) drop(diagnostic);
+    mark_number(to_size(*child), path, diagnostic);
+  }
+
+  void mark_link(std::size_t link, const std::string& path, Diagnostic& diagnostic) const {
+    const bool is_merged = links_[link] && to_size(*links_[link]) != link;
+    const bool is_about_name = diagnostic.rule == &rules::sml1307_reserved_name;
+    if (is_about_name && (is_merged || is_dropped_[link])) drop(diagnostic);
+    mark_number(link, path, diagnostic);
+  }
+
+  /// Whether the result of a computation with such a number is one that it can read depends on the
+  /// other numbers.
+  void mark_number(std::size_t link, const std::string& path, Diagnostic& diagnostic) const {
+    if (path.find("/#subnormal") == std::string::npos) return;
+    const bool is_moved = path.find("/origin/@xyz/") != std::string::npos ||
+                          path.find("/inertia/") != std::string::npos;
+    const bool is_rotated = path.find("/origin/@rpy/") != std::string::npos;
+    const bool is_joined = links_[link] && count_[to_size(*links_[link])] > 1;
+    if (is_rotated || (is_moved && is_joined)) diagnostic.construct += kUncertain;
+  }
+
+  const LinkedModel& model_;
+  std::vector<std::optional<LinkIndex>> links_;
+  std::vector<std::size_t> count_;  ///< of links that become one, by the topmost
+  std::vector<bool> is_dropped_;
+};
+
+void mark_for_sdformat(const LinkedModel& model, std::span<Diagnostic* const> found) {
+  const SdformatMarks marks(model);
+  if (marks.is_empty()) return;
+  for (Diagnostic* diagnostic : found) marks.mark(*diagnostic);
+}
+
 constexpr std::string_view kDrakeIgnored = "#drake-ignored";
 
 /// Marks findings in links and joints with `drake_ignore="true"`, which Drake skips.
@@ -164,6 +255,7 @@ void locate_in(const LinkedModel& model, BySource& all) {
   const std::vector<Diagnostic*> found = locate_in(model.robot->document, all);
   if (found.empty()) return;
   mark_motion(model, found);
+  mark_for_sdformat(model, found);
   if (balances_inertias(model)) mark("/inertia", kBalanced, found);
   if (keeps_visuals(model)) mark("/visual", kVisualsKept, found);
   if (is_told_where_meshes_are(model)) mark("/mesh/@filename", kElsewhere, found);

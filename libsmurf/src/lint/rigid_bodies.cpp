@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "base/path.hpp"
+#include "base/words.hpp"
 #include "smurf/pose.hpp"
 
 namespace smurf {
@@ -41,7 +42,7 @@ std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept
 /// Reads a flag like sdformat 12.3 (run): in any case, from the attribute if there is one.
 bool is_set(xml::View flag) {
   const xml::Attribute* value = flag.attribute("value");
-  const std::string text = path::to_lower(value != nullptr ? value->value() : flag.text());
+  const std::string text = path::to_lower(trimmed(value != nullptr ? value->value() : flag.text()));
   return text == "true" || text == "yes" || text == "1";
 }
 
@@ -219,6 +220,16 @@ std::vector<bool> fixed_to_heavier(const LinkedModel& model) {
   for (std::size_t i = 0; i < body.size(); ++i) {
     const double beside = mass[i] - mass_of(model, i);
     result[i] = body[i] != i && beside > 0 && beside >= mass_of(model, i);
+  }
+  return result;
+}
+
+std::vector<bool> fixed_to_root(const LinkedModel& model) {
+  std::vector<bool> result(model.robot->links.size());
+  for (const LinkIndex link : model.tree.order) {
+    const auto above = model.tree.parent_joint[to_size(link)];
+    result[to_size(link)] = !above || (model.joint(*above).type == urdf::JointType::fixed &&
+                                       result[to_size(*model.tree.joint_parent[to_size(*above)])]);
   }
   return result;
 }

@@ -21,6 +21,9 @@ bool has_fixed_mass(const LinkedModel& model, LinkIndex link);
 /// as one body, so its own mass and inertia matter little.
 std::vector<bool> fixed_to_heavier(const LinkedModel& model);
 
+/// By link: whether it is a root, or only fixed joints lead to it from one.
+std::vector<bool> fixed_to_root(const LinkedModel& model);
+
 /// By link: the mass (kg) of the body into which sdformat merges it. Fixed joints merge links,
 /// except for joints that a Gazebo element keeps.
 std::vector<double> masses_of_bodies(const LinkedModel& model);

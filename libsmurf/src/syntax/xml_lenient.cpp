@@ -6,6 +6,8 @@
 
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
+#include "base/uncertain.hpp"
+#include "base/words.hpp"
 #include "syntax/xml_bytes.hpp"
 #include "syntax/xml_references.hpp"
 
@@ -48,9 +50,12 @@ void report_no_element(Span place, std::string_view text, const char* construct,
 }
 
 void report_second_root(Span place, std::string_view name, Span first, DiagnosticSink& sink) {
-  sink.report(rules::sml1006_xml_several_roots, place,
-              "a second root element " + quoted(name) + " begins after the first has ended")
-      .label(first, "the root element");
+  Diagnostic& diagnostic =
+      sink.report(rules::sml1006_xml_several_roots, place,
+                  "a second root element " + quoted(name) + " begins after the first has ended");
+  diagnostic.label(first, "the root element");
+  // Such an element was a part of the first one, which is not whole without it.
+  if (is_one_of(name, {"link", "joint"})) diagnostic.construct = kUncertain.substr(1);
 }
 
 void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink) {

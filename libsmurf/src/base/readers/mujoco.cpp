@@ -17,8 +17,11 @@ constexpr std::string_view kIgnores = "does not look at it";
 constexpr Fact kUnread[] = {
     {&mujoco, ignores, kVisuals, "MuJoCo (discardvisual), run", "/visual/origin/"},
     {&mujoco, ignores, kVisuals, "MuJoCo (discardvisual), run", "/visual/geometry/"},
+    {&mujoco, ignores, "gives the world no mass", kRun, "#of-world"},
     {&mujoco, ignores, kIgnores, kRun, "#in-fixed/limit/"},
     {&mujoco, ignores, kIgnores, kRun, "#in-fixed/dynamics/"},
+    {&mujoco, ignores, kIgnores, kRun, "#in-fixed/mimic/"},
+    {&mujoco, ignores, kIgnores, kRun, "#in-floating/mimic/"},
     {&mujoco, ignores, kIgnores, kRun, "/texture/"},
     {&mujoco, ignores, kIgnores, kRun, "/calibration/"},
     {&mujoco, ignores, kIgnores, kRun, "/safety_controller/"},

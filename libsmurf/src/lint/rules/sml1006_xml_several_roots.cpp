@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "base/rules.hpp"
+#include "base/uncertain.hpp"
 
 namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
+    {&readers::urdf, Effect::refuses,
+     "reads the first root element only, and refuses a robot without its other links", kRun,
+     kUncertain},
     {&readers::urdf, Effect::changes, "reads the first root element only",
      "tinyxml2 FirstChildElement; urdfdom, run"},
-    {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
 };
 
 }  // namespace

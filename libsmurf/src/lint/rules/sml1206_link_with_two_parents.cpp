@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
+#include <vector>
+
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
@@ -15,9 +18,43 @@ bool is_below(const LinkedModel& model, LinkIndex link, LinkIndex other) {
   return link == other;
 }
 
+/// sdformat merges a link into both parents if the joint that it keeps is fixed, which is the last
+/// one in alphabetical order, and no other link moves below.
+class MergedLinks {
+ public:
+  explicit MergedLinks(const LinkedModel& model)
+      : last_(model.robot->links.size()), has_motion_below_(model.robot->links.size()) {
+    for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
+      const urdf::Joint& joint = model.robot->joints[i];
+      const auto child = model.tree.joint_child[i];
+      if (!child || !joint.name) continue;
+      const urdf::Joint*& last = last_[to_size(*child)];
+      if (last == nullptr || *last->name < *joint.name) last = &joint;
+    }
+    for (auto link = model.tree.order.rbegin(); link != model.tree.order.rend(); ++link) {
+      const auto above = model.tree.parent_joint[to_size(*link)];
+      if (!above) continue;
+      const bool moves = model.joint(*above).type != urdf::JointType::fixed;
+      const std::size_t parent = to_size(*model.tree.joint_parent[to_size(*above)]);
+      if (moves || has_motion_below_[to_size(*link)]) has_motion_below_[parent] = true;
+    }
+  }
+
+  bool contains(LinkIndex link) const {
+    const urdf::Joint* last = last_[to_size(link)];
+    return last != nullptr && last->type == urdf::JointType::fixed &&
+           !has_motion_below_[to_size(link)];
+  }
+
+ private:
+  std::vector<const urdf::Joint*> last_;
+  std::vector<bool> has_motion_below_;
+};
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.tree.roots.empty()) return;  // a loop through the root has its own rule
   const std::vector<urdf::Joint>& joints = model.robot->joints;
+  std::optional<MergedLinks> merged;  // computed when it is needed
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto child = model.tree.joint_child[i];
     if (!child || !model.tree.joint_parent[i] || *model.tree.joint_parent[i] == *child) continue;
@@ -29,6 +66,8 @@ void check(const LinkedModel& model, Findings& findings) {
                         title(model.link(*child)) + " is already the child of " + title(other));
     if (other.type == urdf::JointType::fixed) diagnostic.construct = "fixed";
     if (is_below(model, *model.tree.joint_parent[i], *child)) diagnostic.construct += "#ring";
+    if (!merged) merged.emplace(model);
+    if (merged->contains(*child)) diagnostic.construct += "#merged-twice";
     diagnostic.caret = "a second parent";
     diagnostic.help("keep one of the two joints; URDF has no closed chains");
     diagnostic.label(other.child.span, "the first joint to this link");
@@ -39,6 +78,8 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes,
      "does not notice, and keeps the joint whose name is last in alphabetical order", kRun},
     {&readers::pybullet, Effect::changes, "keeps the last parent", "Bullet UrdfParser.cpp, run"},
+    {&readers::gazebo, Effect::crashes, "crashes", kRun, "#ring"},
+    {&readers::gazebo, Effect::changes, "merges the link into both parents", kRun, "#merged-twice"},
     {&readers::gazebo, Effect::refuses, "reports a duplicate link", kRun},
     {&readers::dart, Effect::crashes, "never terminates", kRun, "#ring"},
     {&readers::dart, Effect::changes, "builds the link twice, or never terminates", kRun},

@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
+#include "link/mujoco_compiler.hpp"
 #include "lint/queries.hpp"
+#include "lint/rigid_bodies.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
+  std::vector<bool> fixed;  // by link; computed when it is needed
   for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
     const urdf::Joint& joint = model.robot->joints[i];
     const auto parent = model.tree.joint_parent[i];
     if (joint.type != urdf::JointType::floating || !parent) continue;
     const auto above = model.tree.parent_joint[to_size(*parent)];
     if (!above) continue;
-    findings
-        .report(joint.type_name.span, title(joint) + " is floating, but " +
-                                          title(model.link(*parent)) + " is not the root")
-        .label(name_place(model, model.joint(*above)), "leads to the parent");
+    Diagnostic& diagnostic =
+        findings.report(joint.type_name.span, title(joint) + " is floating, but " +
+                                                  title(model.link(*parent)) + " is not the root");
+    diagnostic.label(name_place(model, model.joint(*above)), "leads to the parent");
+    if (fixed.empty()) fixed = fixed_to_root(model);
+    if (fixed[to_size(*parent)] && fuses_fixed_links(model)) {
+      diagnostic.construct = "fixed-to-root";
+    }
   }
 }
 
@@ -25,6 +32,8 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "makes the joint fixed",
      "Bullet URDF2Bullet.cpp:491-497"},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
+    {&readers::mujoco, Effect::takes, "makes one body of the root and what is fixed to it", kRun,
+     "#fixed-to-root"},
     {&readers::mujoco, Effect::refuses, "refuses the file: bodies float in the world only", kRun},
     {&readers::urdfdom, Effect::takes, "accepts a floating joint anywhere", kRun},
     {&readers::phobos, Effect::takes, "accepts a floating joint anywhere", kRun},

@@ -1,33 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
+#include <vector>
+
 #include "base/readers.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
+#include "lint/rigid_bodies.hpp"
 
 namespace smurf::rules {
 namespace {
+
+/// What is left of the robot in sdformat, which merges and drops links.
+class KeptNames {
+ public:
+  explicit KeptNames(const LinkedModel& model) : model_(model), links_(links_of_sdformat(model)) {}
+
+  bool has_link(std::size_t link) const { return links_[link] && to_size(*links_[link]) == link; }
+
+  bool has_joint(std::size_t joint) const {
+    const auto child = model_.tree.joint_child[joint];
+    return !child || has_link(to_size(*child));
+  }
+
+ private:
+  const LinkedModel& model_;
+  std::vector<std::optional<LinkIndex>> links_;
+};
 
 /// One finding per file, because authors name all parts by one scheme.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
   Span link_name;
-  bool has_movable = false;
+  std::optional<KeptNames> kept;  // computed when it is needed
+  bool is_clash = false;
+  std::size_t index = 0;
   for_each_joint(model, [&](const urdf::Joint& joint) {
+    const std::size_t at = index++;
     if (!joint.name || joint.name->empty()) return;
     const auto link = model.link_names.find(*joint.name);
     if (!link) return;
     if (habit.is_first()) link_name = model.robot->links[*link].name.span;
-    has_movable = has_movable || joint.type != urdf::JointType::fixed;
+    if (!kept) kept.emplace(model);
+    is_clash = is_clash || (kept->has_joint(at) && kept->has_link(*link));
     habit.add(joint.name.span, "a link and a joint are both called " + quoted(*joint.name));
   });
   Diagnostic* diagnostic = habit.report("such names", findings);
   if (diagnostic == nullptr) return;
   diagnostic->label(link_name, "the link");
-  if (!has_movable) diagnostic->construct = "fixed";
+  if (!is_clash) diagnostic->construct = "merged";
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::gazebo, Effect::takes, "merges the link into its parent, so its name disappears",
-     kRun, "#fixed"},
+    {&readers::gazebo, Effect::takes,
+     "merges or drops the link, so that one of the names disappears", kRun, "#merged"},
     {&readers::gazebo, Effect::refuses, "reports errors E2 and E24; the model cannot be used",
      kRun},
 };

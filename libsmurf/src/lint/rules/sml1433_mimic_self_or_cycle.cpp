@@ -17,10 +17,12 @@ void check(const LinkedModel& model, Findings& findings) {
     }
     if (!at || seen_from[*at] != start || !mimic_leader(model, *at)) continue;
     const urdf::Joint& joint = model.robot->joints[*at];
-    findings.report(joint.mimic->joint.span,
-                    *joint.mimic->joint == joint.name.value_or("")
-                        ? title(joint) + " mimics itself"
-                        : title(joint) + " mimics itself through other joints");
+    const bool is_itself = *joint.mimic->joint == joint.name.value_or("");
+    findings
+        .report(joint.mimic->joint.span,
+                title(joint) +
+                    (is_itself ? " mimics itself" : " mimics itself through other joints"))
+        .construct = is_itself ? "itself" : "cycle";
   }
 }
 
@@ -29,8 +31,9 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfParser.cpp has no code for it"},
     {&readers::ros, Effect::loses, "MoveIt drops every mimic of the robot",
      "MoveIt robot_model.cpp:426"},
-    {&readers::mujoco, Effect::refuses,
-     "refuses a joint that mimics itself; builds contradicting constraints from a cycle", kRun},
+    {&readers::mujoco, Effect::changes, "builds contradicting constraints from a cycle", kRun,
+     "#cycle"},
+    {&readers::mujoco, Effect::refuses, "refuses a joint that mimics itself", kRun},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:791-880"},
     {&readers::gazebo, Effect::takes, "leaves mimic out before sdformat 14", kRun},
     {&readers::dart, Effect::changes, "keeps a joint that follows itself", kRun},

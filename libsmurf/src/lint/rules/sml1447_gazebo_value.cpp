@@ -58,6 +58,24 @@ void check_value(const xml::View element, const urdf::Link* link, Findings& find
   }
 }
 
+/// Whether sdformat has such an element in a link or joint.
+bool is_of_sdf(std::string_view name) {
+  return sdf::find_part(sdf::find("link")->children, name) ||
+         sdf::find_part(sdf::find("joint")->children, name);
+}
+
+/// sdformat copies an element that it does not know, and then warns of it.
+void check_name(const xml::View element, Findings& findings) {
+  const std::string_view name = element.name();
+  if (sdf::is_translated(name) || is_of_sdf(name)) return;
+  const auto meant = sdf::meant_translated(name);
+  if (!meant) return;
+  Diagnostic& diagnostic =
+      findings.report(element.name_span(), "Gazebo knows no element " + quoted(name));
+  diagnostic.construct = "slip";
+  diagnostic.help("did you mean " + quoted(*meant) + "?");
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   bool has_extensions = false;
@@ -69,6 +87,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto link =
         reference == nullptr ? std::nullopt : model.link_names.find(reference->value());
     for (const xml::View element : gazebo) {
+      if (reference != nullptr) check_name(element, findings);
       check_value(element, link ? &model.robot->links[*link] : nullptr, findings);
     }
   }
@@ -82,6 +101,8 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun, "#number"},
     {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun,
      "#empty-include"},
+    {&readers::gazebo, Effect::loses, "warns, and leaves out what the element means", kRun,
+     "#slip"},
     {&readers::gazebo, Effect::refuses,
      "refuses the file unless it finds such a model in its own paths", kRun, kUncertain},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
@@ -93,7 +114,9 @@ extern constinit const Rule sml1447_gazebo_value{
     .id = "SML1447",
     .name = "gazebo-value",
     .severity = Severity::warning,
-    .summary = "An element for Gazebo lacks a part, or contains one that Gazebo cannot read.",
+    .summary =
+        "An element for Gazebo is misspelt, lacks a part, or contains one that Gazebo cannot "
+        "read.",
     .why =
         "An empty `mu1`, or a word in `dampingFactor`, ends the simulator. Other elements are read as SDF, which does not tolerate wrong types, values or names.",
     .remedy = "Write the element as the specification of SDF says.",

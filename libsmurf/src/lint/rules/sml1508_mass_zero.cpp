@@ -9,8 +9,11 @@ namespace {
 
 constexpr double kDropped = 1e-6;  // kg; sdformat drops bodies up to this
 
+bool is_world(const urdf::Link& link) { return link.name.value_or("") == "world"; }
+
 bool is_root(const LinkedModel& model, const urdf::Link& link) {
-  return model.tree.roots.size() == 1 && &model.link(model.tree.roots.front()) == &link;
+  return !is_world(link) && model.tree.roots.size() == 1 &&
+         &model.link(model.tree.roots.front()) == &link;
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -44,6 +47,7 @@ constexpr Fact kFacts[] = {
      "MARS smurf.cpp:719"},
     {&readers::pybullet, Effect::changes, "fixes a base without mass to the world",
      "URDF2Bullet.cpp:382"},
+    {&readers::gazebo, Effect::takes, "does not look at the mass of the world", kRun, "#of-world"},
     {&readers::gazebo, Effect::takes, "adds it to the body that it is fixed to", kRun, "#merged"},
     {&readers::gazebo, Effect::refuses,
      "drops the root with everything below it: a model without links", kRun, "#root"},

@@ -8,8 +8,11 @@
 namespace smurf::rules {
 namespace {
 
+bool is_world(const urdf::Link& link) { return link.name.value_or("") == "world"; }
+
 bool is_root(const LinkedModel& model, const urdf::Link& link) {
-  return model.tree.roots.size() == 1 && &model.link(model.tree.roots.front()) == &link;
+  return !is_world(link) && model.tree.roots.size() == 1 &&
+         &model.link(model.tree.roots.front()) == &link;
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -49,6 +52,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::takes, "does not look at the mass of the world", kRun, "#of-world"},
     {&readers::gazebo, Effect::refuses,
      "drops the root with everything below it: a model without links", kRun, "#root"},
     {&readers::gazebo, Effect::loses, "drops the link with everything below it",

@@ -40,6 +40,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::dart, Effect::takes, "knows no such shape", kRun, "/capsule/"},
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
     {&readers::mars, Effect::breaks,
      "stops loading here, so all later objects, the pose and the anchor are missing",

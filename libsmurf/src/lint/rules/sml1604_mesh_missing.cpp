@@ -4,6 +4,7 @@
 
 #include "base/path.hpp"
 #include "base/readers.hpp"
+#include "base/uncertain.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
 #include "lint/mesh_queries.hpp"
@@ -49,6 +50,11 @@ void suggest(const MeshReference& mesh, const LinkedModel& model, Diagnostic& di
   diagnostic.fixes.push_back(rewrite(uses, mesh.meant, Applicability::unsafe));
 }
 
+/// "file:arm.stl"; a second slash would begin the name of a host.
+bool is_uri_without_host(std::string_view filename) {
+  return filename.starts_with("file:") && !filename.starts_with("file://");
+}
+
 void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_t lost_beside,
                  Findings& findings) {
   Diagnostic& diagnostic =
@@ -74,6 +80,7 @@ void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_
                         : "keep the URDF and the .smurf in folders side by side");
   }
   if (!mesh.meant.empty()) suggest(mesh, model, diagnostic);
+  if (is_uri_without_host(mesh.filename)) diagnostic.construct += kUncertain;
   if (mesh.is_texture) diagnostic.severity = Severity::warning;
 }
 
@@ -126,6 +133,8 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfFindMeshFile.h, run", "#package"},
     ros_without_mesh("#mesh"),
     gazebo_without_mesh("#mesh"),
+    {&readers::dart, Effect::refuses, "takes it as a URI, and refuses the file if it is missing",
+     kRun, kUncertain},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#mesh"},
     {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun, "#package"},
     {&readers::mujoco, Effect::takes, "looks in the folder that its element `compiler` names", kRun,

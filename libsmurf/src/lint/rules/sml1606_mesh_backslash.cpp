@@ -18,6 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (first.similar.empty()) {
       diagnostic.note("there is no file of that name either");
     } else {
+      diagnostic.construct = "exists";
       diagnostic.fixes.push_back(rewrite(path, slashes, Applicability::safe));
     }
     if (first.is_texture) diagnostic.severity = Severity::warning;
@@ -28,7 +29,8 @@ constexpr Fact kFacts[] = {
     ros_without_mesh(),
     gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
-    {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+    {&readers::mujoco, Effect::takes, "treats it as a slash", kRun, "#exists"},
+    {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <map>
 
 #include "base/readers.hpp"
@@ -17,6 +18,9 @@ void check(const LinkedModel& model, Findings& findings) {
     const MeshReference& first = files.front()->first();
     Diagnostic& diagnostic = findings.report(first.span, "the path " + quoted(first.filename) +
                                                              " exists on one machine only");
+    const bool do_all_exist = std::all_of(
+        files.begin(), files.end(), [](const PathUses* path) { return path->first().exists; });
+    if (do_all_exist) diagnostic.construct = "exists";
     if (!first.exists) diagnostic.caret = "not found here";
     if (first.exists || first.is_texture) diagnostic.severity = Severity::warning;
     if (files.size() > 1) {
@@ -32,11 +36,13 @@ constexpr Fact kFacts[] = {
      "MARS misc.cpp:112-131", "/collision/"},
     {&readers::pybullet, Effect::refuses, "where the file is missing, refuses the whole robot",
      "Bullet UrdfFindMeshFile.h, run"},
+    {&readers::ros, Effect::takes, "opens the file", "urdfdom stores it unchecked", "#exists"},
     {&readers::ros, Effect::loses,
      "where the file is missing, RViz and MoveIt show the link without it",
      "urdfdom stores it unchecked"},
     {&readers::gazebo, Effect::loses, "where the file is missing, leaves the shape out",
      "sdformat parser_urdf.cc:2416-2431"},
+    {&readers::dart, Effect::takes, "opens the file", kRun, "#exists"},
     {&readers::dart, Effect::refuses,
      "where the file is missing, cannot load the shape, and refuses the file", kRun},
     {&readers::mujoco, Effect::refuses,

@@ -12,6 +12,8 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfParser.cpp (atof), run"},
     {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
     {&readers::mujoco, Effect::refuses, "refuses more numbers than it expects", kRun, "#too-many"},
+    {&readers::mujoco, Effect::refuses, "refuses fewer numbers than it expects", kRun, "#too-few"},
+    {&readers::mujoco, Effect::refuses, "cannot read such a word as a scale", kRun, "#long-word"},
     {&readers::mujoco, Effect::changes, "computes with it where the body does not move by itself",
      kRun, kCarried},
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "base/rules.hpp"
+#include "base/uncertain.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -17,6 +18,11 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::crashes, kAsserts, kRun, "/cylinder/@length/#underflow"},
     {&readers::dart, Effect::crashes, kAsserts, kRun, "/mesh/@scale/#underflow"},
     {&readers::urdfdom, Effect::changes, "reads 0", kRun, "#underflow"},
+    {&readers::gazebo, Effect::refuses,
+     "computes with the number, and refuses the file if it cannot read the result", kRun,
+     kUncertain},
+    {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun,
+     "/inertial/origin/@xyz/#too-large"},
     {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/limit/@lower/#subnormal"},
     {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/limit/@upper/#subnormal"},
     {&readers::gazebo, Effect::refuses, kCannotRead, kRun, "/limit/@effort/#subnormal"},
@@ -47,6 +53,11 @@ constexpr Fact kFacts[] = {
      "/inertia/@izz/#too-large"},
     {&readers::urdfdom, Effect::takes, "reads the number", kRun, "#subnormal"},
     {&readers::urdfdom, Effect::changes, kComputes, kRun, "#too-large"},
+    {&readers::mujoco, Effect::changes, "computes with it where nothing moves", kRun,
+     "#too-large#carried#still"},
+    {&readers::mujoco, Effect::changes, kComputes, kRun, "/inertial/origin/@xyz/#too-large#alone"},
+    {&readers::mujoco, Effect::refuses, "refuses the inertia that fixed links have together", kRun,
+     "/inertial/origin/@xyz/#too-large"},
     {&readers::mujoco, Effect::changes, kComputes, kRun, "/origin/@xyz/#too-large"},
     {&readers::mujoco, Effect::changes, kComputes, kRun, "/origin/@rpy/#too-large"},
     {&readers::mujoco, Effect::changes, kComputes, kRun, "/axis/@xyz/#too-large"},
@@ -56,6 +67,8 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes, kComputes, kRun, "/cylinder/@length/#too-large"},
     {&readers::mujoco, Effect::changes, kComputes, kRun, "/sphere/@radius/#too-large"},
     {&readers::mujoco, Effect::changes, kComputes, kRun, "/mesh/@scale/#too-large"},
+    {&readers::mujoco, Effect::changes, kComputes, kRun, "/mimic/@multiplier/#too-large"},
+    {&readers::mujoco, Effect::changes, kComputes, kRun, "/mimic/@offset/#too-large"},
     {&readers::pybullet, Effect::changes, "reads 0", "Bullet UrdfParser.cpp (atof), run",
      "#underflow"},
     {&readers::pybullet, Effect::changes, "reads infinity", "Bullet UrdfParser.cpp (atof), run"},

@@ -4,6 +4,7 @@
 #include "base/path.hpp"
 #include "base/ranges.hpp"
 #include "base/readers.hpp"
+#include "base/words.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -16,7 +17,7 @@ std::string format_of(std::string_view filename) {
                                          "cdf", "glb", "gltf", "bobj"};
   constexpr std::string_view kOfMujoco[] = {"obj", "stl", "msh"};
   const std::string_view written = path::extension(filename);
-  if (written.size() < 2) return filename.ends_with('/') || written == "." ? "no-format" : "";
+  if (written.size() < 2) return trimmed(filename).empty() ? "" : "no-format";
   const std::string extension(written.substr(1)), lower = path::to_lower(extension);
   if (!ranges::contains(kKnown, lower)) return "other-" + lower;
   const bool is_upper = ranges::any_of(extension, [](char c) { return c >= 'a' && c <= 'z'; });

@@ -47,8 +47,9 @@ void check_unread_masses(const LinkedModel& model, Findings& findings) {
 /// True when sdformat drops the root, or all links below a root that is the world.
 bool loses_all(const LinkedModel& model) {
   const LinkIndex root = model.tree.roots.front();
-  if (model.link(root).name.value_or("") != "world") return !has_fixed_mass(model, root);
-  return is_left_without_links(model);
+  const urdf::Link& link = model.link(root);
+  const bool is_light = link.name.value_or("") == "world" || !link.inertial;
+  return !has_fixed_mass(model, root) || (is_light && is_left_without_links(model));
 }
 
 void check(const LinkedModel& model, Findings& findings) {
