@@ -64,10 +64,13 @@ bool is_of_sdf(std::string_view name) {
          sdf::find_part(sdf::find("joint")->children, name);
 }
 
+/// Elements of old versions of Gazebo, which are no slips of others.
+bool is_of_old_gazebo(std::string_view name) { return name == "stopKp" || name == "stopKd"; }
+
 /// sdformat copies an element that it does not know, and then warns of it.
 void check_name(const xml::View element, Findings& findings) {
   const std::string_view name = element.name();
-  if (sdf::is_translated(name) || is_of_sdf(name)) return;
+  if (sdf::is_translated(name) || is_of_sdf(name) || is_of_old_gazebo(name)) return;
   const auto meant = sdf::meant_translated(name);
   if (!meant) return;
   Diagnostic& diagnostic =

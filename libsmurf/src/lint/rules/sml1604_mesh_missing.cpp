@@ -133,7 +133,7 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfFindMeshFile.h, run", "#package"},
     ros_without_mesh("#mesh"),
     gazebo_without_mesh("#mesh"),
-    {&readers::dart, Effect::refuses, "takes it as a URI, and refuses the file if it is missing",
+    {&readers::dart, Effect::refuses, "reads it as a URI, and refuses the file if it is missing",
      kRun, kUncertain},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#mesh"},
     {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun, "#package"},
