@@ -16,6 +16,8 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "smurf/lint.hpp"
@@ -147,10 +149,23 @@ bool check(const char* what, std::size_t count, std::size_t most) {
   return false;
 }
 
+/// What is recorded for these is not what the reader does with a file in a folder.
+constexpr std::tuple<std::string_view, std::string_view, const char*> kOtherwise[] = {
+    {"g18_mesh_backslash", "mujoco",
+     "MuJoCo 2.2 and 3.14 (mujoco_robot.mjs) cut the name at the backslash and find the mesh"},
+};
+
+bool is_otherwise(const Case& one, const Column& column) {
+  return std::ranges::any_of(kOtherwise, [&](const auto& known) {
+    return std::get<0>(known) == one.file.stem().string() && std::get<1>(known) == column.target;
+  });
+}
+
 bool check(const std::vector<Case>& cases, const Column& column) {
   Bounds found;
   std::string list;
   for (const Case& one : cases) {
+    if (is_otherwise(one, column)) continue;
     const std::string verdict = did(one, column.heading);
     const std::string printed = check_for(one.file, *find_target(column.target)).verdict;
     const bool is_all_clear = is_refusal(verdict) && printed.starts_with("loads");

@@ -103,7 +103,9 @@ void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
     if (path.starts_with(kInertial)) {
       const urdf::Link* link = part_at(model.robot->links, diagnostic->span.begin);
       if (link == nullptr) continue;
-      if (link->name.value_or("") == "world") diagnostic->construct += "#of-world";
+      // MuJoCo does not use the inertia of the world, but refuses it without positive moments.
+      const bool is_refused = diagnostic->rule == &rules::sml1512_not_positive_definite;
+      if (link->name.value_or("") == "world" && !is_refused) diagnostic->construct += "#of-world";
       const auto index = static_cast<std::size_t>(link - model.robot->links.data());
       if (is_carried(model, index)) {
         if (still.empty()) still = fixed_to_root(model);

@@ -9,8 +9,8 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
     {&readers::urdf, Effect::refuses,
-     "reads the first root element only, and refuses a robot without its other links", kRun,
-     kUncertain},
+     "reads the first root element only, and refuses a robot without its other links",
+     "urdfdom, sdformat, DART, MuJoCo, run", kUncertain},
     {&readers::urdf, Effect::changes, "reads the first root element only",
      "tinyxml2 FirstChildElement; urdfdom, run"},
 };
