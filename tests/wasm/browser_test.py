@@ -15,7 +15,7 @@ import threading
 
 from built import skip_without
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
 TIME = 1200  # s
 PAGE = """<!doctype html><script type="module">
 const results = [];
@@ -35,19 +35,25 @@ await fetch("/results", { method: "POST", body: JSON.stringify(results) });
 TYPES = {".mjs": "text/javascript", ".wasm": "application/wasm"}
 
 
+def files_of(folders, root):
+    return {str(path.relative_to(root)): base64.b64encode(path.read_bytes()).decode()
+            for folder in folders for path in sorted(folder.rglob("*")) if path.is_file() and not path.is_symlink()}
+
+
 def jobs(corpus):
-    patterns = ("fixtures/rules/*/*", "fixtures/models/*", "fixtures/scenes/*", "fixtures/load-check/*")
-    folders = [folder for pattern in patterns for folder in sorted(ROOT.glob(pattern))]
+    folders = [folder for kind in ("rules/*/*", "models/*", "load-check/*") for folder in sorted(FIXTURES.glob(kind))]
     if corpus is None:
         print("there is no corpus; only the fixtures are compared")
     else:
         folders += sorted(corpus.glob("*/*"))
     for folder in folders:
-        files = {str(path.relative_to(folder)): base64.b64encode(path.read_bytes()).decode()
-                 for path in sorted(folder.rglob("*")) if path.is_file() and not path.is_symlink()}
+        files = files_of([folder], folder)
         has_links = any(path.is_symlink() for path in folder.rglob("*"))
         if folder.is_dir() and not has_links and all(not name.startswith("..") for name in files):
             yield folder, {"args": ["--format=json", "--all", "."], "files": files}
+    for scene in sorted((FIXTURES / "scenes").iterdir()):  # scenes use the models
+        yield FIXTURES, {"args": ["--format=json", "--all", f"scenes/{scene.name}"],
+                         "files": files_of([scene, FIXTURES / "models"], FIXTURES)}
 
 
 class Site(http.server.BaseHTTPRequestHandler):
@@ -111,7 +117,7 @@ def main():
         native = [done.returncode, done.stdout.decode(), done.stderr.decode()]
         if native != result:
             different += 1
-            print(f"{folder} differs:\n{str(native)[:2000]}\n{str(result)[:2000]}" if different < 5 else folder)
+            print(f"{folder} {job['args']} differs:\n{str(native)[:2000]}\n{str(result)[:2000]}" if different < 5 else folder)
     print(f"{len(all_jobs) - different} of {len(all_jobs)} folders give the same findings")
     sys.exit(different > 0)
 
