@@ -492,3 +492,12 @@ TEST_CASE("Gazebo leaves out what a misspelt element means") {
   CHECK(answer_with("<MaxVel>1</MaxVel>") == loses);
   CHECK(answer_with("<gravity>true</gravity>") == takes);
 }
+
+TEST_CASE("whether Gazebo accepts masses that are merged from far away is not known") {
+  const auto answer_at = [](std::string_view distance) {
+    const std::string origin = "<origin xyz=\"" + std::string(distance) + " 0 0\"/>";
+    return answer_to("gazebo", with(std::string(kTip) + joint("f", "fixed", "arm", "tip", origin)));
+  };
+  CHECK(answer_at("1") == Answer::takes);
+  CHECK(answer_at("1e6") == Answer::unknown);
+}

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
+#include "base/uncertain.hpp"
 #include "base/words.hpp"
 #include "lint/body.hpp"
 #include "lint/habit.hpp"
@@ -21,27 +23,43 @@ double farthest_in(std::string_view text) {
   return farthest;
 }
 
+/// From here, rounding can make the inertia impossible that links have together about one point.
+constexpr double kRounded = 1e5;  // m
+
+bool moves_mass(xml::View origin) {
+  return is_same(origin.parent().name(), "inertial") || is_same(origin.parent().name(), "joint");
+}
+
 /// One finding per file, because the unit is one decision.
 void check(const LinkedModel& model, Findings& findings) {
   const double far = findings.tolerance();
   if (!model.robot) return;
   Habit habit;
   double first = 0;
+  bool is_doubtful = false;
   const xml::Document& document = model.robot->document;
   for (std::size_t i = 0; i < document.elements.size(); ++i) {
     if (!is_same(document.elements[i].name(), "origin")) continue;
-    const xml::Attribute* xyz =
-        xml::View(document, xml::ElementId{static_cast<std::uint32_t>(i)}).attribute("xyz");
+    const xml::View origin(document, xml::ElementId{static_cast<std::uint32_t>(i)});
+    const xml::Attribute* xyz = origin.attribute("xyz");
     const double farthest = xyz == nullptr ? 0 : farthest_in(xyz->value());
     if (std::fabs(farthest) <= far) continue;
     if (habit.is_first()) first = farthest;
+    is_doubtful = is_doubtful || (std::fabs(farthest) > kRounded && moves_mass(origin));
     habit.add(xyz->value_span(), "this origin lies " + format_rounded(std::fabs(farthest)) +
                                      " m away; are millimetres meant?");
   }
   if (Diagnostic* diagnostic = habit.report("such origins", findings)) {
+    if (is_doubtful) diagnostic->construct = kUncertain;
     diagnostic->help(format_rounded(first) + " mm are " + format_rounded(first / 1000) + " m");
   }
 }
+
+constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::refuses,
+     "reports error E18 if rounding makes the inertia of merged links impossible", kRun,
+     kUncertain},
+};
 
 }  // namespace
 
@@ -58,6 +76,7 @@ extern constinit const Rule sml1442_origin_large{
     .check_model = check,
     .tolerance = {.value = kFarthestOrigin,
                   .unit = "m",
-                  .meaning = "how far a part may lie from the frame it is placed in"}};
+                  .meaning = "how far a part may lie from the frame it is placed in"},
+    .facts = kFacts};
 
 }  // namespace smurf::rules
