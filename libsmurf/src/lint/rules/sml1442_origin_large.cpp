@@ -26,8 +26,12 @@ double farthest_in(std::string_view text) {
 /// From here, rounding can make the inertia impossible that links have together about one point.
 constexpr double kRounded = 1e5;  // m
 
+/// Whether the origin moves a mass within the links that sdformat makes one.
 bool moves_mass(xml::View origin) {
-  return is_same(origin.parent().name(), "inertial") || is_same(origin.parent().name(), "joint");
+  const xml::View owner = origin.parent();
+  if (is_same(owner.name(), "inertial")) return true;
+  const xml::Attribute* type = owner.attribute("type");
+  return is_same(owner.name(), "joint") && type != nullptr && type->value() == "fixed";
 }
 
 /// One finding per file, because the unit is one decision.
