@@ -501,3 +501,10 @@ TEST_CASE("whether Gazebo accepts masses that are merged from far away is not kn
   CHECK(answer_at("1") == Answer::takes);
   CHECK(answer_at("1e6") == Answer::unknown);
 }
+
+TEST_CASE("MuJoCo checks each inertia, also where nothing moves") {
+  const std::string tip =
+      "<link name=\"tip\"><inertial><mass value=\"1\"/><inertia ixx=\"1e308\" ixy=\"0\" ixz=\"0\" "
+      "iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial></link>";
+  CHECK(answer_to("mujoco", with(tip + joint("f", "fixed", "base", "tip"))) == Answer::refuses);
+}
