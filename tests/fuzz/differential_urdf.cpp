@@ -107,9 +107,11 @@ class XmlComparison {
 
   void same_text(xml::View ours, const char* theirs) {
     const std::string_view text = theirs == nullptr ? "" : theirs;
-    // Readers of URDF ignore texts of spaces.
-    const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string_view::npos;
-    if (is_blank && ours.text().empty()) return;
+    // Readers of URDF ignore texts of spaces; to tinyxml2, \v and \f are spaces.
+    const auto is_blank = [](std::string_view one) {
+      return one.find_first_not_of(" \t\r\n\v\f") == std::string_view::npos;
+    };
+    if (is_blank(text) && is_blank(ours.text())) return;
     if (ours.text() != text && is_compared(ours.text_span())) note("text", ours.span());
   }
 
