@@ -50,6 +50,7 @@ constexpr Refusal kRefusals[] = {
     {"SML1001", "urdfdom (TinyXML) reads", true, true,
      "urdfdom reads what is behind it, if that is a robot"},
     {"SML1008", "", true, true, "neither knows UTF-16; both read bytes"},
+    {"SML0005", "UTF-16", true, true, "the same for a file that begins like UTF-16"},
     {"SML1006", "", true, true, "both take the first element"},
 };
 
