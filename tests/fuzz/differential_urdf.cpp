@@ -51,6 +51,7 @@ constexpr Refusal kRefusals[] = {
      "urdfdom reads what is behind it, if that is a robot"},
     {"SML1008", "", true, true, "neither knows UTF-16; both read bytes"},
     {"SML0005", "UTF-16", true, true, "the same for a file that begins like UTF-16"},
+    {"SML1010", "Git LFS", true, true, "both skip the text before the root element"},
     {"SML1006", "", true, true, "both take the first element"},
 };
 
