@@ -273,8 +273,8 @@ class NumberReader {
     diagnostic.fixes.push_back({applicability, {{attribute_.value_span(), std::move(text)}}});
   }
 
-  /// Whether each number ends at a space or at the end, so that readers that split at spaces find
-  /// other blanks in front of numbers only, where they skip them.
+  /// Whether a space or the end of the text follows each number. Readers that split at spaces then
+  /// find tabs and line breaks only in front of numbers, where they skip them.
   bool are_blanks_leading(const std::vector<Token>& tokens) const {
     return std::all_of(tokens.begin(), tokens.end(), [&](Token token) {
       return token.end == text_.size() || text_[token.end] == ' ';

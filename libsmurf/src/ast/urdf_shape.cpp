@@ -105,7 +105,7 @@ class ShapeChecker {
                                      [](const AttributeSpec& known) { return known.required; });
   }
 
-  /// Readers do not miss an attribute of a repeated element, because they use the first one.
+  /// Readers use the first of several elements, so a missing attribute matters only there.
   void attributes(View element, const ElementSpec& spec, bool is_first) {
     if (has_what_it_needs(element, spec)) return;
     std::vector<std::string_view> absent;

@@ -25,7 +25,7 @@ bool FileIndex::exists(const std::string& path) {
   const std::string_view folder = path::parent(path);
   if (is_unlisted(folder) || is_unlisted(path)) return false;
   place->second = files_.is_file(path);
-  if (!place->second) miss(folder);
+  if (!place->second) ++misses_[std::string(folder)];
   return place->second;
 }
 
@@ -33,17 +33,8 @@ const std::vector<std::string>& FileIndex::list(const std::string& folder) {
   const auto [place, is_new] = lists_.try_emplace(folder);
   if (!is_new || is_unlisted(folder)) return place->second;
   place->second = files_.list(folder);
-  if (place->second.empty()) miss(path::parent(folder));
+  if (place->second.empty()) ++misses_[std::string(path::parent(folder))];
   return place->second;
-}
-
-void FileIndex::miss(std::string_view folder) {
-  const auto known = misses_.find(folder);
-  if (known == misses_.end()) {
-    misses_.emplace(folder, 1);
-  } else {
-    ++known->second;
-  }
 }
 
 /// Hidden names may exist without being listed.

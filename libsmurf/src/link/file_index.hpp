@@ -42,8 +42,6 @@ class FileIndex {
   const FileReader& files() const { return files_; }
 
  private:
-  /// Counts a missing file or folder.
-  void miss(std::string_view folder);
   /// Whether many others were missing in the same folder, and its list does not contain this one.
   /// The system would walk the whole path for each, which may have thousands of folders.
   bool is_unlisted(std::string_view path);
@@ -51,7 +49,7 @@ class FileIndex {
   const FileReader& files_;
   std::map<std::string, bool> known_;
   std::map<std::string, std::vector<std::string>> lists_;
-  std::map<std::string, int, std::less<>> misses_;  ///< by folder
+  std::map<std::string, int, std::less<>> misses_;  ///< missing files and folders, by folder
   using Names = std::map<std::string, std::string>;
   std::map<std::string, Names> lower_;  ///< the first name of a folder, by its name in lower case
 };

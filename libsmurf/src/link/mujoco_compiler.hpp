@@ -6,6 +6,9 @@
 
 namespace smurf {
 
+/// MuJoCo refuses an STL file of more triangles (stl_decoder.cc:70).
+inline constexpr std::size_t kMostStlTrianglesOfMujoco = 200000;
+
 /// A construct of findings on paths of meshes, where the file tells MuJoCo to look elsewhere.
 inline constexpr std::string_view kElsewhere = "#elsewhere";
 
@@ -24,7 +27,7 @@ bool is_told_where_meshes_are(const LinkedModel& model);
 /// Whether `balanceinertia` tells MuJoCo to repair impossible inertias.
 bool balances_inertias(const LinkedModel& model);
 
-/// Whether links that are fixed to others become one body, which is MuJoCo's default.
+/// Whether MuJoCo merges links that fixed joints connect into one body. It does so by default.
 bool fuses_fixed_links(const LinkedModel& model);
 
 /// Reports meshes that are not in the folder where MuJoCo looks for them.

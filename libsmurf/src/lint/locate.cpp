@@ -145,7 +145,7 @@ class SdformatMarks {
     }
   }
 
-  /// Whether all links are dropped, which is reported.
+  /// Whether sdformat drops every link. Another rule reports that.
   bool is_empty() const {
     return std::none_of(links_.begin(), links_.end(),
                         [](const auto& top) { return top.has_value(); });
@@ -187,15 +187,15 @@ class SdformatMarks {
     mark_number(link, path, diagnostic);
   }
 
-  /// Whether the result of a computation with such a number is one that it can read depends on the
-  /// other numbers.
+  /// sdformat computes with such a number. Whether it can read the result depends on the other
+  /// numbers.
   void mark_number(std::size_t link, const std::string& path, Diagnostic& diagnostic) const {
     if (path.find("/#subnormal") == std::string::npos) return;
     const bool is_moved = path.find("/origin/@xyz/") != std::string::npos ||
                           path.find("/inertia/") != std::string::npos;
     const bool is_rotated = path.find("/origin/@rpy/") != std::string::npos;
     const bool is_joined = links_[link] && count_[to_size(*links_[link])] > 1;
-    if (is_rotated || (is_moved && is_joined)) diagnostic.construct += kUncertain;
+    if (is_rotated || (is_moved && is_joined)) mark_uncertain(diagnostic);
   }
 
   const LinkedModel& model_;

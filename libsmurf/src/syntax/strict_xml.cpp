@@ -113,7 +113,8 @@ bool can_keep_encoding(std::string_view name, bool is_ascii) {
   return lower == "us-ascii" && is_ascii;
 }
 
-/// `declaration` is without `<?xml` and `?>`, and sound for find_unsound().
+/// `declaration` is the text between `<?xml` and `?>`. Precondition: find_unsound() finds nothing
+/// in the whole instruction.
 bool is_strict_declaration(std::string_view declaration, bool is_ascii) {
   constexpr std::array<std::string_view, 3> kNames = {"version", "encoding", "standalone"};
   std::size_t next = 0;  // of the names, which have this order

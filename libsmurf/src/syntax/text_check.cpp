@@ -83,8 +83,7 @@ bool check_text(const SourceMap& sources, SourceId id, TextFormat format, Diagno
                                              " is not allowed in a text file");
     diagnostic.help("delete it");
     // Readers of XML stop only at a NUL.
-    if (format == TextFormat::xml && is_padded(text.substr(control)))
-      diagnostic.construct = kUncertain.substr(1);
+    if (format == TextFormat::xml && is_padded(text.substr(control))) mark_uncertain(diagnostic);
     if (format == TextFormat::yaml || text.find('\0') != std::string_view::npos) return false;
     diagnostic.construct = "in-urdf";
   }

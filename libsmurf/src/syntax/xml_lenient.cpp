@@ -55,7 +55,7 @@ void report_second_root(Span place, std::string_view name, Span first, Diagnosti
                   "a second root element " + quoted(name) + " begins after the first has ended");
   diagnostic.label(first, "the root element");
   // Such an element was a part of the first one, which is not whole without it.
-  if (is_one_of(name, {"link", "joint"})) diagnostic.construct = kUncertain.substr(1);
+  if (is_one_of(name, {"link", "joint"})) mark_uncertain(diagnostic);
 }
 
 void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink) {

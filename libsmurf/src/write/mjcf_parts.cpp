@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "base/floating.hpp"
+#include "base/little_endian.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/vectors.hpp"
+#include "link/mujoco_compiler.hpp"
 #include "write/body_inertia.hpp"
 
 namespace smurf {
@@ -53,18 +55,14 @@ bool is_mesh_of_mujoco(const FlatMesh& mesh) {
   return extension == ".stl" || extension == ".obj";
 }
 
-/// MuJoCo reads only binary STL, of at most 200,000 triangles and without other bytes after them.
+/// MuJoCo reads only binary STL without other bytes after the triangles.
 bool is_stl_of_mujoco(std::string_view bytes) {
   constexpr std::size_t kCountAt = 80;
   constexpr std::size_t kHeader = 84;
   constexpr std::size_t kTriangle = 50;
-  constexpr std::size_t kMost = 200000;
   if (bytes.size() < kHeader) return false;
-  std::size_t triangles = 0;
-  for (std::size_t i = kHeader; i-- > kCountAt;) {
-    triangles = triangles << 8U | static_cast<unsigned char>(bytes[i]);
-  }
-  return triangles <= kMost && bytes.size() == kHeader + kTriangle * triangles;
+  const std::size_t triangles = read_uint32(bytes, kCountAt);
+  return triangles <= kMostStlTrianglesOfMujoco && bytes.size() == kHeader + kTriangle * triangles;
 }
 
 using Point = std::array<float, 3>;

@@ -82,6 +82,14 @@ void SceneLosses::joint(const urdf::Joint& joint, std::string_view written_as) {
                            std::string(written_as) + " in the " + format_);
 }
 
+Vector3 SceneLosses::axis_of(const urdf::Joint& joint) {
+  const std::optional<Vector3> axis = joint_axis(joint);
+  if (!axis && without_axis_.insert(&joint).second) {
+    this->joint(joint, "one about or along x, since its axis is zero,");
+  }
+  return axis.value_or(Vector3{1, 0, 0});
+}
+
 void SceneLosses::table() {
   for (const LinkedModel& model : scene_.scene.models) of_model(model);
   for (const SceneThing& thing : scene_things()) {

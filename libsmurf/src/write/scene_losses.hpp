@@ -30,6 +30,9 @@ class SceneLosses {
   void unseen_shape(Span span, const FlatGeometry& geometry, std::string_view reason);
   /// Reports a joint that is written as a simpler type.
   void joint(const urdf::Joint& joint, std::string_view written_as);
+  /// The axis of a joint for the format, as joint_axis(). Reports a joint whose axis is zero once;
+  /// it has the axis x.
+  Vector3 axis_of(const urdf::Joint& joint);
   /// Reports a thing of the table that only the writer can find, by its title.
   void note(std::string_view title, Span span, const std::string& name) {
     noted_[title].try_emplace({to_size(span.source), span.begin}, FoundThing{span, name});
@@ -59,6 +62,7 @@ class SceneLosses {
   SceneColumn column_;
   std::string format_;
   std::set<std::pair<std::size_t, std::size_t>> unseen_;  ///< by source and place
+  std::set<const urdf::Joint*> without_axis_;             ///< those that were reported
   /// By title, then by source and place.
   std::map<std::string_view, std::map<std::pair<std::size_t, std::size_t>, FoundThing>> noted_;
 };

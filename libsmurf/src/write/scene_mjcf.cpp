@@ -218,8 +218,6 @@ class MjcfWriter : MjcfSensors {
       }
       return false;
     }
-    const std::optional<Vector3> axis = joint_axis(joint);
-    if (!axis && without_axis_.insert(&joint).second) losses_.joint(joint, kWithoutAxis);
     const bool is_limited = joint.type != urdf::JointType::continuous && joint.limit;
     const double lower = is_limited ? joint.limit->lower.value_or(0) : 0;
     const double upper = is_limited ? joint.limit->upper.value_or(0) : 0;
@@ -228,7 +226,7 @@ class MjcfWriter : MjcfSensors {
         "joint",
         {{"name", name(i, joint.name.value_or(""))},
          {"type", is_linear ? "slide" : "hinge"},
-         {"axis", join_numbers(axis.value_or(Vector3{1, 0, 0}))},
+         {"axis", join_numbers(losses_.axis_of(joint))},
          {"limited", is_limited && lower < upper ? "true" : "false"},
          {"range", join_numbers({lower, upper})},
          {"damping", format_number(joint.dynamics ? joint.dynamics->damping.value_or(0) : 0)},
@@ -324,7 +322,6 @@ class MjcfWriter : MjcfSensors {
   std::map<std::string, std::string> textures_;  ///< file -> name of its material
   std::set<std::string_view> existing_;          ///< names of the model's declared meshes
   std::set<const urdf::Joint*> reported_;
-  std::set<const urdf::Joint*> without_axis_;  ///< those that were reported
   std::vector<std::pair<std::size_t, const urdf::Joint*>> followers_;
 };
 

@@ -61,7 +61,6 @@ double start_position(const LinkedModel& model, const urdf::Joint& joint,
 /// The axis of a joint for simulators, which refuse axes near zero: a very short or long one has
 /// length 1 here. None if it is zero.
 std::optional<Vector3> joint_axis(const urdf::Joint& joint);
-inline constexpr std::string_view kWithoutAxis = "one about or along x, since its axis is zero,";
 
 /// Whether an entity without model can move, and its mass in kg (MARS: `movable`, `mass`). Old
 /// scenes do not move.

@@ -376,9 +376,7 @@ class SdfWriter {
   void add_axis(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
     const double start = start_of(i, model, joint);
     xml_.open("axis");
-    const std::optional<Vector3> axis = joint_axis(joint);
-    if (!axis && without_axis_.insert(&joint).second) losses_.joint(joint, kWithoutAxis);
-    xml_.leaf("xyz", join_numbers(axis.value_or(Vector3{1, 0, 0})));
+    xml_.leaf("xyz", join_numbers(losses_.axis_of(joint)));
     xml_.open("limit");
     constexpr double kUnlimited = 1e16;  // SDF's default
     if (joint.type != urdf::JointType::continuous && joint.limit) {
@@ -458,7 +456,6 @@ class SdfWriter {
   /// By model with anchored entities: the bodies of its links.
   std::map<const LinkedModel*, std::vector<std::size_t>> bodies_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;
-  std::set<const urdf::Joint*> without_axis_;  ///< those that were reported
   XmlText xml_{scene_.most_bytes};
 };
 

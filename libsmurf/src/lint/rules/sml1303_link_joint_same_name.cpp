@@ -10,7 +10,7 @@
 namespace smurf::rules {
 namespace {
 
-/// What is left of the robot in sdformat, which merges and drops links.
+/// The links and joints that remain after sdformat has merged and dropped links.
 class KeptNames {
  public:
   explicit KeptNames(const LinkedModel& model) : model_(model), links_(links_of_sdformat(model)) {}

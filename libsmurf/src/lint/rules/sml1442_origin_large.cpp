@@ -54,7 +54,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                      " m away; are millimetres meant?");
   }
   if (Diagnostic* diagnostic = habit.report("such origins", findings)) {
-    if (is_doubtful) diagnostic->construct = kUncertain;
+    if (is_doubtful) mark_uncertain(*diagnostic);
     diagnostic->help(format_rounded(first) + " mm are " + format_rounded(first / 1000) + " m");
   }
 }

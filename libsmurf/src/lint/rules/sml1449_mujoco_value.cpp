@@ -181,7 +181,7 @@ void check_memory(const xml::View size, Findings& findings) {
       findings.report(at->span(), "the memory that MuJoCo reserves may be too small for the model, "
                                   "or too large for the machine");
   diagnostic.severity = Severity::info;
-  diagnostic.construct = kUncertain.substr(1);
+  mark_uncertain(diagnostic);
 }
 
 void check_settings(const xml::View mujoco, Findings& findings) {

@@ -80,7 +80,7 @@ void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_
                         : "keep the URDF and the .smurf in folders side by side");
   }
   if (!mesh.meant.empty()) suggest(mesh, model, diagnostic);
-  if (is_uri_without_host(mesh.filename)) diagnostic.construct += kUncertain;
+  if (is_uri_without_host(mesh.filename)) mark_uncertain(diagnostic);
   if (mesh.is_texture) diagnostic.severity = Severity::warning;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
+#include "link/mujoco_compiler.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -8,12 +9,10 @@ namespace {
 constexpr std::uint64_t kMany = 10000;
 constexpr std::uint64_t kVeryMany = 50000;
 constexpr std::uint64_t kManyOfVisual = 100000;
-/// The largest number that MuJoCo accepts in an STL file (stl_decoder.cc:70).
-constexpr std::uint64_t kMostOfMujoco = 200000;
 
 bool is_refused(const OpenedMesh& mesh) {
   return mesh.is_collision() && mesh.facts.format == MeshFormat::stl_binary &&
-         mesh.facts.triangles > kMostOfMujoco;
+         mesh.facts.triangles > kMostStlTrianglesOfMujoco;
 }
 
 bool is_collision_between(const OpenedMesh& mesh, std::uint64_t few, std::uint64_t many) {

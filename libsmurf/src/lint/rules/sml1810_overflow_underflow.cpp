@@ -11,6 +11,8 @@ constexpr std::string_view kAsserts = "reads 0, and ends the process with an ass
 constexpr std::string_view kCannotRead = "cannot read the number, and refuses the file";
 constexpr std::string_view kComputes = "reads the number, and computes with it";
 
+constexpr std::string_view kComputesStill = "computes with it where nothing moves";
+
 constexpr Fact kFacts[] = {
     {&readers::dart, Effect::crashes, kAsserts, kRun, "/box/@size/#underflow"},
     {&readers::dart, Effect::crashes, kAsserts, kRun, "/sphere/@radius/#underflow"},
@@ -53,14 +55,12 @@ constexpr Fact kFacts[] = {
      "/inertia/@izz/#too-large"},
     {&readers::urdfdom, Effect::takes, "reads the number", kRun, "#subnormal"},
     {&readers::urdfdom, Effect::changes, kComputes, kRun, "#too-large"},
-    {&readers::mujoco, Effect::refuses, "refuses the inertia", kRun, "/inertia/@ixx/#too-large"},
-    {&readers::mujoco, Effect::refuses, "refuses the inertia", kRun, "/inertia/@ixy/#too-large"},
-    {&readers::mujoco, Effect::refuses, "refuses the inertia", kRun, "/inertia/@ixz/#too-large"},
-    {&readers::mujoco, Effect::refuses, "refuses the inertia", kRun, "/inertia/@iyy/#too-large"},
-    {&readers::mujoco, Effect::refuses, "refuses the inertia", kRun, "/inertia/@iyz/#too-large"},
-    {&readers::mujoco, Effect::refuses, "refuses the inertia", kRun, "/inertia/@izz/#too-large"},
-    {&readers::mujoco, Effect::changes, "computes with it where nothing moves", kRun,
-     "#too-large#carried#still"},
+    {&readers::mujoco, Effect::changes, kComputesStill, kRun,
+     "/inertial/origin/@xyz/#too-large#carried#still"},
+    {&readers::mujoco, Effect::changes, kComputesStill, kRun,
+     "/inertial/origin/@rpy/#too-large#carried#still"},
+    {&readers::mujoco, Effect::changes, kComputesStill, kRun,
+     "/mass/@value/#too-large#carried#still"},
     {&readers::mujoco, Effect::changes, kComputes, kRun, "/inertial/origin/@xyz/#too-large#alone"},
     {&readers::mujoco, Effect::refuses, "refuses the inertia that fixed links have together", kRun,
      "/inertial/origin/@xyz/#too-large"},

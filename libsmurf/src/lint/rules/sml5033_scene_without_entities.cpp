@@ -20,8 +20,8 @@ yaml::View unknown_key(yaml::View root) {
   return {};
 }
 
-/// SML4001 reports a value that is not a list, and entries that are no entities; SML4005 reports a
-/// misspelt key.
+/// Whether another rule reports the list: SML4001 if it is not a list or has entries that are no
+/// entities, SML4005 if its key is misspelt.
 bool is_reported(yaml::View root) {
   KeyRenames renames(root);
   return std::any_of(root.begin(), root.end(), [&](const yaml::View value) {
