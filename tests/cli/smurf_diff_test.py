@@ -389,6 +389,17 @@ class Git(Diff):
         self.assertIn("error[SML1001]", text)
         self.assertIn("maxEffort 40 -> 50", text)
 
+    def test_too_many_differences_are_refused(self):
+        self.write("old.urdf", ROBOT)
+        many = ROBOT.replace('mass value="0.35"', 'mass value="1"').replace('lower="-1"', 'lower="-2"')
+        self.write("new.urdf", many.replace('velocity="2"', 'velocity="3"'))
+        for output in ("text", "json", "html"):
+            done = self.expect(2, "--format", output, "--limit", "differences=2", "old.urdf", "new.urdf")
+            self.assertEqual(done.stdout, "")
+            self.assertIn("'old.urdf' and 'new.urdf' have more than 2 differences; raise the limit with "
+                          "`--limit differences=N`", " ".join(done.stderr.split()))
+        self.assertIn("3 differences", self.expect(1, "--limit", "differences=3", "old.urdf", "new.urdf").stdout)
+
     def test_names_are_no_options(self):
         self.write(".gitattributes", "* diff=smurf\n")
         for name in ("--", "--version", "-q", "--git", "-ostolen.urdf", "--.urdf", "--output=stolen/a.urdf"):

@@ -248,9 +248,10 @@ TEST_CASE("limits: those of archives") {
 
 TEST_CASE("limits: every row of the table has a name of its own, a usual value and a test") {
   // Tests of the other limits.
-  constexpr std::string_view kElsewhere[] = {
-      "image-pixels",   "archive-bytes", "archive-files", "archive-growth",  "srdf-bytes",
-      "folder-entries", "ignore-checks", "suggestions",   "rechecked-bytes", "path-checks"};
+  constexpr std::string_view kElsewhere[] = {"image-pixels",   "archive-bytes", "archive-files",
+                                             "archive-growth", "srdf-bytes",    "folder-entries",
+                                             "ignore-checks",  "suggestions",   "rechecked-bytes",
+                                             "path-checks",    "differences"};
   for (const LimitInfo& info : kLimits) {
     CAPTURE(info.name);
     CHECK(&info_of(info.name) == &info);

@@ -84,6 +84,12 @@ Compared compare_loaded(Session& session, const Version& before, const Version& 
   if (!result.trouble.empty()) return result;
   result.differences =
       diff(old_version.*linked, new_version.*linked, session.loaded_sources(), how);
+  if (result.differences.size() > how.limits.differences) {
+    result.problem = "'" + before.shown + "' and '" + after.shown + "' have more than " +
+                     std::to_string(how.limits.differences) +
+                     " differences; raise the limit with `--limit differences=N`";
+    result.differences.clear();
+  }
   return result;
 }
 

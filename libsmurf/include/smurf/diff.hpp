@@ -61,7 +61,8 @@ struct Difference {
 
 /// The differences in the order of the new version, followed by removed things. Both versions must
 /// be loaded into `sources`. Formatting, order, comments, and values that equal the default are
-/// ignored. If only one of the models has annotations, only the robots are compared.
+/// ignored. If only one of the models has annotations, only the robots are compared. With more
+/// than Limits::differences, the comparison is incomplete, and the result exceeds the limit.
 std::vector<Difference> diff(const LinkedModel& before, const LinkedModel& after,
                              const SourceMap& sources, const DiffOptions& options = {});
 /// Compares two scenes, and the models that both have under one name.

@@ -33,6 +33,7 @@ struct Limits {
   std::uint64_t srdf_bytes = 64'000'000;
   std::uint64_t findings = 10'000;
   std::uint64_t all_findings = 25'000;
+  std::uint64_t differences = 100'000;
   std::uint64_t folder_entries = 1'000'000;
   std::uint64_t ignore_checks = 20'000'000;
   std::uint64_t path_checks = 4'000'000;
@@ -120,6 +121,9 @@ inline constexpr std::array kLimits{
               "longer reports are useless; each uses 500 bytes of memory and of the report"},
     LimitInfo{"all-findings", &Limits::all_findings, 100'000'000, "findings of a run", "SML0002",
               "a megabyte of input can break two dozen rules everywhere"},
+    LimitInfo{"differences", &Limits::differences, 100'000'000,
+              "differences that smurf-diff reports", "",
+              "longer reports are useless; each uses 2 kB of memory and of the report"},
     LimitInfo{"folder-entries", &Limits::folder_entries, 1'000'000'000,
               "files and folders below a folder that is searched", "",
               "searching a whole machine is a mistake; a million takes some seconds"},

@@ -87,6 +87,8 @@ class PropertyComparer {
   }
 
  private:
+  bool is_full() const { return out_.size() > options_.limits.differences; }
+
   /// Every difference below repeats the path, so its length is limited.
   static std::string joined(const std::string& path, std::string_view key, bool is_item = false) {
     constexpr std::size_t kLongest = 300;
@@ -97,6 +99,7 @@ class PropertyComparer {
   }
 
   void compare(const Property& before, const Property& after, const std::string& path) {
+    if (is_full()) return;
     const bool is_one_type = before.form == after.form;
     if (!is_one_type || !after.has_members()) {
       if (!is_same(before, after)) report(path, before, after);
@@ -131,7 +134,7 @@ class PropertyComparer {
   /// Reports a property that one version lacks; for a group with one value, that value.
   void compare_with_nothing(const Property& property, bool is_old, const std::string& path,
                             Span other) {
-    if (is_nothing(property)) return;
+    if (is_nothing(property) || is_full()) return;
     const bool is_group = property.form == Form::group;
     if (is_group && std::count_if(property.members.begin(), property.members.end(),
                                   [](const Property& one) { return !is_nothing(one); }) == 1) {
@@ -220,14 +223,14 @@ class Comparison {
         numbers_after_(numbers_of(after)) {}
 
   std::vector<Difference> run() {
-    for (std::size_t i = 0; i < after_.all.size(); ++i) {
+    for (std::size_t i = 0; i < after_.all.size() && !is_full(); ++i) {
       if (matching_.to_old[i] == kNone) {
         if (is_alone(after_, matching_.to_old, i)) add_whole(Change::added, after_, i);
       } else {
         compare_things(matching_.to_old[i], i);
       }
     }
-    for (std::size_t i = 0; i < before_.all.size(); ++i) {
+    for (std::size_t i = 0; i < before_.all.size() && !is_full(); ++i) {
       if (matching_.to_new[i] != kNone || !is_alone(before_, matching_.to_new, i)) continue;
       add_whole(Change::removed, before_, i);
     }
@@ -235,6 +238,8 @@ class Comparison {
   }
 
  private:
+  bool is_full() const { return out_.size() > options_.limits.differences; }
+
   /// Parts of a thing that was added or removed as a whole are not reported.
   static bool is_alone(const Things& things, const std::vector<std::size_t>& others,
                        std::size_t i) {

@@ -121,6 +121,7 @@ class SceneDiff {
       }
       return;
     }
+    if (of_models_.size() > options_.limits.differences) return;
     if (!compared_.emplace(before, after).second) return;
     ModelDiff found = diff_models(old_model, new_model, options_, contents_);
     set_models(found.differences, before, after);

@@ -9,9 +9,11 @@ extern constinit const Rule sml0014_nesting_too_deep{
     .severity = Severity::error,
     .summary = "Lists, mappings or elements are nested deeper than the limit.",
     .why =
-        "yaml-cpp gives up at 250 to 500 levels, tinyxml2 at 99, and urdfdom overflows its stack "
-        "at 50,000; no robot needs such a depth.",
+        "Each parser gives up at another depth, and some overflow their stack; no robot needs such "
+        "a depth.",
     .remedy = "Flatten the file.",
-    .sources = "yaml-cpp 0.7, tinyxml2 9.0 and urdfdom, executed."};
+    .sources =
+        "yaml-cpp 0.7 (250 to 500 levels), tinyxml2 9.0 (99) and urdfdom (overflows at 50,000), "
+        "executed."};
 
 }  // namespace smurf::rules

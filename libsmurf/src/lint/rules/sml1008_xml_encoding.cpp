@@ -18,11 +18,12 @@ extern constinit const Rule sml1008_xml_encoding{
     .severity = Severity::error,
     .summary = "The XML declaration names an encoding that the file does not have.",
     .why =
-        "expat, lxml and browsers (urdf-loader) refuse UTF-8 that is declared as UTF-16. Text that "
-        "is declared as ISO-8859-1 is converted by urdfdom, but not by tinyxml2 (sdformat, MuJoCo, "
-        "Bullet): names with non-ASCII characters differ from reader to reader.",
+        "expat, lxml and browsers (urdf-loader) refuse UTF-8 that is declared as UTF-16. Only some "
+        "readers convert text that is declared as ISO-8859-1: names with non-ASCII characters "
+        "differ from reader to reader.",
     .remedy = "Declare UTF-8, or leave the encoding out.",
-    .sources = "urdfdom, MuJoCo and urdf-loader 0.13, executed; XML 1.0 section 4.3.3.",
+    .sources =
+        "urdfdom (converts), MuJoCo (does not) and urdf-loader 0.13, executed; XML 1.0 section 4.3.3.",
     .facts = kFacts,
     .blocks_building = true};
 

@@ -18,8 +18,7 @@ extern constinit const Rule sml1013_dtd_or_xinclude{
     .name = "dtd-or-xinclude",
     .severity = Severity::warning,
     .summary = "A URDF uses a document type with declarations, a custom entity or XInclude.",
-    .why =
-        "TinyXML and tinyxml2 do not expand them, lxml may: the same file describes two robots. Declarations in the document type are worse: urdfdom (TinyXML) then finds no robot at all.",
+    .why = "TinyXML and tinyxml2 do not expand them, lxml may: the same file describes two robots.",
     .remedy = "Write the text out.",
     .sources =
         "urdfdom and tinyxml2 9.0, executed (tinyxml2 issue 1082: unknown entities corrupt the "

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "base/utf8.hpp"
 #include "lint/habit.hpp"
 #include "lint/name_queries.hpp"
@@ -26,12 +27,18 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   if (Diagnostic* diagnostic = with_blank.report("such names", findings)) {
     diagnostic->severity = Severity::warning;
+    diagnostic->construct = "space";
     diagnostic->note("Gazebo derives names of topics from it, which must not contain spaces");
   }
   if (Diagnostic* diagnostic = others.report("such names", findings)) {
     diagnostic->note("Isaac and USD rename it to " + quoted(renamed));
   }
 }
+
+constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::loses, "refuses the topics whose names it derives from such names",
+     "gz-transport TopicUtils (IsValidTopic)", "#space"},
+};
 
 }  // namespace
 
@@ -40,14 +47,13 @@ extern constinit const Rule sml1310_not_an_identifier{
     .name = "not-an-identifier",
     .severity = Severity::info,
     .summary = "Names contain characters that some targets replace.",
-    .why =
-        "Isaac and USD accept letters, digits and underscores only: `-`, `.` and spaces become "
-        "`_`, a leading digit gets a prefix, and mimic joints and controllers that refer to the "
-        "old name no longer find it. Code generators and Modelica do the same. Gazebo derives the "
-        "names of topics from those of joints, and refuses topics with spaces.",
+    .why = "Isaac and USD accept letters, digits and underscores only: `-`, `.` and spaces become "
+           "`_`, a leading digit gets a prefix, and mimic joints and controllers that refer to the "
+           "old name no longer find it. Code generators and Modelica do the same.",
     .remedy = "Use letters, digits and underscores, and do not begin with a digit.",
-    .sources = "gz-transport TopicUtils (IsValidTopic); Isaac importer PathUtils.cpp:356-369 and "
+    .sources = "Isaac importer PathUtils.cpp:356-369 and "
                "UrdfParser.cpp:352; 156 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

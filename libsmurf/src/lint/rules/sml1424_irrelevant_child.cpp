@@ -52,10 +52,11 @@ extern constinit const Rule sml1424_irrelevant_child{
     .summary = "A joint has elements that its type does not use.",
     .why =
         "Readers ignore the axis, limit and dynamics of a fixed joint and the axis of a floating "
-        "one; urdfdom writes an axis `0 0 0` into every fixed joint it exports, which strict "
-        "readers of other formats refuse.",
+        "one. Exporters write an axis `0 0 0` into fixed joints, which strict readers of other "
+        "formats refuse.",
     .remedy = "Delete them. Keep limits and dynamics when the joint is to move again.",
-    .sources = "urdfdom joint.cpp:611-613; 24 of 322 files of the Tola/Corke dataset.",
+    .sources =
+        "urdfdom joint.cpp:611-613 (exports `0 0 0`); 24 of 322 files of the Tola/Corke dataset.",
     .check_model = check};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/counted.hpp"
+#include "base/readers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
@@ -31,6 +32,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::takes, "cannot merge such links",
+     "Phobos io/representation.py:1680"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1527_inertial_frame_rotated{
@@ -38,14 +44,13 @@ extern constinit const Rule sml1527_inertial_frame_rotated{
     .name = "inertial-frame-rotated",
     .severity = Severity::info,
     .summary = "The frame of an inertial is rotated.",
-    .why =
-        "Isaac reads the position of the origin only, so it uses the tensor in the wrong frame; Phobos cannot merge such links.",
+    .why = "Isaac reads the position of the origin only, so it uses the tensor in the wrong frame.",
     .remedy =
         "Rotate the tensor into the axes of the link and write rpy=\"0 0 0\", if these readers "
         "matter.",
-    .sources =
-        "Isaac importer UrdfImporter.cpp:406-411; Phobos io/representation.py:1680; 41 of 322 "
-        "files of the Tola/Corke dataset.",
-    .check_model = check};
+    .sources = "Isaac importer UrdfImporter.cpp:406-411; 41 of 322 "
+               "files of the Tola/Corke dataset.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

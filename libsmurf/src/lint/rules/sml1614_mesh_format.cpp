@@ -28,8 +28,9 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::string subject = extension.empty() ? "a mesh file without extension"
                                                   : "a mesh of format " + quoted(extension);
     if (extension == ".bobj") {
-      findings.report(reference.span, subject + " is read by MARS only")
-          .help("name the .obj or .stl; MARS takes the .bobj beside it");
+      Diagnostic& diagnostic = findings.report(reference.span, subject + " is read by MARS only");
+      diagnostic.construct = "bobj";
+      diagnostic.help("name the .obj or .stl; MARS takes the .bobj beside it");
     } else {
       findings.report(reference.span, subject + " is read by no URDF reader known here");
     }
@@ -37,6 +38,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "reads it", "MARS gui_helper_functions.cpp", "#bobj"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
 };
 
@@ -48,7 +50,7 @@ extern constinit const Rule sml1614_mesh_format{
     .severity = Severity::warning,
     .summary = "A mesh has a format that hardly any URDF reader supports.",
     .why =
-        "Readers choose the loader by the extension: STL, OBJ and COLLADA are common, `.bobj` is known to MARS alone, and formats of CAD programs to none.",
+        "Readers choose the loader by the extension: STL, OBJ and COLLADA are common, formats of CAD programs are not.",
     .remedy = "Export an STL, OBJ or COLLADA file.",
     .sources = "Loaders of assimp, Drake, MuJoCo, Bullet, urdf-loader and MARS, read.",
     .check_model = check,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -11,6 +12,12 @@ void check(const LinkedModel& model, Findings& findings) {
       "are binary STL that begin with `solid`, like an ASCII file", findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mujoco, Effect::takes, "compares the size, and reads the file", kRun},
+    {&readers::pybullet, Effect::takes, "compares the size, and reads the file",
+     "Bullet LoadMeshFromSTL.h"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1617_stl_binary_named_solid{
@@ -18,10 +25,10 @@ extern constinit const Rule sml1617_stl_binary_named_solid{
     .name = "stl-binary-named-solid",
     .severity = Severity::info,
     .summary = "A binary STL file begins with the word `solid`.",
-    .why = "Readers that check only the first word treat the file as ASCII and fail; MuJoCo, "
-           "Bullet and assimp compare the size and read the file.",
+    .why = "Readers that check only the first word treat the file as ASCII and fail.",
     .remedy = "Export it again with another header.",
-    .sources = "assimp STLLoader.cpp, Bullet LoadMeshFromSTL.h; 21 of 1690 public files.",
-    .check_model = check};
+    .sources = "assimp STLLoader.cpp (compares the size); 21 of 1690 public files.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -15,6 +16,10 @@ void check(const LinkedModel& model, Findings& findings) {
   if (diagnostic != nullptr) diagnostic->help("flip the normals and export it again");
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mujoco, Effect::takes, "loads the mesh, and computes a positive mass", kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1623_mesh_inside_out{
@@ -22,10 +27,10 @@ extern constinit const Rule sml1623_mesh_inside_out{
     .name = "mesh-inside-out",
     .severity = Severity::warning,
     .summary = "The triangles of a closed collision mesh face inward.",
-    .why =
-        "Masses computed from the mesh are negative, which MuJoCo refuses, and its normals point the wrong way.",
+    .why = "A mass computed from the mesh is negative, and the normals point the wrong way.",
     .remedy = "Flip the normals in a mesh editor.",
-    .sources = "MuJoCo user_mesh.cc; 1 of 956 public collision meshes.",
-    .check_model = check};
+    .sources = "1 of 956 public collision meshes.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -16,6 +17,14 @@ void check(const LinkedModel& model, Findings& findings) {
   if (diagnostic != nullptr) diagnostic->help("export it with Z up");
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::takes, "does not rotate the mesh, neither in RViz nor in MoveIt",
+     "RViz assimp_loader.cpp:201, geometric_shapes mesh_operations.cpp:252-258"},
+    {&readers::gazebo, Effect::takes, "does not rotate the mesh", "gz-common ColladaLoader.cc:718"},
+    {&readers::pybullet, Effect::changes, "rotates the mesh",
+     "Bullet LoadMeshFromCollada.cpp:538-550"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1631_dae_up_axis{
@@ -24,11 +33,10 @@ extern constinit const Rule sml1631_dae_up_axis{
     .severity = Severity::warning,
     .summary = "A COLLADA mesh declares an up axis other than Z, or none, which means Y.",
     .why =
-        "Bullet rotates the mesh; RViz, Gazebo, MoveIt and urdf-loader do not. A mesh that looks right in one of them is rotated in another.",
+        "Only some readers rotate the mesh: one that looks right in one of them is rotated in another.",
     .remedy = "Export the mesh with Z up and the rotation applied.",
-    .sources =
-        "Bullet LoadMeshFromCollada.cpp:538-550, RViz assimp_loader.cpp:201, gz-common "
-        "ColladaLoader.cc:718, geometric_shapes mesh_operations.cpp:252-258, urdf-loader URDFLoader.js:667; 226 of 932 public files.",
-    .check_model = check};
+    .sources = "urdf-loader URDFLoader.js:667 (does not rotate); 226 of 932 public files.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -13,6 +14,12 @@ void check(const LinkedModel& model, Findings& findings) {
   if (diagnostic != nullptr) diagnostic->help("export it in metres");
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::changes, "applies the unit in RViz, and ignores it in MoveIt",
+     "geometric_shapes mesh_operations.cpp:252-258"},
+    {&readers::pybullet, Effect::takes, "applies the unit", kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1632_dae_unit{
@@ -21,12 +28,11 @@ extern constinit const Rule sml1632_dae_unit{
     .severity = Severity::warning,
     .summary = "The unit of a COLLADA mesh is not the metre.",
     .why =
-        "Readers that ignore the root transform (MoveIt, for collisions) see the mesh a hundred or "
-        "a thousand times larger than those that apply it (RViz, Bullet).",
+        "Readers that ignore the unit see the mesh a hundred or a thousand times larger than those "
+        "that apply it.",
     .remedy = "Export the mesh in metres.",
-    .sources =
-        "geometric_shapes mesh_operations.cpp:252-258, assimp 5.2 and Bullet, executed; about 30 "
-        "of 932 public files.",
-    .check_model = check};
+    .sources = "assimp 5.2, executed; about 30 of 932 public files.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -12,6 +13,11 @@ void check(const LinkedModel& model, Findings& findings) {
   if (diagnostic != nullptr) diagnostic->help("export the mesh alone");
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::takes, "adds the lights to the scene of RViz", "RViz, read"},
+    {&readers::gazebo, Effect::takes, "adds the lights to the scene", "gz-common, read"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1633_dae_extras{
@@ -19,9 +25,10 @@ extern constinit const Rule sml1633_dae_extras{
     .name = "dae-extras",
     .severity = Severity::info,
     .summary = "A COLLADA mesh contains lights, cameras or animations.",
-    .why = "RViz and Gazebo add the lights to the scene: every robot makes it brighter.",
+    .why = "Programs that add the lights to the scene show it brighter with every robot.",
     .remedy = "Export the selected mesh without the rest of the scene.",
     .sources = "207 of 932 public files.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

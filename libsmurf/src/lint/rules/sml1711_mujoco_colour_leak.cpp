@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -34,6 +35,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mujoco, Effect::changes, "keeps the colour of the visual before it",
+     "MuJoCo xml_urdf.cc:291"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1711_mujoco_colour_leak{
@@ -41,11 +47,11 @@ extern constinit const Rule sml1711_mujoco_colour_leak{
     .name = "mujoco-colour-leak",
     .severity = Severity::info,
     .summary = "A visual without material follows one with a material in the same link.",
-    .why =
-        "MuJoCo does not reset the colour between the visuals of a link; other readers use their "
-        "default colour.",
+    .why = "Readers give a visual without material their default colour, or the one of the visual "
+           "before it.",
     .remedy = "Give each visual its material.",
-    .sources = "MuJoCo xml_urdf.cc:291; 23 of 322 public URDFs.",
-    .check_model = check};
+    .sources = "23 of 322 public URDFs.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

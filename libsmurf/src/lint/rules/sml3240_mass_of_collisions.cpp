@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -20,6 +21,12 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "adds one gram for each collision of a link, and a milligram for its frame",
+     "MARS smurf.cpp:719, NodeData defaults"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3240_mass_of_collisions{
@@ -27,14 +34,12 @@ extern constinit const Rule sml3240_mass_of_collisions{
     .name = "mass-of-collisions",
     .severity = Severity::info,
     .summary = "MARS makes a light link much heavier than the URDF says.",
-    .why =
-        "MARS adds one gram for each collision of a link, and a milligram for its frame: a link of "
-        "a few grams, or one with many collisions, gets a wrong mass and inertia.",
+    .why = "A link of a few grams, or one with many collisions, gets a wrong mass and inertia.",
     .remedy = "Set `mass: 0.0001` for its collisions under `collision`, or merge them.",
-    .sources = "MARS smurf.cpp:719, NodeData defaults.",
     .check_model = check,
     .tolerance = {.value = 0.1,
                   .meaning = "the largest added mass, as a fraction of the mass of "
-                             "the link"}};
+                             "the link"},
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -6,6 +6,7 @@
 
 #include "ast/keys.hpp"
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -15,24 +16,31 @@ namespace {
 struct Needed {
   std::string_view key;
   std::array<std::string_view, 3> instead;
-  std::size_t fewest_others;  ///< entries with the key, before an entry without it is reported
-  std::string_view consequence;
+  std::size_t fewest_others = 1;  ///< entries with the key, before one without it is reported
 };
-constexpr Needed kTypeOfMotor{"type", {}, 1, "MARS 2 stops at a motor without it"};
+constexpr Needed kTypeOfMotor{"type", {}};
 constexpr Needed kOfPositionMotors[] = {
-    {"p", {}, 1, "MARS reads 0, so the motor does not follow its commands"},
-    {"minValue",
-     {"minPosition", "maxValue", "maxPosition"},
-     1,
-     "MARS lets the motor go half a turn, or 3.14 m, either way"},
+    {"p", {}},
+    {"minValue", {"minPosition", "maxValue", "maxPosition"}},
 };
-constexpr Needed kOfCollisions[] = {
-    {"link", {}, 2, "MARS 2 stops at an entry without it"},
-    {"bitmask", {}, 2, "rock-cpp/smurf reads 0, with which nothing collides"},
-};
-constexpr Needed kOfLinks[] = {
-    {"link", {}, 1, "MARS 2 stops at an entry without it"},
-    {"name", {}, 1, "MARS and Phobos match by it and ignore the entry"},
+constexpr Needed kOfCollisions[] = {{"link", {}, 2}, {"bitmask", {}, 2}};
+constexpr Needed kOfLinks[] = {{"link", {}}, {"name", {}}};
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "reads 0, so the motor does not follow its commands",
+     "MARS SimMotor.cpp:352-407", "#p"},
+    {&readers::mars, Effect::changes, "lets the motor go half a turn, or 3.14 m, either way",
+     "MARS MotorData.cpp", "#minValue"},
+    {&readers::mars, Effect::loses, "matches by the name, and ignores the entry", "MARS smurf.cpp",
+     "#name"},
+    {&readers::phobos, Effect::loses, "matches by the name, and ignores the entry",
+     "Phobos core/robot.py", "#name"},
+    {&readers::mars2, Effect::refuses, "stops at a motor without it",
+     "envire_smurf_loader Model.cpp:443-505", "#type"},
+    {&readers::mars2, Effect::refuses, "stops at an entry without it",
+     "envire_smurf_loader Model.cpp:216-230", "#link"},
+    {&readers::envire, Effect::changes, "reads 0, with which nothing collides",
+     "rock-cpp/smurf Robot.cpp:53-83", "#bitmask"},
 };
 
 bool has_key(yaml::View mapping, const Needed& needed) {
@@ -75,7 +83,11 @@ void check_entries(const LinkedModel& model, const std::vector<T>& entries, std:
       subject(what, *odd) + " has no " + quoted(needed.key) + ", unlike " +
           (others == 1 ? "the other one" : "the " + std::to_string(others) + " others"));
   diagnostic.label(place_to_add(mapping, needed.key), "add it after this key");
-  diagnostic.note(std::string(needed.consequence));
+  diagnostic.construct = needed.key;
+  for (const Fact& fact : kFacts) {
+    if (fact.where.substr(1) != needed.key) continue;
+    diagnostic.note(std::string(fact.reader->title) + " " + std::string(fact.makes));
+  }
 }
 
 /// Only they have gains and bounds.
@@ -109,13 +121,9 @@ extern constinit const Rule sml4010_unlike_the_others{
     .severity = Severity::warning,
     .summary = "One entry lacks a key that all other entries of its section have.",
     .why =
-        "Each of these keys is needed by some reader: without `p` a position motor of MARS does "
-        "not move, without `link` MARS 2 stops at a collision entry, without `bitmask` "
-        "rock-cpp/smurf lets nothing collide. A single entry without the key is rarely intended.",
+        "Some reader needs each of these keys. A single entry without the key is rarely intended.",
     .remedy = "Add the key.",
-    .sources =
-        "MARS SimMotor.cpp:352-407, MotorData.cpp; envire_smurf_loader Model.cpp:216-230, 443-505; "
-        "rock-cpp/smurf Robot.cpp:53-83.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

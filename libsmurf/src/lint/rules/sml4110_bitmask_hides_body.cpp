@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/counted.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -48,10 +49,16 @@ void check(const LinkedModel& model, Findings& findings) {
   if (others > 0) who += " and " + counted(others, "other");
   Diagnostic& diagnostic = findings.report(first.bitmask.span, "ray sensors of MARS do not see " +
                                                                    who + ": bit 15 is not set");
+  diagnostic.construct = "rays";
   diagnostic.help("set bit 15: `bitmask: " + std::to_string(*first.bitmask | kSeenByRays) + "`");
   // A robot with ray sensors is rarely meant to be invisible to them.
   if (has_ray_sensor(model)) diagnostic.severity = Severity::warning;
 }
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "its ray sensors see only bodies with bit 15 (32768)",
+     "MARS NodePhysics.cpp:1389-1390, 1449", "#rays"},
+};
 
 }  // namespace
 
@@ -61,10 +68,9 @@ extern constinit const Rule sml4110_bitmask_hides_body{
     .severity = Severity::info,
     .summary = "A bitmask excludes a collision from contacts or from ray sensors.",
     .why =
-        "Two objects collide when their masks share a bit, so a mask of 0 collides with nothing. "
-        "Ray sensors of MARS see bit 15 (32768) only.",
+        "Two objects collide when their masks share a bit, so a mask of 0 collides with nothing.",
     .remedy = "Add 32768 to the mask when lasers and sonars are to see the body.",
-    .sources = "MARS NodePhysics.cpp:1389-1390, 1449.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -47,6 +48,18 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::ignores,
+     "takes the control value before it stores the position, so the motor starts at 0",
+     "MARS SimMotor.cpp:49-89", "/motors/position/"},
+    {&readers::mars, Effect::ignores, "ignores the factor of a mimic that names no motor",
+     "MARS SimMotor.cpp", "/motors/mimic_multiplier/"},
+    {&readers::mars, Effect::ignores, "overwrites it when it loads the motor",
+     "MARS smurf.cpp:261-264", "/motors/"},
+    {&readers::mars, Effect::ignores, "casts one row of rays, so their height has no effect",
+     "MARS RaySensor.cpp", "/sensors/"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4114_key_without_effect{
@@ -54,13 +67,9 @@ extern constinit const Rule sml4114_key_without_effect{
     .name = "key-without-effect",
     .severity = Severity::info,
     .summary = "A key that MARS reads has no effect.",
-    .why =
-        "MARS overwrites `axis`, `index` and `jointIndex` of a motor when it loads it, and takes "
-        "the control value before it stores `position`, so the motor starts at 0. MARS ignores the "
-        "factor of a mimic that names no motor. A RaySensor casts one row of rays, so its height "
-        "has no effect.",
+    .why = "Whoever changes such a value expects the robot to change, too.",
     .remedy = "Delete the key. A pose under `poses` sets the positions in which the robot starts.",
-    .sources = "MARS smurf.cpp:261-264, SimMotor.cpp:49-89, RaySensor.cpp.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -76,11 +76,12 @@ extern constinit const Rule sml5032_heightmap_value{
     .name = "heightmap-value",
     .severity = Severity::warning,
     .summary = "A height map lacks its image or its size, or their values are unusable.",
-    .why = "Phobos 0.7 writes a height map as an entity with the image under `file` and its extent "
-           "in metres under `width`, `length` and `height`; MARS itself has no such type, and a "
-           "plug-in for height maps needs all of them.",
+    .why = "A height map is an entity with an image under `file` and its extent in metres under "
+           "`width`, `length` and `height`. A plug-in for height maps needs all of them.",
     .remedy = "Name an image under `file` and write the three sizes in metres.",
-    .sources = "Phobos 0.7.6 io/scenes.py; MARS EntityFactoryManager.cpp:70-90.",
+    .sources =
+        "Phobos 0.7.6 io/scenes.py (writes them); MARS EntityFactoryManager.cpp:70-90 (has no such "
+        "type by itself).",
     .check_scene = check};
 
 }  // namespace smurf::rules
