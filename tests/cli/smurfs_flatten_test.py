@@ -587,6 +587,21 @@ class Assets(FlattenTest):
         report = self.run_tool(*arguments, "--report", "json").stderr
         return [(d["id"], d["message"]) for d in json.loads(report)["diagnostics"]]
 
+    def test_only_files_that_the_result_names_are_copied(self):
+        self.write("models/t.png", "")
+        self.write("models/seen.urdf", '<robot name="r"><link name="l"><visual><geometry><box size="1 1 1"/></geometry>'
+                   '<material name="m"><texture filename="t.png"/></material></visual>'
+                   '<visual><geometry><mesh filename="m.stl"/></geometry></visual></link></robot>')
+        for output, copies in (("sdf", ["m.stl", "t.png"]), ("sdf1.6", ["m.stl"]), ("urdf", ["m.stl", "t.png"]),
+                               ("gltf", []), ("usda", []), ("json", []), ("svg", [])):
+            with self.subTest(format=output):
+                shutil.rmtree(self.folder / "out", ignore_errors=True)
+                (self.folder / "out").mkdir()
+                done = self.run_tool("models/seen.urdf", "--format", output, "-o", "out/world", "--copy-assets", "out/files")
+                found = sorted(path.name for path in (self.folder / "out/files").rglob("*") if path.is_file())
+                self.assertEqual(found, copies)
+                self.assertEqual("names no files to copy" in done.stderr, not copies)
+
     def test_a_refused_scene_copies_nothing(self):
         done = self.run_tool("broken.smurfs", "--format", "sdf", "--copy-assets", "files")
         self.assertEqual(done.returncode, 1)

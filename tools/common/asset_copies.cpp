@@ -123,13 +123,14 @@ std::string CopyPlan::add(const std::string& from, const std::string& group) {
     add_copy(materials, beside, group, Kind::material_library);
   }
   add_copy(from, inside, group, Kind::mesh);
+  if (has_materials) list_.back().needs.push_back(with_extension(inside, ".mtl"));
   return path::join(current_, path::join(folder_, inside));
 }
 
 void CopyPlan::add_copy(const std::string& from, const std::string& inside,
                         const std::string& group, Kind kind) {
   AssetCopy copy{
-      from, folder_, inside, {}, kind == Kind::buffer, std::string(path::extension(from))};
+      from, folder_, inside, {}, {}, kind == Kind::buffer, std::string(path::extension(from))};
   // Any file that is named as a material library is read as one. It may only name textures, because
   // libraries that name libraries could form an endless chain.
   if (kind == Kind::material_library) copy.format = ".mtl";
@@ -138,7 +139,9 @@ void CopyPlan::add_copy(const std::string& from, const std::string& inside,
   for (const MeshDependency& named : files_named_in(text, copy.format)) {
     if (named.length == 0 || copy.names.contains(named.filename)) continue;
     const auto place = copy_neighbour(named, from, inside, group);
-    if (place) copy.names.emplace(named.filename, path::relative(*place, path::parent(inside)));
+    if (!place) continue;
+    copy.names.emplace(named.filename, path::relative(*place, path::parent(inside)));
+    copy.needs.push_back(*place);
   }
   list_.push_back(std::move(copy));
 }

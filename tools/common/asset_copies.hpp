@@ -22,11 +22,12 @@ namespace smurf::tools {
 /// A file that is copied to a folder which the user names.
 struct AssetCopy {
   std::string from;
-  std::string folder;      ///< chosen by the user
-  std::string inside;      ///< path relative to the folder
-  FileNames names;         ///< new names of the files that it names, by their written names
-  bool is_buffer = false;  ///< belongs to a glTF, and may be a .bin
-  std::string format{};    ///< the extension that determines how it names files
+  std::string folder;  ///< chosen by the user
+  std::string inside;  ///< path relative to the folder
+  FileNames names;     ///< new names of the files that it names, by their written names
+  std::vector<std::string> needs{};  ///< AssetCopy::inside of the copies of these files
+  bool is_buffer = false;            ///< belongs to a glTF, and may be a .bin
+  std::string format{};              ///< the extension that determines how it names files
 
   std::string to() const;
 };

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurfs-flatten/assets.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
+#include <vector>
 
+#include "base/edits.hpp"
 #include "base/path.hpp"
 #include "common/mesh_source.hpp"
 
@@ -68,6 +72,44 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
     }
   }
   return redirection.take();
+}
+
+AssetCopies named_copies(const AssetCopies& copies, std::string_view text,
+                         const FlattenOptions& options) {
+  if (copies.empty()) return {};
+  const std::string output = path::join(options.current_folder, options.output_folder);
+  std::map<std::string, std::size_t, std::less<>> by_name;
+  std::map<std::string, std::size_t> by_place;
+  std::size_t longest_name = 0;
+  for (std::size_t i = 0; i < copies.size(); ++i) {
+    const std::string place = path::join(options.current_folder, copies[i].to());
+    const auto [name, is_new] = by_name.emplace(escape_xml(path::relative(place, output)), i);
+    longest_name = std::max(longest_name, name->first.size());
+    by_place.emplace(copies[i].inside, i);
+  }
+  std::set<std::size_t> named;
+  std::vector<std::size_t> rest;  // whose own names are not followed yet
+  const auto add = [&](std::size_t i) {
+    if (named.insert(i).second) rest.push_back(i);
+  };
+  constexpr std::string_view kBefore = "\">";
+  for (std::size_t at = text.find_first_of(kBefore); at != std::string_view::npos;
+       at = text.find_first_of(kBefore, at + 1)) {
+    const std::string_view longest = text.substr(at + 1, longest_name + 1);
+    const auto found = by_name.find(longest.substr(0, longest.find_first_of("\"<")));
+    if (found != by_name.end()) add(found->second);
+  }
+  while (!rest.empty()) {
+    const AssetCopy& copy = copies[rest.back()];
+    rest.pop_back();
+    for (const std::string& place : copy.needs) {
+      const auto found = by_place.find(place);
+      if (found != by_place.end()) add(found->second);
+    }
+  }
+  AssetCopies kept;
+  for (const std::size_t i : named) kept.push_back(copies[i]);
+  return kept;
 }
 
 }  // namespace smurf::tools

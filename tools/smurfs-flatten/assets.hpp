@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "common/asset_copies.hpp"
 #include "smurf/file_reader.hpp"
@@ -15,5 +16,10 @@ namespace smurf::tools {
 AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
                             const FlattenOptions& options, const FileReader& files,
                             const Limits& limits);
+
+/// Those of the copies that the text of a result names as XML does, and the files that these name.
+/// Previews contain their meshes, and a format that has no textures names none.
+AssetCopies named_copies(const AssetCopies& copies, std::string_view text,
+                         const FlattenOptions& options);
 
 }  // namespace smurf::tools

@@ -343,6 +343,7 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
        .names_copies = !options.assets.empty(),
        .meshes = mesh_source(flattening, result.copies, conversion.files(), options.common.limits),
        .most_bytes = options.common.limits.scene_bytes});
+  result.copies = named_copies(result.copies, result.text, flattening);
   if (result.text.size() > options.common.limits.scene_bytes) {
     const Span place{scene.scenes.front().source, 0, 0};
     loaded.found
@@ -463,9 +464,11 @@ int main(int argc, char** argv) {
   const std::string& output = options.common.output;
   if (output.empty() || output == "-" || options.compare_dialects) return kDone;
   const std::string_view companion = format.companion.first;
+  const bool copies_nothing = !options.assets.empty() && result.copies.empty();
   conversion.tell_written(output + (companion.empty() ? "" : " and " + std::string(companion)) +
                           ": " + counted(loaded->scene.instances.size(), "instance") + " of " +
                           counted(loaded->scene.models.size(), "model") +
-                          (result.has_falling_robots ? "; robots fall, see --ground" : ""));
+                          (result.has_falling_robots ? "; robots fall, see --ground" : "") +
+                          (copies_nothing ? "; it names no files to copy" : ""));
   return kDone;
 }
