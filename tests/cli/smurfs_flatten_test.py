@@ -418,6 +418,23 @@ class OldScenes(FlattenTest):
         self.assertEqual(results[0], results[1])
         self.assertEqual(results[0], results[2])
 
+    def test_heights(self):
+        self.write("old/old.yml", "nodelist:\n"
+                   "- {name: ground, index: 1, filename: terrain, physicmode: heightfield, t_srcname: t.png, t_width: 10,"
+                   " t_height: 20, t_scale: 2}\n"
+                   "- {name: hill, index: 2, filename: terrain, physicmode: terrain, t_srcname: t.png, t_width: 5, t_height: 5,"
+                   " t_scale: 1, position: {x: 0, y: 9, z: 0}}\n")
+        shutil.copy(cli.FIXTURES / "scenes/terrain/heightmaps/terraces.png", self.folder / "old/t.png")
+        self.write("old.smurfs", "entities:\n- {name: Old, file: old/old.yml, position: [0, 0, 1]}\n")
+        sdf = xml.etree.ElementTree.fromstring(self.run_tool("old.smurfs", "--format", "sdf").stdout)
+        self.assertEqual([(map.findtext("uri"), map.findtext("size")) for map in sdf.findall(".//collision/geometry/heightmap")],
+                         [("old/t.png", "20 10 2"), ("old/t.png", "5 5 1")])
+        mjcf = xml.etree.ElementTree.fromstring(self.run_tool("old.smurfs", "--format", "mjcf").stdout)
+        self.assertEqual([(field.get("name"), field.get("size").rsplit(" ", 1)[0]) for field in mjcf.findall("asset/hfield")],
+                         [("Old", "10 5 2"), ("Old/heights_1", "2.5 2.5 1")])
+        self.assertEqual([(geom.get("hfield"), geom.get("pos")) for geom in mjcf.findall("worldbody/geom")],
+                         [("Old", "0 0 1"), ("Old/heights_1", "0 9 1")])
+
     def test_lights(self):
         self.write("old.yml", OLD_YAML)
         self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")

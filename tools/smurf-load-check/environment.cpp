@@ -6,6 +6,7 @@
 
 #include "base/rules.hpp"
 #include "flatten/shapes.hpp"
+#include "link/scene_link.hpp"
 #include "smurf-load-check/heightfield.hpp"
 
 namespace smurf::load_check {
@@ -67,8 +68,10 @@ class EnvironmentBuilder {
     if (const auto* capsule = std::get_if<FlatCapsule>(&geometry)) {
       return CapsuleShape{capsule->radius, capsule->length};
     }
-    if (const auto* map = std::get_if<FlatHeightmap>(&geometry)) return heights(*map, instance);
-    return std::nullopt;
+    const auto* map = std::get_if<FlatHeightmap>(&geometry);
+    // The file of an old scene is not an image.
+    if (map == nullptr || is_old_scene(entity_type(scene_.entity(instance)))) return std::nullopt;
+    return heights(*map, instance);
   }
 
   std::optional<Shape> heights(const FlatHeightmap& map, const Instance& instance) {

@@ -155,6 +155,8 @@ class NodeReader {
   }
 
   std::optional<FlatGeometry> geometry_of(const Value::Object& node) const {
+    const std::string heights = text_of(find(node, "t_srcname"));
+    if (!heights.empty()) return heightmap_of(node, path::join(folder_, heights));
     const std::string file = text_of(find(node, "filename"));
     const std::string original = text_of(find(node, "origname"));
     if (!file.empty() && file != "PRIMITIVE") return FlatMesh{path::join(folder_, file)};

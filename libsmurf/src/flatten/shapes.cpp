@@ -52,14 +52,13 @@ std::optional<FlatGeometry> primitive(std::string_view type, const Value::Object
   return std::nullopt;
 }
 
-FlatGeometry heightmap(const FlatInstance& instance) {
-  const Value::Object& properties = instance.properties;
-  return FlatHeightmap{instance.file, length_of(properties, {"length", "t_height"}, 1),
-                       length_of(properties, {"width", "t_width"}, 1),
-                       length_of(properties, {"height", "t_scale"}, 1)};
-}
-
 }  // namespace
+
+FlatHeightmap heightmap_of(const Value::Object& properties, std::string file) {
+  return {std::move(file), length_of(properties, {"length", "t_height"}, 1),
+          length_of(properties, {"width", "t_width"}, 1),
+          length_of(properties, {"height", "t_scale"}, 1)};
+}
 
 const Value::Object* object_of(const Value* value) {
   return value != nullptr ? std::get_if<Value::Object>(&value->data) : nullptr;
@@ -88,7 +87,8 @@ std::optional<double> number_of(const Value* value) {
 
 std::vector<FlatShape> shapes_of(const FlatInstance& instance, bool has_position) {
   const std::string type = path::to_lower(instance.type);
-  if (type == "heightmap") return {{instance.name, {}, heightmap(instance), std::nullopt}};
+  if (type == "heightmap")
+    return {{instance.name, {}, heightmap_of(instance.properties, instance.file), std::nullopt}};
   const Value::Object* geometry = object_of(find(instance.properties, "geometry"));
   if (type != "primitive" || geometry == nullptr) return {};
   const std::string shape = text_of(find(*geometry, "type"));

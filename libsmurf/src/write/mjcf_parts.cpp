@@ -226,11 +226,20 @@ void MjcfParts::add_heightmaps() {
       const auto* map = std::get_if<FlatHeightmap>(&shape.geometry);
       if (map == nullptr || !flat(i).X_WE) continue;
       if (path::to_lower(path::extension(map->file)) != ".png" || !is_png(map->file)) {
-        losses_.entity(i, "MuJoCo reads heightmaps from PNG files only");
+        if (flat(i).shapes.size() == 1) {
+          losses_.entity(i, "MuJoCo reads heightmaps from PNG files only");
+        } else {
+          losses_.shape(place_of(scene_.scene.entity(linked(i))),
+                        "the heightmap `" + map->file + "`" + ", which is no PNG file,");
+        }
         continue;
       }
-      heightmaps_.insert(i);
-      xml_.empty("hfield", {{"name", flat(i).path},
+      // An old scene may have several.
+      const std::size_t index = static_cast<std::size_t>(&shape - flat(i).shapes.data());
+      const std::string own_name =
+          index == 0 ? flat(i).path : name(i, "heights_" + std::to_string(index));
+      heightmaps_.emplace(&shape, own_name);
+      xml_.empty("hfield", {{"name", own_name},
                             {"file", map->file},
                             {"size", join_numbers({map->length / 2, map->width / 2, map->height,
                                                    map->height / 10 + 0.01})}});
@@ -376,15 +385,6 @@ void MjcfParts::add_solid(std::size_t i) {
     return;
   }
   const bool moves = is_movable(instance);
-  if (std::holds_alternative<FlatHeightmap>(instance.shapes.front().geometry)) {
-    if (!heightmaps_.contains(i)) return;
-    xml_.empty("geom", {{"class", "solid"},
-                        {"type", "hfield"},
-                        {"hfield", instance.path},
-                        {"pos", join_numbers(instance.X_WE->position)},
-                        {"quat", quaternion_text(instance.X_WE->orientation)}});
-    return;
-  }
   if (moves) {
     xml_.open("body", {{"name", name(i, "link")},
                        {"pos", join_numbers(instance.X_WE->position)},
@@ -398,7 +398,15 @@ void MjcfParts::add_solid(std::size_t i) {
   const Contacts contacts = contacts_of(instance.properties);
   for (const FlatShape& shape : instance.shapes) {
     const Pose pose = moves ? shape.X_ES : *instance.X_WE * shape.X_ES;
-    if (auto geom = geom_of("solid", shape.geometry)) {
+    if (std::holds_alternative<FlatHeightmap>(shape.geometry)) {
+      const auto known = heightmaps_.find(&shape);
+      if (known == heightmaps_.end()) continue;
+      xml_.empty("geom", {{"class", "solid"},
+                          {"type", "hfield"},
+                          {"hfield", known->second},
+                          {"pos", join_numbers(pose.position)},
+                          {"quat", quaternion_text(pose.orientation)}});
+    } else if (auto geom = geom_of("solid", shape.geometry)) {
       add_geom(std::move(*geom), pose, shape.color, contacts);
     }
   }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 
 #include "write/contacts.hpp"
@@ -86,7 +85,7 @@ class MjcfParts {
   PreviewMeshes files_;
   std::map<std::string, MeshOfFile> mesh_files_;
   bool has_bitmasks_ = false;
-  std::set<std::size_t> heightmaps_;  ///< instances whose hfield is declared
+  std::map<const FlatShape*, std::string> heightmaps_;  ///< names of the declared ones
 };
 
 }  // namespace smurf

@@ -4,6 +4,7 @@
 #include "base/misread.hpp"
 #include "base/utf8.hpp"
 #include "smurf/write_scene.hpp"
+#include "write/scene_parts.hpp"
 
 namespace smurf {
 namespace {
@@ -98,20 +99,21 @@ class DotWriter {
 
   /// Solid: fixed. Dashed: only placed relative to it.
   void add_edges(const FlatInstance& instance) {
-    const bool is_free = instance.anchor.kind == Attachment::Kind::none;
-    const bool is_placed_elsewhere = instance.parent.kind == Attachment::Kind::link &&
-                                     (instance.anchor.instance != instance.parent.instance ||
-                                      instance.anchor.link != instance.parent.link);
+    const bool is_fixed = is_fixed_to_world(instance);
+    const bool is_free = !is_fixed && instance.anchor.kind != Attachment::Kind::link;
+    const bool is_placed_elsewhere =
+        instance.parent.kind == Attachment::Kind::link &&
+        (is_fixed || instance.anchor.instance != instance.parent.instance ||
+         instance.anchor.link != instance.parent.link);
     if (is_free || is_placed_elsewhere) {
       const std::string label = at_link(is_free ? "free" : "placed at", instance.parent);
       out_ += "  " + node(instance.parent) + " -> " + quoted(instance.path) + " [label=" + label +
               ", style=dashed]\n";
     }
     if (is_free) return;
-    const bool is_on_link = instance.anchor.kind == Attachment::Kind::link;
-    const std::string fixed = at_link(is_on_link ? "fixed to" : "fixed", instance.anchor);
-    out_ +=
-        "  " + node(instance.anchor) + " -> " + quoted(instance.path) + " [label=" + fixed + "]\n";
+    const FlatAttachment anchor = is_fixed ? FlatAttachment{} : instance.anchor;
+    const std::string fixed = at_link(is_fixed ? "fixed" : "fixed to", anchor);
+    out_ += "  " + node(anchor) + " -> " + quoted(instance.path) + " [label=" + fixed + "]\n";
   }
 
   const SceneExport& scene_;

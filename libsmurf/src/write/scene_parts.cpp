@@ -190,6 +190,13 @@ bool is_movable(const FlatInstance& instance) {
           std::holds_alternative<FlatSphere>(instance.shapes.front().geometry));
 }
 
+bool is_fixed_to_world(const FlatInstance& instance) {
+  if (instance.model || instance.shapes.empty()) {
+    return instance.anchor.kind == Attachment::Kind::world;
+  }
+  return !is_movable(instance);
+}
+
 double mass_of(const FlatInstance& instance) {
   const auto mass = number_of(find(instance.properties, "mass"));
   return mass && *mass > 0 ? *mass : 1;

@@ -66,6 +66,9 @@ std::optional<Vector3> joint_axis(const urdf::Joint& joint);
 /// scenes do not move.
 bool is_movable(const FlatInstance& instance);
 double mass_of(const FlatInstance& instance);
+/// Whether an instance stays where it is: a model anchored to the world, or another entity with a
+/// shape that cannot move. MARS ignores the anchor of a primitive.
+bool is_fixed_to_world(const FlatInstance& instance);
 
 /// The lights of the world, in the order of the flat scene.
 std::vector<const Light*> world_lights(const SceneExport& scene);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/path.hpp"
+#include "write/scene_parts.hpp"
 #include "write/svg_view.hpp"
 
 namespace smurf {
@@ -31,15 +32,14 @@ std::string legend(const SceneExport& scene, bool lacks_meshes, bool lacks_side,
   add("<circle cx=\"12\" cy=\"-4\" r=\"4.5\" fill=\"none\" stroke=\"#444\"/>"
       "<circle cx=\"12\" cy=\"-4\" r=\"1.8\"/>",
       "axis towards you");
-  const auto is_fixed_to = [&](Attachment::Kind kind) {
-    return std::any_of(scene.flat.instances.begin(), scene.flat.instances.end(),
-                       [&](const FlatInstance& instance) { return instance.anchor.kind == kind; });
-  };
-  if (is_fixed_to(Attachment::Kind::world)) {
+  const auto& instances = scene.flat.instances;
+  if (std::any_of(instances.begin(), instances.end(), is_fixed_to_world)) {
     add("<rect x=\"5\" y=\"-11\" width=\"14\" height=\"14\" fill=\"none\" stroke=\"#333\"/>",
         "fixed to the world");
   }
-  if (is_fixed_to(Attachment::Kind::link)) {
+  if (std::any_of(instances.begin(), instances.end(), [](const FlatInstance& instance) {
+        return instance.anchor.kind == Attachment::Kind::link;
+      })) {
     add("<path d=\"M0 -4h22\" stroke=\"#333\" stroke-dasharray=\"5 4\"/>", "fixed to each other");
   }
   if (lacks_meshes) add("", "some meshes are not drawn");

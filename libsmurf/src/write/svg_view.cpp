@@ -10,6 +10,7 @@
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "write/annotated_colors.hpp"
+#include "write/scene_parts.hpp"
 
 namespace smurf {
 namespace {
@@ -177,7 +178,7 @@ void SvgView::add_fixings(SvgCanvas& canvas) const {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!selection_.is_shown(i)) continue;
     const Point2 here = canvas.to_pixels(position(i));
-    if (at(i).anchor.kind == Attachment::Kind::world) {
+    if (is_fixed_to_world(at(i))) {
       canvas.add("<rect x=\"" + pixels(here[0] - 8) + "\" y=\"" + pixels(here[1] - 8) +
                  "\" width=\"16\" height=\"16\" fill=\"none\" stroke=\"#333\" "
                  "stroke-width=\"1.5\"/>\n");
@@ -238,11 +239,8 @@ void SvgView::add_pointers(SvgCanvas& canvas) const {
 std::string SvgView::tooltip(std::size_t i) const {
   std::string text = name(i) + ": ";
   text += at(i).model ? scene_.flat.models[*at(i).model].id : at(i).type;
-  switch (at(i).anchor.kind) {
-  case Attachment::Kind::none: return text + ", free";
-  case Attachment::Kind::world: return text + ", fixed to the world";
-  case Attachment::Kind::link: break;
-  }
+  if (is_fixed_to_world(at(i))) return text + ", fixed to the world";
+  if (at(i).anchor.kind != Attachment::Kind::link) return text + ", free";
   return text + ", fixed to " + at(i).anchor.instance + "::" + at(i).anchor.link;
 }
 

@@ -129,7 +129,7 @@ std::vector<std::string> UsdPhysics::schemas_of_robot(std::size_t instance) {
 
 bool UsdPhysics::is_body(std::size_t instance) const {
   const FlatInstance& flat = scene_.flat.instances[instance];
-  return !flat.shapes.empty() && is_movable(flat) && flat.anchor.kind != Attachment::Kind::world;
+  return !flat.shapes.empty() && is_movable(flat);
 }
 
 void UsdPhysics::add_mass(std::size_t instance, std::size_t link) {
