@@ -508,3 +508,25 @@ TEST_CASE("MuJoCo checks each inertia, also where nothing moves") {
       "iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial></link>";
   CHECK(answer_to("mujoco", with(tip + joint("f", "fixed", "base", "tip"))) == Answer::refuses);
 }
+
+TEST_CASE("DART starts in the middle of limits without 0") {
+  using enum Answer;
+  const auto answer_with = [](const std::string& type, const std::string& bounds) {
+    return answer_for("dart", R"(type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1")",
+                      "type=\"" + type + R"(">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit )" + bounds);
+  };
+  CHECK(answer_with("revolute", R"(lower="-1e300" upper="1")") < refuses);
+  CHECK(answer_with("continuous", R"(lower="1e154" upper="1")") < refuses);
+  CHECK(answer_with("continuous", R"(lower="1e200" upper="1")") == refuses);
+  CHECK(answer_with("revolute", R"(lower="1" upper="1e200")") == refuses);
+  CHECK(answer_with("prismatic", R"(lower="1" upper="1e200")") < refuses);
+  CHECK(answer_with("prismatic", R"(lower="1e308" upper="1.7e308")") == refuses);
+}
