@@ -2,6 +2,7 @@
 #include "common/converter.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -197,11 +198,12 @@ std::string count_by_section(std::span<const Diagnostic> losses) {
 
 }  // namespace
 
-/// Shows findings that make the result wrong and findings of the converter; counts the others.
+/// Shows findings that make the result wrong and findings of the converter, errors first; counts
+/// the others.
 std::string Conversion::render_for_people(const Report& report, const LossOf& loss_of) {
   const SourceMap& sources = session_.loaded_sources();
   const TextStyle style = style_for(Stream::error, options_.color);
-  std::string text;
+  std::map<Severity, std::string, std::greater<>> texts;
   std::vector<Diagnostic> rest;
   for (const Diagnostic& finding : report.diagnostics) {
     const auto loss = loss_of(finding);
@@ -212,11 +214,13 @@ std::string Conversion::render_for_people(const Report& report, const LossOf& lo
             (options_.force ? "converted because of --force, although " : "not converted: ") +
             *loss);
       }
-      text += render_full(shown, sources, style);
+      texts[finding.severity] += render_full(shown, sources, style);
     } else {
       rest.push_back(finding);
     }
   }
+  std::string text;
+  for (const auto& [severity, findings] : texts) text += findings;
   const std::string line = options_.quiet ? "" : count_rest(rest, path_);
   if (!line.empty()) text += std::string(tool_) + ": " + render::escape(line) + "\n";
   return text;
