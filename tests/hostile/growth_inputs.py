@@ -612,6 +612,12 @@ def extensions_on_one_line(n, write):
     write("a.urdf", '<robot name="a"><link name="l"/>' + "".join(f"<x{i}/>" for i in range(n)) + "</robot>")
 
 
+@grows(1000, "smurf-lint", "-q", "--exit-zero", "--statistics", "a.urdf")
+def joints_from_a_link_to_itself(n, write):
+    write("a.urdf", '<robot name="r"><link name="a"/>' + "".join(
+        f'<joint name="j{i}" type="fixed"><parent link="a"/><child link="a"/></joint>' for i in range(n)) + "</robot>")
+
+
 # Pages of findings
 
 

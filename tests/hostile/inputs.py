@@ -239,6 +239,7 @@ FIFTY_MEGABYTES = {
     "motors that are numbers": ("r.smurf", b"motors:\n", b"- 1\n", b""),
     "listed files": ("r.smurf", b"files:\n", b"- a.yml\n", b""),
     "empty entities": ("s.smurfs", b"entities:\n", b"- {}\n", b""),
+    "empty lights": ("s.smurfs", b"lights:\n", b"- {}\n", b""),
     "elements": ("r.urdf", ROBOT, b"<a/>", b"</robot>"),
     "attributes": ("r.urdf", ROBOT, b'<a b="" c="" d="" e=""/>', b"</robot>"),
     "links of one name": ("r.urdf", ROBOT, b'<link name="a"/>', b"</robot>"),

@@ -87,20 +87,11 @@ class ModelLoader {
                                       : context_.sources;
   }
 
-  /// The limit, which is lower if most entries are empty: an entry needs up to 2 kB of memory, but
-  /// `{},` only three bytes in a file.
-  std::uint64_t most_entries() const {
-    constexpr std::uint64_t kFewestBytes = 16;  // bytes of a typical entry
-    constexpr std::uint64_t kFree = 50'000;
-    const std::uint64_t limit = context_.limits.annotation_entries;
-    return std::min(limit, std::max(kFree, limit / 10) + annotation_bytes_ / kFewestBytes);
-  }
-
   /// Reports too many entries, including those of this file, and returns false.
   bool has_room(const yaml::Document& document, SourceId source) {
     if (!document.view() || !document.view().is_mapping()) return true;
     annotation_bytes_ += context_.sources.text(source).size();
-    const std::uint64_t most = most_entries();
+    const std::uint64_t most = most_entries(context_.limits, annotation_bytes_);
     for (const yaml::View section : document.view()) {
       if (!section.is_sequence()) continue;
       entries_ += section.size();

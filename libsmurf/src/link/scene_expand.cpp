@@ -85,7 +85,7 @@ class SceneExpander {
         lose_scene();
       }
       std::optional<Scene> scene;
-      if (file.document) {
+      if (file.document && has_room_for_lights(*file.document)) {
         // One more than the limit, so that expand() can report it.
         scene = read_scene(*file.document, context_.sink,
                            static_cast<std::size_t>(context_.limits.instances + 1));
@@ -99,6 +99,22 @@ class SceneExpander {
       lose_scene();
     }
     return index;
+  }
+
+  /// Reports too many lights, and returns false.
+  bool has_room_for_lights(const yaml::Document& document) {
+    const yaml::View root = document.view();
+    const yaml::View lights = root && root.is_mapping() ? root.find("lights") : yaml::View();
+    if (!lights || !lights.is_sequence()) return true;
+    const std::uint64_t most =
+        most_entries(context_.limits, context_.sources.text(document.source).size());
+    if (lights.size() <= most) return true;
+    context_.sink
+        .report(rules::sml0002_file_too_large, lights.place(),
+                "the scene has more than " + std::to_string(most) + " lights" +
+                    (most < context_.limits.annotation_entries ? ", most of them empty" : ""))
+        .help(raise_limit("annotation-entries"));
+    return false;
   }
 
   void lose_scene() {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "base/readers.hpp"
 #include "base/rules.hpp"
@@ -8,29 +10,40 @@
 namespace smurf::rules {
 namespace {
 
-/// Readers do not treat the link as a root, because a joint leads to it.
-bool has_other_roots(const LinkedModel& model, std::string_view link) {
-  std::size_t count = 0;
-  for (const LinkIndex root : model.tree.roots) {
-    count += model.link(root).name.value_or("") != link ? 1 : 0;
+/// What the construct depends on; collected once, because every joint may be such a one.
+class Tree {
+ public:
+  explicit Tree(const LinkedModel& model) : roots_(model.tree.roots.size()) {
+    for (const LinkIndex root : model.tree.roots) ++roots_by_name_[view(model.link(root).name)];
+    for (const urdf::Joint& joint : model.robot->joints) {
+      if (view(joint.child) != view(joint.parent)) reached_.insert(view(joint.child));
+    }
   }
-  return count > 1;
-}
 
-/// Whether no other joint leads to the link, so that readers that start at the root never reach it.
-bool is_apart(const LinkedModel& model, std::string_view link) {
-  const std::vector<urdf::Joint>& joints = model.robot->joints;
-  return !model.tree.roots.empty() &&
-         std::none_of(joints.begin(), joints.end(), [&](const urdf::Joint& joint) {
-           return joint.child.value_or("") == link && joint.parent.value_or("") != link;
-         });
-}
+  /// Whether there are several roots without the link. Readers do not treat it as one, because a
+  /// joint leads to it.
+  bool has_other_roots(std::string_view link) const { return roots_ - roots_named(link) > 1; }
+  bool is_only_root(std::string_view link) const { return roots_ == 1 && roots_named(link) == 1; }
+  /// Whether no other joint leads to the link, so that readers that start at the root never reach
+  /// it.
+  bool is_apart(std::string_view link) const { return roots_ > 0 && !reached_.contains(link); }
 
-bool is_only_root(const LinkedModel& model, std::string_view link) {
-  return model.tree.roots.size() == 1 && model.link(model.tree.roots[0]).name.value_or("") == link;
-}
+ private:
+  static std::string_view view(const Field<std::string>& name) {
+    return name ? std::string_view(*name) : std::string_view();
+  }
+  std::size_t roots_named(std::string_view link) const {
+    const auto found = roots_by_name_.find(link);
+    return found == roots_by_name_.end() ? 0 : found->second;
+  }
+
+  std::size_t roots_;
+  std::unordered_map<std::string_view, std::size_t> roots_by_name_;
+  std::unordered_set<std::string_view> reached_;
+};
 
 void check(const LinkedModel& model, Findings& findings) {
+  std::optional<Tree> tree;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.parent || !joint.child || *joint.parent != *joint.child) return;
     if (!model.link_names.contains(*joint.child)) return;  // SML1201 reports the unknown link
@@ -38,10 +51,11 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(joint.child.span,
                         title(joint) + " connects the link " + quoted(*joint.child) + " to itself");
     diagnostic.label(joint.parent.span, "the same link as parent");
-    if (is_apart(model, *joint.child)) diagnostic.construct = "apart";
-    if (is_only_root(model, *joint.child)) diagnostic.construct = "only-root";
+    if (!tree) tree.emplace(model);
+    if (tree->is_apart(*joint.child)) diagnostic.construct = "apart";
+    if (tree->is_only_root(*joint.child)) diagnostic.construct = "only-root";
     // The link that it should lead to is a root then, which is not reported for itself.
-    if (has_other_roots(model, *joint.child)) {
+    if (tree->has_other_roots(*joint.child)) {
       diagnostic.consequences.push_back(&rules::sml1204_several_roots);
     }
   });
