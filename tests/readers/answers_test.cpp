@@ -530,3 +530,12 @@ TEST_CASE("DART starts in the middle of limits without 0") {
   CHECK(answer_with("prismatic", R"(lower="1" upper="1e200")") < refuses);
   CHECK(answer_with("prismatic", R"(lower="1e308" upper="1.7e308")") == refuses);
 }
+
+TEST_CASE("a number that is too large is also judged by its sign") {
+  using enum Answer;
+  CHECK(answer_for("dart", R"(radius="1")", R"(radius="1e61")") < refuses);
+  CHECK(answer_for("dart", R"(radius="1")", R"(radius="-1e61")") == refuses);
+  CHECK(answer_for("mujoco", R"(radius="1")", R"(radius="-1e61")") == refuses);
+  CHECK(answer_for("mujoco", R"(mass value="1")", R"(mass value="-1e61")") == refuses);
+  CHECK(answer_for("gazebo", R"(mass value="1")", R"(mass value="-1e61")") == refuses);
+}

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/path.hpp"
 #include "base/rules.hpp"
 #include "flatten/shapes.hpp"
-#include "link/scene_link.hpp"
 #include "smurf-load-check/heightfield.hpp"
 
 namespace smurf::load_check {
@@ -69,8 +69,10 @@ class EnvironmentBuilder {
       return CapsuleShape{capsule->radius, capsule->length};
     }
     const auto* map = std::get_if<FlatHeightmap>(&geometry);
-    // The file of an old scene is not an image.
-    if (map == nullptr || is_old_scene(entity_type(scene_.entity(instance)))) return std::nullopt;
+    // The file of an old scene is not the image.
+    if (map == nullptr || path::file_name(map->file) != path::file_name(instance.file)) {
+      return std::nullopt;
+    }
     return heights(*map, instance);
   }
 

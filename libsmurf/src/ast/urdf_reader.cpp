@@ -11,6 +11,7 @@
 #include "base/numbers.hpp"
 #include "base/quantity.hpp"
 #include "base/quoted.hpp"
+#include "base/ranges.hpp"
 #include "base/rules.hpp"
 
 namespace smurf {
@@ -84,7 +85,7 @@ class RobotReader {
     double value = 0;
     if (!read_numbers(*attribute, {&value, 1}, sink_)) return;
     if (!is_quantity(value) && std::fabs(value) > largest_in(element)) {
-      return report_too_large(*attribute, largest_in(element));
+      return report_too_large(element, *attribute, largest_in(element), value < 0);
     }
     out.set(value);
   }
@@ -98,12 +99,20 @@ class RobotReader {
     return is_bound ? std::numeric_limits<double>::max() : kLargestQuantity;
   }
 
-  void report_too_large(const xml::Attribute& attribute, double most) {
-    sink_
-        .report(rules::sml1810_overflow_underflow, attribute.value_span(),
-                quoted(attribute.name()) + " is too large: at most " + format_rounded(most) +
-                    " can be used in computations")
-        .construct = "too-large";
+  void report_too_large(View element, const xml::Attribute& attribute, double most,
+                        bool is_negative) {
+    Diagnostic& diagnostic =
+        sink_.report(rules::sml1810_overflow_underflow, attribute.value_span(),
+                     quoted(attribute.name()) + " is too large: at most " + format_rounded(most) +
+                         " can be used in computations");
+    diagnostic.construct = "too-large";
+    if (!is_negative) return;
+    constexpr std::string_view kShapes[] = {"box", "sphere", "cylinder", "capsule"};
+    if (ranges::contains(kShapes, element.name())) {
+      diagnostic.consequences.push_back(&rules::sml1601_size_not_positive);
+    } else if (element.name() == "mass") {
+      diagnostic.consequences.push_back(&rules::sml1509_mass_negative);
+    }
   }
 
   template <std::size_t N>
@@ -115,7 +124,8 @@ class RobotReader {
     std::array<double, N> values{};
     if (!read_numbers(*attribute, values, sink_)) return;
     if (!std::all_of(values.begin(), values.end(), is_quantity)) {
-      return report_too_large(*attribute, kLargestQuantity);
+      const bool is_negative = *std::min_element(values.begin(), values.end()) < 0;
+      return report_too_large(element, *attribute, kLargestQuantity, is_negative);
     }
     out.set(values);
   }

@@ -60,7 +60,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes, kComputesStill, kRun,
      "/inertial/origin/@rpy/#too-large#carried#still"},
     {&readers::mujoco, Effect::changes, kComputesStill, kRun,
-     "/mass/@value/#too-large#carried#still"},
+     "/mass/@value/#too-large#uncertain#carried#still"},
     {&readers::mujoco, Effect::changes, kComputes, kRun, "/inertial/origin/@xyz/#too-large#alone"},
     {&readers::mujoco, Effect::refuses, "refuses the inertia that fixed links have together", kRun,
      "/inertial/origin/@xyz/#too-large"},
