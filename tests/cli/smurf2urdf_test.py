@@ -189,6 +189,14 @@ class Options(ExportTest):
         self.assertNotIn("<ros2_control",
                          self.export("--preset", "ros2", "--actuation", "none"))
 
+    def test_a_motor_without_speed_is_converted(self):
+        """A wheel has no velocity limit, so urdf2smurf writes such motors."""
+        self.write("wheel.urdf", '<robot name="w"><link name="a"/><link name="b"/><joint name="j" type="continuous">'
+                   '<parent link="a"/><child link="b"/></joint></robot>')
+        self.write("wheel.smurf", "modelname: w\nfiles: [wheel.urdf, motors.yml]\n")
+        self.write("motors.yml", "motors: [{name: j, joint: j, type: PID, p: 10, maxEffort: 1}]\n")
+        self.assertIn('<ros2_control name="w"', self.run_with_messages(0, "wheel.smurf", "--preset", "ros2").stdout)
+
     def test_srdf(self):
         self.export("--srdf", "arm.srdf", "--prefix", "l_", "--loss-report", "lost.json")
         text = self.read("arm.srdf")

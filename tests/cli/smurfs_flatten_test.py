@@ -391,6 +391,22 @@ def archive(files):
     return data.getvalue()
 
 
+class Fixed(FlattenTest):
+    def test_what_cannot_move_is_shown_as_fixed(self):
+        part = "- {{name: {0}, type: primitive, geometry: {{type: {1}}}, extend: {{x: 1, y: 1, z: 1}}{2}}}\n"
+        self.write("s.smurfs", "entities:\n" + part.format("falls", "box", ", anchor: world") +
+                   part.format("stays", "box", ", movable: false") + part.format("floor", "plane", ""))
+        dot = self.run_tool("s.smurfs", "--format", "dot").stdout
+        self.assertEqual(re.findall(r'-> "(\w+)" \[label="(\w+)"', dot),
+                         [("falls", "free"), ("stays", "fixed"), ("floor", "fixed")])
+        svg = self.run_tool("s.smurfs", "--format", "svg").stdout
+        self.assertEqual(sorted(set(re.findall(r"(\w+): primitive, ([\w ]+)", svg))),
+                         [("falls", "free"), ("floor", "fixed to the world"), ("stays", "fixed to the world")])
+        # Only a body that moves has a mass.
+        usda = self.run_tool("s.smurfs", "--format", "usda").stdout
+        self.assertEqual(usda.count("PhysicsRigidBodyAPI"), 1)
+
+
 class OldScenes(FlattenTest):
     def nodes(self, file, scene="entities:\n- {name: Old, file: FILE, position: [1, 0, 0]}\n"):
         self.write("old.smurfs", scene.replace("FILE", file))
