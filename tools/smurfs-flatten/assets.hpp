@@ -17,8 +17,8 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
                             const FlattenOptions& options, const FileReader& files,
                             const Limits& limits);
 
-/// Those of the copies that the text of a result names as XML does, and the files that these name.
-/// Previews contain their meshes, and a format that has no textures names none.
+/// The copies that a result names, and the files that these need. `text` is the result; names are
+/// sought as they are written in XML. Previews contain their meshes, so they name no files.
 AssetCopies named_copies(const AssetCopies& copies, std::string_view text,
                          const FlattenOptions& options);
 

@@ -107,16 +107,19 @@ void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
       const bool is_refused = diagnostic->rule == &rules::sml1512_not_positive_definite;
       if (link->name.value_or("") == "world" && !is_refused) diagnostic->construct += "#of-world";
       const auto index = static_cast<std::size_t>(link - model.robot->links.data());
-      if (alone.empty()) alone = alone_in_motion(model);
+      const auto is_alone = [&] {
+        if (alone.empty()) alone = alone_in_motion(model);
+        return alone[index];
+      };
       // sdformat adds the masses of links that are fixed to each other.
-      const bool is_added = path == "/robot/link/inertial/mass/@value/#too-large" && !alone[index];
+      const bool is_added = path == "/robot/link/inertial/mass/@value/#too-large" && !is_alone();
       if (is_added) mark_uncertain(*diagnostic);
       if (is_carried(model, index)) {
         if (still.empty()) still = fixed_to_root(model);
         diagnostic->construct += still[index] ? "#carried#still" : "#carried";
         continue;
       }
-      if (alone[index]) {
+      if (is_alone()) {
         const std::size_t end = std::min(path.find('#'), path.size());
         diagnostic->construct += "#alone/" + path.substr(kInertial.size(), end - kInertial.size());
       }

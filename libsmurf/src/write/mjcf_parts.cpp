@@ -234,7 +234,7 @@ void MjcfParts::add_heightmaps() {
         }
         continue;
       }
-      // An old scene may have several.
+      // An old scene may have several heightmaps.
       const std::size_t index = static_cast<std::size_t>(&shape - flat(i).shapes.data());
       const std::string own_name =
           index == 0 ? flat(i).path : name(i, "heights_" + std::to_string(index));
