@@ -181,7 +181,7 @@ TEST_CASE("what stands in an inertial matters where the body moves by itself, or
   CHECK(answer_to("gazebo", [&] {
           std::string robot = damaged("revolute", "fixed");
           return robot.replace(robot.rfind("<mass value=\"1\"/>"), 17, heavy);
-        }()) == Answer::refuses);
+        }()) == Answer::unknown);
 }
 
 TEST_CASE("readers do not look at all parts of a joint of every type") {
@@ -502,6 +502,22 @@ TEST_CASE("whether Gazebo accepts masses that are merged from far away is not kn
   CHECK(answer_at("1e6") == Answer::unknown);
 }
 
+TEST_CASE("whether Gazebo accepts the sum of inertias that are 0 or unreadable is not known") {
+  const auto answer_with = [](std::string_view first, std::string_view second) {
+    const auto link = [](std::string_view name, std::string_view ixx) {
+      return "<link name=\"" + std::string(name) +
+             "\"><inertial><mass value=\"1\"/><inertia ixy=\"0\" ixz=\"0\" iyz=\"0\" iyy=\"0\" "
+             "izz=\"0\" ixx=\"" +
+             std::string(ixx) + "\"/></inertial></link>";
+    };
+    return answer_to("gazebo", with(link("tip", first) + link("nail", second) +
+                                    joint("t", "fixed", "tip", "nail", R"(<origin xyz="1 2 3"/>)") +
+                                    joint("n", "continuous", "arm", "tip")));
+  };
+  CHECK(answer_with("0", "0") == Answer::unknown);
+  CHECK(answer_with("abc", "nan") == Answer::unknown);
+}
+
 TEST_CASE("MuJoCo checks each inertia, also where nothing moves") {
   const std::string tip =
       "<link name=\"tip\"><inertial><mass value=\"1\"/><inertia ixx=\"1e308\" ixy=\"0\" ixz=\"0\" "
@@ -538,4 +554,12 @@ TEST_CASE("a number that is too large is also judged by its sign") {
   CHECK(answer_for("mujoco", R"(radius="1")", R"(radius="-1e61")") == refuses);
   CHECK(answer_for("mujoco", R"(mass value="1")", R"(mass value="-1e61")") == refuses);
   CHECK(answer_for("gazebo", R"(mass value="1")", R"(mass value="-1e61")") == refuses);
+}
+
+TEST_CASE("whether printf ends urdfdom at `%` in a cylinder is not known") {
+  const std::string_view cylinder = R"(cylinder length="1" radius="%s")";
+  for (const char* target : {"ros", "gazebo", "dart"}) {
+    CHECK(answer_for(target, R"(sphere radius="1")", cylinder) == Answer::unknown);
+  }
+  CHECK(answer_for("ros", R"(radius="1")", R"(radius="%s")") == Answer::refuses);
 }

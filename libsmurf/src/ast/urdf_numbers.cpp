@@ -15,6 +15,7 @@
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
+#include "base/uncertain.hpp"
 #include "base/words.hpp"
 
 namespace smurf {
@@ -321,8 +322,10 @@ bool is_xacro(std::string_view value) {
 }
 
 void report_percent(Span place, std::string_view value, DiagnosticSink& sink) {
-  sink.report(rules::sml1012_percent_in_value, place, quoted(value) + " contains `%`")
-      .note("urdfdom up to 5.0 passes this text to printf, which may crash");
+  Diagnostic& diagnostic =
+      sink.report(rules::sml1012_percent_in_value, place, quoted(value) + " contains `%`");
+  diagnostic.note("urdfdom up to 5.0 passes this text to printf, which may crash");
+  mark_uncertain(diagnostic);
 }
 
 std::optional<double> parse_hexadecimal(std::string_view text) {

@@ -100,6 +100,12 @@ const Fact* find_fact(const Reader& reader, const Rule& rule, std::string_view p
   return is_read ? nullptr : &kNoAnnotations;
 }
 
+std::string_view without_slashes(std::string_view path) {
+  while (path.starts_with('/')) path.remove_prefix(1);
+  while (path.ends_with('/')) path.remove_suffix(1);
+  return path;
+}
+
 }  // namespace
 
 std::string_view to_string(Effect effect) {
@@ -198,9 +204,13 @@ std::string evidence_of(const Fact& fact) {
 
 std::string describe(const Fact& fact) {
   std::string text(fact.reader->title);
-  std::string_view where = fact.where;
-  while (where.starts_with('/') || where.starts_with('#')) where.remove_prefix(1);
-  while (where.ends_with('/')) where.remove_suffix(1);
+  std::string where;  // "/mass/@value/#hex#carried" becomes "mass/@value, hex, carried"
+  for (std::string_view rest = fact.where; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('#'), rest.size());
+    const std::string_view part = without_slashes(rest.substr(0, end));
+    if (!part.empty()) where.append(where.empty() ? "" : ", ").append(part);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
   if (!where.empty()) text.append(" (").append(where).append(")");
   return text + ": " + std::string(fact.makes);
 }
@@ -274,7 +284,7 @@ TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> dia
       continue;
     }
     if (fact->effect <= Effect::ignores) continue;
-    if (fact->where == kUncertain) {
+    if (is_uncertain(*fact)) {
       verdict.add_unknown(*diagnostic.rule, 1);
       continue;
     }

@@ -16,6 +16,9 @@ inline void mark_uncertain(Diagnostic& diagnostic) {
   diagnostic.construct += diagnostic.construct.empty() ? kUncertain.substr(1) : kUncertain;
 }
 
+/// Whether a fact is about such findings: everywhere, or in one place ("/cylinder/#uncertain").
+constexpr bool is_uncertain(const Fact& fact) { return fact.where.ends_with(kUncertain); }
+
 /// Begins the construct of findings in parts that a reader reads, but does not build: the name of
 /// the reader follows.
 inline constexpr std::string_view kDroppedBy = "#dropped-by-";

@@ -157,7 +157,7 @@ class SdformatMarks {
                         [](const auto& top) { return top.has_value(); });
   }
 
-  void mark(Diagnostic& diagnostic) const {
+  void mark(Diagnostic& diagnostic) {
     const std::string path = fact_path(diagnostic);
     if (path.starts_with("/robot/joint/")) {
       const urdf::Joint* joint = part_at(model_.robot->joints, diagnostic.span.begin);
@@ -186,10 +186,14 @@ class SdformatMarks {
     mark_number(to_size(*child), path, diagnostic);
   }
 
-  void mark_link(std::size_t link, const std::string& path, Diagnostic& diagnostic) const {
+  void mark_link(std::size_t link, const std::string& path, Diagnostic& diagnostic) {
     const bool is_merged = links_[link] && to_size(*links_[link]) != link;
     const bool is_about_name = diagnostic.rule == &rules::sml1307_reserved_name;
     if (is_about_name && (is_merged || is_dropped_[link])) drop(diagnostic);
+    if (path.starts_with("/robot/link/inertial/inertia/")) {
+      if (near_zero_.empty()) near_zero_ = near_zero_together(model_);
+      if (near_zero_[link]) mark_uncertain(diagnostic);
+    }
     mark_number(link, path, diagnostic);
   }
 
@@ -208,10 +212,11 @@ class SdformatMarks {
   std::vector<std::optional<LinkIndex>> links_;
   std::vector<std::size_t> count_;  ///< of links that become one, by the topmost
   std::vector<bool> is_dropped_;
+  std::vector<bool> near_zero_;  ///< by link; computed when it is needed
 };
 
 void mark_for_sdformat(const LinkedModel& model, std::span<Diagnostic* const> found) {
-  const SdformatMarks marks(model);
+  SdformatMarks marks(model);
   if (marks.is_empty()) return;
   for (Diagnostic* diagnostic : found) marks.mark(*diagnostic);
 }

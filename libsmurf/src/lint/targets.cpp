@@ -13,7 +13,7 @@ namespace smurf {
 namespace {
 
 Severity severity_of(const Fact& fact) {
-  if (fact.effect >= Effect::breaks && fact.where != kUncertain) return Severity::error;
+  if (fact.effect >= Effect::breaks && !is_uncertain(fact)) return Severity::error;
   return fact.effect >= Effect::changes ? Severity::warning : Severity::info;
 }
 

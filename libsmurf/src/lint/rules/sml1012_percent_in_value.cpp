@@ -16,6 +16,9 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@type/"},
     {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@joint/"},
     {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@link/"},
+    // Whether it does depends on what stands in memory: it differs between robots.
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/cylinder/@radius/#uncertain"},
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/cylinder/@length/#uncertain"},
     {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/mass/"},
     {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/sphere/"},
     {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/color/"},
@@ -24,7 +27,6 @@ constexpr Fact kFacts[] = {
      "/joint/"},
     urdfdom_drops_shapes("/link/", kRun),
     {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun},
-    {&readers::gazebo, Effect::crashes, kPrintf, kRun, "/cylinder/"},
     {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@reference/"},
     {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@filename/"},
     {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@type/"},

@@ -52,6 +52,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::breaks,
      "reads all six as 0, reports an error and drops the visuals and collisions of the link",
      "urdfdom link.cpp:415-486, run"},
+    kGazeboAddsZeros,
     {&readers::pybullet, Effect::changes, "reads the three others as 0 where a product is missing",
      kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},

@@ -7,15 +7,31 @@
 namespace smurf::rules {
 namespace {
 
+/// The place of an entry that urdfdom cannot read, after which it leaves all six at 0.
+std::optional<Span> find_unread(const urdf::Inertial& inertial) {
+  for (const Field<double>* entry :
+       {&inertial.ixx, &inertial.ixy, &inertial.ixz, &inertial.iyy, &inertial.iyz, &inertial.izz}) {
+    if (entry->written && !*entry) return entry->span;
+  }
+  return std::nullopt;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   const std::vector<bool> is_carried = fixed_to_heavier(model);
   const std::vector<bool> alone = alone_in_motion(model);
+  std::vector<bool> near_zero;  // computed when it is needed
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
+    const std::size_t at = index;
     const bool is_alone = alone[index];
     const bool is_frame = is_carried[index++];
     if (!link.inertial || link.inertial->mass.value_or(0) <= 0) return;
     const auto moments = principal_moments(*link.inertial);
+    if (const auto place = find_unread(*link.inertial)) {
+      if (near_zero.empty()) near_zero = near_zero_together(model);
+      if (near_zero[at]) findings.add_consequence(*place);
+      return;
+    }
     if (!moments || (*moments)[0] != 0 || (*moments)[2] != 0) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
@@ -38,6 +54,7 @@ constexpr Fact kFacts[] = {
      "BulletUrdfImporter.cpp:374-411"},
     {&readers::dart, Effect::changes, "goes on with a mass matrix that is singular", kRun,
      "#moving"},
+    kGazeboAddsZeros,
     {&readers::mujoco, Effect::refuses, "refuses a moving body without inertia", kRun, "#alone"},
     {&readers::mujoco, Effect::takes, "adds it to the body that it is fixed to", kRun},
     {&readers::drake, Effect::changes, "computes with a mass matrix that is singular",

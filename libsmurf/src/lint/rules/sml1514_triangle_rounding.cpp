@@ -4,6 +4,7 @@
 #include "base/numbers.hpp"
 #include "base/ranges.hpp"
 #include "base/readers.hpp"
+#include "base/uncertain.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
@@ -55,7 +56,7 @@ void check_heavy(const LinkedModel& model, Findings& findings) {
     findings
         .report(inertia_place(model, *link.inertial),
                 "the inertia of " + title(link) + " is lost in rounding beside its mass")
-        .construct = "lost";
+        .construct = "lost" + std::string(kUncertain);
   });
 }
 
@@ -97,8 +98,8 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia",
      "gz-math MassMatrix3.hh, run", "#sdformat"},
     {&readers::gazebo, Effect::refuses,
-     "adds it to the body that it is fixed to, and reports error E18, an invalid inertia", kRun,
-     "#lost"},
+     "adds it to the body that it is fixed to, and may report error E18, an invalid inertia", kRun,
+     "#lost#uncertain"},
     {&readers::mujoco, Effect::takes, "keeps the moments", kRun, "#lost"},
     {&readers::mujoco, Effect::changes, "balances the moments, because the file tells it to", kRun,
      kBalanced},
