@@ -276,6 +276,7 @@ MUTANTS = [
     ("motor-mimic-itself", MOTORS, "filterValue: 0.2", "mimic_motor: travel, mimic_multiplier: 1.0"),
     ("motor-mimic-a-joint", MOTORS, "filterValue: 0.2", "mimic_motor: swing, mimic_multiplier: 1.0"),
     ("motor-mimic-zero", MOTORS, "filterValue: 0.2", "mimic_motor: slew, mimic_multiplier: 0.0"),
+    ("motor-mimic-by-speed", MOTORS, "filterValue: 0.2", "mimic_motor: spin, mimic_multiplier: 2.0"),
     ("motor-mimic-text", MOTORS, "filterValue: 0.2", "mimic_motor: slew, mimic_multiplier: twice"),
     ("motor-mimic-without-leader", MOTORS, "filterValue: 0.2", "mimic_multiplier: 2.0"),
     ("motor-mimic-camel", MOTORS, "filterValue: 0.2", "mimicMotor: slew, mimic_multiplier: 2.0"),
