@@ -70,6 +70,15 @@ class Layout(ImportTest):
         self.assertEqual(first, {file: self.read("out/" + file) for file in self.files("out")})
 
 
+FINGERS = """<robot name="hand"><link name="palm"/><link name="left"/><link name="right"/>
+<joint name="l" type="revolute"><parent link="palm"/><child link="left"/><axis xyz="0 0 1"/>
+<limit lower="0" upper="1" effort="1" velocity="1"/></joint>
+<joint name="r" type="revolute"><parent link="palm"/><child link="right"/><axis xyz="0 0 1"/>
+<limit lower="-1" upper="0" effort="1" velocity="1"/><mimic joint="l" multiplier="-1"/></joint>
+<transmission name="t"><type>transmission_interface/SimpleTransmission</type><joint name="l">
+<hardwareInterface>hardware_interface/{}JointInterface</hardwareInterface></joint></transmission></robot>
+"""
+
 WHEELS = """<robot name="cart">
   <link name="base"/><link name="left"/><link name="right"/>
   <joint name="a" type="continuous"><parent link="base"/><child link="left"/><axis xyz="0 1 0"/></joint>
@@ -99,6 +108,12 @@ class Motors(ImportTest):
         self.assertIn(" 3 motor values missing, which MARS reads as 0 (SML4103): the joints have no", said)
         motors = self.read("out/smurf/cart_motors.yml")
         self.assertEqual((motors.count("maxSpeed: 0"), motors.count("maxEffort: 5")), (1, 1))
+
+    def test_a_finger_cannot_mimic_an_effort(self):
+        self.write("hand.urdf", FINGERS.format("Effort"))
+        self.assertIn(" 1 motor will not mimic as in the URDF", self.said("hand.urdf", "-o", "effort"))
+        self.write("hand.urdf", FINGERS.format("Position"))
+        self.assertNotIn("mimic", self.said("hand.urdf", "-o", "position"))
 
     def test_the_robot_names_the_files_when_the_urdf_does_not(self):
         foot = '<robot name="{}"><link name="foot"/></robot>'

@@ -500,6 +500,7 @@ MUTANTS = [
     walker("transmission-no-joint", '<joint name="hip"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint><actuator', "<actuator"),
     walker("transmission-misspelt", "<transmission name", "<transmision name"),
     walker("gazebo-unknown-reference", '<gazebo reference="trunk">', '<gazebo reference="trunck">'),
+    walker("gazebo-value-twice", "<mu1>0.8</mu1>", "<mu1>0.8</mu1><mu1>0.5</mu1>"),
     walker("gazebo-reference-case", '<gazebo reference="trunk">', '<gazebo reference="Trunk">'),
     walker("mujoco-flag", "</robot>", '<mujoco><compiler discardvisual="no"/></mujoco></robot>'),
     walker("gazebo-misspelt-attribute", '<gazebo reference="trunk">', '<gazebo refrence="trunk">'),

@@ -157,9 +157,10 @@ struct Plan {
 };
 
 struct Verification {
-  std::string problem;          ///< why the model must not be written; empty if it may be
-  std::size_t dead_motors = 0;  ///< joints without a limit of speed or effort, such as wheels
-  std::size_t for_mars = 0;     ///< errors of the URDF that occur only in models
+  std::string problem;           ///< why the model must not be written; empty if it may be
+  std::size_t dead_motors = 0;   ///< joints without a limit of speed or effort, such as wheels
+  std::size_t wrong_mimics = 0;  ///< motors that follow one of another kind of command
+  std::size_t for_mars = 0;      ///< errors of the URDF that occur only in models
 };
 
 bool has_rule(std::span<const Diagnostic> findings, const Rule& rule) {
@@ -193,6 +194,7 @@ Verification verify(const LinkedModel& source, std::span<const Diagnostic> known
   Verification verification;
   if (!source_is_sound) return verification;
   for (const Diagnostic& diagnostic : session.check(written).diagnostics) {
+    verification.wrong_mimics += diagnostic.rule == &rules::sml3208_mimic_not_by_position;
     if (diagnostic.severity != Severity::error) continue;
     // Problems of MARS with the URDF are reported to the author, but are not faults of the added
     // files.
@@ -337,6 +339,10 @@ std::vector<std::string> remarks_on(const LinkedModel& model, const Plan& plan,
   const std::string on_motors =
       remark_on_motors(plan.made, options.motors, verification.dead_motors);
   if (!on_motors.empty()) add(on_motors);
+  if (verification.wrong_mimics > 0) {
+    add(counted(verification.wrong_mimics, "motor") +
+        " will not mimic as in the URDF, because MARS can do that by position only (SML3208)");
+  }
   if (const std::size_t uris = count_uris(model, options, plan.copies); uris > 0) {
     add(counted(uris, "mesh path") + (uris == 1 ? " stays a URI" : " stay URIs") +
         ", which MARS does not open: " +
