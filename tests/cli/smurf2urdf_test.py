@@ -164,6 +164,20 @@ class Options(ExportTest):
         done = self.run_tool("r.urdf", "--preset", "mujoco", "--force", "-o", "mujoco.urdf")
         self.assertEqual(done.returncode, 0)
 
+    def test_what_moves_without_mass_is_no_preset_of_mujoco(self):
+        self.write("r.urdf", '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous">'
+                   '<parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint></robot>')
+        self.run_with_messages(0, "r.urdf", "-o", "plain.urdf")
+        done = self.run_with_messages(1, "r.urdf", "--preset", "mujoco", "-o", "mujoco.urdf")
+        self.assertIn("cannot be converted: MuJoCo refuses a moving body without mass or collision", done.stderr)
+        self.assertFalse((self.folder / "mujoco.urdf").exists())
+
+    def test_the_preset_of_gazebo_has_the_sensors_of_gazebo(self):
+        self.assertNotIn("<sensor", self.source())
+        found = re.findall('<sensor name="(.*?)" type="(.*?)">', self.export("--preset", "gazebo"))
+        self.assertEqual(dict(found), {"tool_force": "force_torque", "hand_imu": "imu", "finger_contact": "contact",
+                                       "flange_camera": "camera", "lidar_scan": "gpu_lidar"})
+
     def test_losses(self):
         self.change("motors", "maxEffort: 40.0", "maxEffort: 41.5")
         self.export("--loss-report", "lost.json")
