@@ -2,6 +2,7 @@
 """The command line of urdf2smurf: layouts, refusals, and writing either all files or none."""
 import pathlib
 import shutil
+import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -15,6 +16,13 @@ class ImportTest(cli.CliTest):
         super().setUp()
         shutil.copytree(cli.FIXTURES / "models" / "arm" / "urdf", self.folder / "in" / "urdf")
         shutil.copytree(cli.FIXTURES / "models" / "arm" / "meshes", self.folder / "in" / "meshes")
+
+    def exported(self, *arguments):
+        """What smurf2urdf makes of a model."""
+        done = subprocess.run([pathlib.Path(cli.TOOL).with_name("smurf2urdf"), *arguments], capture_output=True, text=True,
+                              cwd=self.folder, timeout=60, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
 
     def files(self, folder):
         root = self.folder / folder
@@ -115,6 +123,14 @@ class Motors(ImportTest):
         self.write("hand.urdf", FINGERS.format("Position"))
         self.assertNotIn("mimic", self.said("hand.urdf", "-o", "position"))
 
+    def test_joints_of_ros_1_are_driven_in_ros_2(self):
+        """ROS 2 does not read transmissions, so a joint that only they drive needs a ros2_control."""
+        self.write("cart.urdf", WHEELS)
+        self.run_tool("cart.urdf", "-o", "out")
+        text = self.exported("out/smurf/cart.smurf", "--preset", "ros2")
+        self.assertEqual(text.count('<command_interface name="velocity">'), 2, text)
+        self.assertNotIn("<transmission", text)
+
     def test_the_robot_names_the_files_when_the_urdf_does_not(self):
         foot = '<robot name="{}"><link name="foot"/></robot>'
         for file, robot, name in (("model.urdf", "foot", "foot"), ("Robot.urdf", "foot", "foot"),
@@ -174,6 +190,7 @@ class Readers(ImportTest):
         self.write("foot.urdf", CONTACT)
         self.assertIn(" MARS reads the URDF differently (1 error): see smurf-lint out/smurf/foot.smurf",
                       self.remark("foot.urdf", "-o", "out"))
+        self.assertEqual(self.exported("out/smurf/foot.smurf"), self.read("out/urdf/foot.urdf"))
 
     def test_the_style_of_phobos(self):
         self.write("foot.urdf", CONTACT)
