@@ -406,6 +406,17 @@ class Fixed(FlattenTest):
         usda = self.run_tool("s.smurfs", "--format", "usda").stdout
         self.assertEqual(usda.count("PhysicsRigidBodyAPI"), 1)
 
+    def test_terrain_is_shown_as_fixed(self):
+        shutil.copy(cli.FIXTURES / "scenes/terrain/heightmaps/terraces.png", self.folder / "t.png")
+        self.write("old.yml", "nodelist: [{name: rock, index: 1, filename: PRIMITIVE, origname: box, extend: {x: 1, y: 1}}]\n")
+        self.write("s.smurfs", "entities:\n- {name: hills, type: heightmap, file: t.png, width: 2.0, length: 2.0, height: 0.5}\n"
+                   "- {name: rocks, file: old.yml}\n")
+        dot = self.run_tool("s.smurfs", "--format", "dot").stdout
+        self.assertEqual(re.findall(r'-> "(\w+)" \[label="(\w+)"', dot), [("hills", "fixed"), ("rocks", "fixed")])
+        svg = self.run_tool("s.smurfs", "--format", "svg").stdout
+        self.assertEqual(sorted(set(re.findall(r"(\w+): (?:heightmap|yml), ([\w ]+)", svg))),
+                         [("hills", "fixed to the world"), ("rocks", "fixed to the world")])
+
 
 class OldScenes(FlattenTest):
     def nodes(self, file, scene="entities:\n- {name: Old, file: FILE, position: [1, 0, 0]}\n"):
@@ -626,7 +637,7 @@ class Assets(FlattenTest):
                    '<material name="m"><texture filename="t.png"/></material></visual>'
                    '<visual><geometry><mesh filename="m.stl"/></geometry></visual></link></robot>')
         for output, copies in (("sdf", ["m.stl", "t.png"]), ("sdf1.6", ["m.stl"]), ("urdf", ["m.stl", "t.png"]),
-                               ("gltf", []), ("usda", []), ("json", []), ("svg", [])):
+                               ("dmd", []), ("gltf", []), ("usda", []), ("json", []), ("tsv", []), ("dot", []), ("svg", [])):
             with self.subTest(format=output):
                 shutil.rmtree(self.folder / "out", ignore_errors=True)
                 (self.folder / "out").mkdir()
@@ -634,6 +645,19 @@ class Assets(FlattenTest):
                 found = sorted(path.name for path in (self.folder / "out/files").rglob("*") if path.is_file())
                 self.assertEqual(found, copies)
                 self.assertEqual("names no files to copy" in done.stderr, not copies)
+
+    def test_files_of_packages_are_named_by_their_copies(self):
+        """The reader of the result need not know the package, and the path need not exist elsewhere."""
+        self.write("models/package.xml", "<package><name>stuff</name></package>")
+        for name in ("package://stuff/m.stl", str(self.folder / "models/m.stl"), (self.folder / "models/m.stl").as_uri()):
+            self.write("models/r.urdf", '<robot name="r"><link name="l"><visual><geometry>'
+                       f'<mesh filename="{name}"/></geometry></visual></link></robot>')
+            for output, pattern in (("urdf", 'filename="(.*?)"'), ("sdf", "<uri>(.*?)</uri>")):
+                shutil.rmtree(self.folder / "out", ignore_errors=True)
+                done = self.run_tool("models/r.urdf", "--format", output, "-o", "out/world", "--copy-assets", "out/files")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(re.findall(pattern, self.read("out/world")), ["files/r/m.stl"], (name, output))
+                self.assertEqual(self.read("out/files/r/m.stl"), self.MESH)
 
     def test_a_refused_scene_copies_nothing(self):
         done = self.run_tool("broken.smurfs", "--format", "sdf", "--copy-assets", "files")
@@ -1050,6 +1074,18 @@ class Mistakes(FlattenTest):
         losses = json.loads(self.read("lost.json"))["losses"]
         self.assertEqual([(loss["class"], loss["line"]) for loss in losses], [("lost-part", 1)])
         self.assertEqual(losses[0]["message"], "elements in <gazebo> (`static`) are not in the MJCF")
+
+    def test_strict_refuses_what_a_urdf_loses(self):
+        """Each part alone, because one loss is enough to refuse."""
+        parts = {"<gazebo><plugin name='p' filename='p.so'/></gazebo>": ("mjcf", "gltf", "usda"),
+                 "<gazebo reference='none'><mu1>1</mu1></gazebo>": ("sdf", "sdf1.6", "mjcf", "gltf", "usda"),
+                 "<transmission name='t'/>": ("sdf", "sdf1.6", "mjcf", "gltf", "usda"),
+                 "<own/>": ("sdf", "sdf1.6", "mjcf", "gltf", "usda")}
+        for part, formats in parts.items():
+            self.write("r.urdf", f'<robot name="r"><link name="l">{OfGazebo.BODY}</link>{part}</robot>')
+            for form in ("sdf", "sdf1.6", "mjcf", "urdf", "gltf", "usda"):
+                done = self.run_tool("r.urdf", "--format", form, "-o", "out", "--strict", "--quiet")
+                self.assertEqual(done.returncode, 1 if form in formats else 0, (part, form, done.stderr))
 
     def test_help(self):
         text = self.expect(0, "--help").stdout
