@@ -304,6 +304,20 @@ class MeshesOfMjcf(SimulatorTest):
             self.write_robot(name, MESHES_OF_MUJOCO[name])
             self.assertEqual(self.world(name)[0], [name if is_named else None])
 
+    @reader.needs_built("mujoco_poses")
+    def test_meshes_of_old_scenes(self):
+        """MuJoCo reads those that are there; of the others, the warning gives the reason."""
+        (self.folder / "rock.obj").write_bytes(obj())
+        old = "nodelist:\n- {{name: rock, index: 1, filename: {}}}\n"
+        self.write("s.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
+        for name, losses in {"rock.obj": [], "gone.obj": ["the mesh `gone.obj`, which is not there, is not in the MJCF"]}.items():
+            self.write("old.yml", old.format(name))
+            file = self.write_scene("s.smurfs", "mjcf", "--loss-report", "lost.json")
+            self.lines(reader.BUILD / "mujoco_poses", file)
+            geoms = [geom.get("mesh") for geom in ElementTree.parse(file).iter("geom") if geom.get("mesh")]
+            self.assertEqual(len(geoms), 1 if name == "rock.obj" else 0)
+            self.assertEqual([loss["message"] for loss in json.loads(self.read("lost.json"))["losses"]], losses)
+
 
 class AttachedMjcf(SimulatorTest):
     def attached(self, scene):
@@ -421,6 +435,17 @@ class RefusedOutputs(SimulatorTest):
         heights = [float(part.find("origin").get("xyz").split()[2]) for part in root.iter("collision")]
         self.assertEqual(heights, [0, 0.25, -0.25])
         self.assertEqual({color.get("rgba") for color in root.iter("color")}, {"1 0 0 1"})
+
+    def test_capsules_of_models(self):
+        """Readers of URDF 1.0 refuse the version of the model; without it, they would leave the capsule out."""
+        capsule = '<collision><geometry><capsule radius="0.1" length="0.5"/></geometry></collision>'
+        self.write("new.urdf", f'<robot name="n" version="1.1"><link name="l">{BODY}{capsule}</link></robot>')
+        self.write("plain.urdf", f'<robot name="p"><link name="l">{BODY}</link></robot>')
+        for models, version in ((("plain", "plain"), None), (("plain", "new"), "1.1"), (("new", "plain"), "1.1")):
+            self.write("s.smurfs", "entities:\n" + "".join(
+                f"- {{name: E{i}, type: urdf, file: {model}.urdf}}\n" for i, model in enumerate(models)))
+            file = self.write_scene("s.smurfs", "urdf")
+            self.assertEqual(ElementTree.parse(file).getroot().get("version"), version)
 
     @reader.needs_built("mujoco_poses")
     def test_inertias(self):
@@ -568,6 +593,33 @@ class Contents(SimulatorTest):
         geoms = {line[1]: line[2:] for line in lines if line[0] == "geom"}
         self.assertEqual(geoms, {"b/low": ["0", "65535", "1"], "b/high": ["0", "6", "0.3"]})
 
+    @reader.needs_built("mujoco_actuators")
+    def test_viewers_show_every_body(self):
+        """The viewers of MuJoCo show the groups 0 to 2, so collisions are in 3 only beside a visual that is written."""
+        link = ('<link name="{0}">' + BODY + '<visual name="{0}_look"><geometry>{1}</geometry></visual>'
+                '<collision name="{0}_hull"><geometry><box size="1 1 1"/></geometry></collision></link>')
+        self.write("v.urdf", '<robot name="v">' + link.format("seen", '<box size="1 1 1"/>')
+                   + link.format("unread", '<mesh filename="gone.dae"/>')
+                   + '<joint name="j" type="fixed"><parent link="seen"/><child link="unread"/></joint></robot>')
+        self.write("s.smurfs", "entities:\n- {name: V, type: urdf, file: v.urdf}\n" + "".join(
+            f"- {{name: {kind}, type: primitive, geometry: {{type: {kind}}}, extend: {{x: 0.1, y: 0.5, z: 0.5}}}}\n"
+            for kind in ("box", "sphere", "cylinder", "capsule", "plane")))
+        lines = self.lines(reader.BUILD / "mujoco_actuators", self.write_scene("s.smurfs", "mjcf", "--force"))
+        groups = [(line[1], int(line[2])) for line in lines if line[0] == "geom"]
+        named = {name: group for name, group in groups if name}
+        self.assertEqual(named, {"V/seen_look": 2, "V/seen_hull": 3, "V/unread_hull": 0})
+        self.assertEqual([group for name, group in groups if not name], [0] * 5)
+
+    @reader.needs_built("mujoco_poses")
+    @reader.needs_built("sdf_poses")
+    def test_a_scene_without_settings_is_the_same_world_to_all(self):
+        """Readers have defaults of their own; with the 10 ms of MARS, many robots are unstable in MuJoCo."""
+        self.write("s.smurfs", "entities:\n- {name: B, type: primitive, geometry: {type: box}}\n")
+        for form, program in {"sdf": "sdf_poses", "sdf1.6": "sdf_poses", "mjcf": "mujoco_poses"}.items():
+            lines = self.lines(reader.BUILD / program, self.write_scene("s.smurfs", form))
+            settings = {line[0]: [float(n) for n in line[1:]] for line in lines if line[0] in ("gravity", "step")}
+            self.assertEqual(settings, {"gravity": [0, 0, -9.81], "step": [0.001]}, form)
+
 
 class Losses(SimulatorTest):
     def losses(self, form, *arguments):
@@ -584,6 +636,17 @@ class Losses(SimulatorTest):
                       losses)
         self.assertIn("the gravity is not in the URDF", losses)
         self.assertEqual(self.losses("json"), (0, []))
+
+    def test_a_start_position_becomes_the_zero(self):
+        """No reader of SDF starts a joint at a position, so commands and limits are relative to the start."""
+        for form, name in {"sdf": "SDF", "sdf1.6": "SDF 1.6"}.items():
+            _, losses = self.losses(form)
+            self.assertIn(f"start positions (`One`, `Four`) are something else in the {name}: they become the zero of the "
+                          "joints, and limits are shifted accordingly", losses)
+            axis = ElementTree.parse(self.folder / "out").getroot().find(".//model[@name='Four']/joint[@name='arm_joint']/axis")
+            self.assertEqual([float(axis.findtext(f"limit/{end}")) for end in ("lower", "upper")], [-1 - 0.7, 2 - 0.7])
+        self.write("zoo.smurfs", ZOO_SCENE.replace(", pose: bent", ""))
+        self.assertNotIn("start positions", " ".join(self.losses("sdf")[1]))
 
     def test_strict_refuses(self):
         code, losses = self.losses("sdf", "--strict")
