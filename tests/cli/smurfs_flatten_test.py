@@ -445,6 +445,16 @@ class OldScenes(FlattenTest):
         self.assertEqual(results[0], results[1])
         self.assertEqual(results[0], results[2])
 
+    def test_every_missing_file_is_named(self):
+        self.write("old.yml", "nodelist:\n- {name: a, index: 1, filename: a.obj}\n- {name: b, index: 2, filename: b.obj}\n"
+                   "- {name: hill, index: 3, filename: terrain, t_srcname: h.png, t_width: 5, t_height: 5, t_scale: 1}\n")
+        self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
+        for format in ("mjcf", "gltf", "usda"):
+            said = self.run_tool("old.smurfs", "--format", format).stderr
+            for file in ("a.obj", "b.obj", "h.png" if format == "mjcf" else "the heightmap"):
+                self.assertIn(file, said, format)
+        self.assertIn("smurfs-flatten: 3 errors: see smurf-lint old.smurfs", self.run_tool("old.smurfs", "--format", "sdf").stderr)
+
     def test_heights(self):
         self.write("old/old.yml", "nodelist:\n"
                    "- {name: ground, index: 1, filename: terrain, physicmode: heightfield, t_srcname: t.png, t_width: 10,"
@@ -472,6 +482,7 @@ class OldScenes(FlattenTest):
         light = ("lightlist: [{name: sun, type: 2, angle: 60, position: {x: 1, y: 2, z: 3},"
                  " diffuse: {r: 1, g: 0.5, b: 0, a: 1}}]\n")
         self.write("old.yml", OLD_YAML.replace("lightlist: [{name: sun}]\n", light))
+        self.write("rock.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
         sdf = xml.etree.ElementTree.fromstring(self.run_tool("old.smurfs", "--format", "sdf").stdout)
         light = sdf.find("world/light")

@@ -244,9 +244,11 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
 
 /// Reports options that exclude each other, and returns false.
 bool check_options(const Options& options) {
-  const bool is_reference = options.form == "reference" || options.format == "smurfs";
-  if (!options.assets.empty() && is_reference) {
-    complain(kTool, "--copy-assets copies the files that models name, and needs --form expand");
+  const bool is_scene = options.format == "smurfs";
+  if (!options.assets.empty() && (is_scene || options.form == "reference")) {
+    complain(kTool, std::string("--copy-assets copies the files that models name, and ") +
+                        (is_scene ? "a result of the format smurfs names models only"
+                                  : "needs --form expand"));
     return false;
   }
   if (options.dialect == "spec" || !options.compare_dialects) return true;

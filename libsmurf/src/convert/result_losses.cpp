@@ -129,6 +129,8 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Source
   if (finding.severity != Severity::error) return std::nullopt;
   const Rule& rule = *finding.rule;
   if (is_for_mars_alone(rule)) return std::nullopt;
+  // The formats report the shape as lost, or name the missing file.
+  if (&rule == &rules::sml5034_old_scene_file_missing) return std::nullopt;
   switch (input_kind(sources.path(finding.span.source))) {
   case InputKind::resource: return std::nullopt;
   case InputKind::urdf: return loss_in_robot(finding);

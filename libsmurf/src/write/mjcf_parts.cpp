@@ -8,6 +8,7 @@
 #include "base/little_endian.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "base/vectors.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "write/body_inertia.hpp"
@@ -225,12 +226,14 @@ void MjcfParts::add_heightmaps() {
     for (const FlatShape& shape : flat(i).shapes) {
       const auto* map = std::get_if<FlatHeightmap>(&shape.geometry);
       if (map == nullptr || !flat(i).X_WE) continue;
-      if (path::to_lower(path::extension(map->file)) != ".png" || !is_png(map->file)) {
+      const std::string_view fault = fault_of_heightmap(map->file);
+      if (!fault.empty()) {
+        const std::string which = "heightmap " + quoted(map->file);
         if (flat(i).shapes.size() == 1) {
-          losses_.entity(i, "MuJoCo reads heightmaps from PNG files only");
+          losses_.entity(i, "its " + which + " " + std::string(fault));
         } else {
           losses_.shape(place_of(scene_.scene.entity(linked(i))),
-                        "the heightmap `" + map->file + "`" + ", which is no PNG file,");
+                        "the " + which + ", which " + std::string(fault) + ",");
         }
         continue;
       }
@@ -326,6 +329,14 @@ void MjcfParts::examine(const FlatMesh& mesh, MeshOfFile& of_file) const {
   if (content.status != ReadStatus::ok) return;
   const bool is_stl = path::to_lower(path::extension(mesh.file)) == ".stl";
   of_file.is_named = !is_stl || is_stl_of_mujoco(content.text);
+}
+
+std::string_view MjcfParts::fault_of_heightmap(const std::string& file) const {
+  const bool is_named_so = path::to_lower(path::extension(file)) == ".png";
+  if (is_named_so && is_png(file)) return {};
+  const bool is_missing =
+      scene_.meshes.image && scene_.meshes.image(file).status == ReadStatus::not_found;
+  return is_missing ? "does not exist" : "is no PNG file, the only ones that MuJoCo reads";
 }
 
 bool MjcfParts::is_png(const std::string& file) const {

@@ -52,6 +52,8 @@ class MjcfParts {
   std::string declare_mesh(const FlatMesh& mesh, Span place);
   /// Whether the content of a file is PNG; MuJoCo refuses the whole world for one that is not.
   bool is_png(const std::string& file) const;
+  /// Why MuJoCo cannot read a heightmap; empty if it can.
+  std::string_view fault_of_heightmap(const std::string& file) const;
   /// The joint of a free body. Not <freejoint/>, which DART reads as a weld.
   void add_free_joint(std::size_t i);
   /// Appends the positions of the next joint, in the order of the joints.

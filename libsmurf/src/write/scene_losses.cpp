@@ -69,8 +69,10 @@ void SceneLosses::shape(Span span, std::string_view what) {
 }
 
 void SceneLosses::unseen_shape(Span span, const FlatGeometry& geometry, std::string_view reason) {
-  if (!unseen_.insert({to_size(span.source), span.begin}).second) return;
+  // All shapes of an old scene have the place of its entity.
   const auto* mesh = std::get_if<FlatMesh>(&geometry);
+  const std::string file = mesh != nullptr ? mesh->file : std::string();
+  if (!unseen_.insert({to_size(span.source), span.begin, file}).second) return;
   if (mesh == nullptr) return shape(span, "the heightmap");
   shape(span, "the mesh " + quoted(mesh->file) + ", which " + std::string(reason) + ",");
 }

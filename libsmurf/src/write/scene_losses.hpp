@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -61,8 +62,8 @@ class SceneLosses {
   const SceneExport& scene_;
   SceneColumn column_;
   std::string format_;
-  std::set<std::pair<std::size_t, std::size_t>> unseen_;  ///< by source and place
-  std::set<const urdf::Joint*> without_axis_;             ///< those that were reported
+  std::set<std::tuple<std::size_t, std::size_t, std::string>> unseen_;  ///< source, place and file
+  std::set<const urdf::Joint*> without_axis_;  ///< those that were reported
   /// By title, then by source and place.
   std::map<std::string_view, std::map<std::pair<std::size_t, std::size_t>, FoundThing>> noted_;
 };

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "makes no node without its heights",
+     "MARS NodeManager.cpp:208-211", "#heights"},
+    {&readers::mars, Effect::loses, "shows the node without its mesh",
+     "MARS gui_helper_functions.cpp:384", "#seen"},
+    {&readers::mars, Effect::crashes, "ends with an exception on a missing mesh",
+     "MARS gui_helper_functions.cpp:278-280, NodeManager.cpp:184"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5034_old_scene_file_missing{
+    .id = "SML5034",
+    .name = "old-scene-file-missing",
+    .severity = Severity::error,
+    .summary = "A node of an old MARS scene names a mesh or a heightmap that does not exist.",
+    .remedy = "Correct the path; it is relative to the folder of the old scene.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules
