@@ -26,7 +26,7 @@ URDF = """<robot name="rich">
   <visual><geometry><box size="1 1 1"/></geometry>
     <material name="skin"><color rgba="0 1 0 1"/><texture filename="skin.png"/></material></visual>
   <collision name="bumper"><geometry><box size="1 2 3"/></geometry></collision>
-  <collision name="shield"><geometry><box size="2 2 2"/></geometry></collision>
+  <collision name="shield" group="2"><geometry><box size="2 2 2"/></geometry></collision>
   <contact><lateral_friction value="0.4"/></contact></link>
 <link name="arm">""" + BODY.format(m="1") + """</link>
 <joint name="shoulder" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>
@@ -128,6 +128,7 @@ CHANGES = {
     "elements of ros2_control": ("<ros2_control.*</ros2_control>", ""),
     "elements in <gazebo>": ('<plugin name="brain" filename="libbrain.so"/>', ""),
     "elements that URDF does not define": ('<contact><lateral_friction value="0.4"/></contact>', ""),
+    "attributes that URDF does not define": (' group="2"', ""),
     "motor": ("- {name: shoulder_motor.*?}\n", ""),
     "motor setting": (", filterValue: 0.5", ""),
     "sensor": ("- {name: imu.*?}\n", "[]\n"),
@@ -173,7 +174,7 @@ PARTS = {
     "friction of a primitive": ("cfriction2: 0.25", "cfriction2: 0.5", ("sdf",)),
     "bitmask of a primitive without a place": (" bitmask: 2,", "", ("sdf1.6", "urdf", "gltf", "usda")),
     "friction of a primitive without a place": ("cfriction2: 0.25, ", "", ("sdf1.6", "mjcf", "urdf", "gltf", "usda")),
-    "name of a collision": ('<collision name="shield">', "<collision>", ("sdf", "sdf1.6", "mjcf", "urdf", "usda")),
+    "name of a collision": (' name="shield"', "", ("sdf", "sdf1.6", "mjcf", "urdf", "usda")),
     "gain of a motor": ("p: 20", "p: 10", ("mjcf", "usda")),
     "reduction of a transmission": ("<mechanicalReduction>50</mechanicalReduction>", "", ("mjcf", "usda")),
     "contact of a link without collisions": ("<kp>7</kp>", "", ("sdf", "sdf1.6", "mjcf", "usda")),

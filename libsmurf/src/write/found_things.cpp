@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "ast/urdf_schema.hpp"
 #include "base/quoted.hpp"
 #include "base/ranges.hpp"
 #include "convert/import.hpp"
@@ -37,6 +38,35 @@ Found joints_with(const LinkedModel& model, PartOf part_of) {
 std::string name_of(xml::View element) {
   const xml::Attribute* name = element.attribute("name");
   return std::string(name != nullptr ? name->value() : element.name());
+}
+
+/// What an element of URDF, and those in it, have that URDF does not define: children, without
+/// those that passes::extension_elements() finds, and attributes.
+void find_undefined(xml::View element, const urdf::ElementSpec& spec, int depth, Found* children,
+                    Found* attributes) {
+  const auto is_named = [](std::string_view name) {
+    return [name](const auto& known) { return known.name == name; };
+  };
+  for (const xml::Attribute& at : element.attributes()) {
+    if (attributes == nullptr || at.name().starts_with("xmlns")) continue;
+    if (ranges::any_of(spec.attributes, is_named(at.name()))) continue;
+    attributes->push_back({at.name_span(), shortened(at.name(), kMostOfName)});
+  }
+  for (const xml::View child : element) {
+    const urdf::ElementSpec* known = ranges::any_of(spec.children, is_named(child.name()))
+                                         ? urdf::find_element_spec(child.name())
+                                         : nullptr;
+    if (known != nullptr) {
+      find_undefined(child, *known, depth + 1, children, attributes);
+    } else if (children != nullptr && depth > 1) {
+      children->push_back({child.name_span(), shortened(child.name(), kMostOfName)});
+    }
+  }
+}
+
+void find_undefined(const LinkedModel& model, Found* children, Found* attributes) {
+  const xml::View robot = model.robot->document.view();
+  find_undefined(robot, *urdf::find_element_spec("robot"), 0, children, attributes);
 }
 
 /// Whether a format has actuators.
@@ -248,6 +278,13 @@ Found other_extensions(const LinkedModel& model, SceneColumn) {
                          element.name() == "ros2_control";
     if (!has_row) found.push_back({element.name_span(), std::string(element.name())});
   }
+  find_undefined(model, &found, nullptr);
+  return found;
+}
+
+Found other_attributes(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (model.robot) find_undefined(model, nullptr, &found);
   return found;
 }
 

@@ -27,6 +27,7 @@ Found ros2_controls(const LinkedModel& model, SceneColumn column);
 /// SDF: only elements that Gazebo does not convert. MJCF: all elements except sensors.
 Found gazebo_elements(const LinkedModel& model, SceneColumn column);
 Found other_extensions(const LinkedModel& model, SceneColumn);
+Found other_attributes(const LinkedModel& model, SceneColumn);
 
 // In annotations.
 /// Keys of an entry of a section other than those that the format expresses.

@@ -106,6 +106,9 @@ constexpr SceneThing kThings[] = {
     {.title = "elements that URDF does not define",
      .in_model = things::other_extensions,
      .cells = {kLost, kLost, kLost, kKept, kKept, kShown, kShown, kLost}},
+    {.title = "attributes that URDF does not define",
+     .in_model = things::other_attributes,
+     .cells = {kLost, kLost, kLost, kKept, kKept, kShown, kShown, kLost}},
     // Annotations.
     {.title = "motor",
      .of = ThingOf::annotation,
