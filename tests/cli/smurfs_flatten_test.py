@@ -445,6 +445,16 @@ class OldScenes(FlattenTest):
         self.assertEqual(results[0], results[1])
         self.assertEqual(results[0], results[2])
 
+    def test_a_primitive_has_the_shape_of_its_physicmode(self):
+        """As in MARS: `geometry` gives a box its size and place, and a cylinder nothing."""
+        self.write("p.smurfs", "entities:\n"
+                   "- {name: A, type: primitive, physicmode: cylinder, geometry: {type: cylinder}, extend: {x: 0.5, y: 2, z: 0}}\n"
+                   "- {name: B, type: primitive, physicmode: box, extend: {x: 1, y: 2, z: 3}}\n")
+        sdf = xml.etree.ElementTree.fromstring(self.run_tool("p.smurfs", "--format", "sdf").stdout)
+        cylinder, box = sdf.findall(".//collision/geometry")
+        self.assertEqual((cylinder.findtext("cylinder/radius"), cylinder.findtext("cylinder/length")), ("0.5", "2"))
+        self.assertEqual(box.findtext("box/size"), "1 2 3")
+
     def test_every_missing_file_is_named(self):
         self.write("old.yml", "nodelist:\n- {name: a, index: 1, filename: a.obj}\n- {name: b, index: 2, filename: b.obj}\n"
                    "- {name: hill, index: 3, filename: terrain, t_srcname: h.png, t_width: 5, t_height: 5, t_scale: 1}\n")

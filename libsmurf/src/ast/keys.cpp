@@ -142,8 +142,10 @@ bool check_range(const KeySpec& spec, yaml::View value, double number, Diagnosti
   const std::string bound = !is_low         ? "at most " + format_number(bounds.maximum)
                             : spec.positive ? std::string("above 0")
                                             : "at least " + format_number(bounds.minimum);
-  sink.report(rules::sml4003_out_of_range, value.span(),
-              name_of(spec) + " is " + format_number(number) + ", but must be " + bound);
+  Diagnostic& diagnostic =
+      sink.report(rules::sml4003_out_of_range, value.span(),
+                  name_of(spec) + " is " + format_number(number) + ", but must be " + bound);
+  if (number < 0) diagnostic.construct = "negative";
   return false;
 }
 

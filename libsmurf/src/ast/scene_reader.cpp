@@ -152,7 +152,8 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
     Diagnostic& diagnostic =
         sink.report(rules::sml4001_wrong_type, value.key_span(),
                     "`" + key + "` contains " + describe(value) + " instead of a list of entities");
-    diagnostic.construct = "entity-list";
+    const bool is_entity = value.is_mapping() && value.find("file") && value.find("type");
+    diagnostic.construct = is_entity ? "entity-only" : "entity-list";
     diagnostic.help("begin every entity with `- name:`");
     return;
   }

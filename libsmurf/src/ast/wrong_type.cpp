@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ast/notation.hpp"
+#include "base/ranges.hpp"
 #include "base/rules.hpp"
 
 namespace smurf {
@@ -32,7 +33,9 @@ Diagnostic& report_wrong_type(std::string_view wanted, yaml::View value, std::st
                               DiagnosticSink& sink) {
   Diagnostic& diagnostic =
       sink.report(rules::sml4001_wrong_type, value.place(), std::move(message));
-  diagnostic.construct.append(wanted).append("-").append(kind_of(value));
+  const bool has_null = wanted == wanted::kNumbers && value.is_sequence() &&
+                        ranges::any_of(value, [](yaml::View item) { return item.is_null(); });
+  diagnostic.construct.append(wanted).append("-").append(has_null ? "null" : kind_of(value));
   return diagnostic;
 }
 

@@ -90,12 +90,16 @@ std::vector<FlatShape> shapes_of(const FlatInstance& instance, bool has_position
   if (type == "heightmap")
     return {{instance.name, {}, heightmap_of(instance.properties, instance.file), std::nullopt}};
   const Value::Object* geometry = object_of(find(instance.properties, "geometry"));
-  if (type != "primitive" || geometry == nullptr) return {};
-  const std::string shape = text_of(find(*geometry, "type"));
+  if (type != "primitive") return {};
+  // MARS: `physicmode` decides; only `geometry` gives a shape its size and place.
+  std::string shape = text_of(find(instance.properties, "physicmode"));
+  if (geometry == nullptr && find(instance.properties, "extend") == nullptr) return {};
+  if (geometry != nullptr && shape.empty()) shape = text_of(find(*geometry, "type"));
   const auto solid = primitive(shape, instance.properties);
   if (!solid) return {};
   Pose X_ES;
-  if (!has_position && (shape == "box" || shape == "sphere")) X_ES.position[2] = 0.5;
+  const bool has_place = geometry != nullptr && (shape == "box" || shape == "sphere");
+  if (!has_position && has_place) X_ES.position[2] = 0.5;
   return {{instance.name, X_ES, *solid, color_of(instance.properties)}};
 }
 

@@ -345,6 +345,7 @@ class SceneExpander {
                                path.empty() ? "this entity has no `file`"
                                             : "this entity has no `type`, and `" + path +
                                                   "` has no extension that determines it");
+      if (type == "smurfs") diagnostic.construct = "scene";
       diagnostic.help("name the .smurf, .urdf or .smurfs of the entity");
       if (path.empty()) suggest_file(use, entity, diagnostic);
       return false;

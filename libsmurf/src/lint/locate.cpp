@@ -247,7 +247,9 @@ void locate_in(const std::optional<yaml::Document>& document, SourceId source,
   for (Diagnostic* diagnostic : found.take(source)) {
     if (document) point(*diagnostic, *document);
     const std::string_view id = diagnostic->rule->id;
-    if (id.starts_with("SML00") || id == "SML2011") diagnostic->construct += kind;
+    if (!id.starts_with("SML00") && id != "SML2011") continue;
+    if (!diagnostic->construct.empty()) diagnostic->construct += '#';
+    diagnostic->construct += kind;
   }
 }
 

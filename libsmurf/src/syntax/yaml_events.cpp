@@ -35,8 +35,10 @@ void YamlEvents::OnScalar(const YAML::Mark& mark, const std::string&, YAML::anch
   Span span = builder_.span(extent.begin, extent.end);
   if (span.empty()) span.begin = span.end = absent_place(offset(mark));  // there is only a tag
   if (!extent.closed) {
-    sink_.report(rules::sml0010_yaml_syntax, builder_.span(extent.begin, extent.begin + 1),
-                 "this quote is never closed");
+    sink_
+        .report(rules::sml0010_yaml_syntax, builder_.span(extent.begin, extent.begin + 1),
+                "this quote is never closed")
+        .construct = "quote";
   }
   const std::string_view bytes = text_.substr(extent.begin, extent.end - extent.begin);
   const std::string_view inner = extent.style == yaml::Style::plain || bytes.size() < 2
@@ -95,8 +97,10 @@ void YamlEvents::check_colon() {
   const std::size_t before =
       key.begin == 0 ? std::string_view::npos : text_.find_last_not_of(" \t", key.begin - 1);
   if (before != std::string_view::npos && text_[before] == '?') return;  // `? key` needs no colon
-  sink_.report(rules::sml0010_yaml_syntax, {key.source, key.begin, key.begin + 1},
-               "this line does not fit the lines above it: without a `:`, it is not a key");
+  sink_
+      .report(rules::sml0010_yaml_syntax, {key.source, key.begin, key.begin + 1},
+              "this line does not fit the lines above it: without a `:`, it is not a key")
+      .construct = "line";
 }
 
 void YamlEvents::open(yaml::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor,

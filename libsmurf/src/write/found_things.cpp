@@ -426,9 +426,9 @@ Found free_worlds(const SceneExport& scene, SceneColumn) {
 Found entity_keys(const SceneExport& scene, SceneColumn column) {
   const bool has_masks = column == SceneColumn::sdf || column == SceneColumn::mjcf;
   const auto is_said = [&](std::string_view key) {
-    constexpr std::string_view kSaid[] = {"geometry", "extend",   "mass",    "movable",
-                                          "material", "length",   "width",   "height",
-                                          "t_width",  "t_height", "t_scale", "t_srcname"};
+    constexpr std::string_view kSaid[] = {"geometry", "physicmode", "extend",   "mass",   "movable",
+                                          "material", "length",     "width",    "height", "t_width",
+                                          "t_height", "t_scale",    "t_srcname"};
     if (ranges::contains(kSaid, key)) return true;
     if (key == "cfriction1") return has_masks || column == SceneColumn::usda;
     if (key == "cfriction2") return column == SceneColumn::sdf;

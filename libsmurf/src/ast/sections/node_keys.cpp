@@ -13,6 +13,11 @@ constexpr std::string_view kPhysicsModes[] = {
     "reference", "empty", "undefined", "heightfield", "1",        "2",     "3",
     "4",         "5",     "6",         "7",           "8",        "9"};
 
+/// Without 7, a terrain.
+constexpr std::string_view kVisualTypes[] = {
+    "mesh", "box", "sphere", "capsule", "cylinder", "plane", "reference", "empty",
+    "1",    "2",   "3",      "4",       "5",        "6",     "8",         "9"};
+
 constexpr KeySpec kNodeKeys[] = {
     {.name = "mass",
      .type = number,
@@ -75,7 +80,10 @@ constexpr KeySpec kNodeKeys[] = {
      .type = quaternion,
      .doc = "Rotation of the visual.",
      .fallback = R"({"w": 1, "x": 0, "y": 0, "z": 0})"},
-    {.name = "visualType", .type = text, .doc = "Shape of the visual: box, sphere, empty, ..."},
+    {.name = "visualType",
+     .type = text,
+     .doc = "Shape of the visual, by name or by the number of old MARS files.",
+     .choices = kVisualTypes},
     {.name = "materialName", .type = text, .doc = "Name of the material."},
     {.name = "inertia", .type = boolean, .doc = "Use i00 to i22 instead of the shape's inertia."},
     {.name = "i00",

@@ -5,7 +5,14 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kLastLine = "reads a last line without `:` as a key without a value";
+
 constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, kLastLine, "yaml-cpp 0.7, run", "#line"},
+    {&readers::mars, Effect::changes, "closes the quote at the end of the file",
+     "yaml-cpp 0.7, run", "#quote#main"},
+    {&readers::mars2, Effect::changes, kLastLine, "yaml-cpp 0.7, run", "#line"},
+    {&readers::envire, Effect::changes, kLastLine, "yaml-cpp 0.7, run", "#line"},
     {&readers::mars, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
     {&readers::mars2, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
     {&readers::envire, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},

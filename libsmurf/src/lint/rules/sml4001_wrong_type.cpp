@@ -9,9 +9,13 @@ using enum Effect;
 
 constexpr std::string_view kEnds = "ends with an uncaught exception";
 constexpr std::string_view kUnread = "does not read the section";
+constexpr std::string_view kMakesRoom =
+    "reads uninitialised memory, makes room for as many values, and ends";
 constexpr std::string_view kRaises = "raises an exception";
 
 constexpr Fact kFacts[] = {
+    {&readers::mars, ignores, "reads only the requested pose", kRun, "/poses/#entry-list"},
+    {&readers::mars, ignores, "reads only the requested pose", kRun, "/poses/#entry-single"},
     {&readers::mars, refuses, kEnds, kRun, "/submechanisms/#section-text"},
     {&readers::mars, refuses, kEnds, kRun, "/submechanisms/#section-blank"},
     {&readers::mars, refuses, kEnds, kRun, "#entry-nothing"},
@@ -23,15 +27,16 @@ constexpr Fact kFacts[] = {
     {&readers::mars, ignores, "does not read it", kRun, "/date/"},
     {&readers::mars, ignores, "does not read it", kRun, "/description/"},
     {&readers::mars, ignores, "does not read it", kRun, "/SMURF version/"},
-    {&readers::mars, ignores, "keeps its own value", kRun, "/background/#mapping-text"},
-    {&readers::mars, ignores, "keeps its own value", kRun, "/fog/#mapping-text"},
-    {&readers::mars, ignores, "keeps its own value", kRun, "/fog/color/#mapping-text"},
+    {&readers::mars, refuses, kEnds, kRun, "/physics/#mapping-single"},
+    {&readers::mars, refuses, kEnds, kRun, "/physics/ode/#mapping-single"},
+    {&readers::mars, refuses, kMakesRoom, kRun, "/sensors/width/#value-blank"},
     {&readers::mars, ignores, "does not read it", kRun, "/modelname/"},
     {&readers::mars, ignores, "does not read it", kRun, "/collision/link/"},
     {&readers::mars, ignores, "does not read it", kRun, "/visuals/link/"},
     {&readers::mars, ignores, "does not read it", kRun, "/depth_image/"},
     {&readers::mars, ignores, "does not read it", kRun, "/springDamping/"},
     {&readers::mars, ignores, "does not read it", kRun, "/springStiffness/"},
+    {&readers::mars, takes, "reads a mapping as the only entity", kRun, "#entity-only"},
     {&readers::mars, refuses, kEnds, kRun, "#entity-"},
     {&readers::mars, loses, "finds no entry in it", kRun, "#section-mapping"},
     {&readers::mars, refuses, kEnds, kRun, "#section-"},
@@ -66,6 +71,14 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, takes, "accepts a list as well", kRun, "/emissionColor/#mapping-list"},
     {&readers::phobos, takes, "accepts a list as well", kRun, "/orientation_offset/#mapping-list"},
     {&readers::phobos, ignores, "reads no joints", kRun, "/joints/#mapping-empty"},
+    {&readers::phobos, refuses, kRaises, kRun, "/sensors/link/"},
+    {&readers::phobos, refuses, kRaises, kRun, "/contextual_name/"},
+    {&readers::phobos, refuses, kRaises, kRun, "/smurfs/file/"},
+    {&readers::phobos, refuses, kRaises, kRun, "/entities/file/"},
+    {&readers::phobos, refuses, kRaises, kRun, "/smurfs/anchor/"},
+    {&readers::phobos, refuses, kRaises, kRun, "/entities/anchor/"},
+    {&readers::phobos, refuses, kRaises, kRun, "/smurfs/parent/#value-mapping"},
+    {&readers::phobos, refuses, kRaises, kRun, "/entities/parent/#value-mapping"},
     {&readers::phobos, ignores, "keeps the value as it is", kRun, "/joint/name/#value-mapping"},
     {&readers::phobos, ignores, "keeps the value as it is", kRun, "/link/name/#value-mapping"},
     {&readers::phobos, refuses, kRaises, kRun, "/joint/name/"},

@@ -5,7 +5,13 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kMakesRoom = "makes room for as many values, and ends";
+
 constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::refuses, kMakesRoom, kRun, "/sensors/width/#negative"},
+    {&readers::mars, Effect::refuses, kMakesRoom, kRun, "/sensors/height/#negative"},
+    {&readers::mars, Effect::refuses, kMakesRoom, kRun, "/sensors/bands/#negative"},
+    {&readers::mars, Effect::refuses, kMakesRoom, kRun, "/sensors/lasers/#negative"},
     {&readers::mars, Effect::changes, "uses the number as it is", "MARS MotorData.cpp and others"},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };

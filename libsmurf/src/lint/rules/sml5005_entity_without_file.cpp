@@ -6,6 +6,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "includes nothing", "MARS 71a5c45, run", "#scene"},
     {&readers::mars, Effect::crashes, "ends with an uncaught exception",
      "MARS SMURFLoader.cpp:319-322"},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},

@@ -39,9 +39,11 @@ void check_size(yaml::View extend, std::string_view shape, Findings& findings) {
     const yaml::View size = extend.find(kNames[i]);
     const std::optional<double> number = size ? size.number() : 0;
     if (!number || *number > 0) continue;  // another rule reports values that are not numbers
-    findings.report(size ? size.span() : extend.span(), "`extend` gives the " + std::string(shape) +
-                                                            " the size " + format_number(*number) +
-                                                            " along " + std::string(kNames[i]));
+    findings
+        .report(size ? size.span() : extend.span(), "`extend` gives the " + std::string(shape) +
+                                                        " the size " + format_number(*number) +
+                                                        " along " + std::string(kNames[i]))
+        .construct = "size";
     return;
   }
 }
@@ -65,17 +67,16 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (!shape.is_scalar() || !is_known) return report_shape(shape, findings);
     check_size(keys.find("extend"), shape.text(), findings);
     const bool has_preset = shape.text() != "cylinder" && shape.text() != "capsule";
-    if (!has_preset && !keys.find("extend")) {
-      Diagnostic& diagnostic =
-          findings.report(shape.span(), "a primitive " + std::string(shape.text()) +
-                                            " has no size unless "
-                                            "`extend` gives it one");
-      diagnostic.help("add `extend: {x: RADIUS, y: LENGTH, z: 0}`");
-    }
+    if (has_preset || (keys.find("extend") && keys.find("physicmode"))) return;
+    const std::string name(shape.text());
+    Diagnostic& diagnostic = findings.report(
+        shape.span(), "MARS makes a " + name + " only from `physicmode` and `extend`");
+    diagnostic.help("add `physicmode: " + name + ", extend: {x: RADIUS, y: LENGTH, z: 0}`");
   });
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, "#size"},
     {&readers::mars, Effect::crashes,
      "ends with an uncaught exception: it reads the shape from `geometry: {type: ...}`, and has "
      "sizes for plane, box and sphere only",
@@ -89,8 +90,8 @@ extern constinit const Rule sml5023_primitive_without_shape{
     .name = "primitive-without-shape",
     .severity = Severity::error,
     .summary = "An entity of type primitive has no shape, an unknown one, or one without a size.",
-    .remedy = "Write `geometry: {type: box}` (plane, sphere, cylinder, capsule); give a cylinder "
-              "or capsule its `extend`.",
+    .remedy = "Write `geometry: {type: box}` (plane, sphere); give a cylinder or capsule its "
+              "`physicmode` and its `extend`.",
     .check_scene = check,
     .facts = kFacts};
 

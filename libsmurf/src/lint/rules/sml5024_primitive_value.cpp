@@ -36,6 +36,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     }
     for (const Diagnostic& wrong : found.diagnostics()) {
       Diagnostic& diagnostic = findings.report(wrong.span, wrong.message);
+      diagnostic.construct = wrong.construct;
       diagnostic.help(wrong.help_text);
       diagnostic.fixes = wrong.fixes;
     }
@@ -43,6 +44,12 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception", kRun, "#value-mapping"},
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception", kRun, "#value-empty"},
+    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, "/extend/x/"},
+    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, "/extend/y/"},
+    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, "/extend/z/"},
+    {&readers::mars, Effect::changes, "reads 0 or any number", kRun, "#value-"},
     {&readers::mars, Effect::crashes,
      "ends with an uncaught exception, or reads uninitialised memory", "MARS NodeData.cpp:181-184"},
 };
