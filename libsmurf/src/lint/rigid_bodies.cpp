@@ -86,9 +86,11 @@ bool has_unread_inertia(const LinkedModel& model, const urdf::Inertial& inertial
       {"ixx", &inertial.ixx}, {"ixy", &inertial.ixy}, {"ixz", &inertial.ixz},
       {"iyy", &inertial.iyy}, {"iyz", &inertial.iyz}, {"izz", &inertial.izz}};
   const auto is_lost = [&](const auto& entry) {
-    if (*entry.second || !entry.second->written) return !entry.second->written;
+    const auto& [name, field] = entry;
+    if (!field->written) return true;
+    if (*field) return false;
     const xml::View element(model.robot->document, inertial.element);
-    const xml::Attribute* at = element.child("inertia").attribute(entry.first);
+    const xml::Attribute* at = element.child("inertia").attribute(name);
     return at == nullptr || !is_underflow(at->value());
   };
   return std::any_of(std::begin(entries), std::end(entries), is_lost);
