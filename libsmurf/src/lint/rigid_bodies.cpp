@@ -89,8 +89,9 @@ bool has_unread_inertia(const LinkedModel& model, const urdf::Inertial& inertial
     const auto& [name, field] = entry;
     if (!field->written) return true;
     if (*field) return false;
-    const xml::View element(model.robot->document, inertial.element);
-    const xml::Attribute* at = element.child("inertia").attribute(name);
+    // The element may have a name in another case, in which urdfdom finds no inertia.
+    const xml::View inertia = xml::View(model.robot->document, inertial.element).child("inertia");
+    const xml::Attribute* at = inertia ? inertia.attribute(name) : nullptr;
     return at == nullptr || !is_underflow(at->value());
   };
   return std::any_of(std::begin(entries), std::end(entries), is_lost);
