@@ -14,7 +14,6 @@ constexpr std::string_view kMakesRoom =
 constexpr std::string_view kRaises = "raises an exception";
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, ignores, "reads only the requested pose", kRun, "/poses/#entry-list"},
     {&readers::mars, ignores, "reads only the requested pose", kRun, "/poses/#entry-single"},
     {&readers::mars, refuses, kEnds, kRun, "/submechanisms/#section-text"},
     {&readers::mars, refuses, kEnds, kRun, "/submechanisms/#section-blank"},
