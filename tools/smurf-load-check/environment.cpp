@@ -69,7 +69,7 @@ class EnvironmentBuilder {
       return CapsuleShape{capsule->radius, capsule->length};
     }
     const auto* map = std::get_if<FlatHeightmap>(&geometry);
-    // An old scene names its images in another file. They are left out, as its meshes are.
+    // The heightmaps and meshes that an old scene names are left out.
     if (map == nullptr || path::file_name(map->file) != path::file_name(instance.file)) {
       return std::nullopt;
     }

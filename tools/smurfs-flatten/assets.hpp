@@ -17,8 +17,8 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
                             const FlattenOptions& options, const FileReader& files,
                             const Limits& limits);
 
-/// The copies that a result names, and the files that these need. `text` is the result; names are
-/// sought as they are written in XML. Previews contain their meshes, so they name no files.
+/// The copies that the result `text` refers to, and the files that these copies need. Paths are
+/// compared as XML escapes them. Previews contain their meshes and refer to no files.
 AssetCopies named_copies(const AssetCopies& copies, std::string_view text,
                          const FlattenOptions& options);
 

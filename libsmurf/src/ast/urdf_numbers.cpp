@@ -325,7 +325,7 @@ void report_percent(Span place, std::string_view value, DiagnosticSink& sink) {
   Diagnostic& diagnostic =
       sink.report(rules::sml1012_percent_in_value, place, quoted(value) + " contains `%`");
   diagnostic.note("urdfdom up to 5.0 passes this text to printf, which may crash");
-  mark_uncertain(diagnostic);
+  mark_uncertain(diagnostic);  // for the elements where a run may end or not
 }
 
 std::optional<double> parse_hexadecimal(std::string_view text) {

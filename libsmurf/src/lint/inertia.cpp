@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.hpp"
+
 namespace smurf {
 
 bool is_written(const urdf::Inertial& inertial) {
-  return inertial.ixx.written && inertial.ixy.written && inertial.ixz.written &&
-         inertial.iyy.written && inertial.iyz.written && inertial.izz.written;
+  return !ranges::any_of(entries_of(inertial), [](const auto* entry) { return !entry->written; });
 }
 
 bool is_diagonal(const urdf::Inertial& inertial) {
@@ -18,10 +19,8 @@ bool is_diagonal(const urdf::Inertial& inertial) {
 }
 
 std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& inertial) {
-  const Field<double>* const entries[] = {&inertial.ixx, &inertial.ixy, &inertial.ixz,
-                                          &inertial.iyy, &inertial.iyz, &inertial.izz};
   double scale = 0;
-  for (const Field<double>* entry : entries) {
+  for (const Field<double>* entry : entries_of(inertial)) {
     if (!*entry) return std::nullopt;
     scale = std::fmax(scale, std::fabs(**entry));
   }

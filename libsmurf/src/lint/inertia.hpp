@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 
 #include "base/readers.hpp"
 #include "base/uncertain.hpp"
@@ -11,6 +12,12 @@
 
 namespace smurf {
 
+/// The names of the six entries, and the entries in this order.
+inline constexpr std::array<std::string_view, 6> kInertiaEntries = {"ixx", "ixy", "ixz",
+                                                                    "iyy", "iyz", "izz"};
+inline std::array<const Field<double>*, 6> entries_of(const urdf::Inertial& inertial) {
+  return {&inertial.ixx, &inertial.ixy, &inertial.ixz, &inertial.iyy, &inertial.iyz, &inertial.izz};
+}
 /// Whether all six entries are written, readable or not.
 bool is_written(const urdf::Inertial& inertial);
 /// Principal moments, ascending, kg m^2; none unless all six entries are readable.

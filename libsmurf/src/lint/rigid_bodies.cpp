@@ -10,11 +10,12 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "ast/urdf_numbers.hpp"
 #include "base/path.hpp"
 #include "base/words.hpp"
+#include "lint/inertia.hpp"
+#include "lint/sdf_values.hpp"
 #include "smurf/pose.hpp"
 
 namespace smurf {
@@ -41,10 +42,9 @@ std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept
   return body;
 }
 
-/// Reads a flag like sdformat 12.3 (run): in any case, from the attribute if there is one.
+/// Reads a flag like sdformat 12.3 (run): in any case.
 bool is_set(xml::View flag) {
-  const xml::Attribute* value = flag.attribute("value");
-  const std::string text = path::to_lower(trimmed(value != nullptr ? value->value() : flag.text()));
+  const std::string text = path::to_lower(trimmed(sdf::given_value(flag)));
   return text == "true" || text == "yes" || text == "1";
 }
 
@@ -82,19 +82,15 @@ bool has_unread_mass(const urdf::Inertial& inertial) {
 /// Whether an entry of the inertia is missing or unreadable: then urdfdom leaves all six at 0. It
 /// reads one that is too small for a double as 0 and goes on.
 bool has_unread_inertia(const LinkedModel& model, const urdf::Inertial& inertial) {
-  const std::pair<std::string_view, const Field<double>*> entries[] = {
-      {"ixx", &inertial.ixx}, {"ixy", &inertial.ixy}, {"ixz", &inertial.ixz},
-      {"iyy", &inertial.iyy}, {"iyz", &inertial.iyz}, {"izz", &inertial.izz}};
-  const auto is_lost = [&](const auto& entry) {
-    const auto& [name, field] = entry;
-    if (!field->written) return true;
-    if (*field) return false;
-    // The element may have a name in another case, in which urdfdom finds no inertia.
-    const xml::View inertia = xml::View(model.robot->document, inertial.element).child("inertia");
-    const xml::Attribute* at = inertia ? inertia.attribute(name) : nullptr;
-    return at == nullptr || !is_underflow(at->value());
-  };
-  return std::any_of(std::begin(entries), std::end(entries), is_lost);
+  const std::array<const Field<double>*, 6> entries = entries_of(inertial);
+  // The element may have a name in another case, in which urdfdom finds no inertia.
+  const xml::View inertia = xml::View(model.robot->document, inertial.element).child("inertia");
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (*entries[i]) continue;
+    const xml::Attribute* at = inertia ? inertia.attribute(kInertiaEntries[i]) : nullptr;
+    if (at == nullptr || !is_underflow(at->value())) return true;
+  }
+  return false;
 }
 
 /// As sdformat adds it up, whatever its sign.

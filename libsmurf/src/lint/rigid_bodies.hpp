@@ -46,8 +46,8 @@ std::vector<bool> alone_in_motion(const LinkedModel& model);
 /// others.
 std::vector<bool> sound_together(const LinkedModel& model);
 
-/// By link: whether sdformat merges several inertials, and the smallest moment of their sum is so
-/// near 0 that rounding errors decide whether it is acceptable.
+/// By link: whether sdformat merges it into a body of several inertials whose smallest moment is so
+/// close to 0 that rounding decides whether sdformat accepts the body.
 std::vector<bool> near_zero_together(const LinkedModel& model);
 
 }  // namespace smurf

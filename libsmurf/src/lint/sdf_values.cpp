@@ -133,6 +133,11 @@ std::optional<double> read_scalar(char value, std::string_view text) {
 
 }  // namespace
 
+std::string_view given_value(xml::View element) {
+  const xml::Attribute* value = element.attribute("value");
+  return value != nullptr ? value->value() : element.text();
+}
+
 std::string_view trimmed_text(std::string_view text) {
   constexpr std::string_view kTrimmed = " \t\n";
   const std::size_t begin = text.find_first_not_of(kTrimmed);

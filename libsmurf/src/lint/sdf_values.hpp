@@ -17,6 +17,8 @@ std::optional<double> leading_number(std::string_view text);
 std::optional<long long> leading_integer(std::string_view text, int base);
 /// As three numbers read from a stream.
 std::optional<std::array<double, 3>> read_vector(std::string_view text);
+/// The attribute `value` of an element for Gazebo, or else its text: sdformat reads it so.
+std::string_view given_value(xml::View element);
 /// Without what sdformat takes off both ends.
 std::string_view trimmed_text(std::string_view text);
 

@@ -40,33 +40,38 @@ std::string name_of(xml::View element) {
   return std::string(name != nullptr ? name->value() : element.name());
 }
 
-/// What an element of URDF, and those in it, have that URDF does not define: children, without
-/// those that passes::extension_elements() finds, and attributes.
-void find_undefined(xml::View element, const urdf::ElementSpec& spec, int depth, Found* children,
-                    Found* attributes) {
-  const auto is_named = [](std::string_view name) {
-    return [name](const auto& known) { return known.name == name; };
-  };
+/// What URDF does not define.
+struct Undefined {
+  Found elements;  ///< without those that passes::extension_elements() finds
+  Found attributes;
+};
+
+template <class Spec>
+bool has_name(std::span<const Spec> table, std::string_view name) {
+  return ranges::any_of(table, [&](const Spec& known) { return known.name == name; });
+}
+
+/// Adds what is undefined in an element of URDF, at any depth.
+void add_undefined(xml::View element, const urdf::ElementSpec& spec, int depth, Undefined& found) {
   for (const xml::Attribute& at : element.attributes()) {
-    if (attributes == nullptr || at.name().starts_with("xmlns")) continue;
-    if (ranges::any_of(spec.attributes, is_named(at.name()))) continue;
-    attributes->push_back({at.name_span(), shortened(at.name(), kMostOfName)});
+    if (at.name().starts_with("xmlns") || has_name(spec.attributes, at.name())) continue;
+    found.attributes.push_back({at.name_span(), shortened(at.name(), kMostOfName)});
   }
   for (const xml::View child : element) {
-    const urdf::ElementSpec* known = ranges::any_of(spec.children, is_named(child.name()))
-                                         ? urdf::find_element_spec(child.name())
-                                         : nullptr;
+    const urdf::ElementSpec* known =
+        has_name(spec.children, child.name()) ? urdf::find_element_spec(child.name()) : nullptr;
     if (known != nullptr) {
-      find_undefined(child, *known, depth + 1, children, attributes);
-    } else if (children != nullptr && depth > 1) {
-      children->push_back({child.name_span(), shortened(child.name(), kMostOfName)});
+      add_undefined(child, *known, depth + 1, found);
+    } else if (depth > 1) {
+      found.elements.push_back({child.name_span(), shortened(child.name(), kMostOfName)});
     }
   }
 }
 
-void find_undefined(const LinkedModel& model, Found* children, Found* attributes) {
-  const xml::View robot = model.robot->document.view();
-  find_undefined(robot, *urdf::find_element_spec("robot"), 0, children, attributes);
+Undefined find_undefined(const LinkedModel& model) {
+  Undefined found;
+  add_undefined(model.robot->document.view(), *urdf::find_element_spec("robot"), 0, found);
+  return found;
 }
 
 /// Whether a format has actuators.
@@ -278,14 +283,12 @@ Found other_extensions(const LinkedModel& model, SceneColumn) {
                          element.name() == "ros2_control";
     if (!has_row) found.push_back({element.name_span(), std::string(element.name())});
   }
-  find_undefined(model, &found, nullptr);
+  append(found, find_undefined(model).elements);
   return found;
 }
 
 Found other_attributes(const LinkedModel& model, SceneColumn) {
-  Found found;
-  if (model.robot) find_undefined(model, nullptr, &found);
-  return found;
+  return model.robot ? find_undefined(model).attributes : Found();
 }
 
 Found motors(const LinkedModel& model, SceneColumn column) {

@@ -10,7 +10,8 @@
 namespace smurf::rules {
 namespace {
 
-/// What the construct depends on; collected once, because every joint may be such a one.
+/// The names of roots and of children. Collected once, because every joint of a file may connect a
+/// link to itself.
 class Tree {
  public:
   explicit Tree(const LinkedModel& model) : roots_(model.tree.roots.size()) {
@@ -24,8 +25,7 @@ class Tree {
   /// joint leads to it.
   bool has_other_roots(std::string_view link) const { return roots_ - roots_named(link) > 1; }
   bool is_only_root(std::string_view link) const { return roots_ == 1 && roots_named(link) == 1; }
-  /// Whether no other joint leads to the link, so that readers that start at the root never reach
-  /// it.
+  /// Whether no other joint leads to the link. Readers that start at the root do not find it then.
   bool is_apart(std::string_view link) const { return roots_ > 0 && !reached_.contains(link); }
 
  private:

@@ -41,10 +41,8 @@ void report(const xml::View element, const char* construct, Findings& findings) 
 
 /// A value that sdformat translates, wherever the element belongs.
 void check_value(const xml::View element, const urdf::Link* link, Findings& findings) {
-  // sdformat reads the attribute `value` where there is one.
-  const xml::Attribute* value = element.attribute("value");
   const std::string_view name = element.name();
-  const std::string_view text = value != nullptr ? value->value() : element.text();
+  const std::string_view text = sdf::given_value(element);
   const bool has_collisions = link != nullptr && !link->collisions.empty();
   if (ranges::contains(kNumbers, name)) {
     const auto number = sdf::leading_number(text);

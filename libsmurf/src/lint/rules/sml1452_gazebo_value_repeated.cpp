@@ -7,6 +7,7 @@
 #include "base/readers.hpp"
 #include "base/words.hpp"
 #include "lint/queries.hpp"
+#include "lint/sdf_values.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -30,11 +31,6 @@ constexpr std::string_view kSingle[] = {"mu1",
                                         "springStiffness",
                                         "springReference"};
 
-std::string_view value_of(xml::View element) {
-  const xml::Attribute* value = element.attribute("value");
-  return trimmed(value != nullptr ? value->value() : element.text());
-}
-
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   std::map<std::pair<std::string_view, std::string_view>, xml::View> last;  // by reference and name
@@ -48,7 +44,7 @@ void check(const LinkedModel& model, Findings& findings) {
       const auto [first, is_new] = last.try_emplace({about, element.name()}, element);
       if (is_new) continue;
       const xml::View before = std::exchange(first->second, element);
-      if (value_of(before) == value_of(element)) continue;
+      if (trimmed(sdf::given_value(before)) == trimmed(sdf::given_value(element))) continue;
       findings.report(before.name_span(), quoted(element.name()) + " is set to another value below")
           .label(element.name_span(), "Gazebo uses this one");
     }
@@ -65,7 +61,7 @@ extern constinit const Rule sml1452_gazebo_value_repeated{
     .id = "SML1452",
     .name = "gazebo-value-repeated",
     .severity = Severity::warning,
-    .summary = "Elements for Gazebo give one value of a link, a joint or the robot twice.",
+    .summary = "A value for Gazebo is set more than once for a link, a joint or the robot.",
     .why = "Whoever changes the first one sees no effect.",
     .remedy = "Delete all but one of them.",
     .check_model = check,

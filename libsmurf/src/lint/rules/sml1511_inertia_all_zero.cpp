@@ -7,10 +7,9 @@
 namespace smurf::rules {
 namespace {
 
-/// The place of an entry that urdfdom cannot read, after which it leaves all six at 0.
+/// The first entry that urdfdom cannot read. It leaves all six at 0 then.
 std::optional<Span> find_unread(const urdf::Inertial& inertial) {
-  for (const Field<double>* entry :
-       {&inertial.ixx, &inertial.ixy, &inertial.ixz, &inertial.iyy, &inertial.iyz, &inertial.izz}) {
+  for (const Field<double>* entry : entries_of(inertial)) {
     if (entry->written && !*entry) return entry->span;
   }
   return std::nullopt;
@@ -22,25 +21,23 @@ void check(const LinkedModel& model, Findings& findings) {
   std::vector<bool> near_zero;  // computed when it is needed
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
-    const std::size_t at = index;
-    const bool is_alone = alone[index];
-    const bool is_frame = is_carried[index++];
+    const std::size_t at = index++;
     if (!link.inertial || link.inertial->mass.value_or(0) <= 0) return;
-    const auto moments = principal_moments(*link.inertial);
     if (const auto place = find_unread(*link.inertial)) {
       if (near_zero.empty()) near_zero = near_zero_together(model);
       if (near_zero[at]) findings.add_consequence(*place);
       return;
     }
+    const auto moments = principal_moments(*link.inertial);
     if (!moments || (*moments)[0] != 0 || (*moments)[2] != 0) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is zero, but its mass is not");
     // A point mass on another body: together they have an inertia.
-    if (is_frame) {
+    if (is_carried[at]) {
       diagnostic.severity = Severity::info;
     } else {
-      diagnostic.construct = is_alone ? "moving#alone" : "moving";
+      diagnostic.construct = alone[at] ? "moving#alone" : "moving";
     }
   });
 }
