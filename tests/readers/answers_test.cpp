@@ -1,73 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The printed verdicts of targets on whole robots.
+// The printed verdicts of targets on a robot with a changed value, name or element.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <span>
-#include <string>
-
-#include "smurf/check.hpp"
-#include "smurf/readers.hpp"
+#include "readers/answers.hpp"
 
 using namespace smurf;
-
-namespace {
-
-constexpr std::string_view kRobot = R"(<robot name="r">
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
-  </inertial>
-  <collision><geometry><box size="1 1 1"/></geometry></collision>
-</link>
-<link name="arm">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
-  </inertial>
-  <collision><geometry><sphere radius="1"/></geometry></collision>
-</link>
-<joint name="a" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="1" velocity="1"/>
-</joint>
-</robot>
-)";
-
-constexpr const char* kTetrahedron =
-    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-
-/// The robot after replacing `original` by `text`; with "", the robot is unchanged.
-std::string damaged(std::string_view original, std::string_view text) {
-  std::string robot(kRobot);
-  for (std::size_t at = original.empty() ? std::string::npos : robot.find(original);
-       at != std::string::npos; at = robot.find(original, at + text.size())) {
-    robot.replace(at, original.size(), text);
-  }
-  return robot;
-}
-
-Answer answer_to(std::string_view target, const std::string& robot,
-                 std::span<const char* const> meshes = {}) {
-  MemoryFiles files;
-  files.add("robot.urdf", robot);
-  for (const char* path : meshes) files.add(path, kTetrahedron);
-  CheckSettings settings;
-  settings.selection.targets = {find_target(target)};
-  Session session(files);
-  const Report report = session.check("robot.urdf", settings);
-  REQUIRE(report.targets.size() == 1);
-  return report.targets.front().answer();
-}
-
-Answer answer_for(std::string_view target, std::string_view original, std::string_view text) {
-  return answer_to(target, damaged(original, text));
-}
-
-}  // namespace
 
 TEST_CASE("a slip in a name that readers need is judged as what is missing") {
   using enum Answer;
@@ -326,80 +263,6 @@ TEST_CASE("sdformat reads numbers of sensors, and poses of models") {
   CHECK(add("<gazebo><pose>1 2 3 0 0 0</pose></gazebo>") == takes);
 }
 
-namespace {
-
-/// The robot with more elements at its end.
-std::string with(std::string_view elements, std::string robot = std::string(kRobot)) {
-  return robot.insert(robot.rfind("</robot>"), elements);
-}
-
-constexpr std::string_view kTip =
-    "<link name=\"tip\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" "
-    "iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial></link>";
-constexpr std::string_view kFrame = "<link name=\"tip\"/>";
-
-std::string joint(std::string_view name, std::string_view type, std::string_view parent,
-                  std::string_view child, std::string_view rest = "") {
-  std::string text("<joint name=\"");
-  text.append(name).append("\" type=\"").append(type).append("\"><parent link=\"");
-  text.append(parent).append("\"/><child link=\"").append(child).append("\"/>");
-  return text.append(rest).append("</joint>");
-}
-
-}  // namespace
-
-TEST_CASE("MuJoCo refuses settings that it cannot read") {
-  using enum Answer;
-  const auto answer_with = [](std::string_view settings) {
-    return answer_to("mujoco", with("<mujoco>" + std::string(settings) + "</mujoco>"));
-  };
-  CHECK(answer_with("<size memory=\"-1\"/>") == takes);
-  CHECK(answer_with("<size memory=\"1M\"/>") == unknown);
-  CHECK(answer_with("<size memory=\"1MB\"/>") == refuses);
-  CHECK(answer_with("<size memory=\"1e6\"/>") == refuses);
-  CHECK(answer_with("<size nconmax=\"-1\"/>") == takes);
-  CHECK(answer_with("<size nconmax=\"-2\"/>") == refuses);
-  CHECK(answer_with("<size nuser_body=\"1.5\"/>") == refuses);
-  CHECK(answer_with("<option iterations=\"\"/>") == takes);
-  CHECK(answer_with("<option iterations=\"5.5\"/>") == refuses);
-  CHECK(answer_with("<option timestep=\"1e-310\"/>") == refuses);
-  CHECK(answer_with("<option o_solref=\"1\"/>") == takes);
-  CHECK(answer_with("<option o_solref=\"1 2 3\"/>") == refuses);
-  CHECK(answer_with("<option actuatorgroupdisable=\"31\"/>") == refuses);
-  CHECK(answer_with("<option/><option/>") == refuses);
-  CHECK(answer_with("<option><flag gravity=\"disable\"/></option>") == takes);
-  CHECK(answer_with("<option><flag gravity=\"off\"/></option>") == refuses);
-  CHECK(answer_with("<compiler inertiagrouprange=\"1\"/>") == refuses);
-}
-
-TEST_CASE("a body can float in what is fixed to the root, which MuJoCo makes a part of the world") {
-  const std::string tip = std::string(kTip) + joint("f", "floating", "arm", "tip");
-  const std::string fixed = damaged("revolute", "fixed");
-  CHECK(answer_to("mujoco", with(tip, fixed)) == Answer::takes);
-  CHECK(answer_to("mujoco", with(tip)) == Answer::refuses);
-  CHECK(answer_to("mujoco", with(tip + "<mujoco><compiler fusestatic=\"false\"/></mujoco>",
-                                 fixed)) == Answer::refuses);
-}
-
-TEST_CASE("MuJoCo builds joints that mimic each other, but none that mimics itself") {
-  using enum Answer;
-  constexpr std::string_view kLimit =
-      "<limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/>";
-  const auto mimic = [&](std::string_view followed) {
-    return std::string(kLimit) + "<mimic joint=\"" + std::string(followed) + "\"/>";
-  };
-  const auto tip = [&](std::string_view type, std::string_view followed) {
-    return std::string(kTip) + joint("b", type, "arm", "tip", mimic(followed));
-  };
-  const std::string follower = damaged("velocity=\"1\"/>", "velocity=\"1\"/><mimic joint=\"b\"/>");
-  CHECK(answer_to("mujoco", with(tip("revolute", "a"), follower)) == loses);
-  CHECK(answer_to("mujoco", with(tip("revolute", "b"))) == refuses);
-  CHECK(answer_to("mujoco", with(tip("fixed", "b"))) == takes);
-  const std::string far = std::string(kLimit) + "<mimic joint=\"a\" offset=\"1e200\"/>";
-  CHECK(answer_to("mujoco", with(std::string(kTip) + joint("b", "revolute", "arm", "tip", far))) ==
-        loses);
-}
-
 TEST_CASE("MuJoCo adds moments of inertia as it compares them") {
   CHECK(answer_for("mujoco", "ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"",
                    "ixx=\"0.30000000000000004\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" "
@@ -418,41 +281,6 @@ TEST_CASE("MuJoCo counts the numbers of a vector before it uses them") {
   CHECK(answer_with("<mesh filename=\"a.obj\" scale=\"inf 1 1 1\"/>") == refuses);
   CHECK(answer_with("<mesh filename=\"a.obj\" scale=\"infinity 1 1\"/>") == refuses);
   CHECK(answer_with("<mesh filename=\"a\"/>") == refuses);
-}
-
-TEST_CASE("sdformat does not build joints to links that it drops") {
-  using enum Answer;
-  const auto answer_with = [](std::string_view link, std::string_view type) {
-    return answer_to("gazebo", with(std::string(link) + joint("f", type, "arm", "tip")));
-  };
-  CHECK(answer_with(kTip, "floating") == refuses);
-  CHECK(answer_with(kFrame, "floating") != refuses);
-  CHECK(answer_with(kTip, "planar") == refuses);
-  CHECK(answer_with(kFrame, "planar") != refuses);
-  CHECK(answer_to("gazebo", with(std::string(kTip) + joint("tip", "continuous", "arm", "tip"))) ==
-        refuses);
-  CHECK(answer_to("gazebo", with(std::string(kFrame) + joint("tip", "continuous", "arm", "tip"))) !=
-        refuses);
-}
-
-TEST_CASE("sdformat merges a link into both of its parents if its last joint is fixed") {
-  using enum Answer;
-  const auto answer_with = [](std::string_view last) {
-    return answer_to("gazebo", with(std::string(kTip) + joint("b", "fixed", "base", "tip") +
-                                    joint("c", last, "arm", "tip")));
-  };
-  CHECK(answer_with("fixed") == loses);
-  CHECK(answer_with("continuous") == refuses);
-}
-
-TEST_CASE("sdformat drops a root without mass if it is told to keep its fixed joint") {
-  std::string robot = damaged("revolute", "fixed");
-  const std::size_t inertial = robot.find("  <inertial>");
-  robot.erase(inertial, robot.find("  <collision>") - inertial);
-  CHECK(answer_to("gazebo", robot) != Answer::refuses);
-  CHECK(answer_to("gazebo", with("<gazebo reference=\"a\"><preserveFixedJoint> true "
-                                 "</preserveFixedJoint></gazebo>",
-                                 robot)) == Answer::refuses);
 }
 
 TEST_CASE("nobody misses an attribute of a second element, and nobody knows what follows a root") {
@@ -479,50 +307,6 @@ TEST_CASE("DART may find a file that a URI names") {
   };
   CHECK(answer_with("file:gone.obj") == unknown);
   CHECK(answer_with("file://gone.obj") == refuses);
-}
-
-TEST_CASE("Gazebo leaves out what a misspelt element means") {
-  using enum Answer;
-  const auto answer_with = [](std::string_view element) {
-    return answer_to("gazebo",
-                     with("<gazebo reference=\"arm\">" + std::string(element) + "</gazebo>"));
-  };
-  CHECK(answer_with("<mu1>1</mu1>") == takes);
-  CHECK(answer_with("<m1u>1</m1u>") == loses);
-  CHECK(answer_with("<MaxVel>1</MaxVel>") == loses);
-  CHECK(answer_with("<gravity>true</gravity>") == takes);
-}
-
-TEST_CASE("whether Gazebo accepts masses that are merged from far away is not known") {
-  const auto answer_at = [](std::string_view distance) {
-    const std::string origin = "<origin xyz=\"" + std::string(distance) + " 0 0\"/>";
-    return answer_to("gazebo", with(std::string(kTip) + joint("f", "fixed", "arm", "tip", origin)));
-  };
-  CHECK(answer_at("1") == Answer::takes);
-  CHECK(answer_at("1e6") == Answer::unknown);
-}
-
-TEST_CASE("whether Gazebo accepts the sum of inertias that are 0 or unreadable is not known") {
-  const auto answer_with = [](std::string_view first, std::string_view second) {
-    const auto link = [](std::string_view name, std::string_view ixx) {
-      return "<link name=\"" + std::string(name) +
-             "\"><inertial><mass value=\"1\"/><inertia ixy=\"0\" ixz=\"0\" iyz=\"0\" iyy=\"0\" "
-             "izz=\"0\" ixx=\"" +
-             std::string(ixx) + "\"/></inertial></link>";
-    };
-    return answer_to("gazebo", with(link("tip", first) + link("nail", second) +
-                                    joint("t", "fixed", "tip", "nail", R"(<origin xyz="1 2 3"/>)") +
-                                    joint("n", "continuous", "arm", "tip")));
-  };
-  CHECK(answer_with("0", "0") == Answer::unknown);
-  CHECK(answer_with("abc", "nan") == Answer::unknown);
-}
-
-TEST_CASE("MuJoCo checks each inertia, also where nothing moves") {
-  const std::string tip =
-      "<link name=\"tip\"><inertial><mass value=\"1\"/><inertia ixx=\"1e308\" ixy=\"0\" ixz=\"0\" "
-      "iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial></link>";
-  CHECK(answer_to("mujoco", with(tip + joint("f", "fixed", "base", "tip"))) == Answer::refuses);
 }
 
 TEST_CASE("DART starts in the middle of limits without 0") {
