@@ -6,8 +6,8 @@
 set(marker "@${MARKER}@")
 set(piece_size 60000)
 
-# Appends a list of raw literals. They are views of known size, since string_view would search for their end. The page is
-# ASCII, so no cut divides a character.
+# Appends a list of raw literals. They are views of known size, since string_view would search for their end. The page
+# is ASCII, so no cut divides a character.
 function(append_pieces name text)
   string(LENGTH "${text}" length)
   set(pieces "constexpr std::string_view ${name}[] = {\"\"sv")
@@ -20,7 +20,8 @@ function(append_pieces name text)
   file(APPEND ${OUTPUT} "${pieces}};\n")
 endfunction()
 
-file(WRITE ${OUTPUT} "// Made by cmake/EmbedPage.cmake.\n#include \"${STAGE}/${NAME}.hpp\"\n\nnamespace smurf {\nusing namespace std::string_view_literals;\n")
+file(WRITE ${OUTPUT} "// Made by cmake/EmbedPage.cmake.\n#include \"${STAGE}/${NAME}.hpp\"\n\n"
+  "namespace smurf {\nusing namespace std::string_view_literals;\n")
 if(PAGE)
   file(READ ${PAGE} page)
   string(FIND "${page}" ${marker} middle)
