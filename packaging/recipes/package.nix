@@ -14,7 +14,6 @@
   tinyxml-2,
   urdfdom,
   urdfdom-headers,
-  valijson,
   yaml-cpp,
 }:
 
@@ -29,7 +28,7 @@ stdenv.mkDerivation rec {
 
   nativeBuildInputs = [ cmake ninja pkg-config ];
   buildInputs = [
-    eigen libpng minizip nlohmann_json ode tinyxml-2 urdfdom urdfdom-headers valijson yaml-cpp
+    eigen libpng minizip nlohmann_json ode tinyxml-2 urdfdom urdfdom-headers yaml-cpp
   ];
   cmakeFlags = [ "-DSMURF_BUILD_TESTS=OFF" "-DSMURF_BUILD_PYTHON=OFF" ];
 

@@ -11,7 +11,6 @@ class SmurfTools < Formula
   depends_on "ninja" => :build
   depends_on "nlohmann-json" => :build
   depends_on "pkgconf" => :build
-  depends_on "valijson" => :build
   depends_on "minizip"
   depends_on "tinyxml2"
   depends_on "urdfdom"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "schema/checked_schema.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
-#include <regex>
 #include <string>
 #include <utility>
 
@@ -12,11 +12,10 @@
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
+#include "schema/json_value.hpp"
 
 namespace smurf {
 namespace {
-
-using nlohmann::json;
 
 /// Types of the values of keywords.
 enum class Holds : std::uint8_t {
@@ -38,59 +37,60 @@ enum class Holds : std::uint8_t {
   dependencies  ///< by name: a schema, or a list of texts
 };
 
-struct Keyword {
+struct KeywordRow {
   std::string_view name;
   Holds holds = Holds::anything;
-  bool is_in_place = false;  ///< the schemas in it apply to the same value
+  Keyword keyword = Keyword::never;  ///< irrelevant where it holds nothing
+  bool is_in_place = false;          ///< the schemas in it apply to the same value
 };
 
-constexpr Keyword kKeywords[] = {
+constexpr KeywordRow kKeywords[] = {
     {"$comment", Holds::nothing},
     {"$defs", Holds::schemas_by_name},
     {"$id", Holds::nothing},
-    {"$ref", Holds::reference, true},
+    {"$ref", Holds::reference, Keyword::reference, true},
     {"$schema", Holds::nothing},
-    {"additionalItems", Holds::schema},
-    {"additionalProperties", Holds::schema},
-    {"allOf", Holds::schemas, true},
-    {"anyOf", Holds::schemas, true},
-    {"const", Holds::anything},
-    {"contains", Holds::schema},
+    {"additionalItems", Holds::schema, Keyword::additional_items},
+    {"additionalProperties", Holds::schema, Keyword::additional_properties},
+    {"allOf", Holds::schemas, Keyword::all_of, true},
+    {"anyOf", Holds::schemas, Keyword::any_of, true},
+    {"const", Holds::anything, Keyword::constant},
+    {"contains", Holds::schema, Keyword::contains},
     {"contentEncoding", Holds::nothing},
     {"contentMediaType", Holds::nothing},
     {"default", Holds::nothing},
     {"definitions", Holds::schemas_by_name},
-    {"dependencies", Holds::dependencies, true},
+    {"dependencies", Holds::dependencies, Keyword::dependencies, true},
     {"description", Holds::nothing},
-    {"else", Holds::schema, true},
-    {"enum", Holds::any_list},
+    {"else", Holds::schema, Keyword::if_then_else, true},
+    {"enum", Holds::any_list, Keyword::enumeration},
     {"examples", Holds::nothing},
-    {"exclusiveMaximum", Holds::number},
-    {"exclusiveMinimum", Holds::number},
+    {"exclusiveMaximum", Holds::number, Keyword::exclusive_maximum},
+    {"exclusiveMinimum", Holds::number, Keyword::exclusive_minimum},
     {"format", Holds::nothing},  // an annotation, as draft-07 allows
-    {"if", Holds::schema, true},
-    {"items", Holds::items},
-    {"maxItems", Holds::count},
-    {"maxLength", Holds::count},
-    {"maxProperties", Holds::count},
-    {"maximum", Holds::number},
-    {"minItems", Holds::count},
-    {"minLength", Holds::count},
-    {"minProperties", Holds::count},
-    {"minimum", Holds::number},
-    {"multipleOf", Holds::number},
-    {"not", Holds::schema, true},
-    {"oneOf", Holds::schemas, true},
-    {"pattern", Holds::pattern},
-    {"patternProperties", Holds::schemas_by_pattern},
-    {"properties", Holds::schemas_by_name},
-    {"propertyNames", Holds::schema},
+    {"if", Holds::schema, Keyword::if_then_else, true},
+    {"items", Holds::items, Keyword::items},
+    {"maxItems", Holds::count, Keyword::max_items},
+    {"maxLength", Holds::count, Keyword::max_length},
+    {"maxProperties", Holds::count, Keyword::max_properties},
+    {"maximum", Holds::number, Keyword::maximum},
+    {"minItems", Holds::count, Keyword::min_items},
+    {"minLength", Holds::count, Keyword::min_length},
+    {"minProperties", Holds::count, Keyword::min_properties},
+    {"minimum", Holds::number, Keyword::minimum},
+    {"multipleOf", Holds::number, Keyword::multiple_of},
+    {"not", Holds::schema, Keyword::not_allowed, true},
+    {"oneOf", Holds::schemas, Keyword::one_of, true},
+    {"pattern", Holds::pattern, Keyword::pattern},
+    {"patternProperties", Holds::schemas_by_pattern, Keyword::pattern_properties},
+    {"properties", Holds::schemas_by_name, Keyword::properties},
+    {"propertyNames", Holds::schema, Keyword::property_names},
     {"readOnly", Holds::nothing},
-    {"required", Holds::texts},
-    {"then", Holds::schema, true},
+    {"required", Holds::texts, Keyword::required},
+    {"then", Holds::schema, Keyword::if_then_else, true},
     {"title", Holds::nothing},
-    {"type", Holds::type},
-    {"uniqueItems", Holds::boolean},
+    {"type", Holds::type, Keyword::type},
+    {"uniqueItems", Holds::boolean, Keyword::unique_items},
     {"writeOnly", Holds::nothing},
 };
 
@@ -101,37 +101,42 @@ constexpr std::string_view kTypes[] = {"array",  "boolean", "integer", "null",
 constexpr int kDeepest = 32;
 constexpr double kMost = 256;
 constexpr std::size_t kLongestPattern = 300;
-/// Limits on the patterns of a schema. Each pattern uses memory, and each pattern of names is
-/// matched again for every mapping.
+/// Limits the memory of all patterns of a schema.
 constexpr std::size_t kMostPatternSteps = 500'000;
-constexpr std::size_t kMostNamePatternSteps = 300;
-constexpr int kMostNamePatterns = 1000;
-/// Names, values and types that the library compares in one step.
-constexpr std::size_t kItemsForStep = 16;
 
-const Keyword* find_keyword(std::string_view name) {
-  for (const Keyword& keyword : kKeywords) {
+const KeywordRow* find_keyword(std::string_view name) {
+  for (const KeywordRow& keyword : kKeywords) {
     if (keyword.name == name) return &keyword;
   }
   return nullptr;
 }
 
-/// The backtracking matcher of the library matches property names. Therefore, repeated groups,
-/// which can need exponential time, are not allowed, and the number of repetitions is limited.
-bool is_simple_pattern(std::string_view pattern) {
-  int repetitions = 0;
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
-    const char next = i + 1 < pattern.size() ? pattern[i + 1] : ' ';
-    if (pattern[i] == '\\') {
-      if (next >= '1' && next <= '9') return false;
-      ++i;
-    } else if (pattern[i] == ')' && (next == '*' || next == '+' || next == '{')) {
-      return false;
-    } else if (pattern[i] == '*' || pattern[i] == '+' || pattern[i] == '{') {
-      ++repetitions;
+/// The value with this key, or at this index; null if there is none.
+yaml::View child(yaml::View parent, std::string_view step) {
+  if (parent.is_mapping()) return parent.find(step);
+  const auto index = parent.is_sequence() ? parse_integer(step) : std::nullopt;
+  if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= parent.size()) return {};
+  return *std::next(parent.begin(), static_cast<std::ptrdiff_t>(*index));
+}
+
+/// The node that "#/definitions/color" names; null if there is none or it is in another file.
+yaml::View follow_reference(yaml::View root, std::string_view reference) {
+  if (!reference.starts_with('#')) return {};
+  reference.remove_prefix(1);
+  yaml::View at = root;
+  while (at && reference.starts_with('/')) {
+    reference.remove_prefix(1);
+    const std::size_t size = std::min(reference.find('/'), reference.size());
+    std::string step(reference.substr(0, size));
+    reference.remove_prefix(size);
+    for (const auto& [escape, character] : {std::pair("~1", '/'), std::pair("~0", '~')}) {
+      for (std::size_t i = step.find(escape); i < step.size(); i = step.find(escape, i + 1)) {
+        step.replace(i, 2, 1, character);
+      }
     }
+    at = child(at, step);
   }
-  return repetitions <= 2;
+  return reference.empty() ? at : yaml::View();
 }
 
 class SchemaChecker {
@@ -143,20 +148,25 @@ class SchemaChecker {
       fault(root_.span(), "the schema is too large");
       return std::nullopt;
     }
-    json checked = schema(root_);
+    schema(root_);
     resolve_references();
     for (const auto& [id, reached] : applied_) {
       if (!is_sound_) break;
       measure(id, {}, 0);
     }
     if (!is_sound_) return std::nullopt;
-    return CheckedSchema{std::move(checked), std::move(guards_)};
+    return CheckedSchema{std::move(schemas_)};
   }
 
  private:
   struct Applied {
     yaml::NodeId schema;
     Span place;
+  };
+  struct Reference {
+    yaml::NodeId schema;
+    yaml::View value;
+    SchemaIndex index;
   };
   struct Extent {
     int depth = 0;
@@ -175,75 +185,79 @@ class SchemaChecker {
           quoted(value.key()) + " must be " + std::string(expected) + ", not " + describe(value));
   }
 
-  json schema(yaml::View node) {
+  SchemaIndex schema(yaml::View node) {
     applied_[node.id()];
-    if (node.boolean()) return *node.boolean();
-    if (!node.is_mapping()) {
+    const auto index = static_cast<SchemaIndex>(schemas_.size());
+    schemas_.push_back({node, {}});
+    indices_.emplace(node.id(), index);
+    if (const auto boolean = node.boolean()) {
+      if (!*boolean) add({Keyword::never, node}, index);
+    } else if (!node.is_mapping()) {
       fault(node.place(), "a schema must be a mapping, true or false, not " + describe(node));
-      return true;
+    } else if (const yaml::View reference = node.find("$ref")) {  // other keys have no effect
+      add_reference(node, reference, index);
+    } else {
+      for (const yaml::View value : node) {
+        if (!value.is_repeated()) add_keyword(node, value, index);
+      }
     }
-    json checked = json::object();
-    if (const yaml::View reference = node.find("$ref")) {  // other keys in this schema are ignored
-      add_reference(node, reference);
-      return json{{"$ref", std::string(reference.text())}};
-    }
-    SchemaGuard guard;
-    for (const yaml::View value : node) {
-      if (!value.is_repeated()) add_keyword(node, value, checked, guard);
-    }
-    add_guards(std::move(guard), checked);
-    return checked;
+    return index;
   }
 
-  /// The library checks the guard of a schema last, but guards in `allOf` before it compares items
-  /// or matches names.
-  void add_guards(SchemaGuard guard, json& checked) {
-    if (guard.has_name_patterns || guard.has_unique_items) {
-      checked["allOf"].push_back(json{{kGuardKey, guards_.size()}});
-      guards_.push_back({.steps = guard.steps,
-                         .has_name_patterns = std::exchange(guard.has_name_patterns, false),
-                         .has_unique_items = std::exchange(guard.has_unique_items, false)});
-    }
-    checked[kGuardKey] = guards_.size();
-    guards_.push_back(std::move(guard));
+  void add(SchemaCheck check, SchemaIndex index) {
+    schemas_[index].checks.push_back(std::move(check));
   }
 
-  void add_keyword(yaml::View node, yaml::View value, json& checked, SchemaGuard& guard) {
-    const Keyword* keyword = find_keyword(value.key());
-    if (keyword == nullptr) return suggest_keyword(value);
-    const std::string name(keyword->name);
-    const bool is_many = value.is_sequence() || value.is_mapping();
-    if (is_many) guard.steps += static_cast<std::int64_t>(value.size() / kItemsForStep);
-    switch (keyword->holds) {
+  void add_keyword(yaml::View node, yaml::View value, SchemaIndex index) {
+    const KeywordRow* row = find_keyword(value.key());
+    if (row == nullptr) return suggest_keyword(value);
+    SchemaCheck check{row->keyword, value};
+    switch (row->holds) {
     case Holds::nothing: return;
-    case Holds::pattern: guard.pattern = pattern_of(value); return;
-    case Holds::schema: checked[name] = inner(node, value, *keyword); return;
-    case Holds::schemas: checked[name] = schemas(node, value, *keyword); return;
+    case Holds::pattern: add_pattern(value, check); break;
+    case Holds::schema: check.schemas = {inner(node, value, *row)}; break;
+    case Holds::schemas: add_schemas(node, value, *row, check); break;
     case Holds::schemas_by_pattern:
-      guard.has_name_patterns = value.is_mapping() && value.size() > 0;
-      guard.steps += kStepsForNamePattern * static_cast<std::int64_t>(value.size());
-      [[fallthrough]];
-    case Holds::schemas_by_name: checked[name] = schemas_by_name(node, value, *keyword); return;
+    case Holds::schemas_by_name: add_schemas_by_name(node, value, *row, check); break;
     case Holds::items:
-      checked[name] =
-          value.is_sequence() ? schemas(node, value, *keyword) : inner(node, value, *keyword);
-      return;
-    case Holds::dependencies: checked[name] = dependencies(node, value, *keyword); return;
-    case Holds::boolean: guard.has_unique_items = value.boolean().value_or(false); [[fallthrough]];
-    default: check_plain(*keyword, value); checked[name] = to_json(value);
+      if (value.is_sequence()) {
+        add_schemas(node, value, *row, check);
+      } else {
+        check.schemas = {inner(node, value, *row)};
+      }
+      break;
+    case Holds::dependencies: add_dependencies(node, value, *row, check); break;
+    default: add_plain(*row, value, check);
     }
+    if (row->keyword == Keyword::if_then_else) return add_condition(value, check, index);
+    if (row->keyword != Keyword::never) add(std::move(check), index);
+  }
+
+  /// `if`, `then` and `else` become one check.
+  void add_condition(yaml::View value, const SchemaCheck& part, SchemaIndex index) {
+    std::vector<SchemaCheck>& checks = schemas_[index].checks;
+    const auto is_condition = [](const SchemaCheck& check) {
+      return check.keyword == Keyword::if_then_else;
+    };
+    auto condition = std::find_if(checks.begin(), checks.end(), is_condition);
+    if (condition == checks.end()) {
+      condition = checks.insert(checks.end(), {Keyword::if_then_else, value});
+      condition->schemas.assign(3, kNoSchema);
+    }
+    const std::size_t place = value.key() == "if" ? 0 : value.key() == "then" ? 1 : 2;
+    condition->schemas[place] = part.schemas.front();
   }
 
   void suggest_keyword(yaml::View value) {
     std::vector<std::string_view> names;
-    for (const Keyword& keyword : kKeywords) names.push_back(keyword.name);
+    for (const KeywordRow& keyword : kKeywords) names.push_back(keyword.name);
     const auto near = nearest(value.key(), names);
     if (!near) return;
     fault(value.key_span(), quoted(value.key()) + " is not a keyword of JSON Schema draft-07")
         .help("did you mean " + quoted(*near) + "?");
   }
 
-  void check_plain(const Keyword& keyword, yaml::View value) {
+  void check_plain(const KeywordRow& keyword, yaml::View value) {
     const std::optional<double> number = value.number();
     const bool is_finite = number && std::isfinite(*number);
     switch (keyword.holds) {
@@ -273,6 +287,17 @@ class SchemaChecker {
     }
   }
 
+  void add_plain(const KeywordRow& row, yaml::View value, SchemaCheck& check) {
+    check_plain(row, value);
+    check.number = value.number().value_or(0);
+    if (row.keyword != Keyword::enumeration || !value.is_sequence()) return;
+    std::size_t visited = 0;  // at most the size of the schema
+    for (const yaml::View allowed : value)
+      check.hashes.emplace_back(hash_of(allowed, visited), allowed);
+    std::stable_sort(check.hashes.begin(), check.hashes.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+
   void check_type(yaml::View value) {
     for (const std::string_view type : kTypes) {
       if (value.is_scalar() && value.text() == type) return;
@@ -285,10 +310,12 @@ class SchemaChecker {
                          : "types are array, boolean, integer, null, number, object, string");
   }
 
-  std::optional<Pattern> pattern_of(yaml::View value) {
-    if (value.is_scalar()) return compile(value.text(), value.place());
-    expect(false, value, "a regular expression");
-    return std::nullopt;
+  void add_pattern(yaml::View value, SchemaCheck& check) {
+    expect(value.is_scalar(), value, "a regular expression");
+    if (!value.is_scalar()) return;
+    if (auto pattern = compile(value.text(), value.place())) {
+      check.patterns.push_back(*std::move(pattern));
+    }
   }
 
   std::optional<Pattern> compile(std::string_view text, Span place) {
@@ -310,76 +337,73 @@ class SchemaChecker {
     return std::move(pattern);
   }
 
-  json inner(yaml::View outer, yaml::View node, const Keyword& keyword) {
-    if (keyword.is_in_place) applied_[outer.id()].push_back({node.id(), node.place()});
+  SchemaIndex inner(yaml::View outer, yaml::View node, const KeywordRow& row) {
+    if (row.is_in_place) applied_[outer.id()].push_back({node.id(), node.place()});
     return schema(node);
   }
 
-  json schemas(yaml::View outer, yaml::View list, const Keyword& keyword) {
-    json checked = json::array();
+  void add_schemas(yaml::View outer, yaml::View list, const KeywordRow& row, SchemaCheck& check) {
     expect(list.is_sequence() && list.size() > 0, list, "a list of schemas");
-    if (!list.is_sequence()) return checked;
-    for (const yaml::View node : list) checked.push_back(inner(outer, node, keyword));
-    return checked;
+    if (!list.is_sequence()) return;
+    for (const yaml::View node : list) check.schemas.push_back(inner(outer, node, row));
   }
 
-  json schemas_by_name(yaml::View outer, yaml::View mapping, const Keyword& keyword) {
-    json checked = json::object();
+  /// Names are sorted; patterns keep their order.
+  void add_schemas_by_name(yaml::View outer, yaml::View mapping, const KeywordRow& row,
+                           SchemaCheck& check) {
     expect(mapping.is_mapping(), mapping, "a mapping of schemas");
-    if (!mapping.is_mapping()) return checked;
+    if (!mapping.is_mapping()) return;
+    std::vector<std::pair<std::string_view, SchemaIndex>> named;
     for (const yaml::View node : mapping) {
-      if (keyword.holds == Holds::schemas_by_pattern) check_name_pattern(node);
-      checked[std::string(node.key())] = inner(outer, node, keyword);
+      if (node.is_repeated()) continue;
+      named.emplace_back(node.key(), inner(outer, node, row));
+      if (row.holds != Holds::schemas_by_pattern) continue;
+      if (auto pattern = compile(node.key(), node.key_span())) {
+        check.patterns.push_back(*std::move(pattern));
+      }
     }
-    return checked;
-  }
-
-  void check_name_pattern(yaml::View node) {
-    const std::optional<Pattern> pattern = compile(node.key(), node.key_span());
-    if (!pattern) return;
-    if (++name_patterns_ > kMostNamePatterns || !is_simple_pattern(node.key()) ||
-        pattern->steps_for("") > kMostNamePatternSteps) {
-      fault(node.key_span(), "this pattern of names is too costly")
-          .help(
-              "repeat at most two characters, none of them hundreds of times, and no groups; write "
-              "at most " +
-              std::to_string(kMostNamePatterns) + " such patterns in a schema");
-      return;
-    }
-    try {
-      const std::regex compiled{std::string(node.key())};
-    } catch (const std::regex_error&) {
-      fault(node.key_span(), quoted(node.key()) + " is not a regular expression");
+    if (row.holds == Holds::schemas_by_name) std::sort(named.begin(), named.end());
+    for (const auto& [name, schema] : named) {
+      check.names.push_back(name);
+      check.schemas.push_back(schema);
     }
   }
 
-  json dependencies(yaml::View outer, yaml::View mapping, const Keyword& keyword) {
-    json checked = json::object();
+  void add_dependencies(yaml::View outer, yaml::View mapping, const KeywordRow& row,
+                        SchemaCheck& check) {
     expect(mapping.is_mapping(), mapping, "a mapping of schemas or lists of names");
-    if (!mapping.is_mapping()) return checked;
+    if (!mapping.is_mapping()) return;
+    std::map<std::string_view, SchemaIndex> named;
     for (const yaml::View node : mapping) {
-      if (node.is_sequence()) check_plain({keyword.name, Holds::texts}, node);
-      checked[std::string(node.key())] =
-          node.is_sequence() ? to_json(node) : inner(outer, node, keyword);
+      if (node.is_repeated()) continue;
+      const bool is_list = node.is_sequence();
+      if (is_list) check_plain({row.name, Holds::texts}, node);
+      named.emplace(node.key(), is_list ? kNoSchema : inner(outer, node, row));
     }
-    return checked;
+    for (const auto& [name, schema] : named) {
+      check.names.push_back(name);
+      check.schemas.push_back(schema);
+    }
   }
 
-  void add_reference(yaml::View node, yaml::View reference) {
+  void add_reference(yaml::View node, yaml::View reference, SchemaIndex index) {
     if (!reference.is_scalar()) return expect(false, reference, "a text");
-    references_.emplace_back(node.id(), reference);
+    references_.push_back({node.id(), reference, index});
   }
 
   void resolve_references() {
-    for (const auto& [node, reference] : references_) {
-      const yaml::View target = follow_reference(root_, reference.text());
+    for (const Reference& one : references_) {
+      const yaml::View target = follow_reference(root_, one.value.text());
       if (!target || !applied_.contains(target.id())) {
-        fault(reference.span(),
-              quoted(reference.text()) + " does not refer to a schema in this file")
+        fault(one.value.span(),
+              quoted(one.value.text()) + " does not refer to a schema in this file")
             .help("other files are not read; write `#/definitions/NAME`");
         continue;
       }
-      applied_[node].push_back({target.id(), reference.span()});
+      applied_[one.schema].push_back({target.id(), one.value.span()});
+      SchemaCheck check{Keyword::reference, one.value};
+      check.schemas = {indices_.at(target.id())};
+      add(std::move(check), one.index);
     }
   }
 
@@ -412,12 +436,12 @@ class SchemaChecker {
   yaml::View root_;
   DiagnosticSink& sink_;
   bool is_sound_ = true;
-  std::vector<SchemaGuard> guards_;
+  std::vector<Subschema> schemas_;
+  std::map<yaml::NodeId, SchemaIndex> indices_;
   std::size_t pattern_steps_ = 0;
-  int name_patterns_ = 0;
   /// Visits every schema of the file, and the schemas it applies to the same value.
   std::map<yaml::NodeId, std::vector<Applied>> applied_;
-  std::vector<std::pair<yaml::NodeId, yaml::View>> references_;
+  std::vector<Reference> references_;
   std::map<yaml::NodeId, Extent> extents_;
 };
 
@@ -431,69 +455,15 @@ bool fits(yaml::View value, std::size_t& left) {
   return true;
 }
 
-json number_of(double number) {
-  constexpr double kExact = 9007199254740992;  // 2^53
-  if (std::trunc(number) == number && std::fabs(number) <= kExact) {
-    return static_cast<std::int64_t>(number);
-  }
-  return number;
-}
-
 }  // namespace
-
-json to_json(yaml::View value) {
-  switch (value.kind()) {
-  case yaml::Kind::null: return nullptr;
-  case yaml::Kind::sequence: {
-    json list = json::array();
-    for (const yaml::View item : value) list.push_back(to_json(item));
-    return list;
-  }
-  case yaml::Kind::mapping: {
-    json object = json::object();
-    for (const yaml::View item : value) object.emplace(std::string(item.key()), to_json(item));
-    return object;
-  }
-  case yaml::Kind::scalar: break;
-  }
-  if (const auto boolean = value.boolean()) return *boolean;
-  if (const auto number = value.number()) return number_of(*number);
-  return std::string(value.text());
-}
 
 std::size_t size_of(yaml::View value) {
   std::size_t left = kLargest + 1;
   return fits(value, left) ? kLargest + 1 - left : kLargest + 1;
 }
 
-yaml::View child(yaml::View parent, std::string_view step) {
-  if (parent.is_mapping()) return parent.find(step);
-  const auto index = parent.is_sequence() ? parse_integer(step) : std::nullopt;
-  if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= parent.size()) return {};
-  return *std::next(parent.begin(), static_cast<std::ptrdiff_t>(*index));
-}
-
 std::optional<CheckedSchema> check_schema(yaml::View root, DiagnosticSink& sink) {
   return SchemaChecker(root, sink).run();
-}
-
-yaml::View follow_reference(yaml::View root, std::string_view reference) {
-  if (!reference.starts_with('#')) return {};
-  reference.remove_prefix(1);
-  yaml::View at = root;
-  while (at && reference.starts_with('/')) {
-    reference.remove_prefix(1);
-    const std::size_t size = std::min(reference.find('/'), reference.size());
-    std::string step(reference.substr(0, size));
-    reference.remove_prefix(size);
-    for (const auto& [escape, character] : {std::pair("~1", '/'), std::pair("~0", '~')}) {
-      for (std::size_t i = step.find(escape); i < step.size(); i = step.find(escape, i + 1)) {
-        step.replace(i, 2, 1, character);
-      }
-    }
-    at = child(at, step);
-  }
-  return reference.empty() ? at : yaml::View();
 }
 
 }  // namespace smurf

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A user's JSON Schema, made safe: forbidden parts are reported and removed. The rest can be
-// applied to any data without endless recursion.
+// A user's JSON Schema, made safe: broken parts are reported. The rest can be applied to any data
+// without endless recursion.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "schema/pattern.hpp"
 #include "smurf/diagnostic.hpp"
@@ -16,40 +15,83 @@
 
 namespace smurf {
 
-/// Data about a subschema that make it safe to apply.
-struct SchemaGuard {
-  std::optional<Pattern> pattern{};  ///< the keyword `pattern`, which the library does not see
-  std::int64_t steps = 1;            ///< cost of applying the subschema, in steps of about 1 us
-  bool has_name_patterns = false;
-  bool has_unique_items = false;
+/// The keywords that validate. The others are dropped.
+enum class Keyword : std::uint8_t {
+  additional_items,
+  additional_properties,
+  all_of,
+  any_of,
+  constant,
+  contains,
+  dependencies,
+  enumeration,
+  exclusive_maximum,
+  exclusive_minimum,
+  if_then_else,
+  items,
+  max_items,
+  max_length,
+  max_properties,
+  maximum,
+  min_items,
+  min_length,
+  min_properties,
+  minimum,
+  multiple_of,
+  never,  ///< the schema `false`
+  not_allowed,
+  one_of,
+  pattern,
+  pattern_properties,
+  properties,
+  property_names,
+  reference,
+  required,
+  type,
+  unique_items,
 };
 
-/// The cost of compiling a pattern of names, which the library repeats for every mapping.
-inline constexpr std::int64_t kStepsForNamePattern = 100;
+using SchemaIndex = std::uint32_t;
+inline constexpr SchemaIndex kNoSchema = 0xffffffffU;
 
-/// The key in every subschema with the index of its guard.
-inline constexpr const char* kGuardKey = "smurf:guard";
+/// A keyword of a schema, ready to be applied.
+struct SchemaCheck {
+  Keyword keyword = Keyword::never;
+  yaml::View value;  ///< as written in the schema
+  double number = 0;
+  /// Of a list, in its order; of a mapping, in the order of `names` or `patterns`. For
+  /// if_then_else, three: kNoSchema where one is absent. For dependencies, kNoSchema where a list
+  /// of names is required.
+  std::vector<SchemaIndex> schemas;
+  std::vector<std::string_view> names;  ///< of properties and dependencies, sorted
+  std::vector<Pattern> patterns;
+  /// enumeration: the hash of each allowed value, sorted.
+  std::vector<std::pair<std::size_t, yaml::View>> hashes;
+};
+
+struct Subschema {
+  yaml::View node;
+  std::vector<SchemaCheck> checks;
+
+  const SchemaCheck* find(Keyword keyword) const {
+    for (const SchemaCheck& check : checks) {
+      if (check.keyword == keyword) return &check;
+    }
+    return nullptr;
+  }
+};
 
 struct CheckedSchema {
-  nlohmann::json schema;  ///< with known keywords only
-  std::vector<SchemaGuard> guards;
+  std::vector<Subschema> schemas;  ///< the first is the whole schema
 };
 
-/// Limit of values, including aliases; more are not converted to JSON.
+/// Limit of values, including aliases; larger ones are not checked.
 inline constexpr std::size_t kLargest = 200000;
 /// The number of values in it, including itself; counts only up to kLargest + 1.
 std::size_t size_of(yaml::View value);
 
-/// The value with this key, or at this index; null if there is none.
-yaml::View child(yaml::View parent, std::string_view step);
-
-/// The value as JSON; numbers without fraction are integers. Of repeated keys, the first is kept.
-nlohmann::json to_json(yaml::View value);
-
-/// If the schema is broken, reports SML9011 and returns none.
+/// If the schema is broken, reports SML9011 and returns none. The result points into the document
+/// of the schema.
 std::optional<CheckedSchema> check_schema(yaml::View root, DiagnosticSink& sink);
-
-/// The node that "#/definitions/color" names; null if there is none or it is in another file.
-yaml::View follow_reference(yaml::View root, std::string_view reference);
 
 }  // namespace smurf

@@ -14,71 +14,53 @@
 namespace smurf {
 namespace {
 
-/// A message of valijson, its keyword, and our message with the keyword's value.
+/// What a violated keyword means for the value; between the two, the keyword's value is shown if
+/// `before` ends with a space.
 struct Phrase {
-  std::string_view description;
-  std::string_view keyword;
+  Keyword keyword;
   std::string_view before, after;
 };
 
 constexpr Phrase kPhrases[] = {
-    {"Value type not permitted", "type", "must be ", ""},
-    {"Failed to match against any enum", "enum", "is not one of ", ""},
-    {"Failed to match expected value", "const", "must be ", ""},
-    {"Expected number less than or equal", "maximum", "must be at most ", ""},
-    {"Expected number less than", "exclusiveMaximum", "must be less than ", ""},
-    {"Expected number greater than or equal", "minimum", "must be at least ", ""},
-    {"Expected number greater than", "exclusiveMinimum", "must be greater than ", ""},
-    {"Value should be a multiple", "multipleOf", "must be a multiple of ", ""},
-    {"Array should contain no more", "maxItems", "contains at most ", " items"},
-    {"Array should contain no fewer", "minItems", "contains at least ", " items"},
-    {"String should be no more", "maxLength", "has at most ", " characters"},
-    {"String should be no fewer", "minLength", "has at least ", " characters"},
-    {"Object should have no more", "maxProperties", "has at most ", " keys"},
-    {"Object should have no fewer", "minProperties", "has at least ", " keys"},
-    {"Failed to match regex", "pattern", "does not match the pattern ", ""},
-    {"Elements at indexes", "uniqueItems", "contains an item twice", ""},
-    {"Failed to any values", "contains", "lacks an item that the schema requires", ""},
-    {"Target should not validate", "not", "has a form that the schema excludes", ""},
-    {"Missing required property", "required", "has no ", ""},
-    {"Missing dependency", "dependencies", "has no ", ""},
-    {"Object contains a property", "additionalProperties", "has too many keys", ""},
-    {"Array contains more items", "items", "contains too many items", ""},
-    {"Cannot validate item", "items", "contains too many items", ""},
-    {"Failed to validate against any schemas allowed by anyOf", "anyOf",
-     "has none of the forms that the schema allows", ""},
-    {"Failed to validate against any child schemas", "oneOf",
-     "has none of the forms that the schema allows", ""},
-    {"Failed to validate against exactly one", "oneOf",
-     "has several of the forms of which the schema allows only one", ""},
+    {Keyword::additional_properties, "has no key ", " in its schema"},
+    {Keyword::any_of, "has none of the forms that the schema allows", ""},
+    {Keyword::constant, "must be ", ""},
+    {Keyword::contains, "lacks an item that the schema requires", ""},
+    {Keyword::dependencies, "has no ", ""},
+    {Keyword::enumeration, "is not one of ", ""},
+    {Keyword::exclusive_maximum, "must be less than ", ""},
+    {Keyword::exclusive_minimum, "must be greater than ", ""},
+    {Keyword::items, "contains too many items", ""},
+    {Keyword::max_items, "contains at most ", " items"},
+    {Keyword::max_length, "has at most ", " characters"},
+    {Keyword::max_properties, "has at most ", " keys"},
+    {Keyword::maximum, "must be at most ", ""},
+    {Keyword::min_items, "contains at least ", " items"},
+    {Keyword::min_length, "has at least ", " characters"},
+    {Keyword::min_properties, "has at least ", " keys"},
+    {Keyword::minimum, "must be at least ", ""},
+    {Keyword::multiple_of, "must be a multiple of ", ""},
+    {Keyword::never, "does not fit the schema", ""},
+    {Keyword::not_allowed, "has a form that the schema excludes", ""},
+    {Keyword::one_of, "has none of the forms that the schema allows", ""},
+    {Keyword::pattern, "does not match the pattern ", ""},
+    {Keyword::property_names, "has the key ", ", whose name the schema does not allow"},
+    {Keyword::required, "has no ", ""},
+    {Keyword::type, "must be ", ""},
+    {Keyword::unique_items, "contains an item twice", ""},
 };
 
 constexpr std::size_t kNodesForStep = 64;  ///< most nodes of the schema and the value to look at
 constexpr std::uint64_t kComparisonsForStep = 256;  ///< most compared characters, for suggestions
-constexpr std::size_t kMostNotes = 4;
 
-const Phrase* phrase_of(const SchemaFault& fault) {
-  for (const Phrase& phrase : kPhrases) {
-    if (fault.description.starts_with(phrase.description)) return &phrase;
+Phrase phrase_of(const SchemaFault& fault) {
+  if (fault.fits_several) {
+    return {fault.keyword, "has several of the forms of which the schema allows only one", ""};
   }
-  return nullptr;
-}
-
-bool is_choice(const Phrase* phrase) {
-  return phrase != nullptr && phrase->before.starts_with("has none of the forms");
-}
-
-bool is_at_or_under(const SchemaFault& inner, const SchemaFault& outer) {
-  return inner.steps.size() >= outer.steps.size() &&
-         std::equal(outer.steps.begin(), outer.steps.end(), inner.steps.begin());
-}
-
-/// The text between quotes in a message of valijson: the name of a property.
-std::string name_in(std::string_view description) {
-  const std::size_t begin = description.find('\'');
-  const std::size_t end = description.rfind('\'');
-  if (begin == std::string_view::npos || end <= begin) return {};
-  return std::string(description.substr(begin + 1, end - begin - 1));
+  for (const Phrase& phrase : kPhrases) {
+    if (phrase.keyword == fault.keyword) return phrase;
+  }
+  return {fault.keyword, "does not fit the schema", ""};
 }
 
 std::string_view describe_type(std::string_view type) {
@@ -110,83 +92,84 @@ std::string alternatives(yaml::View list, bool are_types) {
   return all;
 }
 
-/// All subschemas that may apply to the value at `steps`, outer ones first.
-class Candidates {
- public:
-  Candidates(yaml::View root, const std::vector<std::string>& steps) : root_(root) {
-    add(root);
-    for (const std::string& step : steps) {
-      std::vector<yaml::View> outer;
-      outer.swap(all_);
-      for (const yaml::View schema : outer) add_child(schema, step);
+/// The value of a keyword in the first of the schemas that has it.
+yaml::View find(const std::vector<yaml::View>& schemas, std::string_view keyword) {
+  for (const yaml::View schema : schemas) {
+    const yaml::View value = schema.is_mapping() ? schema.find(keyword) : yaml::View();
+    if (value) return value;
+  }
+  return {};
+}
+
+/// Where a fault is: `is_inside` an item of the value called `name`.
+struct Located {
+  explicit Located(const SchemaFault& fault) : value(fault.path.back()) {
+    bool is_item = false;
+    for (const yaml::View step : fault.path) {
+      if (!is_item) name = step.key();
+      is_inside = is_item;
+      is_item = step.is_sequence();
     }
   }
-
-  const std::vector<yaml::View>& all() const { return all_; }
-
-  /// The value of a keyword in the first subschema that has it.
-  yaml::View find(std::string_view keyword) const {
-    for (const yaml::View schema : all_) {
-      if (const yaml::View value = schema.find(keyword)) return value;
-    }
-    return {};
+  std::string subject() const {
+    if (name.empty()) return "this value";
+    return (is_inside ? "an item of " : "") + quoted(name);
   }
 
- private:
-  void add(yaml::View schema) {
-    constexpr std::size_t kMost = 64;
-    if (!schema || !schema.is_mapping() || all_.size() >= kMost) return;
-    const auto is_same = [&](yaml::View known) { return known.id() == schema.id(); };
-    if (std::any_of(all_.begin(), all_.end(), is_same)) return;
-    if (const yaml::View reference = schema.find("$ref")) {
-      return add(follow_reference(root_, reference.text()));
-    }
-    all_.push_back(schema);
-    for (const std::string_view key : {"allOf", "anyOf", "oneOf"}) {
-      const yaml::View list = schema.find(key);
-      if (!list || !list.is_sequence()) continue;
-      for (const yaml::View inner : list) add(inner);
-    }
-    for (const std::string_view key : {"then", "else"}) add(schema.find(key));
-  }
-
-  void add_child(yaml::View schema, const std::string& step) {
-    const yaml::View items = schema.find("items");
-    if (items && items.is_sequence()) {
-      const yaml::View item = child(items, step);
-      add(item ? item : schema.find("additionalItems"));
-    } else {
-      add(items);
-    }
-    const yaml::View properties = schema.find("properties");
-    const yaml::View property =
-        properties && properties.is_mapping() ? properties.find(step) : yaml::View();
-    if (property) return add(property);
-    if (const yaml::View patterns = schema.find("patternProperties")) {
-      for (const yaml::View pattern : patterns) add(pattern);
-    }
-    add(schema.find("additionalProperties"));
-  }
-
-  yaml::View root_;
-  std::vector<yaml::View> all_;
+  yaml::View value;
+  std::string_view name;
+  bool is_inside = false;
 };
+
+std::string message(const SchemaFault& fault) {
+  const Located at(fault);
+  const Phrase phrase = phrase_of(fault);
+  std::string text = at.subject() + " " + std::string(phrase.before);
+  if (!fault.name.empty()) return text + quoted(fault.name) + std::string(phrase.after);
+  const bool is_type = fault.keyword == Keyword::type;
+  if (phrase.before.ends_with(' ')) text += alternatives(fault.keyword_value, is_type);
+  text += phrase.after;
+  if (is_type) text += ", not " + describe(at.value);
+  return text;
+}
+
+std::vector<std::string_view> property_names(const SchemaFault& fault) {
+  std::vector<std::string_view> names;
+  for (const yaml::View schema : fault.schemas) {
+    const yaml::View properties = schema.is_mapping() ? schema.find("properties") : yaml::View();
+    if (!properties || !properties.is_mapping()) continue;
+    for (const yaml::View property : properties) names.push_back(property.key());
+  }
+  return names;
+}
+
+/// The names that property_names() and is_required() look at.
+std::size_t name_count(const SchemaFault& fault) {
+  std::size_t count = 0;
+  for (const yaml::View schema : fault.schemas) {
+    for (const std::string_view keyword : {"properties", "required"}) {
+      const yaml::View names = schema.is_mapping() ? schema.find(keyword) : yaml::View();
+      count += names ? names.size() : 0;
+    }
+  }
+  return count;
+}
+
+bool is_required(const SchemaFault& fault, std::string_view name) {
+  const yaml::View required = find(fault.schemas, "required");
+  if (!required || !required.is_sequence()) return false;
+  return std::any_of(required.begin(), required.end(),
+                     [&](yaml::View item) { return item.text() == name; });
+}
 
 class Explainer {
  public:
-  Explainer(const std::vector<SchemaFault>& faults, yaml::View schema, yaml::View value,
-            std::int64_t& steps_left)
-      : faults_(faults),
-        schema_(schema),
-        value_(value),
-        steps_left_(steps_left),
-        is_dropped_(faults_.size(), false) {}
+  Explainer(const std::vector<SchemaFault>& faults, std::int64_t& steps_left)
+      : faults_(faults), steps_left_(steps_left) {}
 
   std::vector<Violation> run() {
-    drop_rejected_forms();
-    drop_consequences();
-    for (std::size_t i = 0; i < faults_.size(); ++i) {
-      if (!is_dropped_[i] && spend(schema_.document().nodes.size())) explain(i);
+    for (const SchemaFault& fault : faults_) {
+      if (spend(kNodesForStep)) explain(fault);
     }
     return std::move(violations_);
   }
@@ -198,146 +181,47 @@ class Explainer {
     return steps_left_ > 0;
   }
 
-  /// For a choice of forms, only the choice is reported. The faults of each form precede
-  /// it.
-  void drop_rejected_forms() {
-    notes_.resize(faults_.size());
-    for (std::size_t i = 0; i < faults_.size(); ++i) {
-      if (!is_choice(phrase_of(faults_[i]))) continue;
-      for (std::size_t k = i; k-- > 0 && is_at_or_under(faults_[k], faults_[i]);) {
-        if (is_dropped_[k]) {
-          if (!spend(0)) return;
-          continue;
-        }
-        is_dropped_[k] = true;
-        const Phrase* phrase = phrase_of(faults_[k]);
-        if (phrase == nullptr || notes_[i].size() >= kMostNotes) continue;
-        if (!spend(schema_.document().nodes.size())) return;
-        const Located at(*this, faults_[k]);
-        if (at.value) notes_[i].push_back("one form: " + message(faults_[k], *phrase, at));
-      }
-      std::reverse(notes_[i].begin(), notes_[i].end());
+  void explain(const SchemaFault& fault) {
+    if (fault.keyword == Keyword::additional_properties) return explain_key(fault);
+    const Located at(fault);
+    const bool is_about_key =
+        fault.keyword == Keyword::required || fault.keyword == Keyword::dependencies;
+    Violation& violation = add(fault, is_about_key ? head_of(at.value) : at.value.place());
+    for (const SchemaFault& form : fault.forms) {
+      violation.notes.push_back("one form: " + message(form));
     }
-  }
-
-  /// A failed part is reported only if there is no other finding in it.
-  void drop_consequences() {
-    std::set<std::vector<std::string>> explained;
-    for (std::size_t i = 0; i < faults_.size(); ++i) {
-      if (is_dropped_[i] || phrase_of(faults_[i]) == nullptr) continue;
-      std::vector<std::string> path = faults_[i].steps;
-      while (explained.insert(path).second && !path.empty()) path.pop_back();
+    if (fault.keyword == Keyword::enumeration) suggest_value(fault, at.value, violation);
+    if (fault.keyword == Keyword::property_names) {
+      violation.span = at.value.find(fault.name).key_span();
     }
-    for (std::size_t i = 0; i < faults_.size(); ++i) {
-      if (phrase_of(faults_[i]) == nullptr && explained.contains(faults_[i].steps)) {
-        is_dropped_[i] = true;
-      }
-    }
-  }
-
-  struct Located {
-    Located(Explainer& explainer, const SchemaFault& fault)
-        : value(explainer.value_), candidates(explainer.schema_, fault.steps) {
-      name = value.key();
-      for (const std::string& step : fault.steps) {
-        const bool is_item = value.is_sequence();
-        explainer.spend(value.size());
-        value = child(value, step);
-        if (!value) return;
-        if (!is_item) {
-          name = value.key();
-          is_inside = false;
-        } else {
-          is_inside = true;
-        }
-      }
-    }
-    std::string subject() const {
-      if (name.empty()) return "this value";
-      return (is_inside ? "an item of " : "") + quoted(name);
-    }
-    yaml::View value;
-    Candidates candidates;
-    std::string_view name;   ///< schemas of the nearest value with a key
-    bool is_inside = false;  ///< an item of that value
-  };
-
-  static std::string message(const SchemaFault& fault, const Phrase& phrase, const Located& at) {
-    std::string text = at.subject() + " " + std::string(phrase.before);
-    if (phrase.keyword == "required" || phrase.keyword == "dependencies") {
-      return text + smurf::quoted(name_in(fault.description));
-    }
-    const yaml::View wanted = at.candidates.find(phrase.keyword);
-    if (phrase.before.ends_with(' ')) {
-      text += wanted ? alternatives(wanted, phrase.keyword == "type") : "something else";
-    }
-    text += phrase.after;
-    if (phrase.keyword == "type") text += ", not " + describe(at.value);
-    return text;
-  }
-
-  void explain(std::size_t index) {
-    const SchemaFault& fault = faults_[index];
-    const Located at(*this, fault);
-    if (!at.value) return;
-    const Phrase* phrase = phrase_of(fault);
-    if (phrase == nullptr) {  // a schema `false`, or a message of a newer version of the library
-      add(at, "", at.value.place(), at.subject() + " does not fit the schema");
-      return;
-    }
-    if (phrase->keyword == "additionalProperties") return explain_keys(at);
-    const bool is_about_key = phrase->keyword == "required" || phrase->keyword == "dependencies";
-    Violation& violation =
-        add(at, phrase->keyword, is_about_key ? head_of(at.value) : at.value.place(),
-            message(fault, *phrase, at));
-    violation.notes = notes_[index];
-    if (phrase->keyword == "enum") suggest_value(at, violation);
-    if (is_about_key && at.value.is_mapping()) {
-      violation.add_span = place_to_add(at.value, name_in(fault.description));
-    }
-    if (is_about_key) suggest_key(at, name_in(fault.description), violation);
+    if (!is_about_key) return;
+    violation.add_span = place_to_add(at.value, std::string(fault.name));
+    suggest_key(fault, at.value, violation);
   }
 
   /// Then, the place is a misspelt key that may mean the missing one.
-  void suggest_key(const Located& at, const std::string& missing, Violation& violation) {
-    if (!spend(kNodesForStep / 4 * at.value.size())) return;
-    const std::vector<std::string_view> names = property_names(at);
+  void suggest_key(const SchemaFault& fault, yaml::View value, Violation& violation) {
+    if (!spend(kNodesForStep / 4 * value.size() + name_count(fault))) return;
+    const std::vector<std::string_view> names = property_names(fault);
     const std::set<std::string_view> known(names.begin(), names.end());
-    const std::string_view meant[] = {missing};
-    for (const yaml::View key : at.value) {
+    const std::string_view meant[] = {fault.name};
+    for (const yaml::View key : value) {
       if (known.contains(key.key())) continue;
       if (!nearest(key.key(), meant)) continue;
       violation.span = key.key_span();
       violation.add_span = {};
-      KeyRenames renames(at.value);
-      return suggest_name(violation, renames, key, missing);
+      KeyRenames renames(value);
+      return suggest_name(violation, renames, key, fault.name);
     }
   }
 
-  static std::vector<std::string_view> property_names(const Located& at) {
-    std::vector<std::string_view> names;
-    for (const yaml::View schema : at.candidates.all()) {
-      const yaml::View properties = schema.find("properties");
-      if (!properties || !properties.is_mapping()) continue;
-      for (const yaml::View property : properties) names.push_back(property.key());
-    }
-    return names;
-  }
-
-  static bool is_required(const Located& at, std::string_view name) {
-    const yaml::View required = at.candidates.find("required");
-    if (!required || !required.is_sequence()) return false;
-    return std::any_of(required.begin(), required.end(),
-                       [&](yaml::View item) { return item.text() == name; });
-  }
-
-  Violation& add(const Located& at, std::string_view keyword, Span span, std::string message) {
+  Violation& add(const SchemaFault& fault, Span span) {
     Violation& violation = violations_.emplace_back();
     violation.span = span;
-    violation.message = std::move(message);
-    if (const yaml::View key = at.candidates.find(keyword)) violation.schema_span = key.key_span();
+    violation.message = message(fault);
+    violation.schema_span = fault.keyword_value.key_span();
     for (const std::string_view words : {"description", "title"}) {
-      const yaml::View text = at.candidates.find(words);
+      const yaml::View text = find(fault.schemas, words);
       if (violation.help.empty() && text && text.is_scalar()) violation.help = text.text();
     }
     return violation;
@@ -359,15 +243,14 @@ class Explainer {
     return near;
   }
 
-  void suggest_value(const Located& at, Violation& violation) {
-    const yaml::View values = at.candidates.find("enum");
-    if (!values || !values.is_sequence() || !at.value.is_scalar()) return;
+  void suggest_value(const SchemaFault& fault, yaml::View wrong, Violation& violation) {
+    if (!wrong.is_scalar() || !spend(fault.keyword_value.size())) return;
     std::vector<std::string_view> names;
-    for (const yaml::View value : values) names.push_back(value.text());
-    if (const auto near = nearest_of(at.value.text(), names)) {
+    for (const yaml::View value : fault.keyword_value) names.push_back(value.text());
+    if (const auto near = nearest_of(wrong.text(), names)) {
       violation.help = "did you mean " + quoted(*near) + "?";
       if (!fits_everywhere(*near)) return;
-      const Span place = within_quotes(at.value);
+      const Span place = within_quotes(wrong);
       violation.fixes.push_back({Applicability::unsafe, {{place, std::string(*near)}}});
     }
   }
@@ -378,46 +261,29 @@ class Explainer {
     if (fits_everywhere(name)) renames.offer(violation.fixes, key, name);
   }
 
-  /// valijson names only the first superfluous key; these are all.
-  void explain_keys(const Located& at) {
-    const std::vector<std::string_view> names = property_names(at);
-    const std::set<std::string_view> known(names.begin(), names.end());
-    KeyRenames renames(at.value);
-    const bool has_patterns = static_cast<bool>(at.candidates.find("patternProperties"));
-    for (const yaml::View key : at.value) {
-      if (known.contains(key.key())) continue;
-      if (has_patterns) {  // the patterns of names are not matched again
-        Violation& violation = add(at, "additionalProperties", head_of(at.value),
-                                   at.subject() + " has a key that the schema does not know");
-        violation.help.clear();
-        return;
-      }
-      if (!spend(at.value.size())) return;
-      const auto near = nearest_of(key.key(), names);
-      const bool is_slip = near && !renames.has(*near);
-      if (is_slip && is_required(at, *near)) continue;  // reported as missing
-      Violation& violation =
-          add(at, "additionalProperties", key.key_span(),
-              at.subject() + " has no key " + quoted(key.key()) + " in its schema");
-      violation.help.clear();
-      if (is_slip) suggest_name(violation, renames, key, *near);
-    }
+  void explain_key(const SchemaFault& fault) {
+    const yaml::View value = fault.path.back();
+    if (!spend(value.size() + name_count(fault))) return;
+    const yaml::View key = value.find(fault.name);
+    const std::vector<std::string_view> names = property_names(fault);
+    KeyRenames renames(value);
+    const auto near = nearest_of(key.key(), names);
+    const bool is_slip = near && !renames.has(*near);
+    if (is_slip && is_required(fault, *near)) return;  // reported as missing
+    Violation& violation = add(fault, key.key_span());
+    violation.help.clear();
+    if (is_slip) suggest_name(violation, renames, key, *near);
   }
 
   const std::vector<SchemaFault>& faults_;
-  yaml::View schema_;
-  yaml::View value_;
   std::int64_t& steps_left_;
-  std::vector<bool> is_dropped_;
-  std::vector<std::vector<std::string>> notes_;
   std::vector<Violation> violations_;
 };
 
 }  // namespace
 
-std::vector<Violation> explain(const std::vector<SchemaFault>& faults, yaml::View schema,
-                               yaml::View value, std::int64_t& steps_left) {
-  return Explainer(faults, schema, value, steps_left).run();
+std::vector<Violation> explain(const std::vector<SchemaFault>& faults, std::int64_t& steps_left) {
+  return Explainer(faults, steps_left).run();
 }
 
 }  // namespace smurf

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Turns the errors of the schema library into findings: one finding per cause, at the token at
-// fault, with the description in the schema.
+// Turns violations of a schema into findings: one finding per cause, at the token at fault, with
+// the description in the schema.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace smurf {
 
-/// A violation, without a rule. `schema` and `value` are the trees of the faults.
+/// A violation, without a rule.
 struct Violation {
   Span span;
   std::string message;
@@ -24,7 +24,6 @@ struct Violation {
 };
 
 /// Subtracts its cost from the steps; if none remain, there may be more violations.
-std::vector<Violation> explain(const std::vector<SchemaFault>& faults, yaml::View schema,
-                               yaml::View value, std::int64_t& steps_left);
+std::vector<Violation> explain(const std::vector<SchemaFault>& faults, std::int64_t& steps_left);
 
 }  // namespace smurf

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf/user_schemas.hpp"
 
-#include <exception>
+#include <utility>
 
 #include "base/rules.hpp"
 #include "schema/checked_schema.hpp"
@@ -13,7 +13,7 @@ namespace smurf {
 
 struct UserSchema {
   yaml::Document document;
-  JsonSchema schema;
+  CheckedSchema schema;
 };
 
 namespace {
@@ -22,10 +22,8 @@ namespace {
 /// level.
 constexpr std::int64_t kStepsForValue = 4;
 
-void report_too_large(yaml::View value, std::string_view what, Findings& findings) {
-  findings
-      .report(value.key_span().empty() ? value.span() : value.key_span(),
-              "this is too large to be " + std::string(what))
+void report_limit(yaml::View value, std::string message, Findings& findings) {
+  findings.report(value.key_span().empty() ? value.span() : value.key_span(), std::move(message))
       .severity = Severity::info;
 }
 
@@ -34,11 +32,14 @@ void check(const UserSchema* schema, yaml::View value, SchemaWork& work, Finding
   const std::size_t size = size_of(value);
   work.steps += kStepsForValue * static_cast<std::int64_t>(size);
   const auto faults =
-      size <= kLargest ? schema->schema.check(to_json(value), work.steps) : std::nullopt;
-  if (!faults) return report_too_large(value, "checked by its schema", findings);
-  const std::vector<Violation> violations =
-      explain(*faults, schema->document.view(), value, work.steps);
-  if (work.steps <= 0) report_too_large(value, "told all that its schema refuses", findings);
+      size <= kLargest ? apply_schema(schema->schema, value, work.steps) : std::nullopt;
+  if (!faults) {
+    return report_limit(value, "this is too large to be checked by its schema", findings);
+  }
+  const std::vector<Violation> violations = explain(*faults, work.steps);
+  if (work.steps <= 0) {
+    report_limit(value, "this violates its schema in more places than are reported", findings);
+  }
   for (const Violation& violation : violations) {
     Diagnostic& diagnostic = findings.report(violation.span, violation.message);
     diagnostic.help(violation.help);
@@ -78,25 +79,23 @@ bool UserSchemas::add(Table& table, std::string name, SourceId schema, const Sou
   entry.reset();
   std::optional<yaml::Document> document = parse_yaml(sources, schema, Limits{}, sink);
   if (!document) return false;
-  const yaml::View root = document->view();
-  if (!root) {
+  if (!document->view()) {
     sink.report(rules::sml9011_broken_schema, {schema, 0, 0}, "the schema is empty");
     return false;
   }
+  // The checked schema points into the document, so the document has its final place first.
+  auto registered = std::make_unique<UserSchema>(UserSchema{std::move(*document), {}});
   DiagnosticSink found;
-  auto checked = check_schema(root, found);
+  auto checked = check_schema(registered->document.view(), found);
   for (Diagnostic& diagnostic : found.take()) {
-    diagnostic.pointer = yaml::pointer(*document, yaml::node_at(*document, diagnostic.span.begin));
+    diagnostic.pointer = yaml::pointer(registered->document,
+                                       yaml::node_at(registered->document, diagnostic.span.begin));
     sink.report(*diagnostic.rule, diagnostic.span, {}) = std::move(diagnostic);
   }
   if (!checked) return false;
-  try {
-    entry.reset(new UserSchema{std::move(*document), JsonSchema(*std::move(checked))});
-  } catch (const std::exception& refused) {
-    sink.report(rules::sml9011_broken_schema, {schema, 0, 0},
-                std::string("the schema cannot be used: ") + refused.what());
-  }
-  return entry != nullptr;
+  registered->schema = *std::move(checked);
+  entry = std::move(registered);
+  return true;
 }
 
 bool UserSchemas::add_section(std::string name, SourceId schema, const SourceMap& sources,
