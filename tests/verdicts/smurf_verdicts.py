@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The verdicts of smurf-lint on damaged SMURF models and scenes, held against what SMURF's own readers did.
 
-usage: smurf_verdicts.py SMURF-LINT [--list READER]
+usage: smurf_verdicts.py CASES [--list READER]
        smurf_verdicts.py --record READER COMMIT COMMAND...
 
 Phobos 2 and MARS 1 are in no package, so smurf_executed.tsv is made by hand: COMMAND reads paths of main files from standard
@@ -14,10 +14,8 @@ Counted are false all-clears (the reader refuses, we print that it takes the fil
 both may not become more than BOUNDS. "Not known" agrees with nothing and counts with the all-clears where the reader refuses.
 """
 import argparse
-import concurrent.futures
 import datetime
 import json
-import os
 import pathlib
 import re
 import subprocess
@@ -25,6 +23,9 @@ import sys
 import tempfile
 
 import smurf_damage
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import cases as drivers  # noqa: E402
 
 TABLE = pathlib.Path(__file__).resolve().parent / "smurf_executed.tsv"
 READERS = ("phobos", "mars")
@@ -60,17 +61,17 @@ def record(reader, commit, command):
     write_table(heads, {name: {**rows.get(name, {}), reader: said[str(paths[name])]} for name in cases})
 
 
-def lint(tool, path):
-    done = subprocess.run([tool, "--target", ",".join(READERS), "--format", "json", path.name], cwd=path.parent,
-                          capture_output=True, check=False)
-    return {reader: verdict["verdict"] for reader, verdict in json.loads(done.stdout)["targets"].items()}
-
-
-def lint_all(tool, cases):
-    with tempfile.TemporaryDirectory() as folder:
-        paths = smurf_damage.write(cases, pathlib.Path(folder).resolve())
-        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            return dict(zip(paths, pool.map(lambda path: lint(tool, path), paths.values())))
+def lint_all(program, cases):
+    """{name: {reader: verdict}}"""
+    verdicts = {}
+    with tempfile.TemporaryDirectory() as scratch, drivers.Cases(program) as tools:
+        folder = drivers.Folder(scratch)
+        for name, case in cases.items():
+            folder.become(case.files)
+            main = folder.path / case.main
+            done = tools.run("smurf-lint", "--target", ",".join(READERS), "--format", "json", main.name, cwd=main.parent)
+            verdicts[name] = {reader: said["verdict"] for reader, said in json.loads(done.stdout)["targets"].items()}
+    return verdicts
 
 
 def check(reader, rows, verdicts, is_listed):
@@ -91,7 +92,7 @@ def check(reader, rows, verdicts, is_listed):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("tool", type=pathlib.Path, nargs="?")
+    parser.add_argument("cases", type=pathlib.Path, nargs="?")
     parser.add_argument("--list", metavar="READER")
     parser.add_argument("--record", nargs=argparse.REMAINDER, metavar="READER COMMIT COMMAND")
     options = parser.parse_args()
@@ -101,7 +102,7 @@ def main():
     heads, rows = read_table()
     if list(rows) != list(cases) or not all(re.search(r" [0-9a-f]{7}, run by hand on ", head) for head in heads[1:]):
         sys.exit("smurf_executed.tsv is not of these cases: see --record")
-    verdicts = lint_all(options.tool.resolve(), cases)
+    verdicts = lint_all(options.cases, cases)
     return 0 if all([check(reader, rows, verdicts, options.list == reader) for reader in READERS]) else 1
 
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The verdicts of smurf-lint on damaged robots, held against what readers did (executed.tsv).
 
-usage: verdicts_test.py SMURF-LINT [--list READER WHAT]
+usage: verdicts_test.py CASES [--list READER WHAT]
 
 For each reader are counted, and may not become more than BOUNDS:
   all-clears  we print "loads", with losses or without; it refuses the file or crashes
@@ -14,16 +14,17 @@ For each reader are counted, and may not become more than BOUNDS:
 """
 import argparse
 import collections
-import concurrent.futures
 import json
-import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 
 import damage
 import executed
+import robot
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import cases as drivers  # noqa: E402
 
 TARGETS = {"ros": "urdfdom", "gazebo": "libsdformat", "dart": "DART", "mujoco": "MuJoCo"}
 COUNTS = ("all-clears", "alarms", "not-known", "others")
@@ -33,17 +34,16 @@ BOUNDS = {"ros": (0, 2, 8, 53), "gazebo": (0, 9, 10, 45), "dart": (0, 2, 8, 14),
 LEAST = 7000
 
 
-def lint(tool, path):
-    """{target: its part of the report}"""
-    done = subprocess.run([tool, "--target", ",".join(TARGETS), "--format", "json", path.name], cwd=path.parent,
-                          capture_output=True, check=False)
-    return json.loads(done.stdout)["targets"]
-
-
-def lint_all(tool, paths):
+def lint_all(program, cases):
     """{name: {target: its part of the report}}"""
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        return dict(zip(paths, pool.map(lambda path: lint(tool, path), paths.values())))
+    verdicts = {}
+    with tempfile.TemporaryDirectory() as scratch, drivers.Cases(program) as tools:
+        folder = drivers.Folder(scratch)
+        for name, case in cases.items():
+            folder.become({**robot.meshes(), "robot.urdf": case.text})
+            done = tools.run("smurf-lint", "--target", ",".join(TARGETS), "--format", "json", "robot.urdf", cwd=folder.path)
+            verdicts[name] = json.loads(done.stdout)["targets"]
+    return verdicts
 
 
 def is_another(case, cell, verdict, twin):
@@ -88,15 +88,14 @@ def check(target, found, total):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("tool", type=pathlib.Path)
+    parser.add_argument("cases", type=pathlib.Path)
     parser.add_argument("--list", nargs=2, metavar=("READER", "WHAT"))
     options = parser.parse_args()
     cases = damage.all_cases()
     _, rows = executed.read_table()
     if list(rows) != list(cases) or len(cases) < LEAST:
         sys.exit("executed.tsv is not of these cases: record.py writes it anew")
-    with tempfile.TemporaryDirectory() as folder:
-        verdicts = lint_all(options.tool.resolve(), damage.write(cases, pathlib.Path(folder).resolve()))
+    verdicts = lint_all(options.cases, cases)
     is_good = True
     for target in TARGETS:
         found = count(target, cases, rows, verdicts)

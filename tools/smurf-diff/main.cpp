@@ -116,7 +116,7 @@ std::vector<const char*> without_options_of_git(int argc, const char* const* arg
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int smurf_diff_main(int argc, char** argv) {
   prepare_process();
   Options options;
   const std::vector<const char*> arguments = without_options_of_git(argc, argv);

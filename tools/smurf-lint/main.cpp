@@ -361,7 +361,7 @@ ExitCode run(const LintOptions& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int smurf_lint_main(int argc, char** argv) {
   prepare_process();
   LintOptions options;
   if (const auto code = parse_command_line(lint_command(options), argc, argv)) return *code;

@@ -106,7 +106,7 @@ std::vector<Diagnostic> all_diagnostics(std::span<const Checked> checked,
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int smurf_load_check_main(int argc, char** argv) {
   prepare_process();
   Options options;
   if (const auto code = parse_command_line(command_of(options), argc, argv)) return *code;

@@ -83,7 +83,7 @@ int serve(std::ostream* log) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int smurf_lsp_main(int argc, char** argv) {
   prepare_process();
   Options options;
   if (const auto code = parse_command_line(lsp_command(options), argc, argv)) return *code;

@@ -78,7 +78,7 @@ bool write_result(const Options& options, const std::string& urdf, const LinkedM
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int smurf2urdf_main(int argc, char** argv) {
   prepare_process();
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;

@@ -406,7 +406,7 @@ bool lacks_entities(const LinkedScene& scene) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int smurfs_flatten_main(int argc, char** argv) {
   prepare_process();
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;

@@ -391,7 +391,7 @@ ExitCode convert(Conversion& conversion, const Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int urdf2smurf_main(int argc, char** argv) {
   prepare_process();
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
