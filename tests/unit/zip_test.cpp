@@ -137,9 +137,116 @@ TEST_CASE("no archive means one thing to one program and another to the next") {
         "contains the file 'b.txt', whose header has another name");
 
   std::string packed_otherwise = sound;
-  packed_otherwise[entry + 10] = 93;
+  packed_otherwise[sound.find("PK\x03\x04") + 8] = packed_otherwise[entry + 10] = 93;
   CHECK(read_zip(packed_otherwise, at_most(100)).reason ==
         "contains the file 'a.txt', which is packed with a method other than deflate");
+}
+
+namespace {
+
+/// An entry of an archive for tests, stored as it is.
+struct Entry {
+  std::string name, text;
+  std::string extra = {};        ///< field of the directory
+  std::string local_name = {};   ///< in the header, if it differs
+  std::uint32_t attributes = 0;  ///< of the file, for Unix in the upper half
+  std::uint32_t local_flags = 0, flags = 0;
+};
+
+std::string zip_of(const std::vector<Entry>& entries) {
+  std::string bytes;
+  std::string directory;
+  for (const Entry& entry : entries) {
+    const auto offset = static_cast<std::uint32_t>(bytes.size());
+    const std::string& local = entry.local_name.empty() ? entry.name : entry.local_name;
+    std::string header = "PK\3\4";
+    test::append_facts(header, local, entry.text);
+    header[6] = static_cast<char>(entry.local_flags);
+    bytes += header + local + entry.text;
+    std::string central = "PK\1\2";
+    test::append(central, 0x0314, 2);
+    test::append_facts(central, entry.name, entry.text);
+    central[8] = static_cast<char>(entry.flags);
+    central[30] = static_cast<char>(entry.extra.size());
+    test::append_zeros(central, 6);  // comment, disk, inner attributes
+    test::append(central, entry.attributes, 4);
+    test::append(central, offset, 4);
+    directory += central + entry.name + entry.extra;
+  }
+  const auto start = static_cast<std::uint32_t>(bytes.size());
+  bytes += directory + "PK\5\6";
+  test::append(bytes, 0, 4);
+  for (int i = 0; i < 2; ++i) test::append(bytes, static_cast<std::uint32_t>(entries.size()), 2);
+  test::append(bytes, static_cast<std::uint32_t>(directory.size()), 4);
+  test::append(bytes, start, 4);
+  test::append(bytes, 0, 2);
+  return bytes;
+}
+
+/// The field in which Info-ZIP writes the name in Unicode.
+std::string unicode_path(const std::string& name, const std::string& unicode) {
+  std::string field;
+  test::append(field, 0x7075, 2);
+  test::append(field, static_cast<std::uint32_t>(5 + unicode.size()), 2);
+  field += '\1';
+  test::append(field, test::crc32(name), 4);
+  return field + unicode;
+}
+
+std::string reason_of(const std::vector<Entry>& entries) {
+  return read_zip(zip_of(entries), at_most(1000)).reason;
+}
+
+}  // namespace
+
+TEST_CASE("names and kinds of entries mean the same to every program") {
+  CHECK(reason_of({{"a/", ""}, {"a/b", "1", {}, {}, 0100644U << 16U}, {"c", "2"}}) == "");
+  CHECK(reason_of({{"a", "1", unicode_path("a", "a")}}) == "");
+  CHECK(reason_of({{"a", "1", unicode_path("a", "b")}}) ==
+        "contains the file 'a', which has a second name");
+  CHECK(reason_of({{"a", "1", "\x75\x70"}}) == "is a broken zip archive");
+
+  CHECK(reason_of({{"./", "x", {}, "./r.urdf"}, {"r.urdf", "y"}}) ==
+        "contains the file './', whose header has another name");
+  CHECK(reason_of({{"d/", "x"}}) == "contains the folder 'd/', which has content");
+  CHECK(reason_of({{"../d/", ""}}) == "contains the file '../d/', which is not inside it");
+  CHECK(reason_of({{"C:/x.yml", "1"}}) == "contains the file 'C:/x.yml', which is not inside it");
+
+  CHECK(reason_of({{"r.urdf", "target", {}, {}, 0120777U << 16U}}) ==
+        "contains 'r.urdf', which is a link or no plain file");
+  CHECK(reason_of({{"d", "", {}, {}, 0x10}}) == "contains 'd', which is a link or no plain file");
+  CHECK(reason_of({{"a", "1", {}, {}, 0, 1, 0}}) ==
+        "contains the file 'a', whose header differs from the directory");
+
+  CHECK(reason_of({{"Arm.yml", "1"}, {"arm.yml", "2"}}) ==
+        "contains the files 'Arm.yml' and 'arm.yml', which are one file on some systems");
+  CHECK(reason_of({{"n\u00e9.yml", "1"}, {"ne\u0301.yml", "2"}}).find("one file on some systems") !=
+        std::string::npos);
+  CHECK(reason_of({{"n\u00e9.yml", "1"}, {"n\u00e8.yml", "2"}}) == "");
+  CHECK(reason_of({{"s.smurfs", "1"}, {"s.smurfs/x.yml", "2"}}) ==
+        "contains the file 's.smurfs', which is also a folder");
+  CHECK(reason_of({{"S.smurfs", "1"}, {"s.smurfs/x.yml", "2"}}) ==
+        "contains the file 'S.smurfs', which is also a folder");
+}
+
+TEST_CASE("no archive is hidden in another one") {
+  // The comment of the outer archive is an archive with the same names and lengths.
+  const std::string inner = zip({{"r.urdf", "evil"}});
+  std::string outer = zip({{"r.urdf", "good"}});
+  outer.resize(outer.size() - 2);
+  test::append(outer, static_cast<std::uint32_t>(inner.size()), 2);
+  CHECK(read_zip(outer + inner, at_most(1000)).reason ==
+        "contains the file 'r.urdf', whose header differs from the directory");
+
+  // Where sizes are behind the file, a reader of a stream looks for its end.
+  const std::string hidden = inner.substr(0, inner.find("PK\x01\x02"));
+  std::string bytes = zip_of({{"a.txt", "some" + hidden, {}, {}, 0, 8, 8}});
+  const std::size_t directory = bytes.rfind("PK\x01\x02");
+  const std::size_t trailer = bytes.rfind("PK\x05\x06");
+  bytes[trailer + 16] = static_cast<char>(directory + 12);
+  bytes.insert(directory, bytes.substr(14, 12));
+  CHECK(read_zip(bytes, at_most(1000)).reason ==
+        "contains the file 'a.txt', in which another archive begins");
 }
 
 TEST_CASE("broken archives are refused, whatever is broken") {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <type_traits>
 
@@ -11,11 +12,12 @@
 #include "base/limits.hpp"
 #include "base/little_endian.hpp"
 #include "base/path.hpp"
+#include "base/utf8.hpp"
 
 namespace smurf {
 namespace {
 
-/// The largest values that minizip accepts.
+/// The bytes that minizip reads.
 struct Memory {
   std::string_view bytes;
   std::size_t at = 0;
@@ -54,6 +56,10 @@ struct Close {
 using Zip = std::unique_ptr<std::remove_pointer_t<unzFile>, Close>;
 
 bool is_inside(std::string_view path) {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  if (path.size() > 1 && path[1] == ':' && kLetters.find(path[0]) != std::string_view::npos) {
+    return false;  // a drive of Windows
+  }
   if (path.empty() || path::is_absolute(path) || path.find('\\') != std::string_view::npos ||
       path.find('\0') != std::string_view::npos) {
     return false;
@@ -72,6 +78,67 @@ struct Packed {
     return behind == 12 || behind == 16 || behind == 20 || behind == 24;
   }
 };
+
+/// Equal for names that some file system treats as one: case does not count, nor how a letter with
+/// a mark is written in Unicode. Letters outside of ASCII look alike.
+std::string folded(std::string_view name) {
+  std::string all;
+  while (!name.empty()) {
+    const utf8::CodePoint next = utf8::decode(name);
+    name.remove_prefix(next.size);
+    const bool is_mark = next.value >= 0x300 && next.value <= 0x36F;
+    if (is_mark && !all.empty()) {
+      all.back() = '\0';
+    } else {
+      all += next.value < 0x80 ? static_cast<char>(next.value) : '\0';
+    }
+  }
+  return path::to_lower(all);
+}
+
+bool has_marks(std::string_view name) {
+  for (; !name.empty(); name.remove_prefix(utf8::decode(name).size)) {
+    const char32_t value = utf8::decode(name).value;
+    if (value >= 0x300 && value <= 0x36F) return true;
+  }
+  return false;
+}
+
+/// Whether some file system treats the names of two files as one.
+bool are_one_to_some(const std::string& a, const std::string& b) {
+  return path::to_lower(a) == path::to_lower(b) || has_marks(a) || has_marks(b);
+}
+
+/// The mode of Unix, and a flag of DOS, say what an entry is.
+bool is_plain(const unz_file_info64& info, bool is_folder) {
+  constexpr uLong kTypeMask = 0170000;
+  constexpr uLong kFolder = 0040000;
+  constexpr uLong kFile = 0100000;
+  constexpr uLong kDosFolder = 0x10;
+  const uLong type = (info.external_fa >> 16U) & kTypeMask;
+  if (type != 0 && type != (is_folder ? kFolder : kFile)) return false;
+  return is_folder || (info.external_fa & kDosFolder) == 0;
+}
+
+/// Whether the extra field gives the entry another name, or is broken.
+bool has_other_name(std::string_view extra, std::string_view name) {
+  constexpr std::size_t kHead = 4;
+  constexpr std::size_t kUnicodePath = 0x7075;
+  constexpr std::size_t kPlaceOfName = 5;  // behind a version and a checksum
+  while (extra.size() >= kHead) {
+    const std::size_t id = read_uint16(extra, 0);
+    const std::size_t size = read_uint16(extra, 2);
+    extra.remove_prefix(kHead);
+    if (size > extra.size()) return true;
+    const std::string_view content = extra.substr(0, size);
+    extra.remove_prefix(size);
+    if (id == kUnicodePath &&
+        (content.size() < kPlaceOfName || content.substr(kPlaceOfName) != name)) {
+      return true;
+    }
+  }
+  return extra.find_first_not_of('\0') != std::string_view::npos;
+}
 
 class Reader {
  public:
@@ -98,12 +165,7 @@ class Reader {
     if (status != UNZ_END_OF_LIST_OF_FILE || !is_whole()) return fail("is a broken zip archive");
     std::sort(archive_.files.begin(), archive_.files.end(),
               [](const ArchivedFile& a, const ArchivedFile& b) { return a.path < b.path; });
-    // Some programs read the first of two files, others the last.
-    const auto twice = std::adjacent_find(
-        archive_.files.begin(), archive_.files.end(),
-        [](const ArchivedFile& a, const ArchivedFile& b) { return a.path == b.path; });
-    if (twice != archive_.files.end())
-      return fail("contains two files named '" + twice->path + "'");
+    if (!check_names()) return std::move(archive_);
     return std::move(archive_);
   }
 
@@ -113,16 +175,49 @@ class Reader {
     return std::move(archive_);
   }
 
+  /// Some programs read the first of two files, others the last; some file systems keep only one of
+  /// two names.
+  bool check_names() {
+    std::map<std::string, const std::string*> known;
+    for (const ArchivedFile& file : archive_.files) {
+      const auto [at, is_new] = known.emplace(folded(file.path), &file.path);
+      if (is_new) continue;
+      if (*at->second == file.path) {
+        return refuse("contains two files named '" + file.path + "'");
+      }
+      if (are_one_to_some(*at->second, file.path)) {
+        return refuse("contains the files '" + *at->second + "' and '" + file.path +
+                      "', which are one file on some systems");
+      }
+    }
+    for (const ArchivedFile& file : archive_.files) {
+      for (std::size_t end = file.path.find('/'); end != std::string::npos;
+           end = file.path.find('/', end + 1)) {
+        const auto outer = known.find(folded(file.path.substr(0, end)));
+        if (outer == known.end()) continue;
+        if (!are_one_to_some(*outer->second, file.path.substr(0, end))) continue;
+        return refuse("contains the file '" + *outer->second + "', which is also a folder");
+      }
+    }
+    return true;
+  }
+
   /// Whether every program finds the same files. Some read the directory that the last trailer
   /// names, some read the files from the front, and some read all entries of a directory, whatever
-  /// their number.
+  /// their number. All places are counted from the first byte, as all programs do.
   bool is_whole() {
+    constexpr std::string_view kSignature = "PK\x05\x06";
     constexpr std::size_t kTrailer = 22;
+    constexpr std::size_t kPlaceOfSize = 12;
+    constexpr std::size_t kPlaceOfDirectory = 16;
     constexpr std::size_t kPlaceOfComment = 20;
     const std::string_view trailer = file_.bytes.substr(std::min(after_entry_, file_.bytes.size()));
-    if (!trailer.starts_with("PK\x05\x06") || trailer.size() < kTrailer) return false;
+    if (!trailer.starts_with(kSignature) || trailer.size() < kTrailer) return false;
     const std::size_t comment = read_uint16(trailer, kPlaceOfComment);
-    return trailer.size() == kTrailer + comment && has_no_gap();
+    return trailer.rfind(kSignature) == 0 &&
+           read_uint32(trailer, kPlaceOfDirectory) == directory_ &&
+           read_uint32(trailer, kPlaceOfSize) == after_entry_ - directory_ &&
+           trailer.size() == kTrailer + comment && has_no_gap();
   }
 
   /// Whether the packed files follow each other from the first byte to the directory.
@@ -157,8 +252,15 @@ class Reader {
     if (info.size_filename >= name.size()) return refuse("contains a file with too long a name");
     name.resize(info.size_filename);
     if (!check_header(entry, info, name)) return false;
-    if (name.ends_with('/')) return true;  // a folder
+    const bool is_folder = name.ends_with('/');
+    if (!is_plain(info, is_folder)) {
+      return refuse("contains '" + name + "', which is a link or no plain file");
+    }
     if (!is_inside(name)) return refuse("contains the file '" + name + "', which is not inside it");
+    if (is_folder) {
+      if (info.compressed_size == 0 && info.uncompressed_size == 0) return true;
+      return refuse("contains the folder '" + name + "', which has content");
+    }
     const std::uint64_t most_files = budget_.limits().archive_files;
     if (archive_.files.size() >= most_files) {
       return refuse("contains more than " + std::to_string(most_files) + " files; " +
@@ -183,6 +285,7 @@ class Reader {
 
   /// Programs that unpack a stream read the header before the bytes; others read the directory.
   bool check_header(std::size_t entry, const unz_file_info64& info, const std::string& name) {
+    constexpr std::size_t kEntry = 46;
     constexpr std::size_t kPlaceOfFile = 42;   // in an entry of the directory
     constexpr std::size_t kPlaceOfSizes = 26;  // of name and extra field, in the header of a file
     constexpr std::size_t kPlaceOfName = 30;
@@ -191,15 +294,48 @@ class Reader {
     if (!header.starts_with("PK\x03\x04") || header.size() < kPlaceOfName) {
       return refuse("is a broken zip archive");
     }
-    if (!header.substr(kPlaceOfName).starts_with(name)) {
+    const std::size_t name_size = read_uint16(header, kPlaceOfSizes);
+    const std::size_t extra_size = read_uint16(header, kPlaceOfSizes + 2);
+    if (header.substr(kPlaceOfName, name_size) != name) {
       return refuse("contains the file '" + name + "', whose header has another name");
     }
-    const std::size_t end = begin + kPlaceOfName + read_uint16(header, kPlaceOfSizes) +
-                            read_uint16(header, kPlaceOfSizes + 2) +
-                            static_cast<std::size_t>(info.compressed_size);
-    constexpr unsigned kHasSizesBehind = 1U << 3U;
-    packed_.push_back({begin, end, (info.flag & kHasSizesBehind) != 0});
+    const std::size_t behind_name = entry + kEntry + name.size();
+    for (const std::string_view extra :
+         {header.substr(std::min(kPlaceOfName + name_size, header.size()), extra_size),
+          file_.bytes.substr(std::min(behind_name, file_.bytes.size()), info.size_file_extra)}) {
+      if (has_other_name(extra, name)) {
+        return refuse("contains the file '" + name + "', which has a second name");
+      }
+    }
+    if (!has_facts(header, info)) {
+      return refuse("contains the file '" + name + "', whose header differs from the directory");
+    }
+    return add_packed(begin, kPlaceOfName + name_size + extra_size, info, name);
+  }
+
+  bool add_packed(std::size_t begin, std::size_t header, const unz_file_info64& info,
+                  const std::string& name) {
+    const auto size = static_cast<std::size_t>(info.compressed_size);
+    const bool has_sizes_behind = (info.flag & kHasSizesBehind) != 0;
+    packed_.push_back({begin, begin + header + size, has_sizes_behind});
+    // Then, a program that unpacks a stream may find the end of the file, and more files, in it.
+    const std::string_view bytes = file_.bytes.substr(begin);
+    if (has_sizes_behind && bytes.size() > header &&
+        bytes.substr(header, size).find("PK\x03\x04") != std::string_view::npos) {
+      return refuse("contains the file '" + name + "', in which another archive begins");
+    }
     return true;
+  }
+
+  /// Whether the header of a file agrees with the entry in the directory: flags, method, checksum
+  /// and sizes.
+  static bool has_facts(std::string_view header, const unz_file_info64& info) {
+    constexpr unsigned kFlags = 1U | kHasSizesBehind | (1U << 11U) | (1U << 13U);
+    if (((read_uint16(header, 6) ^ info.flag) & kFlags) != 0) return false;
+    if (read_uint16(header, 8) != info.compression_method) return false;
+    if ((info.flag & kHasSizesBehind) != 0) return true;
+    return read_uint32(header, 14) == info.crc && read_uint32(header, 18) == info.compressed_size &&
+           read_uint32(header, 22) == info.uncompressed_size;
   }
 
   /// The size in the archive may be wrong.
@@ -217,6 +353,8 @@ class Reader {
     if (count < 0 || unzCloseCurrentFile(zip) != UNZ_OK) return refuse("is a broken zip archive");
     return true;
   }
+
+  static constexpr unsigned kHasSizesBehind = 1U << 3U;
 
   Memory file_;
   ArchiveBudget& budget_;
