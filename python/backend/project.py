@@ -25,6 +25,11 @@ def homepage():
     return _fact("CMakeLists.txt", r'\n  HOMEPAGE_URL "([^"]+)"')
 
 
+def site():
+    """The address of the documentation of this version."""
+    return _fact("CMakeLists.txt", r'SMURF_SITE "([^"]+)/\$').rstrip("/") + f"/{version()}/"
+
+
 def summary():
     return _fact("CMakeLists.txt", r'\n  DESCRIPTION "([^"]+)"')
 
