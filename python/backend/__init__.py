@@ -19,7 +19,7 @@ if not sys.dont_write_bytecode:
 from .archives import write_sdist, write_wheel  # noqa: E402
 from .elf import tag_of  # noqa: E402
 from .programs import NoPrograms, gather  # noqa: E402
-from .project import ROOT, metadata, stem  # noqa: E402
+from .project import ROOT, VIEWER, metadata, stem, version  # noqa: E402
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
@@ -31,13 +31,15 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     tag = tag_of([*programs.values(), *modules.values()], bool(modules))
     print(f"smurf-tools: the wheel is for {tag}", file=sys.stderr)
     name = stem()
-    sources = [file for file in (ROOT / "python/smurf").iterdir() if file.suffix in (".py", ".pyi", ".typed")]
+    suffixes = (".py", ".pyi", ".typed") if modules else (".py",)  # types are those of the module
+    sources = [file for file in (ROOT / "python/smurf").iterdir() if file.suffix in suffixes]
     files = {f"smurf/{source.name}": source.read_bytes() for source in sources}
     if not modules:
-        files["smurf/__init__.py"] = pathlib.Path(__file__).with_name("without_module.py").read_bytes()
+        text = pathlib.Path(__file__).with_name("without_module.py").read_text(encoding="utf-8")
+        files["smurf/__init__.py"] = text.replace("@VERSION@", version()).encode()
     files |= {f"smurf/{module}": content for module, content in modules.items()}
     files |= {f"{name}.data/scripts/{program}": content for program, content in programs.items()}
-    files |= _dist_info(tag)
+    files |= _dist_info(tag, bool(modules))
     wheel = pathlib.Path(wheel_directory, f"{name}-{tag}.whl")
     write_wheel(wheel, files, record=f"{name}.dist-info/RECORD")
     return wheel.name
@@ -51,21 +53,25 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
     return f"{stem()}.dist-info"
 
 
-def _dist_info(tag):
+def _dist_info(tag, has_module=True):
     python, abi, platforms = tag.split("-")
     tags = "".join(f"Tag: {python}-{abi}-{platform}\n" for platform in platforms.split("."))
     texts = {
         "LICENSE": (ROOT / "LICENSE").read_text(encoding="utf-8"),
-        "METADATA": metadata(),
+        "METADATA": metadata(has_module),
         "WHEEL": f"Wheel-Version: 1.0\nGenerator: smurf-tools\nRoot-Is-Purelib: false\n{tags}",
     }
     return {f"{stem()}.dist-info/{name}": text.encode() for name, text in texts.items()}
 
 
 def build_sdist(sdist_directory, config_settings=None):
-    """All files that git knows, as they are in the folder."""
+    """All files that git knows, as they are in the folder, and the 3D page, which is made with packages from the network."""
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, stdout=subprocess.PIPE, check=True).stdout.decode()
     files = {name: ROOT / name for name in listed.split("\0") if name and (ROOT / name).is_file()}
+    if VIEWER.is_file():
+        files[VIEWER.relative_to(ROOT).as_posix()] = VIEWER
+    else:
+        print("smurf-tools: without the 3D page; scripts/viewer makes it", file=sys.stderr)
     sdist = pathlib.Path(sdist_directory, f"{stem()}.tar.gz")
     write_sdist(sdist, stem(), files, metadata())
     return sdist.name

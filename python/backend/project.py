@@ -4,6 +4,7 @@ import pathlib
 import re
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+VIEWER = ROOT / "build/viewer/viewer.html"
 
 
 def _fact(file, pattern):
@@ -39,7 +40,16 @@ def stem():
     return f"{name().replace('-', '_')}-{version()}"
 
 
-def metadata():
+def readme():
+    """README.md for a page elsewhere: links lead to the files of this version."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    relative = r"\]\((?![a-z]+:|#)([^)]+)\)"
+    text = re.sub("(!\\[[^]]*)" + relative, rf"\1]({homepage()}/raw/v{version()}/\2)", text)
+    return re.sub(relative, rf"]({homepage()}/blob/v{version()}/\1)", text)
+
+
+def metadata(has_module=True):
+    extra = 'Provides-Extra: poses\nRequires-Dist: numpy; extra == "poses"\n' if has_module else ""
     return f"""Metadata-Version: 2.1
 Name: {name()}
 Version: {version()}
@@ -51,8 +61,6 @@ Classifier: Environment :: Console
 Classifier: Intended Audience :: Science/Research
 Classifier: License :: OSI Approved :: BSD License
 Classifier: Topic :: Scientific/Engineering
-Provides-Extra: poses
-Requires-Dist: numpy; extra == "poses"
-Description-Content-Type: text/markdown
+{extra}Description-Content-Type: text/markdown
 
-""" + (ROOT / "README.md").read_text(encoding="utf-8")
+""" + readme()

@@ -35,7 +35,7 @@ class LintTest(cli.CliTest):
 
 
 MORE = ("\nsmurf-lint --explain SML3101, or "
-        "https://github.com/smurf-tools/smurf/blob/main/docs/rules/sml3.md#sml3101-unknown-joint\n")
+        "https://smurf-tools.github.io/smurf/0.1.0/rules/SML3101/\n")
 
 
 class CalmReports(LintTest):
@@ -167,7 +167,7 @@ ros       fails to load (1)
 pybullet  loads, with losses (1)
           arm.urdf:6:4: reads 0: the joint has no force (SML1404)
 
-smurf-lint --explain SML1404, or https://github.com/smurf-tools/smurf/blob/main/docs/rules/sml14.md#sml1404-limit-incomplete
+smurf-lint --explain SML1404, or https://smurf-tools.github.io/smurf/0.1.0/rules/SML1404/
 """)
         self.assertIn("= note: ros: refuses the file\n", done.stdout)
 

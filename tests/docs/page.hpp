@@ -23,10 +23,25 @@ inline std::string read_page(const std::filesystem::path& path) {
   return text.str();
 }
 
+inline std::string in_lower_case(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+/// "sml14", the page of the rule in docs/rules/: one per digit, and one per two digits for the many
+/// rules about URDF.
+inline std::string page_of(const Rule& rule) {
+  return in_lower_case(std::string(rule.id.substr(0, rule.id.starts_with("SML1") ? 5 : 4)));
+}
+
+/// "sml1408-bounds-equal", its heading on that page.
+inline std::string heading_of(const Rule& rule) {
+  return in_lower_case(std::string(rule.id)) + "-" + std::string(rule.name);
+}
+
 /// "[SML1408](rules/sml14.md#sml1408-bounds-equal)", for a page in docs/.
 inline std::string link_to(const Rule& rule) {
-  const std::string address = rule_address(rule, "");
-  return "[" + std::string(rule.id) + "](" + address.substr(address.find("rules/")) + ")";
+  return "[" + std::string(rule.id) + "](rules/" + page_of(rule) + ".md#" + heading_of(rule) + ")";
 }
 
 /// `name` is that of a file in docs/.

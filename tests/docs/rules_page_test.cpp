@@ -16,6 +16,7 @@
 
 namespace fs = std::filesystem;
 using namespace smurf;
+using test::heading_of, test::page_of;
 
 namespace {
 
@@ -42,13 +43,6 @@ const std::map<std::string, std::string>& page_titles() {
       {"sml8", "SML8xxx: losses in a conversion"},
       {"sml9", "SML9xxx: configuration and suppressions"}};
   return kTitles;
-}
-
-/// "sml14": the page of the rule.
-std::string page_of(const Rule& rule) {
-  const std::string address = rule_address(rule, "");
-  const std::size_t begin = address.rfind('/') + 1;
-  return address.substr(begin, address.find(".md") - begin);
 }
 
 /// The reason of the rule, and the facts about readers.
@@ -142,8 +136,7 @@ void write_rule(std::ostream& page, const Rule& rule) {
 
 /// A row of the index. Its anchors are those of the former page with all rules.
 void write_row(std::ostream& page, const Rule& rule) {
-  const std::string address = rule_address(rule, "");
-  const std::string anchor = address.substr(address.find('#') + 1);
+  const std::string anchor = heading_of(rule);
   page << "| <a id=\"" << rule.name << "\"></a><a id=\"" << anchor << "\"></a>[" << rule.id
        << "](rules/" << page_of(rule) << ".md#" << anchor << ") | " << rule.name << " | "
        << to_string(rule.severity) << " | " << rule.summary << " |\n";

@@ -124,7 +124,7 @@ class Diagnostics(LspTest):
         self.assertEqual(text_in(self.client.texts[str(self.motors)], one["range"]), "joynt1_waist")
         self.assertEqual(one["severity"], 1)
         self.assertEqual(one["source"], "smurf-lint")
-        self.assertIn("rules/sml3.md#sml3101-unknown-joint", one["codeDescription"]["href"])
+        self.assertIn("/rules/SML3101/", one["codeDescription"]["href"])
         place = one["relatedInformation"][0]["location"]
         self.assertEqual(path_of(place["uri"]), str(self.urdf))
         self.assertEqual(text_in(self.urdf.read_text(), place["range"]), "joint1_waist")

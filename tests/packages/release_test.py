@@ -66,7 +66,7 @@ class Release(unittest.TestCase):
         self.assertIn("nothing was committed or tagged", done.stdout)
         out = self.folder / "out"
         sums = dict(reversed(line.split()) for line in (out / "SHA256SUMS").read_text().splitlines())
-        self.assertEqual({*sums, "SHA256SUMS", "notes.md"},
+        self.assertEqual({*sums, "SHA256SUMS", "notes.md", "uploads.md"},
                          {str(file.relative_to(out)) for file in out.rglob("*") if file.is_file()})
         for recipe in (out / "recipes").iterdir():
             text = recipe.read_text()
@@ -94,11 +94,14 @@ class Release(unittest.TestCase):
         copy_of_project(project)
         shutil.copy(ROOT / "scripts/release", project / "scripts")
         shutil.copytree(ROOT / "packaging/recipes", project / "packaging/recipes")
+        shutil.copy(ROOT / "packaging/uploads.md", project / "packaging")
         for name, text in (("setup", "exit 0"), ("static-libraries", "exit 0"), ("viewer", "exit 0"), ("test", f"cmake -S '{self.folder}/source' -B build/release"),
                            ("container", 'echo image >"$2"'), ("licences", 'mkdir -p "$1"'),
-                           ("debian", "mkdir -p build/debian && cd build/debian && touch a.deb a.dsc a.tar.xz"), ("arm64", f"cmake -S '{self.folder}/arm64-source' -B build/arm64"),
+                           ("debian", "mkdir -p build/debian && cd build/debian && touch smurf_a.deb smurf_a.dsc smurf_a.tar.xz"), ("arm64", f"cmake -S '{self.folder}/arm64-source' -B build/arm64"),
                            ("windows", f"cmake -S '{self.folder}/windows-source' -B build/windows"),
-                           ("wasm", "mkdir -p build/wasm && echo packed >build/wasm/smurf-tools.tgz")):
+                           ("wasm", "mkdir -p build/wasm && echo packed >build/wasm/smurf-tools-1.tgz"),
+                           ("../editors/vscode/build", 'echo packed >"$2"'), ("site", "mkdir -p build/site && echo >build/site/index.html")):
+            (project / "scripts" / name).parent.mkdir(parents=True, exist_ok=True)
             (project / "scripts" / name).write_text(f"#!/bin/sh\n{text}\n")
             (project / "scripts" / name).chmod(0o755)
         (project / ".gitignore").write_text("/build/\n__pycache__/\n")
@@ -112,7 +115,7 @@ class Release(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         out = project / "build/dist"
         self.assertEqual((out / "notes.md").read_text(), "- all\n")
-        self.assertTrue((out / "a.deb").exists())
+        self.assertTrue((out / "smurf_a.deb").exists())
         self.assertEqual(subprocess.run([*git, "status", "--porcelain"], check=True, capture_output=True).stdout, b"")
         table = subprocess.run([*git, "show", f"v{VERSION}:python/backend/releases.sha256"], check=True, capture_output=True)
         self.assertEqual({file.name for file in out.glob("*.oci.tar")},
@@ -120,7 +123,7 @@ class Release(unittest.TestCase):
         archives = table.stdout.decode().splitlines()[-3:]
         self.assertLessEqual(set(archives), set((out / "SHA256SUMS").read_text().splitlines()))
         self.assertEqual([line.rpartition(VERSION)[2] for line in archives], ["-linux-x86_64.tar.gz", "-linux-aarch64.tar.gz", "-win-amd64.tar.gz"])
-        self.assertIn(f"{hashlib.sha256(b'packed' + os.linesep.encode()).hexdigest()}  smurf-tools.tgz",
+        self.assertIn(f"{hashlib.sha256(b'packed' + os.linesep.encode()).hexdigest()}  smurf-tools-1.tgz",
                       (out / "SHA256SUMS").read_text().splitlines())
         build = "import sys, backend; backend.build_wheel(sys.argv[1])"
         subprocess.run([sys.executable, "-c", build, self.folder], check=True, stderr=subprocess.DEVNULL,

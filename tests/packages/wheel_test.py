@@ -73,6 +73,11 @@ class Sources(Case):
             for name in scripts:
                 self.assertEqual(wheel.getinfo(name).external_attr >> 16, 0o100755)
                 self.assertEqual(wheel.read(name), (self.small / name.rsplit("/")[-1]).read_bytes())
+            self.assertEqual([name for name in names if name.endswith((".pyi", ".typed"))], [])
+            metadata = wheel.read(next(name for name in names if name.endswith("/METADATA"))).decode()
+            self.assertNotIn("poses", metadata.partition("\n\n")[0])
+            links = re.findall(r"\]\(([^)]+)\)", metadata)
+            self.assertEqual([link for link in links if not link.startswith(("https://", "#"))], [])
             record = next(name for name in names if name.endswith("/RECORD"))
             self.assertEqual({line.split(",")[0] for line in wheel.read(record).decode().splitlines()}, names)
 
@@ -241,7 +246,9 @@ class Pip(Case):
         done = self.call(*run, "try-all", "smurf2urdf", "--", ARM.parent, PATH="/nowhere")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         done = self.call(environment / "bin/python", "-c", "import smurf; smurf.check('a')")
-        self.assertIn("ImportError: smurf.check needs the Python module", done.stderr)
+        self.assertIn("AttributeError: smurf.check needs the Python module", done.stderr)
+        done = self.call(environment / "bin/python", "-c", "import smurf; print(smurf.__version__, hasattr(smurf, 'check'))")
+        self.assertRegex(done.stdout, r"^\d+\.\d+\.\d+ False\n$")
         self.assertEqual(self.call(environment / "bin/pip", "uninstall", "-y", "smurf-tools").returncode, 0)
         left = [path for path in environment.rglob("*smurf*")]
         self.assertEqual(left, [])

@@ -98,8 +98,8 @@ std::string help_text(const Command& command) {
   out += "\n" + render::wrap("Exit codes: 0 done, 1 " + std::string(command.exit_with_1) +
                                  ", 2 could not do the job",
                              0, kColumns);
-  return out + "More examples:\n  " + std::string(kHomepage) + "/blob/main/docs/tools/" +
-         std::string(command.name) + ".md\n";
+  return out + "More examples:\n  " + std::string(kSite) + "/tools/" + std::string(command.name) +
+         "/\n";
 }
 
 Setter set_flag(bool& flag) {

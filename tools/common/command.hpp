@@ -13,7 +13,7 @@
 namespace smurf::tools {
 
 inline constexpr std::string_view kVersion = SMURF_VERSION;
-inline constexpr std::string_view kHomepage = SMURF_HOMEPAGE;
+inline constexpr std::string_view kSite = SMURF_SITE;
 
 /// The exit code of a tool; it does not depend on the output format.
 using ExitCode = int;

@@ -75,7 +75,7 @@ std::string manual_page(const Command& command) {
     out += ".PP\n" + roff(example.does) + "\n.PP\n.RS 4\n.nf\n" + roff(example.command) +
            "\n.fi\n.RE\n";
   }
-  return out + ".SH \"SEE ALSO\"\n" + roff(kHomepage) + "\n";
+  return out + ".SH \"SEE ALSO\"\n" + roff(kSite) + "\n";
 }
 
 namespace {

@@ -43,7 +43,7 @@ std::string pointer_to_page(const Results& results) {
       [](const Diagnostic& a, const Diagnostic& b) { return a.severity < b.severity; });
   if (worst == results.diagnostics.end() || worst->severity < results.overview.least) return {};
   return "\nsmurf-lint --explain " + std::string(worst->rule->id) + ", or " +
-         rule_address(*worst->rule, kHomepage) + "\n";
+         rule_address(*worst->rule, kSite) + "\n";
 }
 
 /// The format for people, which ends with a summary and the verdicts of the targets.
@@ -79,7 +79,7 @@ std::string json(const Results& results, const TextStyle&) {
 
 std::string sarif(const Results& results, const TextStyle&) {
   return render_sarif(results.diagnostics, results.sources, all_rules(), {results.tool, kVersion},
-                      kHomepage, in_repository());
+                      kSite, in_repository());
 }
 
 std::string github(const Results& results, const TextStyle&) {

@@ -118,7 +118,7 @@ Json to_json(const Context& context, const Diagnostic& diagnostic, const SourceM
   Json json = {{"range", positions.range(diagnostic.span)},
                {"severity", severity_of(diagnostic.severity)},
                {"code", diagnostic.rule->id},
-               {"codeDescription", {{"href", rule_address(*diagnostic.rule, tools::kHomepage)}}},
+               {"codeDescription", {{"href", rule_address(*diagnostic.rule, tools::kSite)}}},
                {"source", "smurf-lint"},
                {"message", message_of(diagnostic)},
                {"data", {{"name", diagnostic.rule->name}, {"message", diagnostic.message}}}};

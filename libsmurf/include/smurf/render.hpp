@@ -95,11 +95,11 @@ MergedReport merge_json_reports(std::span<const NamedText> reports, const ToolNa
 /// Absolute for files outside.
 using RepositoryPath = std::function<std::string(const std::string& path)>;
 
-/// A SARIF 2.1.0 log with one run, as GitHub code scanning reads it; `homepage` is the page that
+/// A SARIF 2.1.0 log with one run, as GitHub code scanning reads it; `site` is the web site that
 /// explains `rules`.
 std::string render_sarif(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          std::span<const Rule* const> rules, const ToolName& tool,
-                         std::string_view homepage, const RepositoryPath& in_repository);
+                         std::string_view site, const RepositoryPath& in_repository);
 /// GitHub workflow commands: one "::error file=..." line each.
 std::string render_github(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                           const RepositoryPath& in_repository);
@@ -122,8 +122,8 @@ std::string render_html(std::span<const Diagnostic> diagnostics, const SourceMap
                         const Summary& summary, const ToolName& tool,
                         std::span<const TargetVerdict> targets, const PageParts& parts);
 
-/// The address of the page of a rule.
-std::string rule_address(const Rule& rule, std::string_view homepage);
+/// The address of the page of a rule on the web site of a version, which scripts/site makes.
+std::string rule_address(const Rule& rule, std::string_view site);
 /// The page of one rule, for `--explain`.
 std::string render_rule(const Rule& rule, const TextStyle& style);
 /// One line per rule, for `--list-rules`.

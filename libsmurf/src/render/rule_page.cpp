@@ -33,13 +33,8 @@ std::string tolerance_of(const Rule& rule) {
 
 }  // namespace
 
-std::string rule_address(const Rule& rule, std::string_view homepage) {
-  // One page per digit; the many rules about URDF have one per two digits.
-  const std::string_view page = rule.id.substr(0, rule.id.starts_with("SML1") ? 5 : 4);
-  std::string path = "docs/rules/" + std::string(page) + ".md#" + std::string(rule.id) + "-" +
-                     std::string(rule.name);
-  for (char& c : path) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return std::string(homepage) + "/blob/main/" + path;
+std::string rule_address(const Rule& rule, std::string_view site) {
+  return std::string(site) + "/rules/" + std::string(rule.id) + "/";
 }
 
 std::string render_rule(const Rule& rule, const TextStyle& style) {

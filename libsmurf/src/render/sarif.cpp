@@ -94,7 +94,7 @@ class Log {
     for (std::size_t i = 0; i < rules.size(); ++i) rule_index_.emplace(rules[i]->id, i);
   }
 
-  Json driver(const ToolName& tool, std::string_view homepage) const {
+  Json driver(const ToolName& tool, std::string_view site) const {
     Json rules = Json::array();
     for (const Rule* rule : rules_) {
       rules.push_back({{"id", text(rule->id)},
@@ -102,7 +102,7 @@ class Log {
                        {"shortDescription", {{"text", cut(rule->summary)}}},
                        {"fullDescription", {{"text", cut(full_description(*rule))}}},
                        {"help", {{"text", text(rule->remedy)}}},
-                       {"helpUri", rule_address(*rule, homepage)},
+                       {"helpUri", rule_address(*rule, site)},
                        {"defaultConfiguration", {{"level", text(level(rule->severity))}}},
                        {"properties",
                         {{"tags", {"robotics", "smurf"}},
@@ -113,7 +113,7 @@ class Log {
     return {{"name", text(tool.name)},
             {"version", text(tool.version)},
             {"semanticVersion", text(tool.version)},
-            {"informationUri", text(homepage)},
+            {"informationUri", text(site)},
             {"rules", std::move(rules)}};
   }
 
@@ -208,9 +208,9 @@ class Log {
 
 std::string render_sarif(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          std::span<const Rule* const> rules, const ToolName& tool,
-                         std::string_view homepage, const RepositoryPath& in_repository) {
+                         std::string_view site, const RepositoryPath& in_repository) {
   Log log(sources, rules, in_repository);
-  const Json run = {{"tool", {{"driver", log.driver(tool, homepage)}}},
+  const Json run = {{"tool", {{"driver", log.driver(tool, site)}}},
                     {"automationDetails", {{"id", std::string(tool.name) + "/"}}},
                     {"columnKind", "unicodeCodePoints"},
                     {"invocations", {{{"executionSuccessful", true}}}},
