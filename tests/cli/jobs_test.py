@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A report does not depend on the number of threads."""
+import os
 import pathlib
 import shutil
 import sys
@@ -7,7 +8,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
 
-RUNS = 20
+RUNS = int(os.environ.get("SMURF_TEST_CASES", 4))
 
 
 class Jobs(cli.CliTest):

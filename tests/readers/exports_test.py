@@ -6,9 +6,7 @@ the source, at zero and at other joint positions, to 1e-9 m and rad. What a read
 is its own affair, so that each one is compared with itself. Prints a table; readers that are not
 installed are named.
 
-Usage: exports_test.py URDF2SMURF SMURF2URDF BUILD [--long] FOLDER...
-
---long marks a run that happens only when SMURF_LONG_TESTS is set.
+Usage: exports_test.py URDF2SMURF SMURF2URDF BUILD FOLDER...
 """
 import collections
 import math
@@ -215,11 +213,6 @@ def sources(folders):
 
 def main():
     urdf2smurf, smurf2urdf, build = [pathlib.Path(word).resolve() for word in sys.argv[1:4]]
-    if "--long" in sys.argv:
-        sys.argv.remove("--long")
-        if "SMURF_LONG_TESTS" not in os.environ:
-            print("skipped: takes half an hour; set SMURF_LONG_TESTS=1")
-            sys.exit(77)
     folders = [pathlib.Path(word).resolve() for word in sys.argv[4:]]
     for folder in [folder for folder in folders if not folder.is_dir()]:
         print(f"skipped: there is no {folder}")
