@@ -145,8 +145,8 @@ void check_box(const MeshFacts& facts, MeshFormat format, std::uint64_t vertices
   CHECK(!facts.defect);
   REQUIRE(facts.box);
   CHECK(*facts.box == kBox);
-  REQUIRE(facts.volume);
-  CHECK(*facts.volume == doctest::Approx(6).epsilon(1e-6));
+  REQUIRE(facts.solid);
+  CHECK(facts.solid->volume == doctest::Approx(6).epsilon(1e-6));
 }
 
 std::string defect(const std::string& bytes, std::string_view extension = "") {
@@ -207,7 +207,7 @@ TEST_CASE("mesh: triangles, on demand") {
       }
     }
     CHECK(box == *facts.box);
-    CHECK(volume == doctest::Approx(*facts.volume));
+    CHECK(volume == doctest::Approx(facts.solid->volume));
   }
   const auto reason = [](const std::string& bytes, std::string_view extension) {
     const MeshTriangles mesh = read_triangles(bytes, extension);
@@ -249,13 +249,22 @@ TEST_CASE("mesh: turned inside out, and open") {
                            face.substr(0, first));
   }
   const MeshFacts facts = read_mesh(inside_out, ".obj");
-  REQUIRE(facts.volume);
-  CHECK(*facts.volume == doctest::Approx(-6));
+  REQUIRE(facts.solid);
+  CHECK(facts.solid->volume == doctest::Approx(-6));
 
   const std::string whole = obj();
   const MeshFacts open = read_mesh(whole.substr(0, whole.rfind('f')), ".obj");
   CHECK(open.triangles == 11);
-  CHECK(!open.volume);
+  CHECK(!open.solid);
+  CHECK(facts.closure == Closure::closed);
+  CHECK(open.closure == Closure::open);
+
+  // One face inward, as in the mesh turned inside out.
+  const std::size_t last = whole.rfind("\nf");
+  const MeshFacts flipped =
+      read_mesh(whole.substr(0, last) + inside_out.substr(inside_out.rfind("\nf")), ".obj");
+  CHECK(flipped.closure == Closure::flipped);
+  CHECK(!flipped.solid);
 }
 
 TEST_CASE("mesh: other ways to write OBJ") {

@@ -2,6 +2,7 @@
 // The format of a mesh file and the size of its content, without its triangles.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -38,6 +39,22 @@ struct Box {
     return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
   }
   friend bool operator==(const Box&, const Box&) = default;
+};
+
+/// The body that a surface encloses, at density 1.
+struct Solid {
+  double volume = 0;  ///< negative if the triangles face inward
+  Vector3 center{};   ///< of the volume
+  /// Integrals of xx, yy, zz, xy, xz and yz over the volume, about the center.
+  std::array<double, 6> second{};
+};
+
+/// How the triangles of a surface fit together.
+enum class Closure : std::uint8_t {
+  unknown,
+  closed,   ///< each edge joins two triangles that face the same side
+  flipped,  ///< each edge joins two triangles, but some face inward and some outward
+  open      ///< some edges belong to one triangle
 };
 
 /// The first place where a mesh file breaks the rules of its format.
@@ -77,10 +94,10 @@ struct MeshFacts {
   /// nodes, and the turned boxes of turned nodes. Absent when there are none or they cannot be
   /// placed.
   std::optional<Box> box;
-  /// The enclosed volume; negative if the triangles face inward. Present only if the surface
-  /// looks closed, that is, if its area vectors add up to zero. Never present for COLLADA and
-  /// glTF.
-  std::optional<double> volume;
+  /// Present only if the surface looks closed, that is, if its area vectors add up to zero.
+  /// COLLADA: in the unit of the file, with the transforms of its nodes.
+  std::optional<Solid> solid;
+  Closure closure = Closure::unknown;
   std::optional<double> unit_meters;  ///< COLLADA: metres per unit, if written
   char up_axis = '\0';                ///< COLLADA: 'X', 'Y' or 'Z', when written
   bool named_solid = false;           ///< binary STL whose header begins like an ASCII one

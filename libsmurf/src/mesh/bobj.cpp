@@ -37,7 +37,7 @@ class BobjReader {
     facts_.vertices = points_.size();
     facts_.box = box_.box();
     if (facts_.defect) return;
-    facts_.volume = surface_.volume();
+    surface_.write_to(facts_);
     // MARS reads chunks of this size and loses the records that the last full chunk leaves over.
     constexpr std::size_t kChunk = 256;
     if (bytes_.size() % kChunk == 0) {

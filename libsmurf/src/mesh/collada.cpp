@@ -19,7 +19,8 @@ using namespace collada;
 
 class ColladaReader {
  public:
-  ColladaReader(const File& file, MeshFacts& facts) : file_(file), facts_(facts) {}
+  ColladaReader(const File& file, MeshFacts& facts, SurfaceSum& surface)
+      : file_(file), facts_(facts), surface_(surface) {}
 
   void read() {
     for (const View child : file_.document()->view()) {
@@ -35,6 +36,7 @@ class ColladaReader {
       if (child.name() == "library_visual_scenes") scenes(child);
     }
     if (is_placed_) facts_.box = box_.finite_box();
+    if (!facts_.defect) add_surface();
   }
 
  private:
@@ -78,7 +80,7 @@ class ColladaReader {
   void add_points(View source, BoxSum& box) {
     const View array = source.child("float_array");
     if (!array) return;
-    const std::vector<double> all = numbers(array.text());
+    const std::vector<double>& all = numbers_[array.id()] = numbers(array.text());
     if (!is_finite(all)) {
       fail(array, "some coordinates of the vertices are not numbers");
       return;
@@ -143,12 +145,20 @@ class ColladaReader {
     if (found != geometry_boxes_.end()) box_.add_corners(found->second, X_SN);
   }
 
+  void add_surface() {
+    TriangleCollector triangles(kMostPlaced, [this](const Vector3& a, const Vector3& b,
+                                                    const Vector3& c) { surface_.add(a, b, c); });
+    if (place_triangles(file_, Affine{}, &numbers_, triangles).empty()) surface_.write_to(facts_);
+  }
+
   void fail(View at, std::string what) {
     if (!facts_.defect) facts_.defect = file_.defect_at(at, std::move(what));
   }
 
   const File& file_;
   MeshFacts& facts_;
+  SurfaceSum& surface_;
+  NumberLists numbers_;
   std::map<std::string_view, Box> geometry_boxes_;  ///< by id, in their own frame
   BoxSum box_;
   bool is_placed_ = true;
@@ -156,10 +166,10 @@ class ColladaReader {
 
 }  // namespace
 
-void read_collada(std::string_view text, MeshFacts& facts) {
+void read_collada(std::string_view text, MeshFacts& facts, SurfaceSum& surface) {
   const File file(text);
   if (file.document() != nullptr) {
-    ColladaReader(file, facts).read();
+    ColladaReader(file, facts, surface).read();
   } else if (file.defect()) {
     facts.defect = file.defect();
   }

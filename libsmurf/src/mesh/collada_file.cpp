@@ -63,6 +63,7 @@ std::string_view id_in(std::string_view reference) {
 
 std::vector<double> numbers(std::string_view text) {
   std::vector<double> all;
+  all.reserve(text.size() / 8);  // most numbers have seven characters
   Words words(text);
   while (!words.is_at_end()) all.push_back(parse_number(words.next()).value_or(std::nan("")));
   return all;

@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "mesh/affine.hpp"
+#include "mesh/triangle_collector.hpp"
 #include "smurf/mesh.hpp"
 #include "smurf/source.hpp"
 #include "smurf/xml.hpp"
@@ -46,6 +48,8 @@ std::string_view trimmed_text(xml::View element);
 std::string_view id_in(std::string_view reference);
 /// The numbers in a text; each word that is not a number becomes NaN.
 std::vector<double> numbers(std::string_view text);
+/// Numbers by the element that contains them.
+using NumberLists = std::unordered_map<xml::ElementId, std::vector<double>>;
 bool is_finite(const std::vector<double>& all);
 
 /// The <source> with the positions of a mesh.
@@ -62,6 +66,11 @@ Layout layout_of(xml::View source);
 
 /// Metres per unit of the file; none if it is not written.
 std::optional<double> unit_of(xml::View asset);
+
+/// Passes the triangles of the scene, moved by `X` and the transforms of the nodes, to `triangles`.
+/// Returns the reason if this failed, as read_collada_triangles(). `known` as for GeometryReader.
+std::string place_triangles(const File& file, const Affine& X, NumberLists* known,
+                            TriangleCollector& triangles);
 
 /// Applies <matrix>, <translate>, <rotate> or <scale> in a node to the transform of the node. False
 /// if it has the wrong numbers.

@@ -35,8 +35,9 @@ struct Problem {
 /// Reads geometries one after the other; stops at the first problem.
 class GeometryReader {
  public:
-  explicit GeometryReader(TexturePoints texture_points)
-      : wants_textures_(texture_points == TexturePoints::read) {}
+  /// `known` has numbers that were read before; they are moved out of it. It may be null.
+  explicit GeometryReader(TexturePoints texture_points, NumberLists* known)
+      : wants_textures_(texture_points == TexturePoints::read), known_(known) {}
 
   /// Empty for curves and other things without triangles.
   Geometry read(xml::View geometry);
@@ -52,6 +53,7 @@ class GeometryReader {
     const std::vector<TexturePoint>* textures = nullptr;  ///< null: the corners have none
   };
   bool read_points(xml::View mesh, Geometry& geometry);
+  std::vector<double> numbers_of(xml::View array);
   void read_primitives(xml::View element, Geometry& geometry);
   std::optional<Indices> indices_of(xml::View primitives);
   bool read_corners(xml::View list, const Indices& indices, Geometry& geometry);
@@ -60,6 +62,7 @@ class GeometryReader {
   bool fail(xml::View element, std::string what, bool is_defect = true);
 
   bool wants_textures_;
+  NumberLists* known_;
   std::size_t points_ = 0;  ///< the geometry as written
   std::optional<TextureSources> sources_;
   TexturedPoints textured_;

@@ -26,28 +26,23 @@ constexpr std::size_t kMostSteps = 4'000'000;
 
 class ColladaTriangles {
  public:
-  ColladaTriangles(const File& file, TriangleCollector& triangles)
+  ColladaTriangles(const File& file, NumberLists* known, TriangleCollector& triangles)
       : file_(file),
         root_(file.document()->view()),
         triangles_(triangles),
         colors_(root_),
-        geometries_(triangles.wants_texture_points() ? TexturePoints::read
-                                                     : TexturePoints::ignored) {
+        geometries_(triangles.wants_texture_points() ? TexturePoints::read : TexturePoints::ignored,
+                    known) {
     if (colors_.has_textures()) triangles.note_textures();
   }
 
   /// The reason why there are no triangles.
-  std::string read() {
+  std::string read(const Affine& X) {
     index();
-    Affine X_unit;
-    if (const View asset = root_.child("asset")) {
-      const double unit = unit_of(asset).value_or(1);
-      X_unit = scaling({unit, unit, unit});
-    }
     const View scene = scene_of();
     if (!scene) return "has no scene that places its parts";
     for (const View child : scene) {
-      if (child.name() == "node" && !node(child, X_unit)) break;
+      if (child.name() == "node" && !node(child, X)) break;
     }
     if (!triangles_.reason().empty()) return triangles_.reason();
     if (!problem_) problem_ = geometries_.problem();
@@ -190,11 +185,21 @@ class ColladaTriangles {
 
 }  // namespace
 
+std::string collada::place_triangles(const File& file, const Affine& X, NumberLists* known,
+                                     TriangleCollector& triangles) {
+  return ColladaTriangles(file, known, triangles).read(X);
+}
+
 std::string read_collada_triangles(std::string_view text, TriangleCollector& triangles) {
   const File file(text);
   if (file.has_too_many_elements()) return "has too many elements to be read";
   if (file.document() == nullptr) return why_broken(*file.defect());
-  return ColladaTriangles(file, triangles).read();
+  Affine X_unit;
+  if (const View asset = file.document()->view().child("asset")) {
+    const double unit = unit_of(asset).value_or(1);
+    X_unit = scaling({unit, unit, unit});
+  }
+  return place_triangles(file, X_unit, nullptr, triangles);
 }
 
 }  // namespace smurf

@@ -17,9 +17,13 @@ void read_ascii_stl(std::string_view text, MeshFacts& facts, SurfaceSum& surface
 void read_obj(std::string_view text, MeshFacts& facts, SurfaceSum& surface);
 /// Also collects the triangles, with their texture coordinates.
 MeshFacts read_textured_obj(std::string_view text, TriangleCollector& triangles);
-void read_collada(std::string_view text, MeshFacts& facts);
+void read_collada(std::string_view text, MeshFacts& facts, SurfaceSum& surface);
 void read_bobj(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface);
-void read_gltf(std::string_view bytes, const MeshNeighbours& neighbours, MeshFacts& facts);
+void read_gltf(std::string_view bytes, const MeshNeighbours& neighbours, MeshFacts& facts,
+               SurfaceSum& surface);
+/// Nodes of a small file can place triangles any number of times. This is more than an STL of the
+/// largest size has.
+inline constexpr std::size_t kMostPlaced = 3'000'000;
 
 /// Reads triangles, in metres and the axes of URDF. Returns the reason if this failed: "is broken:
 /// ...". The reason is empty if they were read, even if `triangles` has a reason.

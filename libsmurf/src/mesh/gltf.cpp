@@ -49,25 +49,14 @@ class GltfTriangles {
   }
 
   bool add(const Primitive& primitive, const std::optional<Accessor>& textures, const Affine& X) {
-    const std::uint64_t step = primitive.mode == kTriangles ? 3 : 1;
-    for (std::uint64_t i = 0; i + 3 <= primitive.count; i += step) {
-      const bool is_turned = primitive.mode == kStrip && i % 2 == 1;
-      const std::uint64_t corners[] = {primitive.mode == kFan ? 0
-                                       : is_turned            ? i + 1
-                                                              : i,
-                                       is_turned ? i : i + 1, i + 2};
-      Vector3 points[3];
+    return visit_triangles(data_, primitive, X, [&](const Corners& corners) {
       TextureCorners places{};
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto point = point_of(data_, primitive, corners[k]);
-        if (!point) return false;
-        points[k] = X * *point;
-        if (textures) places[k] = texture_of(textures, place_of(primitive, corners[k]));
+        if (textures) places[k] = texture_of(textures, place_of(primitive, corners.places[k]));
       }
       if (!textures) places.fill(kNoTexturePoint);
-      if (!triangles_.add(points[0], points[1], points[2], places)) return false;
-    }
-    return true;
+      return triangles_.add(corners.points[0], corners.points[1], corners.points[2], places);
+    });
   }
 
   /// None for a texture.

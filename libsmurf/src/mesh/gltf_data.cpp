@@ -92,20 +92,6 @@ bool read_numbers(const Json* list, std::span<double> numbers) {
   return true;
 }
 
-std::uint32_t Accessor::index(std::uint64_t place) const {
-  const std::size_t at = static_cast<std::size_t>(place) * stride;
-  const auto byte = [&](std::size_t i) {
-    return std::uint32_t{static_cast<unsigned char>(bytes[at + i])};
-  };
-  if (type == kByte) return byte(0);
-  return type == kShort ? byte(0) | byte(1) << 8U : read_uint32(bytes, at);
-}
-
-Vector3 Accessor::point(std::uint64_t place) const {
-  const std::size_t at = static_cast<std::size_t>(place) * stride;
-  return {read_float(bytes, at), read_float(bytes, at + 4), read_float(bytes, at + 8)};
-}
-
 std::array<double, 2> Accessor::texture_point(std::uint64_t place) const {
   const std::size_t at = static_cast<std::size_t>(place) * stride;
   const auto byte = [&](std::size_t i) {

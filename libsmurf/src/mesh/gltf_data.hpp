@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/little_endian.hpp"
 #include "smurf/mesh_triangles.hpp"
 #include "smurf/pose.hpp"
 
@@ -28,6 +29,12 @@ bool is_text(const Json* value, std::string_view text);
 /// Finite numbers only.
 bool read_numbers(const Json* list, std::span<double> numbers);
 
+/// Types of components.
+inline constexpr std::uint64_t kByte = 5121;
+inline constexpr std::uint64_t kShort = 5123;
+inline constexpr std::uint64_t kInt = 5125;
+inline constexpr std::uint64_t kFloat = 5126;
+
 /// The numbers of an accessor. They are read one by one, because accessors may overlap any number
 /// of times.
 struct Accessor {
@@ -38,18 +45,22 @@ struct Accessor {
   std::uint64_t number = 0;  ///< index in the list of accessors
 
   /// Precondition: the type is an index type, and place < count.
-  std::uint32_t index(std::uint64_t place) const;
+  std::uint32_t index(std::uint64_t place) const {
+    const std::size_t at = static_cast<std::size_t>(place) * stride;
+    const auto byte = [&](std::size_t i) {
+      return std::uint32_t{static_cast<unsigned char>(bytes[at + i])};
+    };
+    if (type == kByte) return byte(0);
+    return type == kShort ? byte(0) | byte(1) << 8U : read_uint32(bytes, at);
+  }
   /// Precondition: the type is float, and place < count.
-  Vector3 point(std::uint64_t place) const;
+  Vector3 point(std::uint64_t place) const {
+    const std::size_t at = static_cast<std::size_t>(place) * stride;
+    return {read_float(bytes, at), read_float(bytes, at + 4), read_float(bytes, at + 8)};
+  }
   /// Precondition: two components, which are not integers of four bytes, and place < count.
   std::array<double, 2> texture_point(std::uint64_t place) const;
 };
-
-/// Types of components.
-inline constexpr std::uint64_t kByte = 5121;
-inline constexpr std::uint64_t kShort = 5123;
-inline constexpr std::uint64_t kInt = 5125;
-inline constexpr std::uint64_t kFloat = 5126;
 
 /// Reads the data of a file. A file that is not broken may still be unsupported.
 inline constexpr std::string_view kBroken = "is broken: ";

@@ -15,14 +15,18 @@ using namespace gltf;
 /// Reads each mesh once, even if many nodes place it.
 class GltfFacts {
  public:
-  GltfFacts(Data& data, MeshFacts& facts) : data_(data), facts_(facts) {}
+  GltfFacts(Data& data, MeshFacts& facts, SurfaceSum& surface)
+      : data_(data), facts_(facts), surface_(surface) {}
 
   void read() {
     visit_meshes(data_, [&](const Json& mesh, std::uint64_t number, const Affine& X) {
       const auto [known, is_new] = meshes_.try_emplace(number);
-      return (!is_new || read_mesh(mesh, known->second)) && place(known->second, X);
+      return (!is_new || read_mesh(mesh, known->second)) && place(known->second, X) &&
+             add_surface(mesh, X);
     });
-    if (data_.reason().empty()) facts_.box = box_.finite_box();
+    if (!data_.reason().empty()) return;
+    facts_.box = box_.finite_box();
+    if (triangles_ <= kMostPlaced) surface_.write_to(facts_);
   }
 
  private:
@@ -65,16 +69,29 @@ class GltfFacts {
     return true;
   }
 
+  bool add_surface(const Json& mesh, const Affine& X) {
+    return visit_primitives(data_, mesh, steps_, [&](const Primitive& primitive) {
+      triangles_ += primitive.triangles();
+      return triangles_ > kMostPlaced ||
+             visit_triangles(data_, primitive, X, [&](const Corners& corners) {
+               surface_.add(corners.points[0], corners.points[1], corners.points[2]);
+               return true;
+             });
+    });
+  }
+
   static constexpr std::uint64_t kCornersPerByte = 4;
 
   Data& data_;
   MeshFacts& facts_;
+  SurfaceSum& surface_;
   std::map<std::uint64_t, Mesh> meshes_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, BoxSum> boxes_;  ///< by accessors
   std::set<std::uint64_t> points_;                                   ///< accessors counted so far
   BoxSum box_;
   std::size_t steps_ = 0;
   std::uint64_t corners_ = 0;
+  std::uint64_t triangles_ = 0;  ///< placed
 };
 
 /// The name of a buffer, for messages about a buffer that is too short.
@@ -89,10 +106,11 @@ const MeshDependency* find_buffer(const MeshFacts& facts, const Data& data) {
 
 }  // namespace
 
-void read_gltf(std::string_view bytes, const MeshNeighbours& neighbours, MeshFacts& facts) {
+void read_gltf(std::string_view bytes, const MeshNeighbours& neighbours, MeshFacts& facts,
+               SurfaceSum& surface) {
   Data data(bytes, neighbours);
   facts.dependencies = names_in(data);
-  if (data.reason().empty()) GltfFacts(data, facts).read();
+  if (data.reason().empty()) GltfFacts(data, facts, surface).read();
   if (data.reason().empty()) return;
   facts.triangles = 0;
   facts.vertices = 0;

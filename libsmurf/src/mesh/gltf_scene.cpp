@@ -105,6 +105,10 @@ class Nodes {
   std::vector<Placed> left_;
 };
 
+bool is_finite(const Vector3& point) {
+  return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+}
+
 std::optional<Primitive> read(Data& data, const Json& written, std::uint64_t mode) {
   const Json* attributes = member(written, "attributes");
   const Json* position = attributes == nullptr ? nullptr : member(*attributes, "POSITION");
@@ -141,11 +145,44 @@ std::optional<Vector3> point_of(Data& data, const Primitive& primitive, std::uin
     return std::nullopt;
   }
   const Vector3 point = primitive.points.point(place);
-  if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2])) {
+  if (!is_finite(point)) {
     data.fail_broken("some coordinates of a point are not numbers");
     return std::nullopt;
   }
   return point;
+}
+
+bool visit_triangles(Data& data, const Primitive& primitive, const Affine& X,
+                     const CornersVisitor& visit) {
+  // If most points are corners, each is read once.
+  std::vector<Vector3> points;
+  if (primitive.points.count <= primitive.count) {
+    points.reserve(primitive.points.count);
+    for (std::uint64_t i = 0; i < primitive.points.count; ++i) {
+      points.push_back(X * primitive.points.point(i));
+    }
+  }
+  const std::uint64_t step = primitive.mode == kTriangles ? 3 : 1;
+  for (std::uint64_t i = 0; i + 3 <= primitive.count; i += step) {
+    const bool is_turned = primitive.mode == kStrip && i % 2 == 1;
+    Corners corners{{},
+                    {primitive.mode == kFan ? 0
+                     : is_turned            ? i + 1
+                                            : i,
+                     is_turned ? i : i + 1, i + 2}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint64_t place = place_of(primitive, corners.places[k]);
+      if (place < points.size() && is_finite(points[place])) {
+        corners.points[k] = points[place];
+        continue;
+      }
+      const auto point = point_of(data, primitive, corners.places[k]);
+      if (!point) return false;
+      corners.points[k] = X * *point;
+    }
+    if (!visit(corners)) return false;
+  }
+  return true;
 }
 
 void visit_meshes(Data& data, const MeshVisitor& visit) { Nodes(data, visit).read(); }

@@ -36,6 +36,18 @@ inline std::uint64_t place_of(const Primitive& primitive, std::uint64_t corner) 
 /// `data`.
 std::optional<Vector3> point_of(Data& data, const Primitive& primitive, std::uint64_t corner);
 
+/// A triangle of a primitive.
+struct Corners {
+  Vector3 points[3];        ///< transformed
+  std::uint64_t places[3];  ///< of the corners in the primitive
+};
+/// Receives a triangle. Returns false to stop.
+using CornersVisitor = std::function<bool(const Corners& triangle)>;
+/// Visits the triangles of a primitive, moved by `X`. False if a visit was, or on failure, which
+/// sets the reason in `data`.
+bool visit_triangles(Data& data, const Primitive& primitive, const Affine& X,
+                     const CornersVisitor& visit);
+
 /// The reason for files with too many repeated parts.
 inline constexpr const char* kRepeats = "repeats too many parts to be read";
 

@@ -87,9 +87,9 @@ MeshFacts read_mesh(std::string_view bytes, std::string_view extension,
   case MeshFormat::stl_binary: read_binary_stl(bytes, facts, surface); break;
   case MeshFormat::stl_ascii: read_ascii_stl(bytes, facts, surface); break;
   case MeshFormat::obj: read_obj(bytes, facts, surface); break;
-  case MeshFormat::collada: read_collada(bytes, facts); break;
+  case MeshFormat::collada: read_collada(bytes, facts, surface); break;
   case MeshFormat::bobj: read_bobj(bytes, facts, surface); break;
-  case MeshFormat::gltf: read_gltf(bytes, neighbours, facts); break;
+  case MeshFormat::gltf: read_gltf(bytes, neighbours, facts, surface); break;
   case MeshFormat::lfs_pointer:
   case MeshFormat::unknown: break;
   }

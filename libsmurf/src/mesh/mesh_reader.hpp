@@ -15,9 +15,8 @@ using TriangleVisitor = std::function<void(const Vector3& a, const Vector3& b, c
 
 /// Reads a whole mesh file. Defects are in the result and not reported, because findings
 /// belong at the place that uses the mesh. `extension` (".stl", any case) is used only if
-/// the bytes are ambiguous. `visit` may be empty; it receives no triangles of COLLADA and
-/// glTF, which only read_triangles() places. `neighbours` reads the buffers that a glTF
-/// names.
+/// the bytes are ambiguous. `visit` may be empty; it receives the triangles in the unit of
+/// the file. `neighbours` reads the buffers that a glTF names.
 MeshFacts read_mesh(std::string_view bytes, std::string_view extension,
                     const TriangleVisitor& visit = {}, const MeshNeighbours& neighbours = {});
 

@@ -60,7 +60,7 @@ class ObjReader {
       fail("a face uses vertex " + std::to_string(latest_) + ", but the file has only " +
            std::to_string(points_.size()));
     } else if (latest_ == 0) {
-      facts_.volume = surface_.volume();
+      surface_.write_to(facts_);
     }
   }
 

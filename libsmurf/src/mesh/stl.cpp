@@ -28,7 +28,7 @@ class AsciiStlReader {
     while (!words_.is_at_end() && solid()) {
     }
     facts_.box = box_.box();
-    if (!facts_.defect) facts_.volume = surface_.volume();
+    if (!facts_.defect) surface_.write_to(facts_);
   }
 
  private:
@@ -143,7 +143,7 @@ void read_binary_stl(std::string_view bytes, MeshFacts& facts, SurfaceSum& surfa
     surface.add(corners[0], corners[1], corners[2]);
   }
   facts.box = box.box();
-  if (!facts.defect) facts.volume = surface.volume();
+  if (!facts.defect) surface.write_to(facts);
 }
 
 void read_ascii_stl(std::string_view text, MeshFacts& facts, SurfaceSum& surface) {

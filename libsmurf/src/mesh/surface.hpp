@@ -2,6 +2,7 @@
 // Sums over the points and triangles of a surface.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -25,23 +26,33 @@ class BoxSum {
   std::optional<Box> box_;
 };
 
-/// Volume by signed tetrahedra from the first point, so a mesh far from the origin keeps its
-/// precision.
+/// The volume and its moments by signed tetrahedra from the first point, so a mesh far from the
+/// origin keeps its precision.
 class SurfaceSum {
  public:
   /// Passes every triangle to `visit`, if it is set; it must outlive this object.
   explicit SurfaceSum(const TriangleVisitor& visit) : visit_(visit) {}
 
   void add(const Vector3& a, const Vector3& b, const Vector3& c);
-  /// None if the sum of area vectors shows a hole in the surface.
-  std::optional<double> volume() const;
+  /// Writes the solid and the closure of the surface.
+  void write_to(MeshFacts& facts) const;
 
  private:
+  void add_edge(std::uint64_t from, std::uint64_t to);
+  Closure closure() const;
+  /// None if the sum of area vectors shows a hole in the surface.
+  std::optional<Solid> solid() const;
+
   const TriangleVisitor& visit_;
   std::optional<Vector3> origin_;
-  double volume_ = 0;
-  double area_ = 0;        ///< twice the area
-  Vector3 area_vector_{};  ///< sum of twice the area vectors
+  double volume_ = 0;               ///< six times the volume
+  Vector3 first_{};                 ///< 24 times the first moments about the first point
+  std::array<double, 6> second_{};  ///< 120 times the second moments
+  double area_ = 0;                 ///< twice the area
+  Vector3 area_vector_{};           ///< sum of twice the area vectors
+  // Sums of random numbers, one for each edge: 0 if each edge occurs once in each direction, or an
+  // even number of times.
+  std::uint64_t directed_ = 0, parity_ = 0;
 };
 
 }  // namespace smurf

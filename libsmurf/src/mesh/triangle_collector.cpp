@@ -16,6 +16,10 @@ constexpr double kFarthest = 1e15;
 /// Larger texture coordinates are a mistake: they repeat the image a million times.
 constexpr double kMostRepeated = 1e6;
 
+std::string too_many(std::size_t most) {
+  return "has more than " + std::to_string(most) + " triangles";
+}
+
 }  // namespace
 
 TexturePoint texture_point(double u, double v) {
@@ -37,7 +41,13 @@ TriangleCollector::TriangleCollector(std::size_t most_triangles, TexturePoints t
   part_of_color_.emplace(std::nullopt, 0);
 }
 
+TriangleCollector::TriangleCollector(std::size_t most_triangles, Visitor visit)
+    : most_triangles_(most_triangles),
+      visit_(std::move(visit)),
+      texture_points_(TexturePoints::ignored) {}
+
 void TriangleCollector::set_color(const std::optional<Rgba>& color) {
+  if (visit_) return;
   const auto known = part_of_color_.find(color);
   if (known != part_of_color_.end()) {
     current_ = known->second;
@@ -90,12 +100,20 @@ bool TriangleCollector::add(Part& part, const Vector3& point, const TexturePoint
 bool TriangleCollector::add(const Vector3& a, const Vector3& b, const Vector3& c,
                             const TextureCorners& textures) {
   if (!reason_.empty()) return false;
+  if (visit_ && ++triangles_ <= most_triangles_) {
+    visit_(a, b, c);
+    return true;
+  }
+  if (visit_) {
+    reason_ = too_many(most_triangles_);
+    return false;
+  }
   Part& part = parts_[current_];
   const auto add_corner = [&](const Vector3& point, std::size_t corner) {
     return wants_texture_points() ? add(part, point, textures[corner]) : add(part, point);
   };
   if (++triangles_ > most_triangles_) {
-    reason_ = "has more than " + std::to_string(most_triangles_) + " triangles";
+    reason_ = too_many(most_triangles_);
   } else if (!add_corner(a, 0) || !add_corner(b, 1) || !add_corner(c, 2)) {
     reason_ = "has a coordinate that is too large";
   }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -28,6 +29,9 @@ TexturePoint texture_point(double u, double v);
 class TriangleCollector {
  public:
   TriangleCollector(std::size_t most_triangles, TexturePoints texture_points);
+  /// Passes the triangles on, without colours and texture coordinates, instead of keeping them.
+  using Visitor = std::function<void(const Vector3& a, const Vector3& b, const Vector3& c)>;
+  TriangleCollector(std::size_t most_triangles, Visitor visit);
 
   /// Sets the colour of the following triangles.
   void set_color(const std::optional<Rgba>& color);
@@ -69,6 +73,7 @@ class TriangleCollector {
   bool add(Part& part, const Vector3& point, const TexturePoint& texture);
 
   std::size_t most_triangles_;
+  Visitor visit_;
   TexturePoints texture_points_;
   bool has_textures_ = false, lacks_texture_points_ = false;
   std::vector<Part> parts_;

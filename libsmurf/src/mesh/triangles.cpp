@@ -10,10 +10,6 @@
 namespace smurf {
 namespace {
 
-/// Nodes of a small file can place triangles any number of times. This is more than an STL of the
-/// largest size has.
-constexpr std::size_t kMostPlaced = 3'000'000;
-
 /// This function reads texture coordinates of OBJ only.
 MeshFacts read_plain_facts(std::string_view bytes, std::string_view extension,
                            TriangleCollector& triangles) {

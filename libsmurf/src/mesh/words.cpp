@@ -4,31 +4,6 @@
 #include <algorithm>
 
 namespace smurf {
-namespace {
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-
-}  // namespace
-
-void Words::skip_blanks() {
-  while (at_ < text_.size() && (is_blank(text_[at_]) || text_[at_] == '\n')) {
-    if (text_[at_] == '\n') ++line_;
-    ++at_;
-  }
-}
-
-bool Words::is_at_end() {
-  skip_blanks();
-  return at_ == text_.size();
-}
-
-std::string_view Words::next() {
-  skip_blanks();
-  begin_ = at_;
-  while (at_ < text_.size() && !is_blank(text_[at_]) && text_[at_] != '\n') ++at_;
-  return text_.substr(begin_, at_ - begin_);
-}
-
 std::string_view Words::rest_of_line() {
   while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
   const std::size_t begin = at_;

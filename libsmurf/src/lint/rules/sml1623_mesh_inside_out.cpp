@@ -9,7 +9,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic* diagnostic = report_meshes(
       model,
       [](const OpenedMesh& mesh) {
-        return mesh.is_collision() && mesh.facts.volume && *mesh.facts.volume < 0;
+        return mesh.is_collision() && mesh.facts.solid && mesh.facts.solid->volume < 0;
       },
       "the mesh is turned inside out: its triangles face inward",
       "are turned inside out: their triangles face inward", findings);
