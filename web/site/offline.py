@@ -23,7 +23,7 @@ def main(site, version):
         digest.update(file.read_bytes())
     names = [address_of(file.relative_to(folder).as_posix()) for file in files]
     text = (pathlib.Path(__file__).parent / "sw.js").read_text(encoding="utf-8")
-    text = text.replace("@SUM@", digest.hexdigest()[:16]).replace("@FILES@", json.dumps(names, indent=0))
+    text = text.replace("@SUM@", digest.hexdigest()[:16]).replace("/* @FILES@ */", ", ".join(map(json.dumps, names)))
     (folder / "sw.js").write_text(text, encoding="utf-8")
     (site / "index.html").write_text(REDIRECT.format(version=version), encoding="utf-8")
 

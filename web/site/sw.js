@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Keeps the files of one version of the site, which scripts/site lists. The playground has a worker of its own.
 const kName = "smurf-site-@SUM@";
-const kFiles = @FILES@;
+const kFiles = [/* @FILES@ */];
 
 async function keepAll() {
   const cache = await caches.open(kName);
