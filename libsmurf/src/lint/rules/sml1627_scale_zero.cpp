@@ -19,7 +19,7 @@ std::optional<double> unscaled_volume(const LinkedModel& model, const urdf::Mesh
   if (facts == nullptr || facts->defect || !facts->box) return std::nullopt;
   const double around = volume_of(facts->box->size());
   if (around == 0) return std::nullopt;
-  return facts->volume ? std::fabs(*facts->volume) : around;
+  return facts->solid ? std::fabs(facts->solid->volume) : around;
 }
 
 void check_mesh(const LinkedModel& model, const urdf::Mesh& mesh, Findings& findings) {
