@@ -1076,6 +1076,57 @@ class Structure(LspTest):
         self.assertTrue(all(one["label"].startswith("taken: ") for one in hints), hints)
 
 
+class Pictures(LspTest):
+    def picture(self, path):
+        return self.client.of("smurf/picture", path)
+
+    def scene(self, path):
+        picture = self.picture(path)
+        self.assertIsNone(picture["problem"])
+        return json.loads(re.search(r'id="scene" [^>]*>([^<]*)', picture["page"])[1])
+
+    def setUp(self):
+        super().setUp()
+        self.open(self.urdf)
+        try:
+            self.picture(self.urdf)
+        except client.RequestError as error:
+            self.skipTest(str(error))  # a build without the viewer
+
+    def test_text_that_is_not_saved(self):
+        before = self.scene(self.urdf)
+        links = [link["name"] for link in before["models"][0]["links"]]
+        at = self.find(self.urdf, '<link name="forearm"') + len('<link name="')
+        self.client.edit(self.urdf, at, at + len("forearm"), "lower_arm")
+        at = self.find(self.urdf, 'link="forearm"') + len('link="')
+        self.client.edit(self.urdf, at, at + len("forearm"), "lower_arm")
+        after = [link["name"] for link in self.scene(self.urdf)["models"][0]["links"]]
+        self.assertEqual([name for name in links if name not in after], ["forearm"])
+        self.assertIn("lower_arm", after)
+
+    def test_an_annotation_file_shows_its_model(self):
+        self.open(self.motors)
+        scene = self.scene(self.motors)
+        kinds = {device["kind"] for device in scene["models"][0]["devices"]}
+        self.assertEqual(kinds, {"motor", "sensor"})
+
+    def test_a_file_that_breaks_off(self):
+        at = self.find(self.urdf, "</robot>")
+        self.client.edit(self.urdf, at, at + len("</robot>"), "")
+        picture = self.picture(self.urdf)
+        self.assertIsNone(picture["page"])
+        self.assertEqual(picture["problem"]["code"], "SML1001")
+        self.assertEqual(path_of(picture["problem"]["uri"]), str(self.urdf))
+
+    def test_an_error_that_leaves_a_robot(self):
+        at = self.find(self.urdf, "<mass value=") + len('<mass value="')
+        self.client.edit(self.urdf, at, at, "x")
+        picture = self.picture(self.urdf)
+        self.assertIsNotNone(picture["page"])
+        text = text_in(self.client.texts[str(self.urdf)], picture["problem"]["range"])
+        self.assertTrue(text.startswith("x"), text)
+
+
 class Protocol(LspTest):
     def raw(self, *parts):
         for part in parts:

@@ -24,6 +24,8 @@ class PicturedScene {
   /// The input of the writer, which refers to this object; none if the poses are unknown, or if the
   /// page would be too large to send.
   std::optional<SceneExport> to_write();
+  /// What was loaded, with the findings of loading it.
+  const LoadedScene& loaded() const { return loaded_; }
 
  private:
   const FileReader& files_;

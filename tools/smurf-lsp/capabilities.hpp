@@ -65,6 +65,8 @@ Json file_filters();
 Json prepare_rename(Context& context, const Json& params);
 Json rename(Context& context, const Json& params);
 
+Json picture(Context& context, const Json& params);  // picture.cpp
+
 // symbols.cpp
 Json document_symbols(Context& context, const Json& params);
 Json workspace_symbols(Context& context, const Json& params);

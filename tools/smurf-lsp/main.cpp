@@ -68,6 +68,7 @@ int serve(std::ostream* log) {
   Server server(send, note);
   Background checks(send, note, "checks", {"workspace/diagnostic"});
   Background names(send, note, "names", {"workspace/symbol", "textDocument/rename"});
+  Background pictures(send, note, "pictures", {"smurf/picture"});
   Inbox inbox(std::cin);
   Messages& messages = inbox.messages();
   while (!server.exit_code()) {
@@ -76,7 +77,8 @@ int serve(std::ostream* log) {
     if (!message) return kFailed;  // the editor is gone
     const bool is_check = checks.take(*message, server.workspace());
     const bool is_of_names = names.take(*message, server.workspace());
-    if (!is_check && !is_of_names) server.handle(*message);
+    const bool is_picture = pictures.take(*message, server.workspace());
+    if (!is_check && !is_of_names && !is_picture) server.handle(*message);
   }
   return *server.exit_code();
 }

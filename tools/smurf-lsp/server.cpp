@@ -43,6 +43,7 @@ constexpr std::pair<std::string_view, Handler> kHandlers[] = {
     {"textDocument/semanticTokens/full", semantic_tokens},
     {"textDocument/semanticTokens/range", semantic_tokens},
     {"textDocument/inlayHint", inlay_hints},
+    {"smurf/picture", picture},
 };
 
 Json capabilities(const Client& client) {
@@ -70,6 +71,7 @@ Json capabilities(const Client& client) {
       {"colorProvider", true},
       {"semanticTokensProvider", {{"legend", token_legend()}, {"full", true}, {"range", true}}},
       {"inlayHintProvider", true},
+      {"experimental", {{"picture", true}}},
       {"workspace",
        {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}},
         {"fileOperations", {{"willRename", file_filters()}}}}},

@@ -95,6 +95,15 @@ class Workspace {
   const FileReader& files() const { return session_.files(); }
   const Limits& limits() const { return session_.limits(); }
 
+  /// A model or scene as a page to look at, with the open documents as they are.
+  struct Picture {
+    std::string page;               ///< "" when there is none
+    std::optional<Diagnostic> why;  ///< the first error of reading; points into loaded_sources()
+  };
+  /// `path`: a scene, a model, a URDF, or an annotation file, of which the model is shown. Releases
+  /// all loaded files.
+  Picture picture(const std::string& path);
+
   /// Renames things, also in the folders. Edits point into loaded_sources() until the next change.
   Renamed rename(std::size_t part, const Reference& reference, const std::string& to);
 

@@ -2,6 +2,7 @@
 // Reads the scene, shows it, and connects picture, tree, sliders and keys.
 import { byId, counted, element } from "../common/dom.js";
 import { fromHash, toHash } from "./address.js";
+import { Host } from "./host.js";
 import { Motion } from "./motion.js";
 import { Overlays } from "./overlays.js";
 import { Joints, massOf, short, showFacts } from "./panel.js";
@@ -14,8 +15,9 @@ import { kWalkHelp, Walk } from "./walk.js";
 
 const kWriteDelay = 300; // ms
 const kWideFrame = 600; // pixels: there is room for sliders beside the picture
+const host = new Host();
 /** The page of a report shows the picture alone, beside its list. */
-const isInFrame = window.parent !== window;
+const isInFrame = window.parent !== window && !host.isWhole;
 
 function tell(text) {
   byId("message").textContent = text;
@@ -75,32 +77,56 @@ function isOf(solid, thing) {
 
 class Viewer {
   constructor(scene) {
+    this.versions = "both";
+    this.stage = makeStage();
+    this.joints = new Joints(() => this.move());
+    this.tree = new Tree(byId("tree"), (entity, link, sensor) => {
+      this.select(entity, link, undefined, sensor);
+      host.tellSelected(this.scene, this.selected);
+    });
+    this.setScene(scene);
+    if (this.stage) this.setUpStage();
+    this.setUpTools();
+    window.addEventListener("hashchange", () => this.readHash());
+    this.readHash();
+  }
+
+  setScene(scene) {
     this.scene = scene;
     this.motion = new Motion(scene);
-    this.versions = "both";
     this.isSingle = scene.entities.filter(({ old }) => !old).length === 1;
+    this.selected = undefined;
     showTitle(scene);
     showUnseen(scene);
-    this.stage = makeStage();
     if (this.stage) this.fillStage();
-    this.joints = new Joints(scene, this.motion, () => this.move());
-    this.tree = new Tree(byId("tree"), scene, (entity, link, sensor) =>
-      this.select(entity, link, undefined, sensor),
-    );
+    this.joints.use(scene, this.motion);
+    this.tree.show(scene);
+    if (this.stage) tell("");
     if (scene.entities.length === 0) {
       tell("The scene is empty: it has no entities.");
       byId("tree").replaceChildren(element("p", { class: "empty" }, "no entities"));
     } else if (this.shapes?.solids.length === 0) {
       tell("Nothing in this scene has a shape that can be shown. Frames (A) show where things are.");
     }
-    this.setUpTools();
     this.showFacts();
     this.joints.show(scene.entities.findIndex((entity) => entity.model && entity.pose));
-    window.addEventListener("hashchange", () => this.readHash());
-    this.readHash();
+  }
+
+  /** Shows a newer version of the scene; camera, joints, selection and layers stay as they are. */
+  replaceScene(scene) {
+    const kept = this.hash();
+    this.measured &&= [];
+    this.setScene(scene);
+    for (const [id, , , show] of this.layers ?? [])
+      if (id !== "walk" && id !== "ruler") show(byId(id).getAttribute("aria-pressed") === "true");
+    this.readHash(kept);
+    this.stage?.draw();
   }
 
   fillStage() {
+    this.shapes?.remove();
+    this.overlays?.remove();
+    const isFirst = !this.shapes;
     this.textures = new Textures(
       this.scene.textures,
       (texture) => {
@@ -109,16 +135,20 @@ class Viewer {
       },
       (texture) => this.addUnseen(texture),
     );
-    this.walk = new Walk(this.stage);
     this.shapes = new Shapes(this.scene, this.motion, this.stage.root, this.textures);
     const all = this.shapes.boxAround();
     this.stage.setGround(all, this.isSingle);
     this.overlays = new Overlays(this.scene, this.motion, this.stage, this.sizes());
-    this.stage.fit(all);
+    if (isFirst || this.stage.fitted) this.stage.fit(all, isFirst ? undefined : this.stage.direction());
+  }
+
+  setUpStage() {
+    this.walk = new Walk(this.stage);
     this.stage.onLook(() => this.writeHashSoon());
     this.stage.onPick((solid, point) => {
       if (this.measured) this.measure(point);
       else this.select(solid?.entity, solid?.link);
+      host.tellSelected(this.scene, this.selected);
     });
     this.layers = [
       [
@@ -345,7 +375,7 @@ class Viewer {
 
   writeHash() {
     clearTimeout(this.writing);
-    if (isInFrame) return; // it has no address of its own
+    if (window.parent !== window) return; // it has no address of its own
     history.replaceState(null, "", this.hash());
   }
 
@@ -366,4 +396,5 @@ class Viewer {
 document.documentElement.classList.toggle("in-frame", isInFrame);
 const scene = readScene(byId("scene").textContent);
 window.smurfViewer = new Viewer(scene);
+host.connect(window.smurfViewer);
 document.documentElement.dataset.ready = "true";

@@ -61,6 +61,12 @@ function spheresOf(count, color, opacity, order) {
   return spheres;
 }
 
+/** Gives back what a drawn object has on the graphics card. */
+export function free({ geometry, material }) {
+  geometry.dispose();
+  material.dispose();
+}
+
 export class Overlays {
   constructor(scene, motion, stage, sizes) {
     this.motion = motion;
@@ -80,7 +86,18 @@ export class Overlays {
     this.labels = element("div", { class: "labels", "aria-hidden": "true" });
     stage.host.append(this.labels);
     this.named = []; // [name, X_W]
-    stage.afterDraw.push(() => this.placeNames());
+    this.follow = () => this.placeNames();
+    stage.afterDraw.push(this.follow);
+  }
+
+  /** Takes everything from the stage. */
+  remove() {
+    const { stage, sensors, ruler, labels } = this;
+    const drawn = Object.values(this.parts).flatMap((part) => part.drawn ?? []);
+    for (const each of [sensors.group, ruler, ...drawn]) each.removeFromParent();
+    for (const each of [ruler, ...drawn, ...sensors.group.children]) free(each);
+    labels.remove();
+    stage.afterDraw.splice(stage.afterDraw.indexOf(this.follow), 1);
   }
 
   /** {make, move, drawn: what make() has made} by name. They are made and moved only while they are shown. */

@@ -172,13 +172,17 @@ export function spanOf(joint) {
 }
 
 export class Joints {
-  constructor(scene, motion, onMove) {
-    this.scene = scene;
-    this.motion = motion;
+  constructor(onMove) {
     this.onMove = onMove;
-    this.taken = new Map(); // the pose of each entity, "" when it was moved by hand
     byId("poses").addEventListener("change", () => this.takePose(byId("poses").value));
     byId("reset").addEventListener("click", () => this.takePose("start"));
+  }
+
+  use(scene, motion) {
+    this.scene = scene;
+    this.motion = motion;
+    this.entity = undefined;
+    this.taken = new Map(); // the pose of each entity, "" when it was moved by hand
   }
 
   show(entity, isWhole = false) {

@@ -142,6 +142,15 @@ export class Shapes {
     this.move(scene.entities.keys());
   }
 
+  /** Takes all shapes from the stage. */
+  remove() {
+    for (const { mesh } of this.batches.values()) {
+      mesh.removeFromParent();
+      mesh.material.dispose();
+    }
+    for (const geometry of this.geometries.values()) geometry.dispose();
+  }
+
   add(shape, wanted, entity, link) {
     for (const part of partsOf(shape, this.scene.meshes, wanted)) this.addPart(part, wanted, entity, link);
   }

@@ -6,13 +6,19 @@ const kOpenAtOnce = 60; // rows
 const kDeepest = 60; // groups in groups: browsers do not lay out thousands of them
 
 export class Tree {
-  constructor(host, scene, onSelect) {
+  constructor(host, onSelect) {
     this.host = host;
-    this.scene = scene;
     this.onSelect = onSelect;
-    this.rows = new Map(); // by key
     host.setAttribute("role", "tree");
     host.addEventListener("keydown", (event) => this.onKey(event));
+  }
+
+  show(scene) {
+    const { host } = this;
+    this.scene = scene;
+    this.rows = new Map(); // by key
+    this.selected = undefined;
+    host.replaceChildren();
     scene.entities.forEach((entity, index) => host.append(this.entityRow(entity, index)));
     const count = scene.entities.reduce(
       (sum, { model }) => sum + 1 + (model?.links.length ?? 0) + (model?.sensors.length ?? 0),

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Starts smurf-lsp, and runs the other tools as commands and tasks.
+// Starts smurf-lsp, shows its pictures, and runs the other tools as commands and tasks.
 import * as path from "node:path";
 import * as fs from "node:fs";
 import { execFile } from "node:child_process";
 import * as vscode from "vscode";
 import { LanguageClient } from "vscode-languageclient/node";
+import { Preview } from "./preview";
 
 let client: LanguageClient | undefined;
 
@@ -45,23 +46,6 @@ async function currentFile(): Promise<string | undefined> {
 async function showText(content: string, language: string): Promise<void> {
   const document = await vscode.workspace.openTextDocument({ content, language });
   await vscode.window.showTextDocument(document, { preview: true });
-}
-
-async function previewScene(context: vscode.ExtensionContext): Promise<void> {
-  const file = await currentFile();
-  if (file === undefined) return;
-  const words = ["--format", "svg", "--quiet", "--force", "--", file];
-  const output = await run(toolPath(context, "smurfs-flatten"), words, path.dirname(file));
-  if (!output.text) {
-    void vscode.window.showErrorMessage(output.problems || "There is no picture of it.");
-    return;
-  }
-  const panel = vscode.window.createWebviewPanel("smurf.preview", path.basename(file), vscode.ViewColumn.Beside);
-  // As an image it runs no scripts, whatever names it was drawn of.
-  const image = Buffer.from(output.text).toString("base64");
-  panel.webview.html =
-    `<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">` +
-    `<img style="width: 100%; background: white" src="data:image/svg+xml;base64,${image}">`;
 }
 
 async function convertToUrdf(context: vscode.ExtensionContext): Promise<void> {
@@ -129,7 +113,9 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   command("lintWorkspace", async () => {
     await vscode.tasks.executeTask(lintTask(context, ["."]));
   });
-  command("previewScene", () => previewScene(context));
+  const preview = new Preview(() => client);
+  context.subscriptions.push(...preview.subscriptions());
+  command("preview", () => preview.open());
   command("convertToUrdf", () => convertToUrdf(context));
   command("showLosses", () => showLosses(context));
   command("explain", (word) => explain(context, word));
