@@ -1,94 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""URDF to SMURF and back, for one folder of URDFs: the guarantees of the converters.
+"""URDF to SMURF and back, for the URDFs of an export pass: the guarantees of the converters.
 
 G0  urdf2smurf --in-place, then smurf2urdf: identical bytes, if the URDF is strict XML.
 G1  urdf2smurf into a folder, then smurf2urdf: every element, attribute and text is equal, but for
     mesh paths, which name the same file, and names given to collisions that sensors refer to.
-G3  every step a second time changes nothing.
-And the model has no finding that the URDF has not. That masses and kinematics are kept (G4) is
+G3  urdf2smurf a second time changes nothing; export_options_test looks at smurf2urdf.
+And the model has no error that the URDF has not. That masses and kinematics are kept (G4) is
 proven by the tools themselves, which refuse to write anything else.
 
-Usage: round_trip_test.py URDF2SMURF SMURF2URDF SMURF_LINT FOLDER
+Usage: round_trip_test.py EXPORTS    EXPORTS is written by export_pass.py
 """
-import json
 import os
 import pathlib
 import re
-import shutil
-import subprocess
 import sys
-import tempfile
 import xml.etree.ElementTree as ElementTree
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import exported  # noqa: E402
 
-def run(*command):
-    return subprocess.run([str(part) for part in command], capture_output=True, text=True,
-                          timeout=60, check=False)
-
-
-class RoundTrip:
-    """Copies one URDF into a separate folder."""
-
-    def __init__(self, tools, source, folder):
-        self.urdf2smurf, self.smurf2urdf, self.lint = tools
-        self.folder = folder
-        self.source = folder / "source.urdf"
-        shutil.copyfile(source, self.source)
-        self.source.chmod(0o644)
-        report = json.loads(run(self.lint, self.source, "--format", "json").stdout)
-        self.is_sound = report["summary"]["error"] == 0
-        # Files that cannot be read are refused even with --force.
-        self.is_readable = run(self.smurf2urdf, self.source, "--force").returncode == 0
-
-    def convert(self, tool, *arguments):
-        force = [] if self.is_sound else ["--force"]
-        done = run(tool, *arguments, *force, "--quiet")
-        if done.returncode != 0:
-            raise AssertionError(f"{pathlib.Path(tool).name} ended with {done.returncode}: "
-                                 f"{done.stderr[-600:]}")
-
-    def findings(self, path):
-        """Errors outside of the URDF: for a model, MARS looks for meshes in other places."""
-        report = json.loads(run(self.lint, path, "--format", "json").stdout)
-        return sorted((f["id"], f["line"], f["message"]) for f in report["diagnostics"]
-                      if f["severity"] == "error" and not f["file"].endswith(".urdf")
-                      # A motor gets the effort and speed of its joint, which may be zero.
-                      and f["id"] != "SML4103")
-
-    def check_in_place(self):
-        self.convert(self.urdf2smurf, self.source, "--in-place")
-        self.convert(self.smurf2urdf, self.folder / "source.smurf", "-o", self.folder / "out.urdf")
-        self.check_bytes(self.folder / "out.urdf")
-        for path in self.folder.glob("source*.yml"):
-            path.unlink()
-        (self.folder / "source.smurf").unlink()
-        (self.folder / "out.urdf").unlink()
-
-    def check_bytes(self, result):
-        """What readers of strict XML refuse is repaired; a second run finds nothing more to repair."""
-        source = self.source
-        if not is_strict(source):
-            source = self.folder / "repaired.urdf"
-            self.convert(self.smurf2urdf, result, "-o", source)
-        same("G0: the URDF", source.read_bytes(), result.read_bytes())
-
-    def check_folder(self):
-        before = self.findings(self.source)
-        new = self.folder / "new"
-        main = new / "smurf" / "source.smurf"
-        self.convert(self.urdf2smurf, self.source, "-o", new)
-        self.convert(self.smurf2urdf, main, "-o", self.folder / "back.urdf")
-        one, other = parse(self.source), parse(self.folder / "back.urdf")
-        if one is not None:  # files that Python's strict reader refuses are only compared by bytes
-            compare(one, other, self.folder)
-        # Paths in messages differ, but the faults and their places do not.
-        same("findings", [f[:2] for f in before], [f[:2] for f in self.findings(main)])
-        texts = {path: path.read_bytes() for path in new.rglob("*") if path.is_file()}
-        self.convert(self.urdf2smurf, self.source, "-o", new, "--overwrite")
-        same("G3: the files", texts, {p: p.read_bytes() for p in new.rglob("*") if p.is_file()})
-        self.convert(self.smurf2urdf, self.folder / "back.urdf", "-o", self.folder / "again.urdf")
-        same("G3: the URDF", (self.folder / "back.urdf").read_bytes(),
-             (self.folder / "again.urdf").read_bytes())
+STEPS = ("in place", "back", "repaired", "new", "new again", "default")
 
 
 def parse(path):
@@ -109,7 +40,8 @@ def same(what, one, other):
         raise AssertionError(f"{what} differ: {str(one)[:200]} ... {str(other)[:200]}")
 
 
-def compare(one, other, folder):
+def compare(one, other, folders):
+    """`folders` are those of the two files, from which mesh paths start."""
     same("G1: tags", one.tag, other.tag)
     same("G1: texts", one.text, other.text)
     same("G1: texts after elements", one.tail, other.tail)
@@ -118,42 +50,54 @@ def compare(one, other, folder):
         attributes.pop("name", None)
     if "filename" in one.attrib and one.attrib["filename"] != attributes.get("filename"):
         paths = [one.attrib["filename"], attributes.pop("filename")]
-        same("G1: mesh files", *[os.path.normpath(folder / path.removeprefix("file://")) for path in paths])
+        places = [os.path.normpath(folder / path.removeprefix("file://")) for folder, path in zip(folders, paths)]
+        if paths[0].startswith("package://") and pathlib.Path(places[1]).is_file():
+            below = paths[0].split("/", 3)[3]  # the folder of a package may have another name
+            places = [below, places[1][-len(below):]]
+        same("G1: mesh files", *places)
         attributes["filename"] = one.attrib["filename"]
     same("G1: attributes", one.attrib, attributes)
     same("G1: numbers of children", len(one), len(other))
     for child, twin in zip(one, other):
-        compare(child, twin, folder)
+        compare(child, twin, folders)
+
+
+def outside_of_urdf(errors):
+    """(id, line); a motor gets the effort and speed of its joint, which may be zero (SML4103)."""
+    return [(rule, line) for rule, line, is_in_urdf in errors if not is_in_urdf and rule != "SML4103"]
+
+
+def check(robot):
+    for step in STEPS:
+        if robot.failure(step):
+            raise AssertionError(robot.failure(step))
+    # What readers of strict XML refuse is repaired; a second run finds nothing more to repair.
+    source = robot.folder / ("source.urdf" if is_strict(robot.source) else "repaired.urdf")
+    same("G0: the URDF", source.read_bytes(), (robot.folder / "in_place.urdf").read_bytes())
+    one, other = parse(robot.source), parse(robot.export("default"))
+    if one is not None:  # files that Python's strict reader refuses are only compared by bytes
+        compare(one, other, (robot.source.parent, robot.export("default").parent))
+    same("errors", outside_of_urdf(robot.record["errors"]), outside_of_urdf(robot.record["model_errors"]))
+    same("G3: the files", *robot.record["sums"])
 
 
 def main():
-    tools, root = [pathlib.Path(tool).resolve() for tool in sys.argv[1:4]], sys.argv[4]
-    root = pathlib.Path(root)
-    if not root.is_dir():
-        print(f"skipped: there is no {root}")
-        sys.exit(77)
-    failures, unreadable, forced, count = [], 0, 0, 0
-    for path in sorted(root.rglob("*.urdf")):
-        # An error only in models with annotations: MARS confuses a link and a shape of the same name.
-        if "SML3114" in str(path):
-            continue
-        with tempfile.TemporaryDirectory() as folder:
-            trip = RoundTrip(tools, path, pathlib.Path(folder).resolve())
-            if not trip.is_readable:
-                unreadable += 1
-                continue
-            count += 1
-            forced += not trip.is_sound
-            try:
-                trip.check_in_place()
-                trip.check_folder()
-            except AssertionError as failure:
-                failures.append(f"{path}: {failure}")
-    print(f"{count} URDFs made the round trip, {forced} of them, with errors, by --force; "
-          f"{unreadable} cannot be read")
-    if count == 0:
+    urdfs = [robot for robot in exported.robots(sys.argv[1]) if robot.is_urdf]
+    # An error only in models with annotations: MARS confuses a link and a shape of the same name.
+    urdfs = [robot for robot in urdfs if "SML3114" not in str(robot.source)]
+    readable = [robot for robot in urdfs if robot.is_readable]
+    failures = []
+    for robot in readable:
+        try:
+            check(robot)
+        except AssertionError as failure:
+            failures.append(f"{robot.source}: {failure}")
+    forced = sum(not robot.is_sound for robot in readable)
+    print(f"{len(readable)} URDFs made the round trip, {forced} of them, with errors, by --force; "
+          f"{len(urdfs) - len(readable)} cannot be read")
+    if not readable:
         failures.append("no URDF was tried")
-    sys.exit("\n".join(failures) or 0)
+    exported.end(failures)
 
 
 if __name__ == "__main__":

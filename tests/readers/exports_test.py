@@ -6,33 +6,26 @@ the source, at zero and at other joint positions, to 1e-9 m and rad. What a read
 is its own affair, so that each one is compared with itself. Prints a table; readers that are not
 installed are named.
 
-Usage: exports_test.py URDF2SMURF SMURF2URDF BUILD FOLDER...
+Usage: exports_test.py SMURF2URDF BUILD EXPORTS...    EXPORTS are written by export_pass.py
 """
-import collections
 import math
-import os
 import pathlib
-import re
 import shutil
 import subprocess
 import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "support"))
+import exported  # noqa: E402
+
 NODE_MODULES = HERE.parent.parent / "build/readers/node_modules"
 TOLERANCE = 1e-9  # m and rad
 # libsdformat hands poses on as roll, pitch, yaw, which costs digits where the pitch is near 90
 # degrees; collapsed joints have other angles than the two they are made of.
 LOOSER = {("libsdformat", "collapsed"): 1e-7}
 FILES_A_RUN = 50
-PREFIX = "i_"  # its bytes add up to a multiple of 8: joints move as without it (robot_poses.hpp)
-EXPORTS = {
-    "plain": [],
-    "canonical": ["--canonical"],
-    "collapsed": ["--collapse-fixed"],
-    "prefixed": ["--prefix", PREFIX],
-    "enriched": ["--apply", "all", "--sensors", "gazebo", "--actuation", "ros2_control"],
-}
+EXPORTS = ("default", "canonical", "collapsed", "prefixed", "enriched")
 
 
 def readers(build):
@@ -43,52 +36,6 @@ def readers(build):
     has_node = shutil.which("node") and (NODE_MODULES / "urdf-loader").is_dir()
     found["urdf-loader"] = (["node", HERE / "urdf_poses.mjs", NODE_MODULES] if has_node else None)
     return found
-
-
-class Robot:
-    """A source and its exports."""
-
-    def __init__(self, source, model, exports):
-        self.source, self.model, self.exports = source, model, exports
-
-
-class Exporter:
-    def __init__(self, urdf2smurf, smurf2urdf, folder):
-        self.urdf2smurf, self.smurf2urdf, self.folder = urdf2smurf, smurf2urdf, folder
-        self.failures = []
-
-    @staticmethod
-    def run(*command):
-        return subprocess.run([str(part) for part in command], capture_output=True, text=True,
-                              timeout=120, check=False)
-
-    def robot(self, source):
-        """None if the source cannot be read; it is a .urdf, or a .smurf that lists one."""
-        folder = self.folder / str(len(list(self.folder.iterdir())))
-        (folder / "out").mkdir(parents=True)
-        if source.suffix == ".smurf":
-            model = source
-            source = listed_urdf(source)
-        else:
-            model = folder / "new/smurf/robot.smurf"
-            done = self.run(self.urdf2smurf, source, "-o", folder / "new", "--name", "robot",
-                            "--force", "--quiet")
-            if done.returncode != 0:
-                return None
-        exports = {}
-        for name, options in EXPORTS.items():
-            exports[name] = folder / "out" / f"{name}.urdf"
-            done = self.run(self.smurf2urdf, model, "-o", exports[name], "--force", "--quiet",
-                            *options)
-            if done.returncode != 0:
-                self.failures.append(f"{model} {options} is not exported: {done.stderr[-300:]}")
-                del exports[name]
-        return Robot(source, model, exports)
-
-
-def listed_urdf(smurf):
-    paths = re.findall(r"[\w./-]+\.urdf", smurf.read_text(errors="replace"))
-    return pathlib.Path(os.path.normpath(smurf.parent / paths[0])) if paths else smurf
 
 
 def equals(files):
@@ -149,7 +96,7 @@ def compare(export, source, name, tolerance):
     if export is None:
         return "is refused"
     if name == "prefixed":
-        bare = {(what, link.removeprefix(PREFIX)): pose for (what, link), pose in export.items()}
+        bare = {(what, link.removeprefix(exported.PREFIX)): pose for (what, link), pose in export.items()}
         export = bare
     lost, new = set(source) - set(export), set(export) - set(source)
     if (lost and name != "collapsed") or not export:
@@ -169,16 +116,17 @@ def compare(export, source, name, tolerance):
 
 def check(reader, command, robots, failures):
     """A row of the table."""
-    files = [file for robot in robots for file in [robot.source, *robot.exports.values()]]
+    exports = {robot: {name: robot.export(name) for name in EXPORTS if not robot.failure(name)} for robot in robots}
+    files = [file for robot in robots for file in [robot.source, *exports[robot].values()]]
     poses = read_all(command, files)
     loaded = [robot for robot in robots if poses[str(robot.source)]]
     cells = []
     for name in EXPORTS:
         good, largest = 0, 0.0
         for robot in loaded:
-            if name not in robot.exports:
+            if name not in exports[robot]:
                 continue
-            result = compare(poses[str(robot.exports[name])], poses[str(robot.source)], name,
+            result = compare(poses[str(exports[robot][name])], poses[str(robot.source)], name,
                              LOOSER.get((reader, name), TOLERANCE))
             if isinstance(result, str):
                 failures.append(f"{reader}: {name} export of {robot.model} "
@@ -191,47 +139,34 @@ def check(reader, command, robots, failures):
     return f"{reader:12s} {len(loaded):7d} " + " ".join(f"{cell:>13s}" for cell in cells)
 
 
-def check_mujoco_with_meshes(exporter, build, failures):
+def check_mujoco_with_meshes(smurf2urdf, build, failures):
     """--preset mujoco: the meshes are found in their folder, where MuJoCo does not look by default."""
     if not (build / "mujoco_poses").exists():
         return
     model = HERE.parent.parent / "fixtures/models/arm/smurf/arm.smurf"
-    output = exporter.folder / "mujoco.urdf"
-    exporter.run(exporter.smurf2urdf, model, "-o", output, "--preset", "mujoco", "--quiet")
-    done = exporter.run(build / "mujoco_poses", output)
+    with tempfile.TemporaryDirectory() as scratch:
+        output = pathlib.Path(scratch).resolve() / "mujoco.urdf"
+        subprocess.run([smurf2urdf, model, "-o", output, "--preset", "mujoco", "--quiet"], check=True, timeout=120)
+        done = subprocess.run([build / "mujoco_poses", output], capture_output=True, text=True, timeout=120, check=False)
     if "pose\tforearm\t" not in done.stdout:
         failures.append(f"MuJoCo does not load the export of its preset: {done.stderr[-300:]}")
 
 
-def sources(folders):
-    for folder in folders:
-        for path in sorted(folder.rglob("*")):
-            if path.suffix == ".urdf" or (path.suffix == ".smurf" and listed_urdf(path).is_file()
-                                          and listed_urdf(path) != path):
-                yield path
-
-
 def main():
-    urdf2smurf, smurf2urdf, build = [pathlib.Path(word).resolve() for word in sys.argv[1:4]]
-    folders = [pathlib.Path(word).resolve() for word in sys.argv[4:]]
-    for folder in [folder for folder in folders if not folder.is_dir()]:
-        print(f"skipped: there is no {folder}")
+    smurf2urdf, build = [pathlib.Path(word).resolve() for word in sys.argv[1:3]]
+    found = [robot for folder in sys.argv[3:] for robot in exported.robots(folder)]
+    robots = [robot for robot in found if robot.is_readable]
+    failures = [robot.failure(name) for robot in robots for name in EXPORTS if robot.failure(name)]
+    print(f"{len(robots)} robots, {len(found) - len(robots)} that are not read; a cell: exports with all "
+          "links where the reader has them in the source, largest difference")
+    print(f"{'reader':12s} {'sources':>7s} " + " ".join(f"{name:>13s}" for name in EXPORTS))
     commands = readers(build)
-    with tempfile.TemporaryDirectory() as scratch:
-        exporter = Exporter(urdf2smurf, smurf2urdf, pathlib.Path(scratch).resolve())
-        found = [exporter.robot(path) for path in sources([f for f in folders if f.is_dir()])]
-        robots = [robot for robot in found if robot is not None]
-        failures = exporter.failures
-        counts = collections.Counter(robot is None for robot in found)
-        print(f"{counts[False]} robots, {counts[True]} that are not read; a cell: exports with all "
-              "links where the reader has them in the source, largest difference")
-        print(f"{'reader':12s} {'sources':>7s} " + " ".join(f"{name:>13s}" for name in EXPORTS))
-        for reader, command in commands.items():
-            if command is None:
-                print(f"{reader:12s} skipped: it is not installed; see scripts/setup --readers")
-            elif robots:
-                print(check(reader, command, robots, failures), flush=True)
-        check_mujoco_with_meshes(exporter, build, failures)
+    for reader, command in commands.items():
+        if command is None:
+            print(f"{reader:12s} skipped: it is not installed; see scripts/setup --readers")
+        elif robots:
+            print(check(reader, command, robots, failures), flush=True)
+    check_mujoco_with_meshes(smurf2urdf, build, failures)
     if failures:
         sys.exit("\n".join(failures))
     sys.exit(77 if None in commands.values() or not robots else 0)
