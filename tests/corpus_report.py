@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the linter finds in a folder of models from public repositories: the table of docs/corpus.md.
 
-usage: corpus_report.py SMURF_LINT CORPUS PAGE    with SMURF_UPDATE_SNAPSHOTS=1: writes the counts into the page
+usage: corpus_report.py CASES CORPUS PAGE    with SMURF_UPDATE_SNAPSHOTS=1: writes the counts into the page
 
 Without, it fails when a rule fires that nobody has read samples of: a row of the table without a conclusion.
 """
 import collections
-import concurrent.futures
 import json
 import os
 import pathlib
-import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "support"))
+import cases  # noqa: E402
 
 SUFFIXES = {".smurf", ".smurfs", ".smurfa", ".urdf"}
 SKIPPED = 77
@@ -19,18 +20,18 @@ BEGIN = "| rule | severity | findings | files | conclusion |\n|---|---|---:|---:
 SEVERITIES = ("error", "warning", "info")
 
 
-def findings(lint, path):
-    result = subprocess.run([lint, "--format", "json", str(path)], capture_output=True, timeout=60)
+def findings(tools, path):
+    result = tools.run("smurf-lint", "--format", "json", path)
     if result.returncode not in (0, 1):
-        sys.exit(f"smurf-lint ended with {result.returncode} on {path}:\n{result.stderr.decode()}")
+        sys.exit(f"smurf-lint ended with {result.returncode} on {path}:\n{result.stderr}")
     return json.loads(result.stdout)["diagnostics"]
 
 
-def count(lint, corpus):
+def count(program, corpus):
     """By rule: its severities, its findings and the files they are in. What is seen from several entries counts once."""
     paths = sorted(path for path in corpus.rglob("*") if path.suffix in SUFFIXES)
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        found = [one for some in pool.map(lambda path: findings(lint, path), paths) for one in some]
+    with cases.Cases(program) as tools:
+        found = [one for path in paths for one in findings(tools, path)]
     places = {(d["id"], d["severity"], d["file"], d["line"], d["column"], d["message"]) for d in found}
     rules = collections.defaultdict(lambda: (collections.Counter(), set()))
     for rule, severity, file, *_ in places:
@@ -45,7 +46,7 @@ def conclusions(table):
     return {cells[0].strip(): cells[-1].strip() for cells in rows if len(cells) == 5}
 
 
-def main(lint, corpus, page):
+def main(program, corpus, page):
     corpus, page = pathlib.Path(corpus), pathlib.Path(page)
     if not corpus.is_dir():
         print("skipped: there is no folder of shared test data beside the project")
@@ -54,7 +55,7 @@ def main(lint, corpus, page):
     before, table = text.split(BEGIN)
     table, after = (table + "\n").split("\n\n", 1)
     known = conclusions(table)
-    files, rules = count(os.path.abspath(lint), corpus)
+    files, rules = count(program, corpus)
     rows = []
     for rule, (severities, where) in rules.items():
         words = ", ".join(word for word in SEVERITIES if severities[word])

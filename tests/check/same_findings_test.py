@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """smurf-lint, the converters and the example of the README report the same findings for every fixture.
 
-same_findings_test.py BIN README_EXAMPLE FIXTURES
+same_findings_test.py CASES README_EXAMPLE FIXTURES
 """
 import pathlib
 import re
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import cases  # noqa: E402
 
 FINDING = re.compile(r"^.*: (error|warning|info)\[SML\d{4}\] ")
 SCENES = {".smurfs", ".smurfa", ".svg"}
@@ -24,26 +27,31 @@ def entries(fixtures: pathlib.Path):
     yield from sorted(fixtures.glob("scenes/**/*.smurfs"))
 
 
-def findings(command: list) -> list:
-    """The findings of a program, in its order; other lines are ignored."""
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
+def findings(done) -> list:
+    """The findings that a program printed, in its order; other lines are ignored."""
     if done.returncode < 0:
-        raise SystemExit(f"{command} ended with signal {-done.returncode}")
+        raise SystemExit(f"{done.args} ended with signal {-done.returncode}")
     return [line for line in (done.stdout + done.stderr).splitlines() if FINDING.match(line)]
 
 
 def main() -> int:
-    binaries, example, fixtures = map(pathlib.Path, sys.argv[1:])
+    program, example, fixtures = map(pathlib.Path, sys.argv[1:])
+    with cases.Cases(program) as tools:
+        return compare(tools, example, fixtures)
+
+
+def compare(tools, example, fixtures) -> int:
     faults = compared = found = 0
     for entry in entries(fixtures):
-        expected = findings([binaries / "smurf-lint", "--format", "concise", entry])
+        expected = findings(tools.run("smurf-lint", "--format", "concise", entry))
         converter = ["smurfs-flatten"] if entry.suffix in SCENES else ["smurf2urdf", "--dry-run"]
         # Losses belong to the converters, not to the check.
-        converted = [line for line in findings([binaries / converter[0], *converter[1:], "--report", "concise", entry])
+        converted = [line for line in findings(tools.run(*converter, "--report", "concise", entry))
                      if "[SML8" not in line]
         compared += 1
         found += len(expected)
-        for what, actual in ((converter[0], converted), ("the example", findings([example, entry]))):
+        shown = findings(subprocess.run([example, entry], capture_output=True, text=True, timeout=60, check=False))
+        for what, actual in ((converter[0], converted), ("the example", shown)):
             if actual != expected:
                 faults += 1
                 print(f"{entry}: {what} finds\n  " + "\n  ".join(actual) + "\nand smurf-lint\n  " + "\n  ".join(expected))

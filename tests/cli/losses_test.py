@@ -5,15 +5,17 @@ smurf2urdf writes, its loss report names, with file, line, pointer and class.
 Of each list of entries, values are changed one at a time, each key where it comes first. Words that
 say which link or joint an entry is about say nothing more.
 
-Usage: losses_test.py SMURF2URDF
+Usage: losses_test.py CASES
 """
 import json
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import cases  # noqa: E402
 
 try:
     import yaml
@@ -54,14 +56,14 @@ def changed(value):
 
 
 class Model:
-    def __init__(self, tool, folder, options):
-        self.tool, self.folder, self.options = tool, folder, options
+    def __init__(self, tools, folder, options):
+        self.tools, self.folder, self.options = tools, folder, options
 
     def export(self):
         """The result, and the losses."""
-        command = [self.tool, "smurf/arm.smurf", "-o", "out.urdf", "--loss-report", "lost.json",
+        command = ["smurf2urdf", "smurf/arm.smurf", "-o", "out.urdf", "--loss-report", "lost.json",
                    "--force", "--quiet", *self.options]
-        subprocess.run(command, cwd=self.folder, check=True, capture_output=True, timeout=60)
+        self.tools.run(*command, cwd=self.folder).check_returncode()
         written = [(self.folder / name).read_text() for name in ("out.urdf", "out.srdf")
                    if (self.folder / name).exists()]
         return written, json.loads((self.folder / "lost.json").read_text())["losses"]
@@ -90,12 +92,12 @@ def says_something(path, pointer):
                 or (path.suffix == ".smurf" and words[1] in OF_THE_MAIN_FILE))
 
 
-def check(tool, source, options, failures):
+def check(tools, source, options, failures):
     """The number of changed values."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch) / "model"
         shutil.copytree(source, folder)
-        model = Model(tool, folder, options)
+        model = Model(tools, folder, options)
         before, losses = model.export()
         check_places(losses, folder, failures)
         count, seen = 0, set()
@@ -121,11 +123,12 @@ def check(tool, source, options, failures):
 
 
 def main():
-    tool, failures = str(pathlib.Path(sys.argv[1]).resolve()), []
-    for source in (FIXTURES / "arm", FIXTURES / "arm_phobos2"):
-        for name, options in OPTIONS.items():
-            count = check(tool, source, options, failures)
-            print(f"{source.name}, {name} options: {count} values changed")
+    failures = []
+    with cases.Cases(sys.argv[1]) as tools:
+        for source in (FIXTURES / "arm", FIXTURES / "arm_phobos2"):
+            for name, options in OPTIONS.items():
+                count = check(tools, source, options, failures)
+                print(f"{source.name}, {name} options: {count} values changed")
     sys.exit("\n".join(failures) or 0)
 
 

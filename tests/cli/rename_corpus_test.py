@@ -4,21 +4,22 @@
 
 In each model all of them get a new name at once; then a sample of them one by one. The report must
 stay the same, and renaming back must give the same bytes.
-Usage: rename_corpus_test.py SMURF_LINT CORPUS
+Usage: rename_corpus_test.py CASES CORPUS
 """
 import collections
 import json
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
-import time
 import xml.etree.ElementTree
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import cases  # noqa: E402
+
 SUFFIX = "_renamed"
-SECONDS_FOR_SINGLE_ONES = 45
+SINGLE_ONES = 500
 
 
 def names_in_urdf(path):
@@ -60,15 +61,15 @@ def models_with(path):
 
 
 class Corpus:
-    def __init__(self, tool, folder):
-        self.tool, self.folder = tool, folder
+    def __init__(self, tools, folder):
+        self.tools, self.folder = tools, folder
         self.errors = []
 
     def run(self, model, renames=()):
-        command = [self.tool, "--isolated", "--quiet", "--format", "json", "--fail-on", "never"]
+        command = ["smurf-lint", "--isolated", "--quiet", "--format", "json", "--fail-on", "never"]
         command += [f"--rename={rename}" for rename in renames]
         command += [path.relative_to(self.folder) for path in models_with(self.folder / model)]
-        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True)
+        return self.tools.run(*command, cwd=self.folder)
 
     def bytes_around(self, model):
         """All texts that a rename could change."""
@@ -107,14 +108,14 @@ class Corpus:
 
 
 def main():
-    tool, source = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2])
+    program, source = sys.argv[1], pathlib.Path(sys.argv[2])
     if not source.is_dir():
         print(f"no corpus at {source}: skipped")
         return 77
-    with tempfile.TemporaryDirectory() as scratch:
-        folder = pathlib.Path(scratch) / "corpus"
+    with tempfile.TemporaryDirectory() as scratch, cases.Cases(program) as tools:
+        folder = pathlib.Path(scratch).resolve() / "corpus"
         shutil.copytree(source, folder, symlinks=True)
-        corpus = Corpus(tool, folder)
+        corpus = Corpus(tools, folder)
         models = []
         for path in sorted(folder.rglob("*")):
             if path.suffix == ".smurf" or path.suffix == ".urdf":
@@ -125,12 +126,11 @@ def main():
         for model, names in models:
             corpus.check(model, names)
         every = [(model, name) for model, names in models for name in names]
-        start, single, at = time.monotonic(), 0, 0
         step = 7919  # a prime, so that all models are used in turn
-        while time.monotonic() - start < SECONDS_FOR_SINGLE_ONES and single < len(every):
-            model, name = every[at % len(every)]
+        single = min(SINGLE_ONES, len(every))
+        for number in range(single):
+            model, name = every[number * step % len(every)]
             corpus.check(model, [name])
-            at, single = at + step, single + 1
     for error in corpus.errors:
         print(error)
     kinds = collections.Counter(kind for _, (kind, _) in every)

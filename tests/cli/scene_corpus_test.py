@@ -2,36 +2,37 @@
 """Every scene of the corpus is flattened, or the report gives the reason at its place. Models of the
 corpus, as scenes of one model, are written in every format, and losses are reported.
 
-Usage: scene_corpus_test.py TOOL CORPUS; the exit code is 77, which CTest shows as skipped, if there
+Usage: scene_corpus_test.py CASES CORPUS; the exit code is 77, which CTest shows as skipped, if there
 is no corpus.
 """
 import json
 import pathlib
-import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import cases  # noqa: E402
 
 SUFFIXES = {".smurfs", ".smurfa"}
 XML_FORMATS = ("svg", "sdf", "sdf1.6", "mjcf", "urdf")
 FORMATS = (*XML_FORMATS, "json", "tsv", "dot", "dmd", "gltf", "usda", "obj", "smurfs")
 
 
-def run(tool, *arguments):
-    return subprocess.run([tool, *map(str, arguments)], capture_output=True, encoding="utf-8",
-                          errors="replace", timeout=120, check=False)
+def run(tools, *arguments):
+    return tools.run("smurfs-flatten", *arguments)
 
 
-def judge(tool, scene, report):
+def judge(tools, scene, report):
     """Faults in the output of the tool; none if there are none."""
-    done = run(tool, scene, "--report", f"json={report}", "--links")
+    done = run(tools, scene, "--report", f"json={report}", "--links")
     if done.returncode == 0:
         instances = json.loads(done.stdout)["instances"]
         unnormal = [i["path"] for i in instances
                     if abs(sum(c * c for c in i["orientation"].values()) - 1) > 1e-12]
         if unnormal:
             return f"orientations are not of unit length: {unnormal}"
-        return compare(tool, scene)
+        return compare(tools, scene)
     if done.returncode != 1 or done.stdout:
         return f"exit code {done.returncode}: {done.stderr[:300]}"
     errors = [d for d in json.loads(report.read_text())["diagnostics"] if d["severity"] == "error"]
@@ -41,18 +42,18 @@ def judge(tool, scene, report):
     return f"errors without a place: {vague}" if vague else None
 
 
-def compare(tool, scene):
+def compare(tools, scene):
     """All readers have a result, and the table fits."""
-    table = run(tool, scene, "--compare-dialects", "--quiet")
+    table = run(tools, scene, "--compare-dialects", "--quiet")
     if table.returncode != 0 or max(map(len, table.stdout.splitlines())) > 80:
         return f"--compare-dialects: exit code {table.returncode}\n{table.stdout}"
     return None
 
 
-def write_all(tool, model, report):
+def write_all(tools, model, report):
     """Faults of a model in any of the formats. Ignores faults of the model itself."""
     for form in FORMATS:
-        done = run(tool, model, "--format", form, "--force", "--allow-outside", "--report",
+        done = run(tools, model, "--format", form, "--force", "--allow-outside", "--report",
                    f"json={report}")
         found = json.loads(report.read_text())["diagnostics"]
         if done.returncode != 0:
@@ -73,16 +74,16 @@ def write_all(tool, model, report):
 
 
 def main():
-    tool, corpus = sys.argv[1], pathlib.Path(sys.argv[2])
+    program, corpus = sys.argv[1], pathlib.Path(sys.argv[2])
     scenes = sorted(p for p in corpus.rglob("*") if p.suffix in SUFFIXES) if corpus.is_dir() else []
     if not scenes:
         print(f"skipped: there are no scenes in {corpus}")
         return 77
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, cases.Cases(program) as tools:
         report = pathlib.Path(folder) / "report.json"
-        failures = [(scene, reason) for scene in scenes if (reason := judge(tool, scene, report))]
+        failures = [(scene, reason) for scene in scenes if (reason := judge(tools, scene, report))]
         models = [*sorted(corpus.rglob("*.smurf")), *sorted(corpus.rglob("*.urdf"))[::40]]
-        failures += [(m, reason) for m in models if (reason := write_all(tool, m, report))]
+        failures += [(m, reason) for m in models if (reason := write_all(tools, m, report))]
     for scene, reason in failures:
         print(f"{scene}: {reason}")
     print(f"{len(scenes)} scenes, {len(models)} models, {len(failures)} failures")

@@ -1,35 +1,37 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """usda of models of the corpus, against their URDFs: every frame, mass, inertia, axis and limit.
 
-Called as usd_corpus_test.py TOOL CORPUS; ends with 77, which CTest shows as skipped, when there is
+Called as usd_corpus_test.py CASES CORPUS; ends with 77, which CTest shows as skipped, when there is
 no corpus.
 """
 import json
 import pathlib
-import subprocess
 import sys
 
 from usd_stage import Robot, Stage, differences
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import cases  # noqa: E402
+
 LEAST = 300  # number of written models
 
 
-def run(tool, *arguments):
-    return subprocess.run([tool, *map(str, arguments), "--quiet"], capture_output=True,
-                          encoding="utf-8", errors="replace", timeout=120, check=False)
-
-
 def main():
-    tool, corpus = sys.argv[1], pathlib.Path(sys.argv[2])
+    program, corpus = sys.argv[1], pathlib.Path(sys.argv[2])
     if not corpus.is_dir():
         print(f"no corpus at {corpus}")
         return 77
+    with cases.Cases(program) as tools:
+        return compare(tools, corpus)
+
+
+def compare(tools, corpus):
     counts, failed = {"models": 0, "links": 0}, 0
     for model in sorted(corpus.rglob("*.urdf")):
-        done = run(tool, model, "--format", "usda")
+        done = tools.run("smurfs-flatten", model, "--format", "usda", "--quiet")
         if done.returncode != 0:
             continue
-        flat = json.loads(run(tool, model, "--links").stdout)
+        flat = json.loads(tools.run("smurfs-flatten", model, "--links", "--quiet").stdout)
         problems = differences(Stage(done.stdout), flat, lambda _: Robot(model))
         counts["models"] += 1
         counts["links"] += sum(len(instance["links"]) for instance in flat["instances"])
