@@ -11,6 +11,9 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import formats  # noqa: E402
+
 # A model of two links with a motor, in three files.
 ARM_URDF = """<robot name="arm">
   <link name="base"/>
@@ -75,6 +78,9 @@ class CliTest(unittest.TestCase):
             [TOOL, *map(str, arguments)], input=stdin, encoding="utf-8", errors="replace",
             stdout=stdout, stderr=subprocess.PIPE, cwd=cwd or self.folder, env=variables, timeout=60,
             check=False, **keywords)
+
+    def formats(self):
+        return formats.listed(self.run_tool("--format", "help").stdout)
 
     def expect(self, code, *arguments, **keywords):
         """Runs and checks the exit code (None: 0 or 1); with 0 and 1, standard error contains only the messages of

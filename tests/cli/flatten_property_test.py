@@ -226,8 +226,7 @@ class Properties(cli.CliTest):
     def test_the_same_bytes_on_every_run(self):
         for path, text in World(1).files.items():
             self.write(path, text)
-        for form in ("json", "sdf", "mjcf", "urdf", "dmd", "svg", "dot", "tsv", "gltf", "usda", "obj",
-                     "smurfs"):
+        for form in self.formats():
             first = self.flat("main.smurfs", "--format", form)
             self.assertEqual(self.flat("main.smurfs", "--format", form), first, form)
 

@@ -13,10 +13,10 @@ import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
 import cases  # noqa: E402
+import formats  # noqa: E402
 
 SUFFIXES = {".smurfs", ".smurfa"}
 XML_FORMATS = ("svg", "sdf", "sdf1.6", "mjcf", "urdf")
-FORMATS = (*XML_FORMATS, "json", "tsv", "dot", "dmd", "gltf", "usda", "obj", "smurfs")
 
 
 def run(tools, *arguments):
@@ -52,7 +52,7 @@ def compare(tools, scene):
 
 def write_all(tools, model, report):
     """Faults of a model in any of the formats. Ignores faults of the model itself."""
-    for form in FORMATS:
+    for form in formats.listed(run(tools, "--format", "help").stdout):
         done = run(tools, model, "--format", form, "--force", "--allow-outside", "--report",
                    f"json={report}")
         found = json.loads(report.read_text())["diagnostics"]

@@ -5,13 +5,16 @@
 scene_cost_test.py FOLDER_OF_TOOLS [NAME...]
 """
 import pathlib
+import subprocess
 import sys
 import tempfile
 
 from hostile_cli_test import MEGABYTES, SECONDS, Run
 from inputs import repeat
 
-FORMATS = ("json", "tsv", "svg", "dot", "smurfs", "sdf", "sdf1.6", "mjcf", "urdf", "dmd", "gltf", "usda", "obj")
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import formats  # noqa: E402
+
 MEGABYTE = 1_000_000
 ROBOT = '<robot name="r"><link name="b"/></robot>'
 MODEL = "modelname: r\nfiles: [r.urdf, p.yml]\n"
@@ -191,7 +194,8 @@ def faults(tool, files, folder, options):
 def main():
     tool = pathlib.Path(sys.argv[1]).resolve() / "smurfs-flatten"
     wanted = sys.argv[2:]
-    runs = [["--format", name] for name in FORMATS] + [["--links"], ["--dialect", "mars"], ["--compare-dialects"]]
+    names = formats.listed(subprocess.run([tool, "--format", "help"], capture_output=True, text=True, check=True).stdout)
+    runs = [["--format", name] for name in names] + [["--links"], ["--dialect", "mars"], ["--compare-dialects"]]
     count = 0
     failures = []
     for make in CONSTRUCTS:

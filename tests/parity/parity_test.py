@@ -10,14 +10,17 @@ SMURF_PARITY_SHARD=K/N compares the K-th of N parts only.
 import os
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 
 from builds import BUILDS, Native, sum_of
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import formats  # noqa: E402
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 FIXTURES = ROOT / "fixtures"
-SCENE_FORMATS = ("json", "tsv", "dot", "svg", "sdf", "mjcf", "urdf", "dmd", "gltf", "usda", "obj")
 PRESETS = ("ros2", "gazebo", "mujoco", "drake")
 MOST_SHOWN = 20
 
@@ -47,13 +50,13 @@ def files_in(roots, suffix):
     return sorted(path for root in roots for path in root.rglob("*" + suffix) if path.is_file())
 
 
-def conversion_jobs(roots, scratch):
+def conversion_jobs(roots, scratch, scene_formats):
     """Paths are relative: absolute ones have a drive in Windows."""
     def from_scratch(suffix):
         return [os.path.relpath(path, scratch) for path in files_in(roots, suffix)]
 
     for path in from_scratch(".smurfs"):
-        yield from (("smurfs-flatten", [f"--format={kind}", path], scratch) for kind in SCENE_FORMATS)
+        yield from (("smurfs-flatten", [f"--format={kind}", path], scratch) for kind in scene_formats)
         yield "smurfs-flatten", ["--dialect=mars", "--links", "-o", "scene.json", path], scratch
     for path in from_scratch(".smurf") + from_scratch(".urdf"):
         yield "smurf2urdf", ["--prove", "--force", path], scratch
@@ -104,9 +107,11 @@ def main():
     part, parts = map(int, os.environ.get("SMURF_PARITY_SHARD", "1/1").split("/"))
     native, other = Native(tools), BUILDS[kind](folder)
     different = 0
+    help_page = subprocess.run([tools / "smurfs-flatten", "--format", "help"], capture_output=True, text=True, check=True)
+    scene_formats = formats.listed(help_page.stdout)
     with tempfile.TemporaryDirectory(prefix="smurf-parity-") as scratch:
         scratch = pathlib.Path(scratch)
-        jobs = [*lint_jobs(roots), *conversion_jobs(roots, scratch), *comparison_jobs(roots)]
+        jobs = [*lint_jobs(roots), *conversion_jobs(roots, scratch, scene_formats), *comparison_jobs(roots)]
         jobs = [job for job in jobs if job[0] in other.tools][part - 1 :: parts]
         for job in jobs:
             expected = [native.run(job), written(scratch, native)]
