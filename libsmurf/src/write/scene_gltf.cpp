@@ -38,7 +38,7 @@ class GltfWriter {
 
  private:
   /// Points that several meshes share: of a solid, or of a mesh file.
-  using Points = std::variant<Solid, std::string>;
+  using Points = std::variant<UnitShape, std::string>;
   /// Triangles of one colour.
   struct Part {
     std::size_t indices = 0;
@@ -188,7 +188,7 @@ class GltfWriter {
   const Accessors& accessors_of(const Points& points, Span place = {}) {
     const auto [known, is_new] = points_.try_emplace(points);
     if (!is_new) return known->second;
-    if (const auto* solid = std::get_if<Solid>(&points)) {
+    if (const auto* solid = std::get_if<UnitShape>(&points)) {
       known->second = add_solid(*solid);
     } else {
       known->second = add_file(std::get<std::string>(points), place);
@@ -196,7 +196,7 @@ class GltfWriter {
     return known->second;
   }
 
-  Accessors add_solid(Solid solid) {
+  Accessors add_solid(UnitShape solid) {
     const TriangleMesh mesh = unit_mesh(solid);
     Accessors accessors;
     accessors.points = add_vectors(mesh.points, true);

@@ -120,34 +120,34 @@ TriangleMesh unit_sphere() {
 
 }  // namespace
 
-TriangleMesh unit_mesh(Solid solid) {
+TriangleMesh unit_mesh(UnitShape solid) {
   switch (solid) {
-  case Solid::box: return unit_box();
-  case Solid::sphere: return unit_sphere();
-  case Solid::cylinder: return unit_cylinder();
-  case Solid::square: break;
+  case UnitShape::box: return unit_box();
+  case UnitShape::sphere: return unit_sphere();
+  case UnitShape::cylinder: return unit_cylinder();
+  case UnitShape::square: break;
   }
   return unit_square();
 }
 
 std::vector<PlacedSolid> solids_of(const FlatGeometry& geometry) {
-  if (const auto* box = std::get_if<FlatBox>(&geometry)) return {{Solid::box, {}, box->size}};
+  if (const auto* box = std::get_if<FlatBox>(&geometry)) return {{UnitShape::box, {}, box->size}};
   if (const auto* sphere = std::get_if<FlatSphere>(&geometry)) {
     const double r = sphere->radius;
-    return {{Solid::sphere, {}, {r, r, r}}};
+    return {{UnitShape::sphere, {}, {r, r, r}}};
   }
   if (const auto* cylinder = std::get_if<FlatCylinder>(&geometry)) {
-    return {{Solid::cylinder, {}, {cylinder->radius, cylinder->radius, cylinder->length}}};
+    return {{UnitShape::cylinder, {}, {cylinder->radius, cylinder->radius, cylinder->length}}};
   }
   if (const auto* capsule = std::get_if<FlatCapsule>(&geometry)) {
     const double r = capsule->radius;
     const double half = capsule->length / 2;
-    return {{Solid::cylinder, {}, {r, r, capsule->length}},
-            {Solid::sphere, {{0, 0, -half}, {}}, {r, r, r}},
-            {Solid::sphere, {{0, 0, half}, {}}, {r, r, r}}};
+    return {{UnitShape::cylinder, {}, {r, r, capsule->length}},
+            {UnitShape::sphere, {{0, 0, -half}, {}}, {r, r, r}},
+            {UnitShape::sphere, {{0, 0, half}, {}}, {r, r, r}}};
   }
   if (const auto* plane = std::get_if<FlatPlane>(&geometry)) {
-    return {{Solid::square, {}, {plane->length, plane->width, 1}}};
+    return {{UnitShape::square, {}, {plane->length, plane->width, 1}}};
   }
   return {};
 }

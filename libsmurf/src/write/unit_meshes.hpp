@@ -18,16 +18,16 @@ struct TriangleMesh {
 };
 
 /// Around the origin of their frame.
-enum class Solid : std::uint8_t {
+enum class UnitShape : std::uint8_t {
   box,       ///< edges of length 1
   sphere,    ///< radius 1
   cylinder,  ///< radius 1, from z = -0.5 to 0.5
   square     ///< from -0.5 to 0.5 in x and y, at z = 0, seen from above
 };
-TriangleMesh unit_mesh(Solid solid);
+TriangleMesh unit_mesh(UnitShape solid);
 
 struct PlacedSolid {
-  Solid solid{};
+  UnitShape solid{};
   Pose X_GS;  ///< in the frame of the shape
   Vector3 scale{};
 };
