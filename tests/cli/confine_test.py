@@ -56,6 +56,16 @@ class Confine(cli.CliTest):
         self.model("../../../../secret.yml")
         self.assertNotIn("outside", self.lint(code=1))
 
+    def test_a_package_in_a_home_folder_is_not_the_project(self):
+        """Anybody may have left a package.xml in a folder that is shared, such as that of temporary files."""
+        self.write("a/package.xml", "<package><name>stray</name></package>\n")
+        self.write("a/b/secret.yml", SECRET)
+        self.write("a/b/project/deep/smurf/r.smurf", "files: [../../r.urdf, ../../../secret.yml]\n")
+        found = self.expect(1, "--isolated", "--format", "concise", "deep/smurf/r.smurf", cwd=self.project,
+                            environment={"HOME": str(self.folder / "a")}).stdout
+        self.assertIn("lies outside of the project", found)
+        self.assertNotIn("nowhere", found)
+
     def test_packages_are_allowed(self):
         self.write("elsewhere/meshes/box.stl", "solid a\nendsolid a\n")
         self.write("a/b/project/r.urdf", URDF.replace(

@@ -5,6 +5,7 @@
 #include "base/path.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
+#include "smurf/confine.hpp"
 #include "smurf/convert.hpp"
 #include "smurf/result_losses.hpp"
 
@@ -26,7 +27,8 @@ std::string package_folder(const LinkedModel& model, const Options& options) {
   if (given != options.common.packages.end()) return path::join(current, given->second);
   const DiskFiles disk;
   const std::string urdf_folder(path::parent(path::join(current, model.urdf_path)));
-  for (std::string folder = urdf_folder; folder.size() > 1; folder = path::join(folder, "..")) {
+  for (std::string folder = urdf_folder; !is_shared_folder(folder);
+       folder = path::join(folder, "..")) {
     if (disk.is_file(path::join(folder, "package.xml"))) return folder;
   }
   return path::join(urdf_folder, "..");

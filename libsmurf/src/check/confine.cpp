@@ -46,13 +46,13 @@ bool is_shared(std::string_view folder) {
   return path::parent(below) == "/" && !OpenFolder(std::string(folder)).has_any(kHistories);
 }
 
-/// The root of the project if no folder were shared. Walks upward folder by folder, because paths
-/// may be long.
+/// The root of the project, or a folder above it. Walks upward folder by folder, because paths may
+/// be long, to the nearest shared folder: a package.xml there would make everything its package.
 std::string_view widest_project_of(std::string_view folder) {
   std::string_view package;
   OpenFolder open{std::string(folder)};
-  for (std::string_view at = folder; at.size() > 1;) {
-    if (open.has_any(kHistories) && !is_home(at)) return at;
+  for (std::string_view at = folder; !is_shared(at);) {
+    if (open.has_any(kHistories)) return at;
     if (package.empty() && open.has("package.xml")) package = at;
     at = path::parent(at);
     open.enter_above(std::string(at));
