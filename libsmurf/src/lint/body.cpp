@@ -18,15 +18,19 @@ Eigen::Matrix3d rotation_of(const urdf::Origin& origin) {
   return matrix;
 }
 
-/// Adds a shape to the box; false if the size of the shape is unknown, or not positive.
+/// Adds a shape to the box; false if the size of the shape is unknown, or not positive. The unit of
+/// a mesh may be wrong; likely_cause() says so.
 bool add(const LinkedModel& model, const urdf::Origin& origin, const urdf::Geometry& geometry,
          std::optional<Box>& all) {
-  // The unit of a mesh may be wrong, and other rules report it.
-  if (std::holds_alternative<urdf::Mesh>(geometry.shape)) return false;
   const std::optional<Box> box = bounding_box(model, geometry);
   if (!box) return false;
   const Vector3 size = box->size();
   if (!(size[0] > 0 && size[1] > 0 && size[2] > 0)) return false;
+  const double longest = std::max({size[0], size[1], size[2]});
+  constexpr double kHuge = 50;     // m
+  constexpr double kTiny = 0.001;  // m
+  const bool is_mesh = std::holds_alternative<urdf::Mesh>(geometry.shape);
+  if (is_mesh && (longest > kHuge || longest < kTiny)) return false;  // SML1630
   const Box in_link = moved(*box, urdf::to_pose(origin));
   all = all ? united(*all, in_link) : in_link;
   return true;
@@ -87,13 +91,16 @@ std::optional<Body> body_of(const urdf::Inertial& inertial) {
               {half_trace - in_link[0], half_trace - in_link[1], half_trace - in_link[2]}};
 }
 
-std::optional<double> excess_over(const Body& body, const Extent& extent) {
+double excess_over(const Body& body, const Extent& extent) {
+  const bool is_inside = extent.contains(body.center);
   double worst = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double most =
-        body.mass * (extent.high[i] - body.center[i]) * (body.center[i] - extent.low[i]);
-    if (!(most > 0)) return std::nullopt;
-    worst = std::max(worst, body.second_moments[i] / most);
+    const double half = (extent.high[i] - extent.low[i]) / 2;
+    // The middle allows the largest inertia.
+    const double square =
+        is_inside ? (extent.high[i] - body.center[i]) * (body.center[i] - extent.low[i])
+                  : half * half;
+    worst = std::max(worst, body.second_moments[i] / (body.mass * square));
   }
   return worst;
 }
@@ -104,19 +111,6 @@ double ratio_to_block(const Body& body, const Extent& extent) {
     of_block += std::pow(extent.high[i] - extent.low[i], 2) * body.mass / 12;
   }
   return (body.second_moments[0] + body.second_moments[1] + body.second_moments[2]) / of_block;
-}
-
-std::optional<std::string_view> likely_unit(double ratio) {
-  struct Unit {
-    double factor;  ///< factor to kg m^2
-    std::string_view name;
-  };
-  constexpr Unit kUnits[] = {{1e9, "g mm2"}, {1e6, "kg mm2"}, {1e7, "g cm2"}, {1e4, "kg cm2"}};
-  constexpr double kSpread = 2;  // tolerance, because links are not homogeneous blocks
-  for (const Unit& unit : kUnits) {
-    if (ratio > unit.factor / kSpread && ratio < unit.factor * kSpread) return unit.name;
-  }
-  return std::nullopt;
 }
 
 }  // namespace smurf

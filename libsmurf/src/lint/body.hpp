@@ -22,14 +22,16 @@ struct Extent {
 /// kg; lighter bodies are frames of sensors and similar links, whose made-up numbers matter
 /// little.
 inline constexpr double kNegligibleMass = 0.01;  // kg
+/// kg; the tip of a finger. A gram is the usual placeholder.
+inline constexpr double kSmallestPart = 0.002;  // kg
 /// Density of osmium; nothing is heavier.
 inline constexpr double kHeaviestMaterial = 22600;  // kg/m3
-/// A hundredth of air: no box around a body is so empty.
-inline constexpr double kLightestMaterial = 0.01;  // kg/m3
+/// Density of air.
+inline constexpr double kLightestMaterial = 1.2;  // kg/m3
 /// Parts of a robot are nearer to each other; farther origins are reported (SML1442).
 inline constexpr double kFarthestOrigin = 10;  // m
 
-/// None if the link has no shape, or a shape of unknown size, such as a mesh.
+/// None if the link has no shape, or a shape of unknown size, such as a missing mesh.
 std::optional<Extent> extent_of(const LinkedModel& model, const urdf::Link& link);
 
 struct Body {
@@ -43,13 +45,11 @@ struct Body {
 std::optional<Body> body_of(const urdf::Inertial& inertial);
 
 /// The factor by which the second moments exceed those of any mass inside the box (Bhatia-Davis: at
-/// most m (high - c)(c - low) along each axis), for the worst axis. None if the centre of mass lies
-/// outside or on the boundary.
-std::optional<double> excess_over(const Body& body, const Extent& extent);
+/// most m (high - c)(c - low) along each axis), for the worst axis. A centre of mass outside of the
+/// box counts as its middle.
+double excess_over(const Body& body, const Extent& extent);
 
 /// The ratio of the inertia (its trace) to that of a homogeneous block that fills the box.
 double ratio_to_block(const Body& body, const Extent& extent);
-/// The unit of an inertia that is too large by this factor: "kg mm2" for about 1e6.
-std::optional<std::string_view> likely_unit(double ratio);
 
 }  // namespace smurf

@@ -55,22 +55,6 @@ std::optional<Box> box_of(const LinkedModel& model, const urdf::Shape& shape) {
 
 }  // namespace
 
-const MeshReference* find_reference(const LinkedModel& model, const urdf::Mesh& mesh) {
-  const auto found =
-      std::lower_bound(model.meshes.begin(), model.meshes.end(), mesh.filename.span.begin,
-                       [](const MeshReference& reference, std::uint32_t begin) {
-                         return reference.span.begin < begin;
-                       });
-  const bool is_there = found != model.meshes.end() && found->span == mesh.filename.span;
-  return mesh.filename && is_there ? &*found : nullptr;
-}
-
-const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh) {
-  const MeshReference* reference = find_reference(model, mesh);
-  if (reference == nullptr || reference->file == nullptr) return nullptr;
-  return reference->file->status == ReadStatus::ok ? &reference->file->facts : nullptr;
-}
-
 std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& geometry) {
   const std::optional<Box> box = box_of(model, geometry.shape);
   if (!box) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string_view>
 
+#include "link/shape_solids.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf {
@@ -24,11 +25,6 @@ struct GeometryUse {
   /// Null if the shape is of another type.
   const urdf::Mesh* mesh() const { return std::get_if<urdf::Mesh>(&geometry.shape); }
 };
-
-/// The file of a mesh of the URDF; null if it names none.
-const MeshReference* find_reference(const LinkedModel& model, const urdf::Mesh& mesh);
-/// The facts about a mesh file; null if the file was not opened or cannot be read.
-const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh);
 
 /// The box of a shape in its own frame, in metres, with the mesh's scale. COLLADA is placed like
 /// its triangles (smurf/mesh_triangles.hpp). None if the size is unknown or not finite.

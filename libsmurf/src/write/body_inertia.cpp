@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "link/possible_inertia.hpp"
+
 namespace smurf {
 namespace {
 
@@ -17,14 +19,11 @@ Eigen::Matrix3d tensor_of(const LinkInertial& mass) {
   return R * I * R.transpose();
 }
 
-/// Raises ascending moments until a body can have them; true if the change is larger than rounding.
+/// As make_possible().
 bool repair(Eigen::Vector3d& moments, double least) {
-  const double rounding = 1e-9 * moments.cwiseAbs().maxCoeff();
-  bool is_changed = moments[0] < least - (least > 0 ? 0 : rounding);
-  moments = moments.cwiseMax(least);
-  const double most = moments[0] + moments[1];
-  is_changed = is_changed || moments[2] > most + rounding;
-  moments[2] = std::min(moments[2], most);
+  Vector3 ascending{moments[0], moments[1], moments[2]};
+  const bool is_changed = make_possible(ascending, least);
+  moments = {ascending[0], ascending[1], ascending[2]};
   return is_changed;
 }
 

@@ -6,6 +6,7 @@
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/inertia.hpp"
+#include "lint/inertia_slips.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
@@ -47,6 +48,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4);
     diagnostic.note("the principal moments of a body must be positive");
+    add_likely_slip(model, link, diagnostic);
   });
 }
 

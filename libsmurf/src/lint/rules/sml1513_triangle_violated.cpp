@@ -3,6 +3,7 @@
 #include "base/readers.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/inertia.hpp"
+#include "lint/inertia_slips.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
@@ -29,6 +30,7 @@ void check(const LinkedModel& model, Findings& findings) {
                        format_rounded(high, 4) + " > " + format_rounded(low, 4) + " + " +
                        format_rounded(middle, 4);
     diagnostic.note("the largest moment can be at most the sum of the other two");
+    add_likely_slip(model, link, diagnostic);
   });
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "lint/axis_order.hpp"
 #include "lint/body.hpp"
 #include "lint/inertia.hpp"
+#include "lint/likely_cause.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -9,23 +11,25 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kSlack = 1.2;   // shapes are simplified
+  constexpr double kLarge = 10;    // of parts so light that their numbers are often made up
   constexpr double kMargin = 0.1;  // of the longest edge
   for_each_link(model, [&](const urdf::Link& link) {
     const auto extent = extent_of(model, link);
     const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
     if (!extent || !body) return;
     // Separate rules report the unit tensor and a wrong mass.
-    if (is_unit_tensor(*link.inertial) || body->mass < kNegligibleMass) return;
+    if (is_unit_tensor(*link.inertial) || body->mass < kSmallestPart) return;
     if (body->mass > kHeaviestMaterial * extent->volume()) return;
-    const auto excess = excess_over(*body, extent->grown(kMargin * extent->longest_edge()));
-    if (!excess || *excess <= kSlack) return;
+    const double excess = excess_over(*body, extent->grown(kMargin * extent->longest_edge()));
+    if (excess <= (body->mass < kNegligibleMass ? kLarge : kSlack)) return;
+    if (likely_axis_order(model, link) != nullptr) return;  // SML1531
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is too large for its mass and shapes");
-    diagnostic.caret = format_rounded(*excess, 2) + " times what they allow";
-    if (const auto unit = likely_unit(ratio_to_block(*body, *extent))) {
-      diagnostic.help("is it in " + std::string(*unit) + "?");
-    }
+    diagnostic.caret = format_rounded(excess, 2) + " times what they allow";
+    const Cause cause = likely_cause(model, link, *body, *extent);
+    const bool is_named = cause.culprit != Culprit::unknown && cause.culprit != Culprit::mass;
+    if (is_named) diagnostic.help(cause.question);
   });
 }
 

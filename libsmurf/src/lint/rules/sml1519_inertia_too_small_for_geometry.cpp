@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
 #include "lint/body.hpp"
+#include "lint/likely_cause.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -22,6 +23,9 @@ void check(const LinkedModel& model, Findings& findings) {
                         "the inertia of " + title(link) + " is very small for its mass and shapes");
     diagnostic.caret = format_rounded(100 * ratio, 2) + " % of a full block of that size";
     if (ratio < kUnit) diagnostic.severity = Severity::warning;
+    const Cause cause = likely_cause(model, link, *body, *extent);
+    const bool is_named = cause.culprit != Culprit::unknown && cause.culprit != Culprit::mass;
+    if (is_named) diagnostic.help(cause.question);
   });
 }
 

@@ -2,29 +2,73 @@
 #include "base/numbers.hpp"
 #include "lint/body.hpp"
 #include "lint/geometry_queries.hpp"
+#include "lint/likely_cause.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
-/// The largest shape of a link, and its volume in m^3.
+/// The largest shape of a link.
 struct LargestShape {
-  Span place;
-  double volume = -1;
+  const urdf::Geometry* geometry = nullptr;
+  double volume = -1;  ///< m3
 };
+
+/// At least this part of the box of an open mesh is full.
+constexpr double kFullPart = 0.1;
 
 LargestShape largest_shape(const LinkedModel& model, const urdf::Link& link) {
   LargestShape largest;
   const auto add = [&](const urdf::Geometry& geometry) {
     const std::optional<Box> box = bounding_box(model, geometry);
     if (!box) return;
+    const std::optional<Solid> solid = solid_of(model, geometry);
     const Vector3 size = box->size();
-    const double volume = size[0] * size[1] * size[2];
-    if (volume > largest.volume) largest = {tag_name(model, geometry.shape_element), volume};
+    const double volume = solid ? solid->volume : kFullPart * size[0] * size[1] * size[2];
+    if (volume > largest.volume) largest = {&geometry, volume};
   };
   for (const urdf::Visual& visual : link.visuals) add(visual.geometry);
   for (const urdf::Collision& collision : link.collisions) add(collision.geometry);
   return largest;
+}
+
+Cause cause_of(const LinkedModel& model, const urdf::Link& link, const Extent& extent) {
+  const std::optional<Body> body = body_of(*link.inertial);
+  return body ? likely_cause(model, link, *body, extent) : Cause{};
+}
+
+/// The scale of a mesh, or its name.
+Span place_of_size(const LinkedModel& model, const urdf::Geometry& geometry) {
+  const auto* mesh = std::get_if<urdf::Mesh>(&geometry.shape);
+  if (mesh == nullptr) return tag_name(model, geometry.shape_element);
+  return mesh->scale ? mesh->scale.span : mesh->filename.span;
+}
+
+void report(const LinkedModel& model, const urdf::Link& link, const Extent& extent, bool is_heavy,
+            Findings& findings) {
+  const LargestShape largest = largest_shape(model, link);
+  const Cause cause = cause_of(model, link, extent);
+  const double mass = *link.inertial->mass;
+  const Span shape = place_of_size(model, *largest.geometry);
+  const std::string text =
+      is_heavy ? format_rounded(mass / extent.volume(), 2) +
+                     " kg/m3 even if it fills their bounding box"
+               : format_rounded(mass / largest.volume, 2) + " kg/m3 in one of them";
+  if (cause.culprit == Culprit::shape) {
+    Diagnostic& diagnostic = findings.report(
+        shape, "the shape of " + title(link) + " does not have the size of its inertial");
+    diagnostic.label(link.inertial->mass.span, text);
+    diagnostic.help(cause.question);
+    return;
+  }
+  Diagnostic& diagnostic = findings.report(
+      link.inertial->mass.span, "the mass of " + title(link) + " is too " +
+                                    (is_heavy ? "large" : "small") + " for its shapes");
+  diagnostic.caret = text;
+  if (!is_heavy) diagnostic.label(shape, "is this in metres?");
+  const bool is_about_mass =
+      cause.culprit == Culprit::mass || cause.culprit == Culprit::mass_and_inertia;
+  if (is_about_mass) diagnostic.help(cause.question);
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -32,18 +76,9 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto extent = extent_of(model, link);
     if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
     const double mass = *link.inertial->mass;
-    const Span place = link.inertial->mass.span;
-    if (mass > kHeaviestMaterial * extent->volume()) {
-      findings.report(place, "the mass of " + title(link) + " is too large for its shapes").caret =
-          format_rounded(mass / extent->volume(), 2) + " kg/m3 even if it fills their bounding box";
-      return;
-    }
-    const LargestShape largest = largest_shape(model, link);
-    if (mass >= kLightestMaterial * largest.volume) return;
-    Diagnostic& diagnostic =
-        findings.report(place, "the mass of " + title(link) + " is too small for its shapes");
-    diagnostic.caret = format_rounded(mass / largest.volume, 2) + " kg/m3 in one of them";
-    diagnostic.label(largest.place, "is this in metres?");
+    const bool is_heavy = mass > kHeaviestMaterial * extent->volume();
+    const bool is_light = mass < kLightestMaterial * largest_shape(model, link).volume;
+    if (is_heavy || is_light) report(model, link, *extent, is_heavy, findings);
   });
 }
 

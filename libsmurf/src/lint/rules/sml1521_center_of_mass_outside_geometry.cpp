@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "base/numbers.hpp"
 #include "lint/body.hpp"
@@ -8,6 +10,26 @@
 
 namespace smurf::rules {
 namespace {
+
+/// The mistake that explains a centre outside of the box; empty if there is none.
+std::string question_of(const Vector3& center, const Extent& extent) {
+  constexpr std::pair<double, std::string_view> kUnits[] = {{1e-3, "millimetres"},
+                                                            {1e-2, "centimetres"}};
+  double distance = 0;
+  for (const double x : center) distance = std::max(distance, std::fabs(x));
+  for (const auto& [factor, unit] : kUnits) {
+    const Vector3 inside{center[0] * factor, center[1] * factor, center[2] * factor};
+    constexpr double kLeast = 0.02;  // of the longest edge; any unit explains a centre at 0
+    const bool is_there = distance * factor > kLeast * extent.longest_edge();
+    if (is_there && extent.contains(inside)) return "is it in " + std::string(unit) + "?";
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vector3 turned = center;
+    turned[i] = -turned[i];
+    if (extent.contains(turned)) return "is the sign of " + std::string(1, "xyz"[i]) + " wrong?";
+  }
+  return {};
+}
 
 void check(const LinkedModel& model, Findings& findings) {
   const double margin = findings.tolerance();  // shapes are simplified
@@ -32,7 +54,11 @@ void check(const LinkedModel& model, Findings& findings) {
              format_rounded(extent->low[i], 3) + " to " + format_rounded(extent->high[i], 3);
     }
     diagnostic.note("they reach from " + box + " in the frame of the link");
-    if (!has_origin) diagnostic.help("add an `origin` to the inertial");
+    if (!has_origin) {
+      diagnostic.help("add an `origin` to the inertial");
+    } else if (std::string question = question_of(center, *extent); !question.empty()) {
+      diagnostic.help(std::move(question));
+    }
   });
 }
 

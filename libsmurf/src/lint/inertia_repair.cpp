@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf/inertia_repair.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "base/numbers.hpp"
+#include "link/shape_solids.hpp"
+#include "lint/body.hpp"
+#include "lint/inertia.hpp"
+#include "lint/inertia_slips.hpp"
+#include "lint/queries.hpp"
+#include "smurf/lint.hpp"
+
+namespace smurf {
+namespace {
+
+using From = InertiaSource::From;
+
+/// A new inertia, and what was assumed.
+struct Replacement {
+  Tensor tensor{};
+  double mass = 0;
+  std::string assumption;
+};
+
+/// The body of the shapes that a source uses.
+std::optional<Solid> shapes_for(const LinkedModel& model, const urdf::Link& link, From from) {
+  const auto extent = extent_of(model, link);
+  if (!extent) return std::nullopt;
+  const auto solid = from == From::box ? std::nullopt : solid_of(model, link);
+  if (!solid && from == From::mesh) return std::nullopt;
+  return solid ? solid : block({extent->low, extent->high});
+}
+
+Replacement of_shapes(const urdf::Link& link, const Solid& solid, const InertiaSource& source,
+                      bool is_box) {
+  const double mass = source.from == From::density ? source.density * solid.volume
+                                                   : link.inertial->mass.value_or(0);
+  Tensor tensor = unit_inertia(solid);
+  for (double& entry : tensor) entry *= mass;
+  const Quaternion& q = urdf::to_pose(link.inertial->origin).orientation;
+  return {rotated(tensor, {q.w, -q.x, -q.y, -q.z}), mass,
+          std::string(is_box ? "the box around its shapes" : "its shapes") + ", filled with " +
+              format_rounded(mass, 4) + " kg, which is " +
+              format_rounded(mass / solid.volume, 3) + " kg/m3"};
+}
+
+std::optional<Replacement> nearest(const urdf::Inertial& inertial) {
+  const Tensor written = tensor_of(inertial);
+  if (std::all_of(written.begin(), written.end(), [](double entry) { return entry == 0; })) {
+    return std::nullopt;
+  }
+  return Replacement{nearest_possible(written), *inertial.mass,
+                     "the nearest tensor that a body can have"};
+}
+
+std::optional<Replacement> replacement_for(const LinkedModel& model, const urdf::Link& link,
+                                           const InertiaSource& source) {
+  const urdf::Inertial& inertial = *link.inertial;
+  if (!principal_moments(inertial) || !(inertial.mass.value_or(0) > 0)) return std::nullopt;
+  if (source.from == From::nearest) return nearest(inertial);
+  if (const auto solid = shapes_for(model, link, source.from)) {
+    const bool is_box = source.from == From::box || !solid_of(model, link);
+    return of_shapes(link, *solid, source, is_box);
+  }
+  if (source.from != From::mass) return std::nullopt;
+  if (const auto slip = likely_slip(model, link)) {
+    return Replacement{slip->tensor, *inertial.mass, slip->question};
+  }
+  return nearest(inertial);
+}
+
+std::string moments_of(const Tensor& tensor) {
+  const Vector3 moments = principal_of(tensor).moments;
+  return format_rounded(moments[0], 3) + ", " + format_rounded(moments[1], 3) + ", " +
+         format_rounded(moments[2], 3);
+}
+
+void replace_fix(const LinkedModel& model, const urdf::Link& link, const InertiaSource& source,
+                 Diagnostic& finding) {
+  finding.fixes.clear();
+  const auto replacement = replacement_for(model, link, source);
+  if (!replacement) return;
+  const urdf::Inertial& inertial = *link.inertial;
+  auto fix = fix_of(inertial, replacement->tensor);
+  if (!fix) return;
+  if (replacement->mass != *inertial.mass) {
+    fix->edits.push_back({inertial.mass.span, format_rounded(replacement->mass, 6)});
+  }
+  finding.notes = {"principal moments " + moments_of(tensor_of(inertial)) + " become " +
+                   moments_of(replacement->tensor) + ": " + replacement->assumption};
+  finding.fixes.push_back(std::move(*fix));
+}
+
+}  // namespace
+
+std::optional<InertiaSource> parse_inertia_source(std::string_view text) {
+  constexpr std::pair<std::string_view, From> kWords[] = {{"mass", From::mass},
+                                                          {"mesh", From::mesh},
+                                                          {"box", From::box},
+                                                          {"nearest", From::nearest}};
+  for (const auto& [word, from] : kWords) {
+    if (text == word) return InertiaSource{from, 0};
+  }
+  constexpr std::string_view kDensity = "density:";
+  if (!text.starts_with(kDensity)) return std::nullopt;
+  const auto density = parse_number(text.substr(kDensity.size()));
+  if (!density || !(*density > 0)) return std::nullopt;
+  return InertiaSource{From::density, *density};
+}
+
+std::vector<Diagnostic> repair_inertias(const LinkedModel& model, const InertiaSource& source) {
+  if (!model.robot) return {};
+  RuleSelection selection;
+  selection.select = {"SML1511", "SML1512", "SML1513", "SML1516",
+                      "SML1518", "SML1519", "SML1523", "SML1531"};
+  DiagnosticSink sink;
+  lint_model(model, selection, sink);
+  std::vector<Diagnostic> repairs;
+  std::set<const urdf::Link*> done;
+  for (Diagnostic& finding : sink.take()) {
+    for (const urdf::Link& link : model.robot->links) {
+      const bool is_here = link.inertial && finding.span.begin >= link.span.begin &&
+                           finding.span.begin < link.span.end;
+      if (!is_here || !done.insert(&link).second) continue;
+      replace_fix(model, link, source, finding);
+      if (!finding.fixes.empty()) repairs.push_back(std::move(finding));
+      break;
+    }
+  }
+  return repairs;
+}
+
+}  // namespace smurf

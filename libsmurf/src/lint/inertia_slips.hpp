@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The mistakes that make a tensor impossible, undone one by one.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "link/possible_inertia.hpp"
+#include "smurf/diagnostic.hpp"
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+/// A possible tensor, and the mistake that makes the written one of it.
+struct InertiaSlip {
+  Tensor tensor{};       ///< in the frame of the inertial
+  std::string question;  ///< "is the decimal point of `izz` in the wrong place?"
+};
+/// The mistake that explains an impossible tensor best. None if no mistake does, or if an entry is
+/// not readable.
+std::optional<InertiaSlip> likely_slip(const LinkedModel& model, const urdf::Link& link);
+
+/// Adds the mistake to a finding, and a fix that undoes it.
+void add_likely_slip(const LinkedModel& model, const urdf::Link& link, Diagnostic& diagnostic);
+
+/// The entries as written. Precondition: all are readable.
+Tensor tensor_of(const urdf::Inertial& inertial);
+/// The tensor of the shapes of a link with its mass, in the frame of the inertial, about the centre
+/// of the shapes. None without shapes or mass.
+std::optional<Tensor> tensor_of_shapes(const LinkedModel& model, const urdf::Link& link);
+
+/// A fix that writes the entries which differ; none if an entry is not written.
+std::optional<Fix> fix_of(const urdf::Inertial& inertial, const Tensor& tensor);
+
+}  // namespace smurf

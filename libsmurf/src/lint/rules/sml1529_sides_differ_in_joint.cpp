@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "lint/queries.hpp"
+#include "lint/sides.hpp"
+
+namespace smurf::rules {
+namespace {
+
+bool is_near(double a, double b, double tolerance) {
+  constexpr double kSmall = 1e-3;  // rad or m
+  return std::fabs(a - b) <= kSmall + tolerance * std::max(std::fabs(a), std::fabs(b));
+}
+
+std::string bounds_of(const urdf::Limit& limit) {
+  return format_rounded(*limit.lower, 4) + " to " + format_rounded(*limit.upper, 4);
+}
+
+/// Equal, or equal with the opposite sign, which a mirrored axis needs.
+bool have_same_bounds(const urdf::Limit& a, const urdf::Limit& b, double tolerance) {
+  return (is_near(*a.lower, *b.lower, tolerance) && is_near(*a.upper, *b.upper, tolerance)) ||
+         (is_near(*a.lower, -*b.upper, tolerance) && is_near(*a.upper, -*b.lower, tolerance));
+}
+
+/// Values of both sides that differ, in words, and the places of the first.
+struct Differences {
+  std::string words;
+  Span place, other;
+
+  void add(const Field<double>& a, const Field<double>& b, std::string_view what,
+           double tolerance) {
+    if (!a || !b || is_near(*a, *b, tolerance)) return;
+    if (words.empty()) {
+      place = b.span;
+      other = a.span;
+    }
+    words += (words.empty() ? "`" : ", `") + std::string(what) + "` (" + format_rounded(*a, 4) +
+             " and " + format_rounded(*b, 4) + ")";
+  }
+};
+
+void report(const urdf::Joint& left, const urdf::Joint& right, Findings& findings) {
+  if (left.type != right.type) {
+    Diagnostic& diagnostic = findings.report(
+        right.type_name.span, title(left) + " is " + *left.type_name + ", but " + title(right) +
+                                  " is " + *right.type_name);
+    diagnostic.label(left.type_name.span, "the other side");
+    if (left.is_movable() && right.is_movable()) diagnostic.severity = Severity::warning;
+    return;
+  }
+  if (!left.limit || !right.limit) return;
+  const urdf::Limit& a = *left.limit;
+  const urdf::Limit& b = *right.limit;
+  const bool has_bounds = a.lower && a.upper && b.lower && b.upper;
+  if (has_bounds && !have_same_bounds(a, b, findings.tolerance())) {
+    findings
+        .report(b.lower.span, title(left) + " moves from " + bounds_of(a) + ", but " +
+                                  title(right) + " from " + bounds_of(b))
+        .label(a.lower.span, "the other side");
+    return;
+  }
+  Differences differences;
+  differences.add(a.effort, b.effort, "effort", findings.tolerance());
+  differences.add(a.velocity, b.velocity, "velocity", findings.tolerance());
+  if (left.dynamics && right.dynamics) {
+    differences.add(left.dynamics->damping, right.dynamics->damping, "damping",
+                    findings.tolerance());
+  }
+  if (differences.words.empty()) return;
+  findings
+      .report(differences.place,
+              title(left) + " and " + title(right) + " differ in " + differences.words)
+      .label(differences.other, "the other side");
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::vector<std::string_view> names;
+  std::vector<const urdf::Joint*> joints;
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (!joint.name || !joint.type_name || joint.type == urdf::JointType::unknown) return;
+    names.emplace_back(*joint.name);
+    joints.push_back(&joint);
+  });
+  for (const auto& [left, right] : pairs_of_sides(names)) {
+    report(*joints[left], *joints[right], findings);
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1529_sides_differ_in_joint{
+    .id = "SML1529",
+    .name = "sides-differ-in-joint",
+    .severity = Severity::info,
+    .summary = "A left and a right joint differ in type, limits or damping.",
+    .why = "The two sides of a robot nearly always move alike. Bounds may have the opposite sign, "
+           "because the axis of one side is mirrored, but they span the same range.",
+    .remedy = "Compare the two joints, and correct the one that was not updated.",
+    .sources = "Of 991 public URDFs, 23 differ in their bounds, and 5 in a joint type.",
+    .check_model = check,
+    .tolerance = {.value = 0.05, .meaning = "how much the two sides may differ, as a fraction"}};
+
+}  // namespace smurf::rules

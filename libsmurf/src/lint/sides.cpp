@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/sides.hpp"
+
+#include <array>
+#include <algorithm>
+#include <map>
+
+namespace smurf {
+namespace {
+
+struct Side {
+  std::string_view left, right;
+};
+constexpr Side kSides[] = {{"left", "right"}, {"l", "r"},   {"fl", "fr"},   {"rl", "rr"},
+                           {"hl", "hr"},      {"bl", "br"}, {"lf", "rf"},   {"lh", "rh"},
+                           {"lr", "rr"},      {"lb", "rb"}, {"ml", "mr"},   {"lm", "rm"}};
+/// Words for places that siblings have.
+constexpr std::string_view kPlaces[] = {"left",  "right", "front", "rear", "back", "middle",
+                                        "mid",   "fl",    "fr",    "rl",   "rr",   "hl",
+                                        "hr",    "bl",    "br",    "lf",   "rf",   "lh",
+                                        "rh",    "lr",    "lb",    "rb",   "ml",   "mr",
+                                        "lm",    "rm",    "l",     "r"};
+
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return is_lower(c) || is_upper(c); }
+char lowered(char c) { return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c; }
+char raised(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// A part of a name: letters of one word, digits, or other characters.
+struct Word {
+  std::size_t begin, end;
+};
+
+/// "leftArm_2" has the words "left", "Arm", "_" and "2".
+std::vector<Word> words_of(std::string_view name) {
+  std::vector<Word> words;
+  for (std::size_t at = 0; at < name.size();) {
+    const std::size_t begin = at++;
+    const char first = name[begin];
+    if (is_digit(first)) {
+      while (at < name.size() && is_digit(name[at])) ++at;
+    } else if (is_letter(first)) {
+      while (at < name.size() && is_letter(name[at]) &&
+             !(is_upper(name[at]) && is_lower(name[at - 1])) &&
+             !(is_upper(name[at]) && at + 1 < name.size() && is_lower(name[at + 1]))) {
+        ++at;
+      }
+    }
+    words.push_back({begin, at});
+  }
+  return words;
+}
+
+std::string lowered(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = lowered(c);
+  return lower;
+}
+
+/// `word` in the case of `model`.
+std::string in_case_of(std::string_view model, std::string_view word) {
+  std::string text(word);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_raised = is_upper(model[0]) && (i == 0 || is_upper(model[model.size() - 1]));
+    if (is_raised) text[i] = raised(text[i]);
+  }
+  return text;
+}
+
+/// The name without sides, places and numbers; empty if it has none.
+std::string kind_of(std::string_view name) {
+  std::string kind;
+  bool has_place = false;
+  for (const Word& word : words_of(name)) {
+    const std::string_view text = name.substr(word.begin, word.end - word.begin);
+    const std::string lower = lowered(text);
+    bool is_place = is_digit(text[0]);
+    for (const std::string_view place : kPlaces) is_place = is_place || lower == place;
+    kind += is_place ? "*" : lower;
+    has_place = has_place || is_place;
+  }
+  return has_place ? kind : std::string();
+}
+
+}  // namespace
+
+std::vector<std::string> right_names_of(std::string_view left) {
+  std::vector<std::string> names;
+  std::size_t sides = 0;
+  for (const Word& word : words_of(left)) {
+    const std::string_view text = left.substr(word.begin, word.end - word.begin);
+    const std::string lower = lowered(text);
+    const auto* known = std::find_if(std::begin(kSides), std::end(kSides), [&](const Side& side) {
+      return lower == side.left || lower == side.right;
+    });
+    if (known != std::end(kSides)) ++sides;
+    for (const Side& side : kSides) {
+      if (lower != side.left) continue;
+      names.push_back(std::string(left.substr(0, word.begin)) + in_case_of(text, side.right) +
+                      std::string(left.substr(word.end)));
+    }
+  }
+  if (sides > 1) names.clear();  // "front_leftR" may be opposite of "front_rightL"
+  return names;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>>
+pairs_of_sides(const std::vector<std::string_view>& names) {
+  std::map<std::string_view, std::size_t> index_of;
+  for (std::size_t i = 0; i < names.size(); ++i) index_of.emplace(names[i], i);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (const std::string& right : right_names_of(names[i])) {
+      const auto found = index_of.find(right);
+      if (found == index_of.end()) continue;
+      pairs.emplace_back(i, found->second);
+      break;
+    }
+  }
+  return pairs;
+}
+
+std::vector<std::vector<std::size_t>> siblings_of(const std::vector<std::string_view>& names) {
+  constexpr std::size_t kFewest = 3;
+  std::map<std::string, std::size_t> place_of;
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::string kind = kind_of(names[i]);
+    if (kind.empty()) continue;
+    const auto [known, is_new] = place_of.try_emplace(std::move(kind), groups.size());
+    if (is_new) groups.emplace_back();
+    groups[known->second].push_back(i);
+  }
+  std::erase_if(groups, [](const auto& group) { return group.size() < kFewest; });
+  return groups;
+}
+
+}  // namespace smurf

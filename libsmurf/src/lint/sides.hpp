@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Links and joints whose names differ only in a side or a number.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace smurf {
+
+/// The name of the other side: "right_arm" for "left_arm", "FR_hip" for "FL_hip". Empty
+/// if the name has no word for the left, or several words for sides.
+std::vector<std::string> right_names_of(std::string_view left);
+
+/// Pairs of indices of a left and a right name.
+std::vector<std::pair<std::size_t, std::size_t>>
+pairs_of_sides(const std::vector<std::string_view>& names);
+
+/// Groups of at least three names that are equal but for sides, places and numbers: the wheels of a
+/// robot. In the order of the first of each.
+std::vector<std::vector<std::size_t>> siblings_of(const std::vector<std::string_view>& names);
+
+}  // namespace smurf
