@@ -94,6 +94,18 @@ std::string element_called(std::string_view name) {
   return children.empty() ? text : text + "\n" + render::wrap(children + ".", 0, kColumns);
 }
 
+/// The rules about inertials, which the page of their element lists.
+std::string mistakes_in_inertials() {
+  std::string text = "\nMistakes that are reported (docs/inertia.md has an example of each):\n";
+  for (const Rule* rule : family("SML15")) {
+    text += render::wrap(std::string(rule->id) + " " + std::string(rule->summary), 0, kColumns);
+  }
+  constexpr std::string_view kCommands =
+      "smurf-lint --masses ROBOT compares the masses with the shapes; smurf-lint --fix-inertia "
+      "--diff ROBOT shows inertias that fit.";
+  return text + "\n" + render::wrap(std::string(kCommands), 0, kColumns);
+}
+
 }  // namespace
 
 std::string explanation(std::string_view name, const TextStyle& style) {
@@ -110,7 +122,8 @@ std::string explanation(std::string_view name, const TextStyle& style) {
   if (rules.size() == 1) return render_rule(*rules.front(), style);
   if (!rules.empty()) return render_rule_list(rules, style);
   const std::string keys = keys_called(what);
-  const std::string element = element_called(what);
+  std::string element = element_called(what);
+  if (what == "inertia" || what == "inertial") element += mistakes_in_inertials();
   return keys.empty() || element.empty() ? keys + element : element + "\n" + keys;
 }
 

@@ -18,6 +18,8 @@
 #include "smurf-lint/dump.hpp"
 #include "smurf-lint/explain.hpp"
 #include "smurf-lint/fix.hpp"
+#include "smurf-lint/fix_inertia.hpp"
+#include "smurf-lint/masses.hpp"
 #include "smurf-lint/options.hpp"
 #include "smurf-lint/picture.hpp"
 #include "smurf-lint/rename.hpp"
@@ -175,6 +177,16 @@ ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session,
                       " bytes to be checked; run smurf-lint again after these are written, or " +
                       raise_limit("rechecked-bytes"));
   return kFailed;
+}
+
+/// Writes other inertias. `check` reports on the changed texts.
+ExitCode fix_inertia(const LintOptions& options, const LintPlan& plan, Session& session,
+                     const std::function<Report()>& check) {
+  const Changes changes = fix_inertias(options, plan, session);
+  if (options.diff) return show_diff(options, changes);
+  if (!write_all(options, plan, session, changes)) return kFailed;
+  if (options.fix_only) return kDone;
+  return report(options, plan, {check(), session}, nullptr);
 }
 
 /// `found` are the findings in the renamed files.
@@ -347,6 +359,9 @@ ExitCode run(const LintOptions& options) {
     if (!renamed) return kFailed;
   }
   const auto check = [&] { return run_check(options, plan, session); };
+  if (options.fix_inertia) {
+    return plan.problems.empty() ? fix_inertia(options, plan, session, check) : kFailed;
+  }
   Report found = check();
   if (!keeps_inputs(options, found, std::array{&inputs, &read})) return kFailed;
   if (options.generate_baseline) {
@@ -372,6 +387,7 @@ int smurf_lint_main(int argc, char** argv) {
   if (!options.explain.empty()) return explain(options);
   if (!options.list_rules.empty()) return list_rules(options);
   if (!options.show_config.empty()) return show_config(options);
+  if (!options.masses.empty()) return show_masses(options);
   if (!options.dump_model.empty()) return dump_model(options);
   if (options.merge_reports) return merge_reports(options);
 

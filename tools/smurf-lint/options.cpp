@@ -108,6 +108,18 @@ Setter append_renames(std::vector<Rename>& renames) {
   };
 }
 
+Setter set_inertia(LintOptions& options) {
+  return [&options](std::string_view value) -> std::optional<std::string> {
+    const auto source = parse_inertia_source(value.empty() ? "mass" : value);
+    if (!source) {
+      return "'" + std::string(value) + "' is not mass, mesh, box, nearest or density:VALUE";
+    }
+    options.fix_inertia = true;
+    options.inertia = *source;
+    return std::nullopt;
+  };
+}
+
 Setter set_shard(Shard& shard) {
   return [&shard](std::string_view value) -> std::optional<std::string> {
     const std::size_t slash = value.find('/');
@@ -229,9 +241,19 @@ std::vector<Option> fix_options(LintOptions& options) {
       {.group = "Fixes",
        .name = "diff",
        .help =
-           "Show what --fix or --rename would change, without changing it; exit with 1 if there "
-           "would be changes.",
+           "Show what --fix, --fix-inertia or --rename would change, without changing it; exit with "
+           "1 if there would be changes.",
        .set = set_flag(options.diff)},
+      {.group = "Fixes",
+       .name = "fix-inertia",
+       .metavar = "FROM",
+       .may_omit_value = true,
+       .help = "Write other inertias for those that no body, or not this one, can have: of the "
+               "shapes with the written mass (mass, the default), only of closed shapes (mesh), of "
+               "the box around them (box), of the shapes with a density in kg/m3, which also gives "
+               "the mass (density:VALUE), or the nearest possible one (nearest). Each change is "
+               "explained on standard error.",
+       .set = set_inertia(options)},
       {.group = "Fixes",
        .name = "rename",
        .metavar = "KIND:NAME=NEW",
@@ -325,6 +347,16 @@ std::vector<Option> input_options(LintOptions& options) {
        .help = "Write a model or scene as JSON, each entry with its place in the files, and check "
                "nothing; errors that prevent reading it go to standard error.",
        .set = set_text(options.dump_model)},
+      {.group = "Input",
+       .name = "masses",
+       .metavar = "PATH",
+       .help = "Show the links of a model with mass, volume of the shapes, density, radius of "
+               "gyration and verdict, and check nothing else.",
+       .set = set_text(options.masses)},
+      {.group = "Input",
+       .name = "csv",
+       .help = "With --masses: write comma-separated values with all digits.",
+       .set = set_flag(options.csv)},
   };
 }
 
@@ -385,6 +417,8 @@ Command lint_command(LintOptions& options) {
       {"smurf-lint --explain motors", "List the keys of a section:"},
       {"smurf-lint --explain motors.maxEffort", "Explain a key:"},
       {"smurf-lint --show-config robots/", "Show which settings apply, and where they are set:"},
+      {"smurf-lint --fix-inertia --diff robot.urdf", "Show inertias that fit the shapes:"},
+      {"smurf-lint --masses robot.urdf", "Compare the masses of a robot with its shapes:"},
       {"smurf-lint --dump-model arm.smurf | jq '.model.joints[].limit'",
        "Read a model from another program:"},
   };
@@ -418,6 +452,11 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
     return "--rename needs all files and writes only them, so it cannot be combined with --shard or "
            "--generate-baseline";
   }
+  if (options.fix_inertia && (options.fix || options.unsafe_fixes || !options.renames.empty() ||
+                              options.generate_baseline || options.shard.count > 1)) {
+    return "--fix-inertia cannot be combined with --fix, --rename, --shard or --generate-baseline";
+  }
+  if (options.csv && options.masses.empty()) return "--csv needs --masses";
   if (options.unsafe_fixes && !options.fix && !options.fix_only && !options.diff) {
     return "--unsafe-fixes needs --fix, --fix-only or --diff";
   }

@@ -11,6 +11,7 @@
 #include "common/command.hpp"
 #include "common/output.hpp"
 #include "common/report.hpp"
+#include "smurf/inertia_repair.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/rename.hpp"
@@ -50,6 +51,8 @@ struct LintOptions {
   bool fix_only = false;      ///< do not report the remaining findings
   bool diff = false;          ///< only show the changes
   std::vector<Rename> renames;
+  bool fix_inertia = false;  ///< write other inertias for those that cannot be right
+  InertiaSource inertia;
 
   std::string baseline;            ///< file; "": none
   bool generate_baseline = false;  ///< only write the baseline
@@ -64,6 +67,8 @@ struct LintOptions {
   std::optional<int> jobs;
 
   std::string explain;     ///< a rule: only show its page
+  std::string masses;      ///< a path: only show its masses
+  bool csv = false;        ///< show them as CSV
   std::string dump_model;  ///< a path: only write its contents
   std::string list_rules;  ///< "text" or "json": only list the rules
 };
