@@ -13,16 +13,17 @@ SOURCE = ROOT / "libsmurf" / "src"
 PUBLIC = ROOT / "libsmurf" / "include" / "smurf"
 
 # Each stage and the stages it may include besides itself. An include points left only:
-# base < {archive, syntax}; syntax < {ast, mesh} < link < {lint, flatten, convert} < write; base < render;
+# base < {archive, syntax}; syntax < xacro < link; syntax < {ast, mesh} < link < {lint, flatten, convert} < write; base < render;
 # ast < {schema, config}; link < lint < check; {write, render} < diff.
 STAGES = {
     "base": set(),
     "archive": {"base"},
     "syntax": {"base"},
+    "xacro": {"base", "syntax"},
     "ast": {"base", "syntax"},
     "mesh": {"base", "syntax"},
     "schema": {"base", "syntax", "ast"},
-    "link": {"base", "archive", "syntax", "ast", "mesh"},
+    "link": {"base", "archive", "syntax", "xacro", "ast", "mesh"},
     "lint": {"base", "ast", "link"},
     "config": {"base", "syntax", "ast"},
     "check": {"base", "syntax", "link", "lint"},

@@ -394,9 +394,17 @@ class Refusal(ExportTest):
         self.expect_complaint("'hall.smurfs' is a scene; smurfs-flatten --format urdf exports it", "-",
                               "--stdin-filename", "hall.smurfs", stdin="entities: []\n")
 
+    def test_xacro(self):
+        self.write("arm.urdf.xacro", '<robot name="$(arg name)" xmlns:xacro="x"><link name="${1 + 1}a"/></robot>')
+        done = self.run_tool("arm.urdf.xacro", "name:=left")
+        self.assertEqual(done.stdout, '<?xml version="1.0" ?>\n<robot name="left">\n  <link name="2a"/>\n</robot>\n')
+        self.run_tool("arm.urdf.xacro", "name:=left", "--canonical", "-o", "arm.urdf")
+        self.assertIn('<link name="2a"', self.read("arm.urdf"))
+        done = self.run_with_messages(1, "arm.urdf.xacro")
+        self.assertIn("error[SML3313]: the argument `name` has no value here", done.stderr)
+        self.assertEqual(done.stdout, "")
+
     def test_files_that_are_no_models(self):
-        self.write("arm.urdf.xacro", "<robot/>")
-        self.expect_complaint("'arm.urdf.xacro' has to be expanded first: xacro FILE | smurf2urdf -", "arm.urdf.xacro")
         self.expect_complaint("'arm/smurf/arm_motors.yml' is not a model; name the .smurf file that lists it",
                               "arm/smurf/arm_motors.yml")
         self.expect_complaint("'arm/meshes/upper_arm.obj' is not a model; name the .smurf or .urdf file that uses it",

@@ -935,26 +935,45 @@ class Inputs(LintTest):
         self.assertEqual(self.expect(2).stderr, "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf "
                                                 "file in '.'\n")
 
-    def test_xacro_is_never_silent(self):
-        for name in ("a.urdf.xacro", "deep/b.xacro", ".hidden/c.xacro", "d.XACRO"):
-            self.write("robot/" + name, URDF)
-        done = self.expect(2, "robot")
-        self.assertEqual((done.stdout, done.stderr), (
-            "", "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf file in 'robot'; 3 .xacro files "
-                "were not checked: expand them first (xacro FILE | smurf-lint -)\n"))
-        self.write("other/plain.urdf", URDF)
-        done = self.expect(0, "robot", "other")
-        self.assertEqual((done.stdout.splitlines()[-1], done.stderr), (
-            "3 .xacro files were not checked: expand them first (xacro FILE | smurf-lint -)", ""))
-        self.write("robot/plain.urdf", URDF)
-        self.write("robot/.smurf-lintignore", "deep\nd.*\n")
-        done = self.expect(0, "robot")
-        self.assertEqual(done.stdout.splitlines()[-1], "1 .xacro file was not checked: expand it "
-                                                       "first (xacro FILE | smurf-lint -)")
-        report = json.loads(self.expect(0, "robot", "--format", "json").stdout)
-        self.assertEqual(report["summary"]["xacro"], 1)
-        (self.folder / "robot" / "a.urdf.xacro").unlink()
-        self.assertNotIn("xacro", self.expect(0, "robot", "--format", "json").stdout)
+    def test_xacro_roots_of_a_folder(self):
+        head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        self.write("robot/lib/arm.xacro", head.replace(' name="r"', "") +
+                   '<xacro:macro name="arm" params="name">\n<link name="${name}"/>\n<link name="${name}"/></xacro:macro></robot>')
+        self.write("robot/a.urdf.xacro", head + '<xacro:include filename="lib/arm.xacro"/>\n<xacro:arm name="a"/></robot>')
+        self.write("robot/.hidden/c.xacro", head)
+        self.write("robot/part.xacro", head.replace(' name="r"', "") + '<link name="${prefix}a"/></robot>')
+        done = self.expect(1, "robot", "--select", "SML1301,SML33")
+        self.assertIn("robot/a.urdf.xacro:2:18", done.stdout)  # the literal that both links get
+        self.assertIn("in `arm`, called here with name=a", done.stdout)
+        self.assertIn("(1 model)\n", done.stdout)
+        report = json.loads(self.expect(1, "robot", "--format", "json", "--select", "SML1301").stdout)
+        self.assertNotIn("xacro", report["summary"])
+        finding, = report["diagnostics"]
+        self.assertEqual(finding["file"], "robot/a.urdf.xacro")
+
+    def test_xacro_arguments(self):
+        self.write("a.urdf.xacro", '<robot name="r" xmlns:xacro="x"><link name="$(arg side)_arm"/></robot>')
+        done = self.expect(1, "a.urdf.xacro", "--select", "SML33")
+        self.assertIn("error[SML3313]: the argument `side` has no value here", done.stdout)
+        self.expect(0, "a.urdf.xacro", "side:=left", "--select", "SML33")
+
+    def test_one_cause_in_several_calls(self):
+        self.write("a.urdf.xacro", """<robot name="r" xmlns:xacro="x">
+<xacro:macro name="wheel" params="name mass">
+  <link name="${name}"><inertial><mass value="${mass}"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <joint name="${name}_joint" type="fixed"><parent link="base"/><child link="${name}"/></joint>
+</xacro:macro>
+<xacro:property name="m" value="-2"/>
+<link name="base"/>
+<xacro:wheel name="left" mass="${m}"/>
+<xacro:wheel name="right" mass="${m}"/>
+<xacro:wheel name="rear" mass="-1"/>
+</robot>
+""")
+        done = self.expect(1, "a.urdf.xacro", "--select", "SML1509", "--format", "json")
+        found = [(one["line"], one["column"]) for one in json.loads(done.stdout)["diagnostics"]]
+        self.assertEqual(found, [(6, 33), (10, 32)])
+        self.assertIn("also in 1 other place of the robot, from calls at a.urdf.xacro:9", done.stdout)
 
     def test_links_that_lead_out_are_not_followed(self):
         self.write("robot/plain.urdf", URDF)
@@ -982,14 +1001,11 @@ class Inputs(LintTest):
     def test_unreadable_inputs(self):
         self.write_model(motors=BROKEN_MOTORS)
         os.mkfifo(self.folder / "pipe.smurf")
-        self.write("robot.urdf.xacro", URDF)
         self.write("part.stl", "solid")
-        done = self.expect(2, "absent.smurf", "pipe.smurf", "robot.urdf.xacro", "part.stl", "arm")
+        done = self.expect(2, "absent.smurf", "pipe.smurf", "part.stl", "arm")
         self.assertEqual(done.stderr.splitlines(), [
             "smurf-lint: cannot read 'absent.smurf': No such file or directory",
             "smurf-lint: cannot read 'pipe.smurf': is not a regular file",
-            "smurf-lint: cannot check 'robot.urdf.xacro': expand it first: xacro FILE | "
-            "smurf-lint -",
             "smurf-lint: no model near 'part.stl' uses it"])
         self.assertIn("error[SML3101]", done.stdout)
 

@@ -158,9 +158,7 @@ class Output(FlattenTest):
 
     def test_files_that_are_no_scenes(self):
         self.write("box.obj", "v 0 0 0\n")
-        self.write("box.xacro", "<robot/>")
         self.expect_complaint("'box.obj' is not a model; name the .smurf or .urdf file that uses it", "box.obj")
-        self.expect_complaint("'box.xacro' has to be expanded first: xacro FILE | smurfs-flatten -", "box.xacro")
 
     def test_what_a_robot_loses_refuses_the_scene(self):
         """An unreadable value, a robot without a tree, or a named pose makes the result wrong; a motor does not."""
@@ -237,12 +235,6 @@ class Output(FlattenTest):
         self.write("world/deep/only.smurfs", SCENE.replace("models/", "../../models/"))
         self.assertEqual(len(self.flat("world")["instances"]), 2)
         self.expect_complaint("'.' contains 5 files to choose from; name one, such as 'broken.smurfs'", ".")
-        self.expect_complaint("no .smurf, .smurfs, .smurfa or .urdf file in 'none'; 1 .xacro file was not checked: "
-                              "expand it first (xacro FILE | smurf-lint -)", self.make_xacro("none"))
-
-    def make_xacro(self, folder):
-        self.write(folder + "/arm.urdf.xacro", BOX)
-        return folder
 
     def test_quiet(self):
         self.assertEqual(len(self.flat("outer.smurfs", "-q")["instances"]), 1)

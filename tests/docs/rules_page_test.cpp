@@ -35,7 +35,7 @@ const std::map<std::string, std::string>& page_titles() {
       {"sml18", "SML18xx: numbers"},
       {"sml19", "SML19xx: what single programs do not support"},
       {"sml2", "SML2xxx: the main file"},
-      {"sml3", "SML3xxx: references of annotations"},
+      {"sml3", "SML3xxx: references of annotations, and xacro"},
       {"sml4", "SML4xxx: shapes and values of annotations"},
       {"sml5", "SML5xxx: scenes and assemblies"},
       {"sml6", "SML6xxx: the load check"},

@@ -59,7 +59,8 @@ struct Case {
   }
 
   std::string entry() const {
-    for (const char* name : {"scene.svg", "scene.smurfs", "model.smurf", "robot.urdf"}) {
+    for (const char* name : {"scene.svg", "scene.smurfs", "model.smurf", "robot.urdf",
+                             "robot.urdf.xacro"}) {
       if (files.is_file(name)) return name;
     }
     FAIL("there is no entry file");

@@ -30,6 +30,7 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
           std::move(fail_on),
           stdin_filename_option(options.stdin_filename),
           package_option(options.packages),
+          xacro_env_option(options.xacro.environment),
           allow_outside_option(options.allow_outside),
           limit_option(options.limits),
           color_option(options.color),
@@ -41,6 +42,12 @@ Setter take_one_operand(std::string& operand) {
     if (!operand.empty()) return "'" + std::string(value) + "' is one argument too many";
     operand = value;
     return std::nullopt;
+  };
+}
+
+Setter take_one_operand(std::string& operand, XacroWishes& wishes) {
+  return [one = take_one_operand(operand), &wishes](std::string_view value) {
+    return take_xacro_argument(value, wishes) ? std::nullopt : one(value);
   };
 }
 
@@ -71,10 +78,7 @@ bool Conversion::is_accepted(const std::string& path) const {
     problem = takes_models ? " is not a model; name the .smurf or .urdf file that uses it"
                            : " is not a URDF";
     break;
-  case InputKind::other:
-    if (!is_xacro_file(path)) return true;
-    problem = " has to be expanded first: xacro FILE | " + std::string(tool_) + " -";
-    break;
+  case InputKind::other: return true;
   }
   complain(tool_, "'" + path + "'" + problem);
   return false;
@@ -108,6 +112,7 @@ CheckSettings Conversion::settings() const {
   CheckSettings settings;
   for (const std::string_view name : report_format_names()) settings.formats.emplace_back(name);
   settings.packages = options_.packages;
+  settings.xacro = options_.xacro;
   settings.selection.targets = options_.targets;
   return settings;
 }
@@ -116,6 +121,24 @@ std::optional<LoadedModel> Conversion::load_model(const std::string& path) {
   const auto name = open(path);
   if (!name) return std::nullopt;
   return session_.load_model(*name, settings());
+}
+
+std::optional<LoadedExpansion> Conversion::load_xacro(const std::string& path) {
+  const auto name = open(path);
+  if (!name) return std::nullopt;
+  return session_.load_xacro(*name, settings());
+}
+
+ExitCode Conversion::report(const LoadedExpansion& loaded, std::vector<Diagnostic> found) {
+  Report report;
+  report.diagnostics = std::move(found);
+  report.summary = summarize(report.diagnostics);
+  const ExitCode verdict =
+      write_reports(std::move(report), [&](const Diagnostic& one) -> std::optional<std::string> {
+        if (loaded.expansion.is_complete || one.severity != Severity::error) return std::nullopt;
+        return "xacro stops";
+      });
+  return verdict;
 }
 
 std::optional<LoadedScene> Conversion::load_scene(const std::string& path) {

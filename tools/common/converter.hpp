@@ -27,6 +27,7 @@ struct ConverterOptions {
   ColorChoice color = ColorChoice::automatic;
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
+  XacroWishes xacro;
   bool allow_outside = false;  ///< read files that models name, wherever they are
   Limits limits;
   bool quiet = false;
@@ -39,6 +40,8 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
 
 /// A setter for exactly one operand.
 Setter take_one_operand(std::string& operand);
+/// The same, and for the arguments of a xacro file, `name:=value`.
+Setter take_one_operand(std::string& operand, XacroWishes& wishes);
 
 /// Why a finding makes the result wrong ("urdfdom refuses the file"); none if it does not.
 using LossOf = std::function<std::optional<std::string>(const Diagnostic&)>;
@@ -52,6 +55,8 @@ class Conversion {
 
   /// Reports an error and returns none if the file cannot be read.
   std::optional<LoadedModel> load_model(const std::string& path);
+  /// Expands a xacro file.
+  std::optional<LoadedExpansion> load_xacro(const std::string& path);
   /// Also reads archives (.zsmurf, .zsmurfs, .zsmurfa), in memory.
   std::optional<LoadedScene> load_scene(const std::string& path);
   /// The path of a file beside the model.
@@ -63,6 +68,8 @@ class Conversion {
   ExitCode report(Loaded& loaded, const LossOf& loss_of) {
     return write_reports(session_.check(loaded), loss_of);
   }
+  /// The same for an expansion that is the result: only its failure is a reason to refuse it.
+  ExitCode report(const LoadedExpansion& loaded, std::vector<Diagnostic> found);
   const std::string& why() const { return why_; }
   /// The findings of the last report.
   std::span<const Diagnostic> findings() const { return findings_; }

@@ -25,6 +25,7 @@ namespace {
 
 bool is_sought(std::string_view path) {
   const InputKind kind = input_kind(path);
+  if (xacro::is_xacro_file(path)) return false;
   return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf;
 }
 
@@ -42,6 +43,7 @@ class Search {
     // Links come last, so a file gets its own path if that is inside the folder.
     for (std::size_t i = 0; i < links_.size(); ++i) follow(std::string(links_[i]));
     std::sort(found_.files.begin(), found_.files.end());
+    std::sort(found_.xacro.begin(), found_.xacro.end());
     std::sort(found_.unreadable.begin(), found_.unreadable.end());
     return std::move(found_);
   }
@@ -101,8 +103,8 @@ class Search {
       sys::Status status{};
       if (sys::lstat(path.c_str(), &status) != 0) return fail(path, errno);
       add(path, status);
-    } else if (kind == Entry::file && is_xacro_file(path) && !is_left_out(path, false)) {
-      ++found_.xacro;
+    } else if (kind == Entry::file && xacro::is_xacro_file(path) && !is_left_out(path, false)) {
+      found_.xacro.push_back(path);
     }
   }
 
@@ -143,10 +145,6 @@ class Search {
 
 }  // namespace
 
-bool is_xacro_file(std::string_view path) {
-  return path::to_lower(path::extension(path)) == ".xacro";
-}
-
 Found find_inputs(const std::string& folder, const Limits& limits, const LeftOut& is_left_out) {
   return Search(limits, is_left_out).run(folder);
 }
@@ -158,7 +156,6 @@ std::string why_nothing(const Found& found, const std::string& folder) {
     text += "; symbolic links that lead out of the folder are not followed: name what to check "
             "there";
   }
-  if (found.xacro > 0) text += "; " + xacro_remark(found.xacro);
   return text;
 }
 

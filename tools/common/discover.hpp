@@ -20,13 +20,11 @@ struct Found {
   std::vector<std::string> unreadable;  ///< "'robots/old': Permission denied", sorted
   std::size_t left_out = 0;             ///< files and folders
   std::size_t links_outside = 0;        ///< links that lead out of the folder
-  std::size_t xacro = 0;                ///< .xacro files, which have to be expanded first
+  std::vector<std::string> xacro;       ///< .xacro files, sorted
 };
 
 /// Whether a path inside a searched folder is skipped, with all its contents.
 using LeftOut = std::function<bool(const std::string& path, bool is_folder)>;
-
-bool is_xacro_file(std::string_view path);
 
 /// Finds the .smurf, .smurfs, .smurfa and .urdf files in a folder and its subfolders, each once.
 /// Skips hidden files, and links that lead out of the folder.

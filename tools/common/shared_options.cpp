@@ -122,6 +122,27 @@ Option stdin_filename_option(std::string& path) {
           .set = set_text(path)};
 }
 
+Option xacro_env_option(std::set<std::string>& names) {
+  return {
+      .group = "Input",
+      .name = "xacro-env",
+      .metavar = "NAMES",
+      .help =
+          "Let `$(env NAME)` and `$(optenv NAME)` in xacro files read these variables of the environment, "
+          "comma-separated; all others count as not set.",
+      .set = [&names](std::string_view value) -> std::optional<std::string> {
+        for (const std::string_view name : split_items(value)) names.emplace(name);
+        return std::nullopt;
+      }};
+}
+
+bool take_xacro_argument(std::string_view value, XacroWishes& wishes) {
+  const std::size_t mark = value.find(":=");
+  if (mark == std::string_view::npos || mark == 0) return false;
+  wishes.arguments[std::string(value.substr(0, mark))] = value.substr(mark + 2);
+  return true;
+}
+
 Option package_option(std::map<std::string, std::string>& packages) {
   return {.group = "Input",
           .name = "package",

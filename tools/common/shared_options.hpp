@@ -3,12 +3,15 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "common/command.hpp"
 #include "common/output.hpp"
 #include "common/report.hpp"
 #include "smurf/limits.hpp"
+#include "smurf/load.hpp"
 
 namespace smurf::tools {
 
@@ -23,6 +26,10 @@ Option stdin_filename_option(std::string& path);
 /// NAME=DIR, for package:// addresses.
 Option package_option(std::map<std::string, std::string>& packages);
 Option allow_outside_option(bool& allow_outside);
+/// NAMES, for `$(env ...)` in xacro files.
+Option xacro_env_option(std::set<std::string>& names);
+/// Takes `name:=value`, an argument of a xacro file; false if it is something else.
+bool take_xacro_argument(std::string_view value, XacroWishes& wishes);
 /// NAME=N, for the limits on the input.
 Option limit_option(Limits& limits);
 Option jobs_option(std::optional<int>& jobs);

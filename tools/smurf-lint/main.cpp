@@ -315,7 +315,6 @@ Report run_check(const LintOptions& options, const LintPlan& plan, Session& sess
     progress->set(done);
   };
   Report report = session.check(plan, settings);
-  report.summary.xacro = plan.xacro;
   report.summary.links = plan.links;
   // A configuration alone: there is nothing that a target could load.
   if (report.summary.models + report.summary.scenes + report.problems.size() == 0) {

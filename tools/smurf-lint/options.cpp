@@ -374,7 +374,7 @@ Command lint_command(LintOptions& options) {
   command.summary =
       "Finds what programs refuse, misread or silently ignore in SMURF models, scenes and "
       "URDF files.";
-  command.operands = "[PATH]...";
+  command.operands = "[PATH]... [NAME:=VALUE]...";
   command.details =
       "A PATH is a .smurf, .smurfs, .smurfa or .urdf file, a scene drawn as .svg, an annotation "
       "file (.yml), a folder to search, or '-' for standard input; without one, the current folder "
@@ -388,12 +388,16 @@ Command lint_command(LintOptions& options) {
   }
   command.options.push_back(stdin_filename_option(options.stdin_filename));
   command.options.push_back(package_option(options.packages));
+  command.options.push_back(xacro_env_option(options.xacro.environment));
   command.options.push_back(allow_outside_option(options.allow_outside));
   command.options.push_back(limit_option(options.limits));
   command.options.push_back(color_option(options.color));
   command.options.push_back(quiet_option(options.quiet, "Show findings only, no summary."));
   command.options.push_back(jobs_option(options.jobs));
-  command.set_operand = append_to(options.paths);
+  command.set_operand = [&options](std::string_view value) -> std::optional<std::string> {
+    if (!take_xacro_argument(value, options.xacro)) options.paths.emplace_back(value);
+    return std::nullopt;
+  };
   command.examples = {
       {"smurf-lint robots/", "Check everything in a folder:"},
       {"smurf-lint --target ros,gazebo,mujoco arm.urdf",

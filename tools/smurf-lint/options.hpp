@@ -13,6 +13,7 @@
 #include "common/report.hpp"
 #include "smurf/inertia_repair.hpp"
 #include "smurf/limits.hpp"
+#include "smurf/load.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/rename.hpp"
 
@@ -29,6 +30,7 @@ struct LintOptions {
   bool only_listed = false;  ///< skip annotation files and meshes that no model uses
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
+  XacroWishes xacro;
   bool allow_outside = false;  ///< read all files that models name
   Limits limits;
 

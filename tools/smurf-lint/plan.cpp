@@ -16,6 +16,7 @@
 #include "common/ignore_files.hpp"
 #include "common/input.hpp"
 #include "common/models_around.hpp"
+#include "common/xacro_roots.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
@@ -146,9 +147,6 @@ class Planner {
         add_named(path);
       }
     }
-    if (is_empty()) {
-      for (const std::string& why : nothing_but_xacro_) fail(why);
-    }
     if (ignore_files_.is_exhausted()) {
       fail("cannot determine which files are left out: there are more than " +
            std::to_string(options_.limits.ignore_checks) + " comparisons of files with patterns; " +
@@ -164,10 +162,6 @@ class Planner {
   std::optional<std::string> why_no_config() const {
     if (options_.config.empty()) return std::nullopt;
     return why_unreadable(options_.config, files_);
-  }
-
-  bool is_empty() const {
-    return plan_.scenes.empty() && plan_.models.empty() && plan_.strays.empty();
   }
 
   void fail(const std::string& message) {
@@ -254,22 +248,23 @@ class Planner {
           return is_left_out(path, is_one);
         });
     for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
-    if (found.files.empty() && found.unreadable.empty() && !ignore_files_.is_exhausted()) {
-      const std::string why = why_nothing(found, folder);
-      if (found.xacro > 0) {
-        nothing_but_xacro_.push_back(why);
-      } else {
-        fail(why);
-      }
+    const std::vector<std::string> roots = xacro_roots(found.xacro, files_, options_.limits);
+    const bool is_found = !found.files.empty() || !roots.empty();
+    if (!is_found && found.unreadable.empty() && !ignore_files_.is_exhausted()) {
+      fail(why_nothing(found, folder));
     }
-    plan_.xacro += found.xacro;
-    if (!found.files.empty()) plan_.links += found.links_outside;
+    if (is_found) plan_.links += found.links_outside;
     for (const std::string& file : found.files) {
       switch (input_kind(file)) {
       case InputKind::scene: add(plan_.scenes, file); break;
       case InputKind::urdf: add(plan_.strays, file); break;
       default: add(plan_.models, file); break;
       }
+    }
+    for (const std::string& root : roots) {
+      const std::size_t before = plan_.strays.size();
+      add(plan_.strays, root);
+      if (plan_.strays.size() > before) plan_.strays.back().may_be_part = true;
     }
   }
 
@@ -294,11 +289,9 @@ class Planner {
     case InputKind::other: break;
     }
     fail(
-        "cannot check '" + path + "': " +
-        (is_xacro_file(path)
-             ? "expand it first: xacro FILE | smurf-lint -"
-             : "it is not a .smurf, .smurfs, .smurfa, .svg, .urdf or .yml file; to check a URDF of "
-               "another name: smurf-lint --stdin-filename NAME.urdf - < FILE"));
+        "cannot check '" + path +
+        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro or .yml file; to check a URDF of "
+        "another name: smurf-lint --stdin-filename NAME.urdf - < FILE");
   }
 
   /// Many YAML and JSON files have nothing to do with robots. Only looks for the names of sections,
@@ -343,14 +336,13 @@ class Planner {
   std::deque<Exclusions> exclusions_;  ///< of each configuration
   IgnoreFiles ignore_files_;
   ModelsAround models_;
-  std::vector<std::string> nothing_but_xacro_;  ///< messages about folders without files to check
 };
 
 }  // namespace
 
 void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files) {
   if (shard.count <= 1) return;
-  if (shard.number != 1) plan.xacro = plan.links = 0;  // each part finds all of them
+  if (shard.number != 1) plan.links = 0;  // each part finds all of them
   std::set<std::string> models;
   for (const PlannedFile& model : plan.models) models.insert(identity(model.path));
   ModelsAround around(files);

@@ -14,7 +14,6 @@ namespace smurf::tools {
 /// `problems` have been reported.
 struct LintPlan : Plan {
   std::string standard_input;  ///< its name in `files`; "": not read
-  std::size_t xacro = 0;       ///< .xacro files of the folders, which are not checked
   std::size_t links = 0;       ///< links that lead out of the folders, which are not followed
 };
 

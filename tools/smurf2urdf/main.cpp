@@ -78,6 +78,21 @@ bool write_result(const Options& options, const std::string& urdf, const LinkedM
   return write_files(kTool, files, true) && (!to_stdout || write_output(kTool, output, urdf));
 }
 
+/// The expansion of a xacro file, as `xacro` prints it.
+ExitCode write_expansion(const Options& options, Conversion& conversion) {
+  auto loaded = conversion.load_xacro(options.model);
+  if (!loaded || !conversion.keeps_inputs({options.common.output})) return kFailed;
+  const ExitCode verdict = conversion.report(*loaded, loaded->found.take());
+  if (verdict == kFailed) return verdict;
+  if (!loaded->expansion.is_complete) return conversion.refuse(conversion.why());
+  if (verdict != kDone && !options.common.force) {
+    return conversion.refuse(conversion.why() + "; see --force");
+  }
+  if (options.dry_run) return kDone;
+  const std::string urdf(loaded->sources->text(loaded->expansion.source));
+  return write_output(kTool, options.common.output, urdf) ? kDone : kFailed;
+}
+
 }  // namespace
 
 int smurf2urdf_main(int argc, char** argv) {
@@ -96,6 +111,9 @@ int smurf2urdf_main(int argc, char** argv) {
   options.conversion.current_folder = *current;
 
   Conversion conversion(kTool, options.common, {InputKind::model, InputKind::urdf});
+  if (xacro::is_xacro_file(options.model) && is_plain(options)) {
+    return write_expansion(options, conversion);
+  }
   auto loaded = conversion.load_model(options.model);
   if (!loaded) return conversion.fail();
   const LinkedModel& model = loaded->model;

@@ -241,27 +241,42 @@ Command make_command(Options& options) {
   command.summary =
       "Exports the URDF of a SMURF model byte for byte. Only mesh paths that would not resolve "
       "from the output folder change.";
-  command.operands = "MODEL";
+  command.operands = "MODEL [NAME:=VALUE...]";
   command.details =
       "MODEL is a .smurf or .urdf file, or a folder with one of them. The result is read again and "
       "compared with the source before it is written: urdfdom must accept it, and all link poses, "
       "masses, inertias and limits must be equal, except limits that an option changes. A model is "
       "refused when its URDF does not load, or when the options need a value that is wrong; its "
-      "other errors are counted, and smurf-lint shows them.";
+      "other errors are counted, and smurf-lint shows them. A .xacro file is expanded first, with the "
+      "arguments NAME:=VALUE; without other options, its expansion is the result.";
   command.options = converter_options(options.common, "Write the URDF to FILE; without it, or with "
                                                       "'-', to standard output.");
   add(command, "Conversion", run_options(options));
   add(command, "Content", content_options(options.conversion));
   add(command, "Form", form_options(options.conversion));
-  command.set_operand = take_one_operand(options.model);
+  command.set_operand = take_one_operand(options.model, options.common.xacro);
   command.examples = {
       {"smurf2urdf robot.smurf -o robot.urdf", "Export a model:"},
       {"smurf2urdf robot.smurf | check_urdf /dev/stdin", "Pass the URDF to another program:"},
       {"smurf2urdf robot.smurf --apply all --loss-report lost.json -o robot.urdf",
        "Apply the values of the annotations, and list what is lost:"},
+      {"smurf2urdf robot.urdf.xacro name:=left -o robot.urdf", "Expand a xacro file:"},
       {"smurf2urdf robot.smurf --collapse-fixed --keep camera -o robot.urdf",
        "Merge links on fixed joints, except one:"}};
   return command;
+}
+
+bool is_plain(const Options& options) {
+  const UrdfExport& wanted = options.conversion;
+  const AppliedAnnotations& apply = wanted.apply;
+  const bool has_changes = apply.materials || apply.limits || apply.dynamics || apply.mimic ||
+                           wanted.adds_gazebo_sensors || wanted.adds_mujoco_settings ||
+                           wanted.strips_extensions || wanted.strips_comments ||
+                           wanted.collapses_fixed || wanted.is_canonical;
+  return !has_changes && wanted.mesh_uri == MeshUri::rebase &&
+         wanted.actuation == Actuation::none && wanted.prefix.empty() &&
+         wanted.base == BaseJoint::as_is && wanted.version.empty() && options.srdf.empty() &&
+         options.loss_report.empty() && !options.prove && !options.fails_on_loss;
 }
 
 std::string problem_of(Options& options) {

@@ -26,6 +26,9 @@ Command make_command(Options& options);
 /// The options of a preset, as a line of text.
 std::string preset_text(std::string_view name);
 
+/// Whether no option changes the content of the URDF.
+bool is_plain(const Options& options);
+
 /// An error message about the combination of options; "" if there is none. Sets the folder of the
 /// output.
 std::string problem_of(Options& options);

@@ -5,15 +5,13 @@ import { placeOf } from "./finding.js";
 
 const line = (text) => element("p", {}, ...prose(text));
 
-function checked({ files, models, scenes, suppressed, xacro, links }) {
+function checked({ files, models, scenes, suppressed, links }) {
   const parts = [models > 0 && counted(models, "model"), scenes > 0 && counted(scenes, "scene")].filter(
     Boolean,
   );
   const lines = [`${counted(files, "file")} checked${parts.length > 0 ? ` (${parts.join(", ")})` : ""}.`];
   if (suppressed > 0)
     lines.push(`${counted(suppressed, "finding")} suppressed by comments, the configuration or a baseline.`);
-  if (xacro > 0)
-    lines.push(`${counted(xacro, ".xacro file")} not checked: expand them first (\`xacro FILE\`).`);
   if (links > 0)
     lines.push(
       `${counted(links, "symbolic link")} that ${links === 1 ? "leads out of the folder was" : "lead out of the folder were"} not followed.`,

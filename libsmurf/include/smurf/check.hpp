@@ -51,6 +51,7 @@ struct CheckSettings {
   RuleSelection selection;
   std::map<std::string, std::string> packages;  ///< package:// names to folders
   std::vector<std::string> package_folders = ros_package_folders();
+  XacroWishes xacro;  ///< arguments override those of a configuration
   bool opens_meshes = true;
   /// Whether a session that reads from the disk follows models to files anywhere. When false, it
   /// reads only what confine() (smurf/confine.hpp) allows.
@@ -73,6 +74,8 @@ struct CheckSettings {
 struct PlannedFile {
   std::string path;
   std::size_t config = 0;  ///< index into Plan::configs
+  /// A xacro file that was found in a folder. It may be a part of a robot; then it has no findings.
+  bool may_be_part = false;
 };
 
 /// The files to load, their kinds, and their configurations.
@@ -114,6 +117,10 @@ struct Loaded {
 /// The result of Session::load_model().
 struct LoadedModel : Loaded {
   LinkedModel model;
+};
+/// The result of Session::load_xacro().
+struct LoadedExpansion : Loaded {
+  xacro::Expansion expansion;
 };
 /// The result of Session::load_scene().
 struct LoadedScene : Loaded {
@@ -162,6 +169,8 @@ class Session {
 
   /// Loads a .smurf, a .urdf or an annotation file.
   LoadedModel load_model(const std::string& path, const CheckSettings& settings = {});
+  /// Expands a xacro file. Its findings are in `found`, with places in the xacro files.
+  LoadedExpansion load_xacro(const std::string& path, const CheckSettings& settings = {});
   /// Loads a scene; a .smurf or .urdf is loaded as a scene of one model.
   LoadedScene load_scene(const std::string& path, const CheckSettings& settings = {});
   /// Allows these files to be loaded, each once. Announcing all of them first is faster: links are

@@ -16,6 +16,7 @@
 #include "smurf/linked.hpp"
 #include "smurf/mesh.hpp"
 #include "smurf/user_schemas.hpp"
+#include "smurf/xacro.hpp"
 
 namespace smurf {
 
@@ -29,6 +30,13 @@ struct ReadFiles {
 };
 
 class ParsedFiles;
+
+/// What a user decides about xacro files.
+struct XacroWishes {
+  std::map<std::string, std::string> arguments;  ///< `name:=value`
+  std::set<std::string> environment;             ///< variables that `$(env ...)` may read
+  friend bool operator==(const XacroWishes&, const XacroWishes&) = default;
+};
 
 /// The input of loading. All of it must outlive the result.
 struct LoadContext {
@@ -44,6 +52,9 @@ struct LoadContext {
   /// Shared by all models in memory at the same time.
   std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();
   ParsedFiles* parsed = nullptr;  ///< results of an earlier load; may be null
+  XacroWishes xacro = {};
+  /// Of the xacro files that were loaded, for their findings.
+  std::shared_ptr<xacro::Expansions> expansions = std::make_shared<xacro::Expansions>();
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Reports all mistakes and returns
@@ -52,6 +63,9 @@ LinkedModel load_model(const std::string& path, LoadContext& context);
 
 /// Loads a .smurfs, a .smurfa or a drawing (.svg) with all scenes and models it names.
 LinkedScene load_scene(const std::string& path, LoadContext& context);
+
+/// Reads and expands a xacro file. Reports why that is not possible.
+xacro::Expansion load_xacro(const std::string& path, LoadContext& context);
 
 /// Reads any XML file, for example an SRDF. Reports a missing or broken file and returns none.
 std::optional<xml::Document> load_xml(const std::string& path, LoadContext& context);

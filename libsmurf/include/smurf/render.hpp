@@ -24,7 +24,6 @@ struct Summary {
   std::size_t files = 0;
   std::size_t models = 0;
   std::size_t scenes = 0;
-  std::size_t xacro = 0;  ///< .xacro files, which were not checked
   std::size_t links = 0;  ///< symbolic links that lead out of a folder, which were not followed
 };
 /// Counts findings by severity; the caller sets the other counts.
@@ -48,8 +47,6 @@ std::string render_full(const Diagnostic& diagnostic, const SourceMap& sources,
 /// "path:line:col: severity[ID] message (help)" and a line end.
 std::string render_concise(const Diagnostic& diagnostic, const SourceMap& sources,
                            const TextStyle& style = {});
-/// "3 .xacro files were not checked: expand them first (xacro FILE | smurf-lint -)".
-std::string xacro_remark(std::size_t files);
 /// "found 1 error and 2 warnings in 3 files (1 model)" and a line end; further lines list
 /// suppressed findings and unchecked files.
 std::string render_summary(const Summary& summary, const TextStyle& style);

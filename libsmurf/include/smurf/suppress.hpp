@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "smurf/lint.hpp"
+#include "smurf/xacro.hpp"
 
 namespace smurf {
 
@@ -26,8 +27,9 @@ namespace smurf {
 /// Rules are named by id, name or prefix of ids. No form applies to all rules.
 class Suppressions {
  public:
-  void add(const LinkedModel& model, const SourceMap& sources);
-  void add(const LinkedScene& scene, const SourceMap& sources);
+  /// Comments of xacro files are read in those files, not in the expansions.
+  void add(const LinkedModel& model, const SourceMap& sources, const xacro::Expansions& expansions);
+  void add(const LinkedScene& scene, const SourceMap& sources, const xacro::Expansions& expansions);
   /// Adds the comments of another part of the run. Call it after merging its sources.
   void take(Suppressions&& other, const SourceShift& shift);
 

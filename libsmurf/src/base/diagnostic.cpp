@@ -10,6 +10,7 @@
 #include "base/quoted.hpp"
 #include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
+#include "base/xacro_rules.hpp"
 #include "base/suggest.hpp"
 
 namespace smurf {
@@ -20,6 +21,7 @@ constexpr std::size_t kMostMessage = 4000;  // bytes; shorter than several quote
 constexpr const Rule* kRules[] = {
 #define SMURF_RULE(name) &rules::name,
 #include "base/rules.def"
+#include "base/xacro_rules.def"
 #undef SMURF_RULE
 };
 
@@ -151,7 +153,14 @@ std::uint64_t DiagnosticSink::count_of(const Rule& rule) const {
   return found == counts_.end() ? 0 : found->second;
 }
 
-std::span<const Rule* const> all_rules() { return kRules; }
+std::span<const Rule* const> all_rules() {
+  static const auto sorted = [] {
+    auto all = std::to_array(kRules);
+    std::sort(all.begin(), all.end(), [](const Rule* a, const Rule* b) { return a->id < b->id; });
+    return all;
+  }();
+  return sorted;
+}
 
 const Rule* find_rule(std::string_view id_or_name) {
   for (const Rule* rule : kRules) {

@@ -11,17 +11,20 @@
 #include "base/path.hpp"
 #include "base/places.hpp"
 #include "base/rules.hpp"
+#include "check/xacro_places.hpp"
 #include "syntax/yaml_reader.hpp"
 
 namespace smurf {
 namespace {
 
 template <class Linked>
-Judged take(const Linked& linked, const SourceMap& sources, DiagnosticSink& sink) {
+Judged take(const Linked& linked, const SourceMap& sources, DiagnosticSink& sink,
+            const xacro::Expansions& expansions) {
   Judged judged;
-  judged.comments.add(linked, sources);
+  judged.comments.add(linked, sources, expansions);
   judged.diagnostics = sink.take();
   locate(linked, judged.diagnostics);
+  place_in_xacro(expansions, sources, judged.diagnostics);
   return judged;
 }
 
@@ -123,27 +126,31 @@ std::size_t count_files(const SourceMap& sources, const Desk& desk) {
 }  // namespace
 
 Judged judge(const LinkedModel& model, const SourceMap& sources, const RuleSelection& selection,
-             DiagnosticSink& sink) {
+             DiagnosticSink& sink, const xacro::Expansions& expansions) {
   lint_model(model, selection, sink);
-  return take(model, sources, sink);
+  return take(model, sources, sink, expansions);
 }
 
 Judged judge(const LinkedScene& scene, const SourceMap& sources, const RuleSelection& selection,
-             DiagnosticSink& sink) {
+             DiagnosticSink& sink, const xacro::Expansions& expansions) {
   lint_scene(scene, selection, sink);
   for (const LinkedModel& model : scene.models) lint_model(model, selection, sink);
-  return take(scene, sources, sink);
+  return take(scene, sources, sink, expansions);
 }
 
 std::vector<Diagnostic> finish_others(const LinkedModel& model, std::vector<Diagnostic> found,
-                                      const SourceMap& sources, const RuleSelection& selection) {
+                                      const SourceMap& sources, const RuleSelection& selection,
+                                      const xacro::Expansions& expansions) {
   locate(model, found);
+  place_in_xacro(expansions, sources, found);
   return finish(std::move(found), sources, selection);
 }
 
 std::vector<Diagnostic> finish_others(const LinkedScene& scene, std::vector<Diagnostic> found,
-                                      const SourceMap& sources, const RuleSelection& selection) {
+                                      const SourceMap& sources, const RuleSelection& selection,
+                                      const xacro::Expansions& expansions) {
   locate(scene, found);
+  place_in_xacro(expansions, sources, found);
   return finish(std::move(found), sources, selection);
 }
 
@@ -162,6 +169,7 @@ Report make_report(std::vector<Judged>&& found, const CheckGroups& groups, const
     append(settle(std::move(judged), group, sources, suppressed, report.targets), all);
   }
   report_path_checks(groups, desk, sources, all);
+  join_roots(sources, all);
   sort_findings(all, sources);
   if (suppressed > 0) note_passed(all, &TargetVerdict::ignored, report.targets);
   report.wishes = wishes_of(first);

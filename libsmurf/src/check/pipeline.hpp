@@ -25,15 +25,17 @@ struct Judged {
 
 /// Runs the rules. `sink` contains the findings of reading.
 Judged judge(const LinkedModel& model, const SourceMap& sources, const RuleSelection& selection,
-             DiagnosticSink& sink);
+             DiagnosticSink& sink, const xacro::Expansions& expansions);
 Judged judge(const LinkedScene& scene, const SourceMap& sources, const RuleSelection& selection,
-             DiagnosticSink& sink);
+             DiagnosticSink& sink, const xacro::Expansions& expansions);
 
 /// Locates findings of other code, and applies the selection.
 std::vector<Diagnostic> finish_others(const LinkedModel& model, std::vector<Diagnostic> found,
-                                      const SourceMap& sources, const RuleSelection& selection);
+                                      const SourceMap& sources, const RuleSelection& selection,
+                                      const xacro::Expansions& expansions);
 std::vector<Diagnostic> finish_others(const LinkedScene& scene, std::vector<Diagnostic> found,
-                                      const SourceMap& sources, const RuleSelection& selection);
+                                      const SourceMap& sources, const RuleSelection& selection,
+                                      const xacro::Expansions& expansions);
 
 /// The input of a report.
 struct Desk {

@@ -12,6 +12,7 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
+#include "base/xacro_rules.hpp"
 #include "check/parallel.hpp"
 
 namespace smurf {
@@ -213,21 +214,48 @@ class Run {
                         settings_.opens_meshes ? &meshes : nullptr,
                         &group.config.schemas};
     if (is_remembering()) context.parsed = &outcome.parsed;
+    context.xacro = group.settings.xacro;
     const InputKind kind = input_kind(planned.path);
     if (kind == InputKind::scene || kind == InputKind::drawing) {
       LinkedScene scene = load_scene(planned.path, context);
       load_old_scenes(scene, context);  // for their findings
       outcome.parsed.end_loading(outcome.sources, sink);
-      outcome.judged = judge(scene, outcome.sources, group.selection, sink);
+      outcome.judged = judge(scene, outcome.sources, group.selection, sink, *context.expansions);
       for (LinkedModel& model : scene.models) take_files(std::move(model), outcome);
       for (const SceneFile& file : scene.scenes) {
         outcome.scenes.insert(identity_of(file.path));
       }
     } else {
       LinkedModel model = load_model(planned.path, context);
+      const bool is_xacro = xacro::is_xacro_file(planned.path);
+      if (is_xacro && is_part(model, outcome.sources, planned.may_be_part)) {
+        outcome.read.insert(identity_of(model.path));
+        return;
+      }
       outcome.parsed.end_loading(outcome.sources, sink);
-      outcome.judged = judge(model, outcome.sources, group.selection, sink);
+      outcome.judged = judge(model, outcome.sources, group.selection, sink, *context.expansions);
+      if (planned.may_be_part) excuse_arguments(outcome.judged.diagnostics);
       take_files(std::move(model), outcome);
+    }
+  }
+
+  /// Whether a xacro file is only a part of robots, because it makes no link, or needs values that
+  /// others set. Robots have a name; `was_found` means that no user named the file.
+  static bool is_part(const LinkedModel& model, const SourceMap& sources, bool was_found) {
+    if (model.files.empty()) return false;
+    const std::string_view text = sources.text(model.files.front().source);
+    const std::size_t root = text.find("<robot");
+    const std::string_view tag =
+        root == std::string_view::npos ? "" : text.substr(root, text.find('>', root) - root);
+    const bool has_name = tag.find("name=") != std::string_view::npos;
+    if (model.robot) return model.robot->links.empty() && (was_found || !has_name);
+    return was_found && !has_name;
+  }
+
+  /// A robot that was found in a folder may need values that only its users know.
+  static void excuse_arguments(std::vector<Diagnostic>& found) {
+    for (Diagnostic& one : found) {
+      if (one.rule == &rules::sml3313_xacro_unknown_argument) one.severity = Severity::info;
     }
   }
 

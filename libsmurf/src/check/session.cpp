@@ -196,6 +196,7 @@ struct Session::State {
   SourceMap loaded_sources;
   const SourceMap* checked = &sources;                              ///< of the last check
   std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();  ///< into loaded_sources
+  std::shared_ptr<xacro::Expansions> expansions = std::make_shared<xacro::Expansions>();
   std::deque<LoadedWith> loaded_with;
   std::set<std::string> announced;
   std::map<std::string, std::shared_ptr<CheckGroups>> announced_groups;  ///< by configuration
@@ -258,6 +259,7 @@ void Session::forget_loaded() {
   state_->announced_groups.clear();
   state_->loaded_with.clear();
   state_->loaded_sources = {};
+  state_->expansions = std::make_shared<xacro::Expansions>();
   state_->read = std::make_shared<ReadFiles>();
 }
 
@@ -274,7 +276,17 @@ LoadContext Session::context_of(Loaded& loaded) {
           group.settings.package_folders,
           group.settings.opens_meshes ? &with.meshes : nullptr,
           &group.config.schemas,
-          state_->read};
+          state_->read,
+          nullptr,
+          group.settings.xacro,
+          state_->expansions};
+}
+
+LoadedExpansion Session::load_xacro(const std::string& path, const CheckSettings& settings) {
+  LoadedExpansion loaded{state_->prepare(path, settings), {}};
+  LoadContext context = context_of(loaded);
+  loaded.expansion = smurf::load_xacro(path, context);
+  return loaded;
 }
 
 LoadedModel Session::load_model(const std::string& path, const CheckSettings& settings) {
@@ -294,16 +306,16 @@ LoadedScene Session::load_scene(const std::string& path, const CheckSettings& se
 
 Report Session::check(LoadedModel& loaded) {
   const RuleSelection& selection = loaded.with->group().selection;
-  Report report =
-      state_->report(judge(loaded.model, *loaded.sources, selection, loaded.found), loaded);
+  Report report = state_->report(
+      judge(loaded.model, *loaded.sources, selection, loaded.found, *state_->expansions), loaded);
   report.summary.models = 1;
   return report;
 }
 
 Report Session::check(LoadedScene& loaded) {
   const RuleSelection& selection = loaded.with->group().selection;
-  Report report =
-      state_->report(judge(loaded.scene, *loaded.sources, selection, loaded.found), loaded);
+  Report report = state_->report(
+      judge(loaded.scene, *loaded.sources, selection, loaded.found, *state_->expansions), loaded);
   report.summary.models = loaded.scene.models.size();
   report.summary.scenes = loaded.scene.scenes.size();
   return report;
@@ -312,18 +324,19 @@ Report Session::check(LoadedScene& loaded) {
 std::vector<Diagnostic> Session::finish(const LoadedModel& loaded,
                                         std::vector<Diagnostic> found) const {
   return finish_others(loaded.model, std::move(found), *loaded.sources,
-                       loaded.with->group().selection);
+                       loaded.with->group().selection, *state_->expansions);
 }
 
 std::vector<Diagnostic> Session::finish(const LoadedScene& loaded,
                                         std::vector<Diagnostic> found) const {
   return finish_others(loaded.scene, std::move(found), *loaded.sources,
-                       loaded.with->group().selection);
+                       loaded.with->group().selection, *state_->expansions);
 }
 
 std::vector<Diagnostic> Session::finish(const LoadedScene& loaded, const LinkedModel& model,
                                         std::vector<Diagnostic> found) const {
-  return finish_others(model, std::move(found), *loaded.sources, loaded.with->group().selection);
+  return finish_others(model, std::move(found), *loaded.sources, loaded.with->group().selection,
+                       *state_->expansions);
 }
 
 const FileReader& Session::files() const { return *state_->files; }

@@ -25,6 +25,7 @@
 #include "link/read_file.hpp"
 #include "link/resources.hpp"
 #include "link/sections_of.hpp"
+#include "link/xacro_model.hpp"
 #include "smurf/load.hpp"
 #include "syntax/xml_reader.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -270,6 +271,15 @@ class ModelLoader {
     return read_urdf(std::move(*document), context_.sink);
   }
 
+  /// The expansion of a xacro file; its findings have been reported.
+  std::optional<SourceId> expanded(SourceId root) {
+    xacro::Expansion expansion = expand_xacro(root, context_);
+    if (!expansion.is_complete) return std::nullopt;
+    const SourceId source = expansion.source;
+    context_.expansions->emplace(source, std::move(expansion));
+    return source;
+  }
+
   /// If there are several URDFs, the last one is used, as in MARS; a rule reports them.
   void urdf_file(const std::string& path, Span reference, const Rule& missing) {
     const auto source = read_listed(path, reference, missing);
@@ -277,8 +287,9 @@ class ModelLoader {
     model_.robot.reset();
     if (source) {
       model_.files.push_back({ModelFile::Kind::urdf, *source, std::nullopt});
-      ParsedFiles::File* known = known_file(*source);
-      model_.robot = known ? std::exchange(known->robot, {}) : parse_robot(*source);
+      const auto text = xacro::is_xacro_file(path) ? expanded(*source) : source;
+      ParsedFiles::File* known = text ? known_file(*text) : nullptr;
+      if (text) model_.robot = known ? std::exchange(known->robot, {}) : parse_robot(*text);
     }
     if (!model_.robot) model_.is_complete = false;
   }

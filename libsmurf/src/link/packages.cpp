@@ -6,6 +6,22 @@
 
 namespace smurf {
 
+std::string package_name_in(std::string_view text) {
+  std::string plain;  // without comments
+  while (!text.empty()) {
+    const std::size_t open = std::min(text.find("<!--"), text.size());
+    plain += text.substr(0, open);
+    const std::size_t close = text.find("-->", open);
+    text.remove_prefix(close == std::string_view::npos ? text.size() : close + 3);
+  }
+  constexpr std::string_view kTag = "<name>";
+  const std::size_t begin = plain.find(kTag);
+  const std::size_t end = plain.find("</name>");
+  if (begin == std::string::npos || end == std::string::npos || begin >= end) return {};
+  const std::size_t name = begin + kTag.size();
+  return std::string(trimmed(std::string_view(plain).substr(name, end - name)));
+}
+
 Packages::Packages(const LoadContext& context, std::string_view urdf_folder, FileIndex& index)
     : context_(context), index_(index) {
   constexpr int kLevels = 8;
@@ -60,13 +76,7 @@ const std::string& Packages::package_name(const std::string& folder) {
   if (!is_new) return place->second;
   constexpr std::uint64_t kMostBytes = 1U << 20U;
   const std::string text = index_.files().read(path::join(folder, "package.xml"), kMostBytes).text;
-  constexpr std::string_view kTag = "<name>";
-  const std::size_t begin = text.find(kTag);
-  const std::size_t end = text.find("</name>");
-  if (begin != std::string::npos && end != std::string::npos && begin < end) {
-    place->second =
-        trimmed(std::string_view(text).substr(begin + kTag.size(), end - begin - kTag.size()));
-  }
+  place->second = package_name_in(text);
   return place->second;
 }
 

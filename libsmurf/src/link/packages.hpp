@@ -12,6 +12,9 @@
 
 namespace smurf {
 
+/// The name in a package.xml; empty if there is none.
+std::string package_name_in(std::string_view package_xml);
+
 class Packages {
  public:
   Packages(const LoadContext& context, std::string_view urdf_folder, FileIndex& index);

@@ -285,14 +285,25 @@ void Suppressions::add(const Document& document, bool is_complete, const SourceM
   Reader(sources.text(document.source), document.source, file->second.comments).read(document);
 }
 
-void Suppressions::add(const LinkedModel& model, const SourceMap& sources) {
+void Suppressions::add(const LinkedModel& model, const SourceMap& sources,
+                       const xacro::Expansions& expansions) {
   for (const ModelFile& file : model.files) {
     if (file.document) add(*file.document, model.is_complete, sources);
   }
-  if (model.robot) add(model.robot->document, model.is_complete, sources);
+  if (!model.robot) return;
+  const auto expanded = expansions.find(model.robot->document.source);
+  if (expanded == expansions.end()) {
+    add(model.robot->document, model.is_complete, sources);
+    return;
+  }
+  // Other robots may use an included file, and need its comments.
+  for (const xml::Document& document : expanded->second.documents) {
+    add(document, model.is_complete && document.source == expanded->second.root, sources);
+  }
 }
 
-void Suppressions::add(const LinkedScene& scene, const SourceMap& sources) {
+void Suppressions::add(const LinkedScene& scene, const SourceMap& sources,
+                       const xacro::Expansions& expansions) {
   for (const SceneFile& file : scene.scenes) {
     if (file.drawing) {
       add(*file.drawing, scene.is_complete, sources);
@@ -301,7 +312,7 @@ void Suppressions::add(const LinkedScene& scene, const SourceMap& sources) {
     }
   }
   for (const DataFile& file : scene.data_files) add(file.document, scene.is_complete, sources);
-  for (const LinkedModel& model : scene.models) add(model, sources);
+  for (const LinkedModel& model : scene.models) add(model, sources, expansions);
 }
 
 void Suppressions::take(Suppressions&& other, const SourceShift& shift) {

@@ -89,7 +89,6 @@ Json report_json(const SourceMap& sources, const Summary& summary, const ToolNam
                        {"info", summary.infos},   {"suppressed", summary.suppressed},
                        {"files", summary.files},  {"models", summary.models},
                        {"scenes", summary.scenes}};
-  if (summary.xacro > 0) report["summary"]["xacro"] = summary.xacro;
   if (summary.links > 0) report["summary"]["links"] = summary.links;
   report["diagnostics"] = Json::array();
   for (const TargetVerdict& target : targets) {

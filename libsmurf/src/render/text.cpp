@@ -166,12 +166,6 @@ std::string render_concise(const Diagnostic& diagnostic, const SourceMap& source
   return out + "\n";
 }
 
-std::string xacro_remark(std::size_t files) {
-  const bool is_one = files == 1;
-  return counted(files, ".xacro file") + (is_one ? " was" : " were") + " not checked: expand " +
-         (is_one ? "it" : "them") + " first (xacro FILE | smurf-lint -)";
-}
-
 std::string render_summary(const Summary& summary, const TextStyle& style) {
   const Painter paint(style.color);
   std::vector<std::string> found;
@@ -193,7 +187,6 @@ std::string render_summary(const Summary& summary, const TextStyle& style) {
   }
   out += "\n";
   if (summary.suppressed > 0) out += std::to_string(summary.suppressed) + " suppressed\n";
-  if (summary.xacro > 0) out += xacro_remark(summary.xacro) + "\n";
   if (summary.links > 0) {
     const bool is_one = summary.links == 1;
     out += counted(summary.links, "symbolic link") + (is_one ? " that leads" : " that lead") +

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Moves findings in an expanded robot to the xacro files in which it was written.
+#pragma once
+
+#include <vector>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/xacro.hpp"
+
+namespace smurf {
+
+/// Precondition: the findings are located. The calls around a finding become labels. Findings of
+/// one rule at one place are one finding, with a note on the other calls.
+void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& sources,
+                    std::vector<Diagnostic>& found);
+
+/// Several robots may include one file: each finding in it is kept once.
+void join_roots(const SourceMap& sources, std::vector<Diagnostic>& found);
+
+}  // namespace smurf

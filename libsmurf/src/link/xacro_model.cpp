@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/xacro_model.hpp"
+
+#include "base/path.hpp"
+#include "base/places.hpp"
+#include "base/rules.hpp"
+#include "link/package_search.hpp"
+#include "link/read_file.hpp"
+
+namespace smurf {
+
+xacro::Expansion load_xacro(const std::string& path, LoadContext& context) {
+  const auto root = read_source(path, {}, rules::sml0001_unreadable_file, context);
+  return root ? expand_xacro(*root, context) : xacro::Expansion{};
+}
+
+xacro::Expansion expand_xacro(SourceId root, LoadContext& context) {
+  PackageSearch packages(context);
+  xacro::Settings settings;
+  settings.arguments = context.xacro.arguments;
+  settings.environment = context.xacro.environment;
+  settings.find_package = [&](const std::string& name, const std::string& near) {
+    return packages.find(name, near);
+  };
+  settings.absolute = [](const std::string& relative) {
+    return path::normalize(places::absolute(relative));
+  };
+  xacro::Context inner{context.sources, context.files, context.sink, context.limits};
+  return xacro::expand(root, settings, inner);
+}
+
+}  // namespace smurf

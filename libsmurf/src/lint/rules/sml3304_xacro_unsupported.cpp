@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/xacro_rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml3304_xacro_unsupported{
+    .id = "SML3304",
+    .name = "xacro-unsupported",
+    .severity = Severity::error,
+    .summary = "An expression uses a part of Python that is not supported.",
+    .why = "Expressions are computed without Python. Unknown parts are reported, "
+           "never guessed.",
+    .remedy = "Write the expression with the supported parts of the language.",
+    .sources = "xacro 2.1.1, run.",
+    .blocks_building = true};
+
+}  // namespace smurf::rules

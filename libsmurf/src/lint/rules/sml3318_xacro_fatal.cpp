@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/xacro_rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml3318_xacro_fatal{
+    .id = "SML3318",
+    .name = "xacro-fatal",
+    .severity = Severity::error,
+    .summary = "The description stops the expansion with `xacro.fatal()`.",
+    .why = "xacro stops, so there is no robot.",
+    .remedy = "Do what the message says.",
+    .sources = "xacro 2.1.1, run.",
+    .blocks_building = true};
+
+}  // namespace smurf::rules

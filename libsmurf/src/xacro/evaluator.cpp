@@ -1,0 +1,460 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "xacro/evaluator.hpp"
+
+#include <algorithm>
+
+#include "base/limits.hpp"
+#include "base/quoted.hpp"
+#include "base/suggest.hpp"
+#include "base/utf8.hpp"
+#include "base/xacro_rules.hpp"
+#include "xacro/python_text.hpp"
+
+namespace smurf::xacro {
+
+const Value* Call::take(std::size_t position, std::string_view keyword) {
+  if (position < values.size()) return &values[position];
+  if (keyword.empty()) return nullptr;
+  const auto found = std::find_if(keywords.begin(), keywords.end(),
+                                  [&](const auto& one) { return one.first == keyword; });
+  if (found == keywords.end()) return nullptr;
+  found->first = {};
+  return &found->second;
+}
+
+bool Call::has_count(std::size_t least, std::size_t most) {
+  for (const auto& [keyword, value] : keywords) {
+    if (keyword.empty()) continue;  // taken
+    evaluator.fail("`" + std::string(name) + "()` has no parameter " + quoted(keyword));
+    return false;
+  }
+  const std::size_t given = values.size() + keywords.size();
+  if (given >= least && given <= most) return true;
+  const std::string wanted =
+      least == most ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(most);
+  evaluator.fail("`" + std::string(name) + "()` needs " + wanted + " parameters, and has " +
+                 std::to_string(given));
+  return false;
+}
+
+Value Evaluator::fail(const Rule& rule, std::string message, std::string help) {
+  if (failure_.rule == nullptr) {
+    failure_.rule = &rule;
+    failure_.message = std::move(message);
+    failure_.help = std::move(help);
+  }
+  return Value::failure();
+}
+
+Value Evaluator::fail(std::string message) {
+  return fail(rules::sml3303_xacro_computation, std::move(message));
+}
+
+Value Evaluator::fail_unsupported(const std::string& what) {
+  return fail(rules::sml3304_xacro_unsupported, what + " is not supported");
+}
+
+bool Evaluator::step(std::uint64_t count) {
+  steps_ += count;
+  if (steps_ > limits_.xacro_steps) {
+    fail(rules::sml3312_xacro_limit,
+         "the expansion needs more than " + std::to_string(limits_.xacro_steps) + " steps",
+         raise_xacro_limit("xacro-steps"));
+    return false;
+  }
+  if (heap_.is_exhausted()) {
+    fail(rules::sml3312_xacro_limit,
+         "the values need more than " + std::to_string(limits_.xacro_bytes) +
+             " bytes, or are nested too deeply",
+         raise_xacro_limit("xacro-bytes"));
+    return false;
+  }
+  return true;
+}
+
+Value Evaluator::text(std::string text) {
+  if (text.size() > limits_.xacro_text_bytes) {
+    return fail(rules::sml3312_xacro_limit,
+                "the text has more than " + std::to_string(limits_.xacro_text_bytes) + " bytes",
+                raise_xacro_limit("xacro-text-bytes"));
+  }
+  step(text.size() / 64);
+  return heap_.text(std::move(text));
+}
+
+Value Evaluator::list(std::vector<Value> items, Kind kind) {
+  if (items.size() > limits_.xacro_items) {
+    return fail(rules::sml3312_xacro_limit,
+                "the list has more than " + std::to_string(limits_.xacro_items) + " items",
+                raise_xacro_limit("xacro-items"));
+  }
+  step(items.size() / 16);
+  return heap_.list(std::move(items), kind);
+}
+
+Value Evaluator::integer(BigInt value) {
+  if (value.bits() > limits_.xacro_integer_bits) {
+    return fail(rules::sml3312_xacro_limit,
+                "the integer has more than " + std::to_string(limits_.xacro_integer_bits) + " bits",
+                raise_xacro_limit("xacro-integer-bits"));
+  }
+  return heap_.integer(std::move(value));
+}
+
+std::string Evaluator::string_of(const Value& value) {
+  if (value.is_text()) return *value.text;
+  return repr(value);
+}
+
+std::string Evaluator::repr(const Value& value) {
+  NoText problem;
+  std::string text = repr_of(value, problem);
+  if (!problem.reason.empty()) {
+    fail("the text of " + std::string(kind_name(value)) + " is unknown: " + problem.reason);
+  }
+  return text;
+}
+
+Value Evaluator::wrapped(const Value& value) {
+  Value result = value;
+  if (value.kind == Kind::dict) result.is_wrapped = true;
+  if (value.kind == Kind::list) {
+    result = heap_.list(value.list->items).at(value.origin);
+    result.list->is_wrapped = true;
+  }
+  return result;
+}
+
+bool Evaluator::items_of(const Value& value, std::vector<Value>& items) {
+  switch (value.kind) {
+  case Kind::list:
+  case Kind::tuple:
+  case Kind::set:
+    items = value.list->items;
+    if (value.list->is_wrapped) {
+      for (Value& item : items) item = wrapped(item);
+    }
+    break;
+  case Kind::iterator:
+    items.assign(value.list->items.begin() + static_cast<std::ptrdiff_t>(value.list->next),
+                 value.list->items.end());
+    value.list->next = value.list->items.size();
+    break;
+  case Kind::dict:
+    for (const auto& [key, member] : value.dict->items) items.push_back(key);
+    break;
+  case Kind::text:
+    for (std::string_view rest = *value.text; !rest.empty();) {
+      const std::size_t size = utf8::decode(rest).size;
+      items.push_back(heap_.text(std::string(rest.substr(0, size))));
+      rest.remove_prefix(size);
+    }
+    break;
+  case Kind::range:
+    if (value.range->size() > static_cast<std::int64_t>(limits_.xacro_items)) {
+      list(std::vector<Value>(limits_.xacro_items + 1));
+      return false;
+    }
+    for (std::int64_t i = 0; i < value.range->size(); ++i) {
+      items.push_back(Value::of(value.range->begin + i * value.range->step));
+    }
+    break;
+  default: fail(std::string(kind_name(value)) + " has no items to visit"); return false;
+  }
+  return step(items.size());
+}
+
+Value Evaluator::evaluate(std::string_view text, Table& table) {
+  const Expression& expression = expressions_.parse(text);
+  if (expression.root == nullptr) {
+    const SyntaxFault& fault = expression.fault;
+    if (failure_.rule == nullptr) {
+      failure_.rule = fault.rule;
+      failure_.message = fault.message;
+      failure_.help = fault.help;
+      failure_.begin = fault.begin;
+      failure_.end = fault.end;
+    }
+    return Value::failure();
+  }
+  return evaluate(*expression.root, {&table, nullptr});
+}
+
+Value Evaluator::name(const Syntax& syntax, const Scope& scope) {
+  const std::string_view name = syntax.text;
+  if (scope.locals != nullptr) {
+    if (const Value* local = scope.locals->find(name)) return *local;
+    Table* root = scope.table->root();
+    if (Table::Entry* entry = root->own(name)) return entry->value;
+    const bool is_property = static_cast<bool>(scope.table->find(name));
+    return fail(rules::sml3301_xacro_unknown_name,
+                is_property ? quoted(name) + " is not visible inside of a comprehension or a lambda"
+                            : "there is no " + quoted(name),
+                is_property ? "move it into the list of the first `for`, or compute it before"
+                            : "");
+  }
+  if (name.starts_with("__")) return fail("names that begin with `__` are not allowed");
+  if (const Table::Found found = scope.table->find(name)) {
+    Value value = found.entry->value;
+    if (found.entry->is_unevaluated) value = host_.resolve(*found.table, *found.entry, name);
+    if (value.origin != kComputed && !value.is_failed()) used_.emplace_back(name, value.origin);
+    return value;
+  }
+  std::vector<std::string_view> known;
+  scope.table->append_names(known);
+  std::sort(known.begin(), known.end());
+  std::uint64_t comparisons = 100'000;
+  const auto near = only_nearest(name, known, comparisons);
+  constexpr std::string_view kHidden[] = {"abs",       "all",        "any",    "sum",     "zip",
+                                          "enumerate", "isinstance", "tuple",  "set",     "ord",
+                                          "repr",      "type",       "divmod", "reversed"};
+  std::string help = near ? "did you mean " + quoted(*near) + "?"
+                          : "define it with `<xacro:property>` before it is used";
+  if (std::find(std::begin(kHidden), std::end(kHidden), name) != std::end(kHidden)) {
+    help = "write `python." + std::string(name) + "`";
+  }
+  return fail(rules::sml3301_xacro_unknown_name, "there is no property or function " + quoted(name),
+              std::move(help));
+}
+
+Value Evaluator::parts_of(const Syntax& syntax, const Scope& scope, Kind kind) {
+  std::vector<Value> items;
+  items.reserve(syntax.parts.size());
+  for (const Syntax* part : syntax.parts) {
+    items.push_back(evaluate(*part, scope));
+    if (items.back().is_failed()) return items.back();
+  }
+  return list(std::move(items), kind);
+}
+
+Value Evaluator::compare_chain(const Syntax& syntax, const Scope& scope) {
+  Value left = evaluate(*syntax.parts[0], scope);
+  Value result = Value::of(true);
+  for (std::size_t i = 0; i < syntax.operations.size(); ++i) {
+    if (left.is_failed()) return left;
+    const Value right = evaluate(*syntax.parts[i + 1], scope);
+    if (right.is_failed()) return right;
+    result = compare_values(*this, syntax.operations[i], left, right);
+    if (result.is_failed() || !is_true(result)) return result;
+    left = right;
+  }
+  return result;
+}
+
+Value Evaluator::call(const Value& function, std::vector<Value> values,
+                      std::vector<std::pair<std::string_view, Value>> keywords) {
+  if (!step(10)) return Value::failure();
+  if (function.kind == Kind::type) {
+    Call call{*this, name_of(function.type), {}, std::move(values), std::move(keywords)};
+    return call_type(*this, function.type, call);
+  }
+  if (function.kind != Kind::function) {
+    return fail(std::string(kind_name(function)) + " cannot be called");
+  }
+  const Function& called = *function.function;
+  if (called.lambda != nullptr) return call_lambda(called, values);
+  Call call{*this, called.name, called.self, std::move(values), std::move(keywords)};
+  return called.call(call);
+}
+
+Value Evaluator::call_lambda(const Function& function, const std::vector<Value>& values) {
+  const Syntax& lambda = *function.lambda;
+  if (values.size() != lambda.names.size()) {
+    return fail("the lambda needs " + std::to_string(lambda.names.size()) + " parameters");
+  }
+  Locals locals;
+  locals.outer = function.captured;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    locals.names.emplace_back(lambda.names[i], values[i]);
+  }
+  return evaluate(*lambda.parts[0], {function.self.table, &locals});
+}
+
+Value Evaluator::call_syntax(const Syntax& syntax, const Scope& scope) {
+  const Value function = evaluate(*syntax.parts[0], scope);
+  if (function.is_failed()) return function;
+  std::vector<Value> values;
+  std::vector<std::pair<std::string_view, Value>> keywords;
+  for (std::size_t i = 0; i < syntax.names.size(); ++i) {
+    const Value value = evaluate(*syntax.parts[i + 1], scope);
+    if (value.is_failed()) return value;
+    if (syntax.names[i].empty()) {
+      values.push_back(value);
+    } else {
+      keywords.emplace_back(syntax.names[i], value);
+    }
+  }
+  return call(function, std::move(values), std::move(keywords));
+}
+
+bool Evaluator::bind(const Syntax& target, const Value& value, Locals& locals) {
+  if (target.kind == SyntaxKind::name) {
+    locals.names.emplace_back(target.text, value);
+    return true;
+  }
+  std::vector<Value> items;
+  if (!items_of(value, items)) return false;
+  if (items.size() != target.parts.size()) {
+    fail("there are " + std::to_string(items.size()) + " values for " +
+         std::to_string(target.parts.size()) + " names");
+    return false;
+  }
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!bind(*target.parts[i], items[i], locals)) return false;
+  }
+  return true;
+}
+
+bool Evaluator::run_clauses(const Syntax& syntax, std::size_t index, const Scope& scope,
+                            Locals& locals, std::vector<Value>& items) {
+  if (index == syntax.clauses.size()) {
+    items.push_back(evaluate(*syntax.parts[0], {scope.table, &locals}));
+    if (items.back().is_failed()) return false;
+    if (items.size() > limits_.xacro_items) list(items);
+    return !has_failed();
+  }
+  const Syntax::Clause& clause = syntax.clauses[index];
+  // The first list is looked up where the comprehension stands, all others inside of it.
+  const Scope outside = index == 0 ? scope : Scope{scope.table, &locals};
+  const Value all = evaluate(*clause.iterable, outside);
+  std::vector<Value> values;
+  if (all.is_failed() || !items_of(all, values)) return false;
+  const std::size_t before = locals.names.size();
+  for (const Value& value : values) {
+    locals.names.resize(before);
+    if (!bind(*clause.target, value, locals)) return false;
+    bool is_wanted = true;
+    for (const Syntax* condition : clause.conditions) {
+      const Value holds = evaluate(*condition, {scope.table, &locals});
+      if (holds.is_failed()) return false;
+      is_wanted = is_wanted && is_true(holds);
+      if (!is_wanted) break;
+    }
+    if (is_wanted && !run_clauses(syntax, index + 1, scope, locals, items)) return false;
+  }
+  return true;
+}
+
+Value Evaluator::comprehension(const Syntax& syntax, const Scope& scope) {
+  Locals locals;
+  locals.outer = scope.locals;
+  std::vector<Value> items;
+  if (!run_clauses(syntax, 0, scope, locals, items)) return Value::failure();
+  return syntax.is_generator ? heap_.iterator(std::move(items), Type::other)
+                             : list(std::move(items));
+}
+
+namespace {
+
+/// Where a failure happened, unless an inner part has said so.
+struct FailurePlace {
+  Evaluator& evaluator;
+  const Syntax& syntax;
+  bool had_failed;
+  ~FailurePlace() {
+    Failure& failure = evaluator.failure();
+    if (had_failed || failure.rule == nullptr || failure.end != 0 || !failure.span.empty()) return;
+    failure.begin = syntax.begin;
+    failure.end = syntax.end;
+  }
+};
+
+}  // namespace
+
+Value Evaluator::evaluate(const Syntax& syntax, const Scope& scope) {
+  constexpr int kDeepest = 3000;
+  const FailurePlace place{*this, syntax, has_failed()};
+  if (!step()) return Value::failure();
+  struct Level {
+    int& depth;
+    ~Level() { --depth; }
+  } level{++depth_};
+  if (depth_ > kDeepest) {
+    return fail(rules::sml3312_xacro_limit, "the expressions are nested too deeply");
+  }
+  const auto part = [&](std::size_t i) { return evaluate(*syntax.parts[i], scope); };
+  switch (syntax.kind) {
+  case SyntaxKind::name: return name(syntax, scope);
+  case SyntaxKind::constant: return syntax.value;
+  case SyntaxKind::tuple: return parts_of(syntax, scope, Kind::tuple);
+  case SyntaxKind::list: return parts_of(syntax, scope, Kind::list);
+  case SyntaxKind::comprehension: return comprehension(syntax, scope);
+  case SyntaxKind::unary: {
+    const Value value = part(0);
+    return value.is_failed() ? value : compute(*this, syntax.operation, value);
+  }
+  case SyntaxKind::binary: {
+    const Value left = part(0);
+    if (left.is_failed()) return left;
+    const Value right = part(1);
+    return right.is_failed() ? right : compute(*this, syntax.operation, left, right);
+  }
+  case SyntaxKind::compare: return compare_chain(syntax, scope);
+  case SyntaxKind::logical_and:
+  case SyntaxKind::logical_or: {
+    const bool wanted = syntax.kind == SyntaxKind::logical_or;
+    Value value;
+    for (const Syntax* one : syntax.parts) {
+      value = evaluate(*one, scope);
+      if (value.is_failed() || is_true(value) == wanted) break;
+    }
+    return value;
+  }
+  case SyntaxKind::logical_not: {
+    const Value value = part(0);
+    return value.is_failed() ? value : Value::of(!is_true(value));
+  }
+  case SyntaxKind::conditional: {
+    const Value condition = part(1);
+    return condition.is_failed() ? condition : part(is_true(condition) ? 0 : 2);
+  }
+  case SyntaxKind::call: return call_syntax(syntax, scope);
+  case SyntaxKind::attribute: {
+    if (scope.locals == nullptr && syntax.text.starts_with("__")) {
+      return fail("names that begin with `__` are not allowed");
+    }
+    const Value value = part(0);
+    return value.is_failed() ? value : attribute_of(*this, value, syntax.text);
+  }
+  case SyntaxKind::subscript: {
+    const Value value = part(0);
+    if (value.is_failed()) return value;
+    const Value index = part(1);
+    return index.is_failed() ? index : subscript_of(*this, value, index);
+  }
+  case SyntaxKind::slice: {
+    Value ends[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (syntax.parts[i] != nullptr) ends[i] = part(i);
+      if (ends[i].is_failed()) return ends[i];
+    }
+    return heap_.slice({ends[0], ends[1], ends[2]});
+  }
+  case SyntaxKind::lambda: {
+    Function function;
+    function.lambda = &syntax;
+    function.self.kind = Kind::name_space;
+    function.self.table = scope.table;
+    if (scope.locals != nullptr) {
+      // The names are gone when the lambda is called.
+      Locals& captured = captured_.emplace_back();
+      for (const Locals* at = scope.locals; at != nullptr; at = at->outer) {
+        captured.names.insert(captured.names.begin(), at->names.begin(), at->names.end());
+      }
+      heap_.charge(captured.names.size() * sizeof captured.names[0]);
+      function.captured = &captured;
+    }
+    return heap_.function(function);
+  }
+  case SyntaxKind::assign: {
+    const Value value = part(0);
+    if (value.is_failed()) return value;
+    if (scope.locals != nullptr) return fail_unsupported("`:=` inside of a comprehension");
+    host_.assign(*scope.table, syntax.text, value);
+    return value;
+  }
+  }
+  return Value::failure();
+}
+
+}  // namespace smurf::xacro

@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The elements of xacro, in the order of the file.
+#include <algorithm>
+#include <array>
+
+#include "base/limits.hpp"
+#include "base/path.hpp"
+#include "base/quoted.hpp"
+#include "base/words.hpp"
+#include "base/xacro_rules.hpp"
+#include "xacro/expander.hpp"
+#include "xacro/python_text.hpp"
+
+namespace smurf::xacro {
+namespace {
+
+constexpr std::string_view kPrefix = "xacro:";
+
+/// What to do about a failure that says no more itself.
+std::string usual_help(const Rule& rule) {
+  if (&rule == &rules::sml3302_xacro_syntax) return "correct the expression";
+  if (&rule == &rules::sml3304_xacro_unsupported)
+    return "write it with other functions of the language";
+  if (&rule == &rules::sml3318_xacro_fatal) return "do what the message says";
+  if (&rule == &rules::sml3301_xacro_unknown_name) return "correct the name";
+  return "correct the expression, or the values that it uses";
+}
+
+}  // namespace
+
+Expander::Expander(SourceId root, const Settings& settings, Context& context)
+    : settings_(settings),
+      context_(context),
+      heap_(settings.limits.xacro_bytes),
+      expressions_(heap_),
+      evaluator_(heap_, expressions_, settings.limits, *this) {
+  result_.root = root;
+  functions_ = &tables_.emplace_back();
+  add_functions(*functions_, heap_, tables_);
+  for (const auto& [name, value] : settings.arguments) arguments_[name] = {value, kComputed};
+}
+
+Expansion Expander::run() {
+  expand_root();
+  for (auto& [path, file] : files_) {
+    if (file->document) result_.documents.push_back(*std::move(file->document));
+  }
+  return std::move(result_);
+}
+
+void Expander::expand_root() {
+  const std::string path = context_.sources.path(result_.root);
+  File& file = *files_.emplace(path, std::make_unique<File>()).first->second;
+  file.source = result_.root;
+  file.path = path;
+  file_stack_.push_back(file.path);
+  result_.included.insert(file.path);
+  result_.frames.push_back({});
+  frame_ = FrameId{0};
+  if (!parse(file)) return;
+  Table& symbols = tables_.emplace_back(functions_);
+  MacroTable& macros = macro_tables_.emplace_back();
+  if (file.root->name.starts_with(kPrefix)) {
+    fail(rules::sml3315_xacro_wrong_element, file.root->name_span,
+         "the root element must not be one of xacro", "write `<robot>` around it");
+    return;
+  }
+  Node& root = new_node(NodeKind::element);
+  root.name = file.root->name;
+  root.name_span = file.root->name_span;
+  root.tag_span = file.root->tag_span;
+  root.span = file.root->span;
+  const bool is_done = evaluate(*file.root, root, {macros, symbols});
+  if (const NodeAttribute* target = file.root->attribute("xacro:targetNamespace")) {
+    NodeAttribute& xmlns = root.attributes.emplace_back(*target);
+    xmlns.name = "xmlns";
+  }
+  if (!is_done) return;
+  std::string text;
+  write_result(root, pieces_, text, result_.leaves);
+  result_.source = context_.sources.add(file.path, std::move(text));
+  result_.is_complete = !has_failed_;
+}
+
+bool Expander::fail(const Rule& rule, Span place, std::string message, std::string help) {
+  evaluator_.take_failure();
+  evaluator_.fail(rule, std::move(message), std::move(help));
+  evaluator_.failure().span = place;
+  return report();
+}
+
+bool Expander::report() {
+  if (has_failed_) return false;
+  has_failed_ = true;
+  Failure failure = evaluator_.take_failure();
+  Diagnostic& diagnostic = context_.sink.report(*failure.rule, failure.span, failure.message);
+  diagnostic.help(failure.help.empty() ? usual_help(*failure.rule) : failure.help);
+  add_frames(diagnostic);
+  return false;
+}
+
+bool Expander::is_first_at(Span place) {
+  const std::uint64_t key = static_cast<std::uint64_t>(place.source) << 32U | place.begin;
+  return warned_.insert(key).second;
+}
+
+bool Expander::has_room() {
+  if (++elements_ <= settings_.limits.xacro_elements) return true;
+  evaluator_.fail(rules::sml3312_xacro_limit,
+                  "the robot has more than " + std::to_string(settings_.limits.xacro_elements) +
+                      " elements",
+                  raise_xacro_limit("xacro-elements"));
+  return false;
+}
+
+Node& Expander::new_node(NodeKind kind) {
+  heap_.charge(sizeof(Node));
+  Node& node = nodes_.emplace_back();
+  node.kind = kind;
+  node.frame = frame_;
+  return node;
+}
+
+/// Comments directly before an element of xacro belong to it.
+void Expander::remove_comments(Node& out) {
+  std::vector<Node*>& nodes = out.children;
+  std::size_t at = nodes.size();
+  while (at > 0) {
+    std::size_t comment = at - 1;
+    const Node& before = *nodes[comment];
+    const bool is_blank_text =
+        before.kind == NodeKind::text && without_blanks(before.text.value).empty() &&
+        std::count(before.text.value.begin(), before.text.value.end(), '\n') <= 1;
+    if (is_blank_text) {
+      if (comment == 0) return;
+      --comment;
+    }
+    if (nodes[comment]->kind != NodeKind::comment) return;
+    nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(comment));
+    at = comment;
+  }
+}
+
+void Expander::set_xmlns(Node& out, const Node& from) {
+  for (const NodeAttribute& one : from.attributes) {
+    if (!one.name.starts_with("xmlns:")) continue;
+    if (out.attribute(one.name) == nullptr) out.attributes.push_back(one);
+  }
+}
+
+const NodeAttribute* Expander::required(const Node& in, std::string_view name) {
+  const NodeAttribute* attribute = in.attribute(name);
+  if (attribute == nullptr) {
+    fail(rules::sml3315_xacro_wrong_element, in.name_span,
+         quoted(in.name) + " needs the attribute " + quoted(name), "add it");
+  }
+  return attribute;
+}
+
+void Expander::warn_of_others(const Node& in, std::initializer_list<std::string_view> known) {
+  for (const NodeAttribute& one : in.attributes) {
+    const bool is_known = std::find(known.begin(), known.end(), one.name) != known.end();
+    if (is_known || one.name.starts_with("xmlns:") || !is_first_at(one.name_span)) continue;
+    Diagnostic& diagnostic =
+        context_.sink.report(rules::sml3402_xacro_unknown_attribute, one.name_span,
+                             quoted(in.name) + " has no attribute " + quoted(one.name));
+    const std::vector<std::string_view> names(known);
+    const auto near = context_.sink.suggest(one.name, names);
+    diagnostic.help(near ? "did you mean " + quoted(*near) + "?" : "delete it");
+  }
+}
+
+std::optional<bool> Expander::truth_of(const Value& value) {
+  if (!value.is_text()) return is_true(value);
+  const std::string& text = *value.text;
+  if (text == "true" || text == "True") return true;
+  if (text == "false" || text == "False") return false;
+  const auto integer = read_integer(text, heap_);
+  return integer ? std::optional(is_true(*integer)) : std::nullopt;
+}
+
+bool Expander::evaluate(const Node& in, Node& out, Scope scope) {
+  return evaluate_attributes(in, out, scope.symbols) && evaluate_children(in, out, scope);
+}
+
+bool Expander::evaluate_attributes(const Node& in, Node& out, Table& symbols) {
+  out.attributes.reserve(in.attributes.size());
+  heap_.charge(in.attributes.size() * sizeof(NodeAttribute));
+  for (const NodeAttribute& one : in.attributes) {
+    if (one.name.starts_with(kPrefix)) continue;
+    NodeAttribute result = one;
+    if (!trace(one.text, symbols, result.text)) return report();
+    if (one.name != "xmlns:xacro") out.attributes.push_back(result);
+  }
+  return true;
+}
+
+bool Expander::evaluate_text_node(const Node& in, Node& out, Table& symbols) {
+  Node& text = new_node(in.kind);
+  text.span = in.span;
+  text.tag_span = in.tag_span;
+  text.name_span = in.name_span;
+  if (in.frame != kNoFrame) text.frame = in.frame;
+  if (!trace(in.text, symbols, text.text)) return report();
+  out.children.push_back(&text);
+  return true;
+}
+
+bool Expander::evaluate_children(const Node& in, Node& out, Scope scope) {
+  bool evaluates_comments = false;
+  for (Node* const child : in.children) {
+    switch (child->kind) {
+    case NodeKind::element:
+      evaluates_comments = false;
+      if (!evaluate_element(*child, out, scope)) return false;
+      break;
+    case NodeKind::text:
+      if (!evaluate_text_node(*child, out, scope.symbols)) return false;
+      if (!without_blanks(out.children.back()->text.value).empty()) evaluates_comments = false;
+      break;
+    case NodeKind::comment:
+      if (child->text.value.find("xacro:eval-comments") != std::string_view::npos) {
+        evaluates_comments =
+            child->text.value.find("xacro:eval-comments:off") == std::string_view::npos;
+      } else if (evaluates_comments) {
+        if (!evaluate_text_node(*child, out, scope.symbols)) return false;
+      } else {
+        out.children.push_back(child);
+      }
+      break;
+    default: out.children.push_back(child); break;
+    }
+  }
+  return true;
+}
+
+bool Expander::copy_element(const Node& in, Node& out, Scope scope) {
+  Node& element = new_node(NodeKind::element);
+  if (!has_room() || !evaluator_.step(5)) {
+    evaluator_.failure().span = in.name_span;
+    return report();
+  }
+  element.name = in.name;
+  element.name_span = in.name_span;
+  element.tag_span = in.tag_span;
+  element.span = in.span;
+  if (in.frame != kNoFrame) element.frame = in.frame;
+  if (!evaluate(in, element, scope)) return false;
+  for (const NodeAttribute& one : element.attributes) {
+    if (!one.is_number) continue;
+    return fail(rules::sml3403_xacro_lost_attribute, one.text.whole.use,
+                "`xacro:attribute` fails with a value that is no text",
+                "put `str()` around the value");
+  }
+  out.children.push_back(&element);
+  return true;
+}
+
+bool Expander::evaluate_element(const Node& in, Node& out, Scope scope) {
+  if (!in.name.starts_with(kPrefix)) return copy_element(in, out, scope);
+  const std::string_view name = in.name.substr(kPrefix.size());
+  if (!evaluator_.step(5)) {
+    evaluator_.failure().span = in.name_span;
+    return report();
+  }
+  if (name == "insert_block") return insert_block(in, out, scope);
+  if (name == "include") return include(in, out, scope);
+  if (name == "property") return define_property(in, out, scope.symbols);
+  if (name == "macro") return define_macro(in, out, scope.macros);
+  if (name == "arg") return define_argument(in, out, scope.symbols);
+  if (name == "element") return rename_element(in, out, scope);
+  if (name == "attribute") return set_attribute(in, out, scope.symbols);
+  if (name == "if" || name == "unless") return choose(in, out, scope);
+  return call_macro(in, name, out, scope);
+}
+
+Table* Expander::target_table(const Node& in, std::string_view scope, Table& symbols) {
+  if (scope == "global") return symbols.top();
+  if (scope != "parent") return &symbols;
+  Table* target = symbols.parent();
+  if (!symbols.is_namespace()) {
+    while (target != nullptr && target->is_namespace()) target = target->parent();
+  }
+  if (target == nullptr || target->is_root()) {
+    fail(rules::sml3315_xacro_wrong_element, in.attribute("scope")->text.whole.use,
+         "there is no scope around this one", "delete `scope=\"parent\"`");
+    return nullptr;
+  }
+  return target;
+}
+
+namespace {
+
+bool is_property_name(std::string_view name) {
+  if (name.empty() || (name[0] >= '0' && name[0] <= '9')) return false;
+  const bool has_letters_only = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           static_cast<unsigned char>(c) >= 0x80;
+  });
+  constexpr std::array<std::string_view, 35> kKeywords = {
+      "False", "None",     "True",  "and",    "as",   "assert", "async",  "await",    "break",
+      "class", "continue", "def",   "del",    "elif", "else",   "except", "finally",  "for",
+      "from",  "global",   "if",    "import", "in",   "is",     "lambda", "nonlocal", "not",
+      "or",    "pass",     "raise", "return", "try",  "while",  "with",   "yield"};
+  return has_letters_only && std::find(kKeywords.begin(), kKeywords.end(), name) == kKeywords.end();
+}
+
+}  // namespace
+
+bool Expander::define_property(const Node& in, Node& out, Table& symbols) {
+  remove_comments(out);
+  const NodeAttribute* name = required(in, "name");
+  if (name == nullptr) return false;
+  warn_of_others(in, {"name", "value", "default", "remove", "scope", "lazy_eval"});
+  const Value read = evaluate_text(*name, symbols);
+  if (read.is_failed()) return report();
+  const std::string_view key = read.is_text() ? heap_.keep(*read.text) : std::string_view();
+  if (!is_property_name(key) || key.starts_with("__")) {
+    return fail(rules::sml3315_xacro_wrong_element, name->text.whole.use,
+                quoted(read.is_text() ? key : name->text.value) +
+                    " cannot be the name of a property",
+                "write a name of letters, digits and `_` that is no word of Python");
+  }
+  const auto flag = [&](const NodeAttribute* attribute, bool usual) -> std::optional<bool> {
+    if (attribute == nullptr || attribute->text.value.empty()) return usual;
+    const Value value = evaluate_text(*attribute, symbols);
+    const auto truth = value.is_failed() ? std::nullopt : truth_of(value);
+    if (!truth && !value.is_failed()) {
+      fail(rules::sml3314_xacro_condition, attribute->text.whole.use,
+           quoted(evaluator_.string_of(value)) + " is no truth value", "write `true` or `false`");
+    }
+    return truth;
+  };
+  const auto remove = flag(in.attribute("remove"), false);
+  if (!remove) return report();
+  const NodeAttribute* value = in.attribute("value");
+  const NodeAttribute* fallback = in.attribute("default");
+  if ((value != nullptr) + (fallback != nullptr) + *remove > 1) {
+    return fail(rules::sml3315_xacro_wrong_element, name->text.whole.use,
+                "`value`, `default` and `remove` exclude each other", "delete all but one");
+  }
+  const bool is_known = static_cast<bool>(symbols.find(key));
+  if (*remove && is_known) {
+    symbols.remove(key);
+    return true;
+  }
+  if (fallback != nullptr) {
+    if (is_known) return true;
+    value = fallback;
+  }
+  const NodeAttribute* lazy = in.attribute("lazy_eval");
+  auto is_lazy = flag(lazy, true);
+  if (!is_lazy) return report();
+  const NodeAttribute* scope = in.attribute("scope");
+  const std::string_view wanted = scope != nullptr ? scope->text.value : std::string_view();
+  if (wanted == "global" || wanted == "parent") is_lazy = false;
+  Table* target = target_table(in, wanted, symbols);
+  if (target == nullptr) return false;
+  if (value == nullptr) {
+    Value block;
+    block.kind = Kind::block;
+    block.block = &in;
+    target->set(heap_.keep("**" + std::string(key)), block);
+    return true;
+  }
+  Value result = *is_lazy ? heap_.text(std::string(value->text.value)).at(origin(value->text.whole))
+                          : evaluate_text(*value, symbols);
+  if (result.is_failed()) return report();
+  if (result.origin == kComputed) result.origin = heap_.add({value->text.whole.use, false});
+  set(*target, key, result, *is_lazy, name->text.whole.use);
+  return true;
+}
+
+bool Expander::define_argument(const Node& in, Node& out, Table& symbols) {
+  const NodeAttribute* name = required(in, "name");
+  const NodeAttribute* value = name != nullptr ? required(in, "default") : nullptr;
+  if (value == nullptr) return false;
+  warn_of_others(in, {"name", "default"});
+  const std::string key(name->text.value);
+  if (!arguments_.contains(key)) {
+    const Value read = evaluate_text(*value, symbols);
+    if (read.is_failed()) return report();
+    std::string text = evaluator_.string_of(read);
+    if (evaluator_.has_failed()) {
+      place_failure(value->text.whole, 0);
+      return report();
+    }
+    const OriginId place =
+        read.origin != kComputed ? read.origin : heap_.add({value->text.whole.use, false});
+    arguments_[key] = {std::move(text), place};
+  }
+  remove_comments(out);
+  return true;
+}
+
+Expansion expand(SourceId root, const Settings& settings, Context& context) {
+  return Expander(root, settings, context).run();
+}
+
+bool is_xacro_file(std::string_view path) {
+  return path::to_lower(path::extension(path)) == ".xacro";
+}
+
+}  // namespace smurf::xacro

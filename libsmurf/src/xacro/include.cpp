@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Other files: includes, and where `$(find ...)` leads.
+#include <algorithm>
+
+#include "base/limits.hpp"
+#include "base/path.hpp"
+#include "base/quoted.hpp"
+#include "base/suggest.hpp"
+#include "base/words.hpp"
+#include "base/xacro_rules.hpp"
+#include "syntax/xml_reader.hpp"
+#include "xacro/expander.hpp"
+
+namespace smurf::xacro {
+namespace {
+
+/// Whether a name matches a pattern with '*', '?' and '[...]'.
+bool matches(std::string_view pattern, std::string_view name) {
+  std::size_t p = 0, n = 0;
+  std::size_t star = std::string_view::npos, star_name = 0;
+  while (n < name.size()) {
+    bool is_match = false;
+    std::size_t next = p + 1;
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      star_name = n;
+      continue;
+    }
+    if (p < pattern.size() && pattern[p] == '[') {
+      const std::size_t first = p + 1 + (pattern.substr(p + 1).starts_with('!') ? 1 : 0);
+      const std::size_t close = pattern.find(']', first + 1);
+      if (close == std::string_view::npos) {
+        is_match = name[n] == '[';
+      } else {
+        for (std::size_t i = first; i < close; ++i) {
+          const bool is_range = i + 2 < close && pattern[i + 1] == '-';
+          const char last = is_range ? pattern[i + 2] : pattern[i];
+          is_match = is_match || (name[n] >= pattern[i] && name[n] <= last);
+          if (is_range) i += 2;
+        }
+        is_match = is_match != (first != p + 1);
+        next = close + 1;
+      }
+    } else if (p < pattern.size()) {
+      is_match = pattern[p] == '?' || pattern[p] == name[n];
+    }
+    if (is_match) {
+      p = next;
+      ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      n = ++star_name;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
+}
+
+bool has_pattern(std::string_view text) {
+  return text.find_first_of("*[?") != std::string_view::npos;
+}
+
+bool is_prefix_declared(const xml::Document& document, Span& place) {
+  std::vector<bool> declares(document.elements.size(), false);
+  for (std::size_t i = 0; i < document.elements.size(); ++i) {
+    const xml::View view(document, xml::ElementId{static_cast<std::uint32_t>(i)});
+    const xml::ElementId parent = view.element().parent;
+    declares[i] = (parent != xml::kNoElement && declares[static_cast<std::size_t>(parent)]) ||
+                  view.attribute("xmlns:xacro") != nullptr;
+    if (declares[i]) continue;
+    if (view.name().starts_with("xacro:")) place = view.name_span();
+    for (const xml::Attribute& one : view.attributes()) {
+      if (one.name().starts_with("xacro:")) place = one.name_span();
+    }
+    if (!place.empty()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> installed_folders(std::string_view text) {
+  std::map<std::string, std::string> folders;
+  std::string plain;  // without comments
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t line_end = std::min(text.find('\n', at), text.size());
+    const std::size_t hash = std::min(text.find('#', at), line_end);
+    plain.append(text, at, hash - at).push_back(' ');
+    at = line_end + 1;
+  }
+  const std::string lower = path::to_lower(plain);
+  for (std::size_t at = lower.find("install"); at != std::string::npos;
+       at = lower.find("install", at + 1)) {
+    const std::size_t open = lower.find_first_not_of(kBlanks, at + 7);
+    if (open == std::string::npos || lower[open] != '(') continue;
+    const std::size_t close = std::min(lower.find(')', open), lower.size());
+    std::vector<std::string> words;
+    const std::string_view inside = std::string_view(plain).substr(open + 1, close - open - 1);
+    for (std::size_t word_at = 0; word_at < inside.size();) {
+      const std::string_view word = next_word(inside, word_at);
+      if (!word.empty()) words.emplace_back(word);
+    }
+    const auto destination = std::find_if(words.begin(), words.end(), [](const std::string& word) {
+      return path::to_lower(word) == "destination";
+    });
+    if (words.empty() || path::to_lower(words[0]) != "directory" || destination == words.end() ||
+        destination + 1 == words.end()) {
+      continue;
+    }
+    std::string target = *(destination + 1);
+    constexpr std::string_view kShare = "${CATKIN_PACKAGE_SHARE_DESTINATION}";
+    if (target.starts_with(kShare)) {
+      target.erase(0, kShare.size());
+    } else if (target.starts_with("share/")) {
+      const std::size_t slash = target.find('/', 6);
+      target = slash == std::string::npos ? "" : target.substr(slash);
+    } else {
+      continue;
+    }
+    while (target.starts_with('/')) target.erase(0, 1);
+    while (target.ends_with('/')) target.pop_back();
+    for (auto word = words.begin() + 1; word != destination; ++word) {
+      if ((*word + target).find('$') != std::string::npos) continue;
+      const std::string source = path::normalize(*word);
+      const std::string name =
+          word->ends_with('/') ? target : path::join(target, path::file_name(source));
+      const bool is_moved = !name.empty() && name.find('/') == std::string::npos && name != source;
+      if (is_moved) folders.emplace(name, source);
+    }
+  }
+  return folders;
+}
+
+std::string Expander::whole_path(const std::string& path) {
+  if (path::is_absolute(path)) return path;
+  const std::string_view folder = path::parent(current_path());
+  return folder.empty() ? path : path::join(folder, path);
+}
+
+/// The path of a file as it is read and shown: below the folder of its package as it was found.
+std::string Expander::readable_path(const std::string& written) {
+  std::string path = path::normalize(written);
+  for (const auto& [absolute, folder] : package_folders_) {
+    const bool is_inside =
+        path.size() > absolute.size() && path.starts_with(absolute) && path[absolute.size()] == '/';
+    if (!is_inside) continue;
+    const std::string rest = path.substr(absolute.size() + 1);
+    path = path::join(folder, rest);
+    if (context_.files.is_file(path)) return path;
+    const std::string name = rest.substr(0, rest.find('/'));
+    const std::vector<std::string> entries = context_.files.list(folder);
+    if (std::find(entries.begin(), entries.end(), name) != entries.end()) return path;
+    constexpr std::uint64_t kMostBytes = 1U << 20U;
+    const FileContent lists = context_.files.read(path::join(folder, "CMakeLists.txt"), kMostBytes);
+    const auto moved = installed_folders(lists.text);
+    const auto source = moved.find(name);
+    if (source == moved.end()) return path;
+    return path::join(path::join(folder, source->second),
+                      rest.substr(std::min(rest.size(), name.size() + 1)));
+  }
+  return path;
+}
+
+Expander::File* Expander::open(const std::string& written, Span reference) {
+  const std::string path = readable_path(written);
+  if (++files_read_ > settings_.limits.xacro_files) {
+    fail(rules::sml3312_xacro_limit, reference,
+         "more than " + std::to_string(settings_.limits.xacro_files) + " files are included",
+         raise_xacro_limit("xacro-files"));
+    return nullptr;
+  }
+  const auto known = files_.find(path);
+  if (known != files_.end()) return known->second.get();
+  const FileContent content = context_.files.read(path, context_.limits.file_bytes);
+  result_.included.insert(path);
+  if (content.status != ReadStatus::ok) {
+    evaluator_.fail(rules::sml3310_xacro_missing_file,
+                    "cannot read `" + path + "`: " + content.reason,
+                    "correct the path; it is relative to " + quoted(current_path()));
+    evaluator_.failure().span = reference;
+    evaluator_.failure().is_missing_file = content.status == ReadStatus::not_found;
+    return nullptr;
+  }
+  auto file = std::make_unique<File>();
+  file->path = path;
+  file->source = context_.sources.add(path, content.text);
+  return files_.emplace(path, std::move(file)).first->second.get();
+}
+
+bool Expander::parse(File& file) {
+  if (file.root != nullptr) return true;
+  DiagnosticSink found(context_.limits);
+  file.document = parse_xml(context_.sources, file.source, context_.limits, found);
+  const bool is_broken = !file.document || found.has_errors();
+  for (const Diagnostic& one : found.take()) {
+    Diagnostic& diagnostic = context_.sink.report(*one.rule, one.span, one.message);
+    diagnostic = one;
+    if (is_broken) add_frames(diagnostic);
+  }
+  if (is_broken) {
+    has_failed_ = true;
+    return false;
+  }
+  Span place;
+  if (!is_prefix_declared(*file.document, place)) {
+    return fail(rules::sml3319_xacro_undeclared_prefix, place, "the prefix `xacro` is not declared",
+                "add `xmlns:xacro=\"http://www.ros.org/wiki/xacro\"` to the root element");
+  }
+  NodeTree tree(*file.document, context_.sources.text(file.source), heap_, nodes_);
+  file.root = tree.read();
+  if (tree.unknown_entity().empty()) return true;
+  return fail(rules::sml1001_xml_malformed, tree.unknown_entity(),
+              "the entity " + quoted(context_.sources.text(tree.unknown_entity())) +
+                  " is not defined",
+              "write the character itself");
+}
+
+std::vector<std::string> Expander::glob(const std::string& pattern) {
+  const std::string path = readable_path(pattern);
+  std::vector<std::string> found{path::is_absolute(path) ? "/" : ""};
+  for (const std::string_view name : path::names(path)) {
+    std::vector<std::string> next;
+    for (const std::string& folder : found) {
+      if (!has_pattern(name)) {
+        next.push_back(path::join(folder, name));
+        continue;
+      }
+      for (const std::string& entry : context_.files.list(folder.empty() ? "." : folder)) {
+        if (entry.starts_with('.') && !name.starts_with('.')) continue;
+        if (!evaluator_.step(100)) return {};
+        if (matches(name, entry)) next.push_back(path::join(folder, entry));
+      }
+    }
+    found = std::move(next);
+  }
+  std::erase_if(found, [&](const std::string& one) { return !context_.files.is_file(one); });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool Expander::include_file(const Node& in, const std::string& path, Node& out, Scope scope) {
+  const NodeAttribute& filename = *in.attribute("filename");
+  File* file = open(path, filename.text.whole.use);
+  if (file == nullptr) return false;
+  const auto repeats = std::count(file_stack_.begin(), file_stack_.end(), file->path);
+  if (file_stack_.size() >= context_.limits.include_depth) {
+    const bool is_cycle = repeats > 1;
+    return fail(is_cycle ? rules::sml3311_xacro_cyclic_include : rules::sml3312_xacro_limit,
+                filename.text.whole.use,
+                is_cycle ? quoted(file->path) + " includes itself"
+                         : "more than " + std::to_string(context_.limits.include_depth) +
+                               " files include each other",
+                is_cycle ? "delete the include, or make it depend on a condition"
+                         : raise_limit("include-depth"));
+  }
+  file_stack_.push_back(file->path);
+  Frame frame;
+  frame.kind = Frame::Kind::include;
+  frame.parent = frame_;
+  frame.call = in.tag_span;
+  frame.name = file->path;
+  const FrameId outer = frame_;
+  result_.frames.push_back(std::move(frame));
+  frame_ = FrameId{static_cast<std::uint32_t>(result_.frames.size() - 1)};
+  if (!parse(*file)) return false;
+  Node& holder = new_node(NodeKind::element);
+  if (!evaluate(*file->root, holder, scope)) return false;
+  frame_ = outer;
+  file_stack_.pop_back();
+  set_xmlns(out, holder);
+  out.children.insert(out.children.end(), holder.children.begin(), holder.children.end());
+  return true;
+}
+
+bool Expander::include(const Node& in, Node& out, Scope scope) {
+  const NodeAttribute* filename = required(in, "filename");
+  if (filename == nullptr) return false;
+  warn_of_others(in, {"filename", "ns", "optional"});
+  MacroTable* macros = &scope.macros;
+  Table* symbols = &scope.symbols;
+  const NodeAttribute* ns = in.attribute("ns");
+  if (ns != nullptr && !ns->text.value.empty()) {
+    const Value name = evaluate_text(*ns, scope.symbols);
+    if (name.is_failed()) return report();
+    const std::string_view key = heap_.keep(evaluator_.string_of(name));
+    if (evaluator_.has_failed()) return report();
+    macros = &macro_tables_.emplace_back();
+    symbols = &tables_.emplace_back(&scope.symbols, true);
+    scope.macros.set(key, {nullptr, macros});
+    Value space;
+    space.kind = Kind::name_space;
+    space.table = symbols;
+    scope.symbols.set(key, space);
+  }
+  bool is_optional = false;
+  if (const NodeAttribute* optional = in.attribute("optional")) {
+    const auto truth = truth_of(heap_.text(std::string(optional->text.value)));
+    if (!truth) {
+      return fail(rules::sml3314_xacro_condition, optional->text.whole.use,
+                  quoted(optional->text.value) + " is no truth value", "write `true` or `false`");
+    }
+    is_optional = *truth;
+  }
+  const Value written = evaluate_text(*filename, scope.symbols);
+  if (written.is_failed()) return report();
+  if (!written.is_text()) {
+    return fail(rules::sml3310_xacro_missing_file, filename->text.whole.use,
+                "the name of the file is " + std::string(kind_name(written)), "write a path");
+  }
+  const std::string path = whole_path(*written.text);
+  const bool is_pattern = has_pattern(path);
+  const std::vector<std::string> paths = is_pattern ? glob(path) : std::vector<std::string>{path};
+  if (evaluator_.has_failed()) {
+    evaluator_.failure().span = filename->text.whole.use;
+    return report();
+  }
+  if (paths.empty() && is_first_at(filename->text.whole.use)) {
+    context_.sink
+        .report(rules::sml3404_xacro_no_match, filename->text.whole.use,
+                "no file matches " + quoted(path))
+        .help("correct the pattern");
+  }
+  for (const std::string& one : paths) {
+    if (include_file(in, one, out, {*macros, *symbols})) continue;
+    const bool is_ignored = is_optional && !has_failed_ && evaluator_.failure().is_missing_file;
+    if (!is_ignored) return report();
+    evaluator_.take_failure();
+  }
+  remove_comments(out);
+  return true;
+}
+
+}  // namespace smurf::xacro

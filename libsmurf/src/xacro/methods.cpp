@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Methods of texts.
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "base/path.hpp"
+#include "base/quoted.hpp"
+#include "base/utf8.hpp"
+#include "base/xacro_rules.hpp"
+#include "xacro/evaluator.hpp"
+#include "xacro/python_text.hpp"
+
+namespace smurf::xacro {
+namespace {
+
+const std::string& self_of(const Call& call) { return *call.self.text; }
+
+/// The parameter as a text; null, with a failure, if it is something else.
+const std::string* text_at(Call& call, std::size_t position) {
+  if (position < call.count() && call.values[position].is_text()) {
+    return call.values[position].text;
+  }
+  call.evaluator.fail("`" + std::string(call.name) + "()` needs a text");
+  return nullptr;
+}
+
+bool is_ascii(std::string_view text) { return utf8::ascii_prefix(text) == text.size(); }
+
+/// Changes of case are known for ASCII only.
+Value with_case(Call& call, std::string (*change)(std::string)) {
+  if (!call.has_count(0, 0)) return Value::failure();
+  if (!is_ascii(self_of(call))) {
+    return call.evaluator.fail_unsupported("`" + std::string(call.name) +
+                                           "()` of other letters than ASCII");
+  }
+  return call.evaluator.text(change(self_of(call)));
+}
+
+char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+Value to_lower(Call& call) {
+  return with_case(call, [](std::string text) { return path::to_lower(text); });
+}
+Value to_upper(Call& call) {
+  return with_case(call, [](std::string text) {
+    for (char& c : text) c = upper(c);
+    return text;
+  });
+}
+Value capitalize(Call& call) {
+  return with_case(call, [](std::string text) {
+    for (char& c : text) c = lower(c);
+    if (!text.empty()) text[0] = upper(text[0]);
+    return text;
+  });
+}
+Value title(Call& call) {
+  return with_case(call, [](std::string text) {
+    bool is_inside = false;
+    for (char& c : text) {
+      c = is_inside ? lower(c) : upper(c);
+      is_inside = is_letter(c);
+    }
+    return text;
+  });
+}
+Value swapcase(Call& call) {
+  return with_case(call, [](std::string text) {
+    for (char& c : text) c = std::isupper(static_cast<unsigned char>(c)) != 0 ? lower(c) : upper(c);
+    return text;
+  });
+}
+
+/// Removes characters, not a word: '"tool_link".rstrip("_link")' is "too".
+Value strip(Call& call) {
+  if (!call.has_count(0, 1)) return Value::failure();
+  std::string_view text = self_of(call);
+  const bool at_begin = call.name != "rstrip";
+  const bool at_end = call.name != "lstrip";
+  const bool has_set = call.count() == 1 && call.values[0].kind != Kind::none;
+  const std::string* set = has_set ? text_at(call, 0) : nullptr;
+  if (has_set && set == nullptr) return Value::failure();
+  std::vector<char32_t> characters;
+  for (std::string_view rest = set != nullptr ? std::string_view(*set) : std::string_view();
+       !rest.empty();) {
+    const utf8::CodePoint point = utf8::decode(rest);
+    characters.push_back(point.value);
+    rest.remove_prefix(point.size);
+  }
+  const auto goes = [&](char32_t c) {
+    if (set == nullptr) return is_python_blank(c);
+    return std::find(characters.begin(), characters.end(), c) != characters.end();
+  };
+  while (at_begin && !text.empty()) {
+    const utf8::CodePoint point = utf8::decode(text);
+    if (!goes(point.value)) break;
+    text.remove_prefix(point.size);
+  }
+  while (at_end && !text.empty()) {
+    std::size_t begin = text.size() - 1;
+    while (begin > 0 && utf8::is_continuation(text[begin])) --begin;
+    if (!goes(utf8::decode(text.substr(begin)).value)) break;
+    text = text.substr(0, begin);
+  }
+  return call.evaluator.text(std::string(text));
+}
+
+/// The words of a text; at most `most` cuts, from the end if wanted.
+std::vector<std::string_view> words_of(std::string_view text, std::int64_t most, bool from_end) {
+  std::vector<std::string_view> words;
+  text = without_blanks(text);
+  while (!text.empty()) {
+    if (most-- == 0) {
+      words.push_back(text);
+      break;
+    }
+    if (from_end) {
+      std::size_t begin = text.size();
+      while (begin > 0) {
+        std::size_t before = begin - 1;
+        while (before > 0 && utf8::is_continuation(text[before])) --before;
+        if (is_python_blank(utf8::decode(text.substr(before)).value)) break;
+        begin = before;
+      }
+      words.push_back(text.substr(begin));
+      text = without_blanks(text.substr(0, begin));
+    } else {
+      std::size_t end = 0;
+      while (end < text.size()) {
+        const utf8::CodePoint point = utf8::decode(text.substr(end));
+        if (is_python_blank(point.value)) break;
+        end += point.size;
+      }
+      words.push_back(text.substr(0, end));
+      text = without_blanks(text.substr(end));
+    }
+  }
+  return words;
+}
+
+std::vector<std::string_view> cut(std::string_view text, std::string_view at, std::int64_t most,
+                                  bool from_end) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t found = most-- == 0 ? std::string_view::npos
+                              : from_end  ? text.rfind(at)
+                                          : text.find(at);
+    if (found == std::string_view::npos) break;
+    parts.push_back(from_end ? text.substr(found + at.size()) : text.substr(0, found));
+    text = from_end ? text.substr(0, found) : text.substr(found + at.size());
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+Value split(Call& call) {
+  const Value* separator = call.take(0, "sep");
+  const Value* most = call.take(1, "maxsplit");
+  const bool from_end = call.name == "rsplit";
+  const std::int64_t count = most != nullptr && most->kind == Kind::integer ? most->integer : -1;
+  std::vector<std::string_view> parts;
+  if (separator == nullptr || separator->kind == Kind::none) {
+    parts = words_of(self_of(call), count, from_end);
+  } else {
+    if (!separator->is_text() || separator->text->empty()) {
+      return call.evaluator.fail("the separator of `split()` is no text, or is empty");
+    }
+    parts = cut(self_of(call), *separator->text, count, from_end);
+  }
+  if (from_end) std::reverse(parts.begin(), parts.end());
+  if (!call.evaluator.step(parts.size())) return Value::failure();
+  std::vector<Value> items;
+  for (const std::string_view part : parts) items.push_back(call.evaluator.text(std::string(part)));
+  return call.evaluator.list(std::move(items));
+}
+
+Value splitlines(Call& call) {
+  if (!call.has_count(0, 0)) return Value::failure();
+  std::vector<Value> items;
+  std::string_view rest = self_of(call);
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+    items.push_back(call.evaluator.text(std::string(rest.substr(0, end))));
+    const bool is_pair = rest.substr(end).starts_with("\r\n");
+    rest.remove_prefix(std::min(rest.size(), end + (is_pair ? 2 : 1)));
+  }
+  return call.evaluator.list(std::move(items));
+}
+
+Value partition(Call& call) {
+  const std::string* separator = text_at(call, 0);
+  if (separator == nullptr) return Value::failure();
+  if (separator->empty()) return call.evaluator.fail("the separator is empty");
+  const std::string& text = self_of(call);
+  const bool from_end = call.name == "rpartition";
+  const std::size_t at = from_end ? text.rfind(*separator) : text.find(*separator);
+  std::string parts[3] = {text, "", ""};
+  if (at != std::string::npos) {
+    parts[0] = text.substr(0, at);
+    parts[1] = *separator;
+    parts[2] = text.substr(at + separator->size());
+  } else if (from_end) {
+    std::swap(parts[0], parts[2]);
+  }
+  std::vector<Value> items;
+  for (std::string& part : parts) items.push_back(call.evaluator.text(std::move(part)));
+  return call.evaluator.list(std::move(items), Kind::tuple);
+}
+
+Value join(Call& call) {
+  if (!call.has_count(1, 1)) return Value::failure();
+  std::vector<Value> items;
+  if (!call.evaluator.items_of(call.values[0], items)) return Value::failure();
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!items[i].is_text()) {
+      return call.evaluator.fail("`join()` needs texts, and item " + std::to_string(i) + " is " +
+                                 std::string(kind_name(items[i])));
+    }
+    if (i > 0) text += self_of(call);
+    text += *items[i].text;
+    if (text.size() > call.evaluator.limits().xacro_text_bytes) break;
+  }
+  return call.evaluator.text(std::move(text));
+}
+
+/// Begins or ends with one of several texts.
+Value has_end(Call& call) {
+  const bool at_begin = call.name == "startswith";
+  if (call.count() > 1)
+    return call.evaluator.fail_unsupported("a position in `" + std::string(call.name) + "()`");
+  if (!call.has_count(1, 1)) return Value::failure();
+  std::vector<Value> ends{call.values[0]};
+  if (call.values[0].kind == Kind::tuple) ends = call.values[0].list->items;
+  for (const Value& end : ends) {
+    if (!end.is_text())
+      return call.evaluator.fail("`" + std::string(call.name) + "()` needs a text");
+    const std::string& text = self_of(call);
+    if (at_begin ? text.starts_with(*end.text) : text.ends_with(*end.text)) return Value::of(true);
+  }
+  return Value::of(false);
+}
+
+Value find(Call& call) {
+  const std::string* wanted = text_at(call, 0);
+  if (wanted == nullptr) return Value::failure();
+  if (call.count() > 1)
+    return call.evaluator.fail_unsupported("a position in `" + std::string(call.name) + "()`");
+  const std::string& text = self_of(call);
+  const bool from_end = call.name == "rfind" || call.name == "rindex";
+  const std::size_t at = from_end ? text.rfind(*wanted) : text.find(*wanted);
+  if (at != std::string::npos) {
+    const std::size_t count = utf8::count_code_points(std::string_view(text).substr(0, at));
+    return Value::of(static_cast<std::int64_t>(count));
+  }
+  if (call.name == "find" || call.name == "rfind") return Value::of(std::int64_t{-1});
+  return call.evaluator.fail("the text " + quoted(*wanted) + " is not in it");
+}
+
+Value count_text(Call& call) {
+  const std::string* wanted = text_at(call, 0);
+  if (wanted == nullptr || !call.has_count(1, 1)) return Value::failure();
+  const std::string& text = self_of(call);
+  if (wanted->empty()) {
+    return Value::of(static_cast<std::int64_t>(utf8::count_code_points(text)) + 1);
+  }
+  std::int64_t count = 0;
+  for (std::size_t at = text.find(*wanted); at != std::string::npos;
+       at = text.find(*wanted, at + wanted->size())) {
+    ++count;
+  }
+  return Value::of(count);
+}
+
+Value replace(Call& call) {
+  const std::string* old = text_at(call, 0);
+  const std::string* with = old != nullptr ? text_at(call, 1) : nullptr;
+  if (with == nullptr || !call.has_count(2, 3)) return Value::failure();
+  std::int64_t left =
+      call.count() == 3 && call.values[2].kind == Kind::integer ? call.values[2].integer : -1;
+  const std::string& text = self_of(call);
+  if (old->empty()) return call.evaluator.fail_unsupported("`replace()` of an empty text");
+  std::string result;
+  std::size_t begin = 0;
+  for (; left != 0; --left) {
+    const std::size_t at = text.find(*old, begin);
+    if (at == std::string::npos) break;
+    result.append(text, begin, at - begin);
+    result += *with;
+    begin = at + old->size();
+    if (result.size() > call.evaluator.limits().xacro_text_bytes) break;
+  }
+  result.append(text, begin);
+  return call.evaluator.text(std::move(result));
+}
+
+Value remove_end(Call& call) {
+  const std::string* end = text_at(call, 0);
+  if (end == nullptr) return Value::failure();
+  std::string text = self_of(call);
+  if (call.name == "removeprefix") {
+    if (text.starts_with(*end)) text.erase(0, end->size());
+  } else if (!end->empty() && text.ends_with(*end)) {
+    text.resize(text.size() - end->size());
+  }
+  return call.evaluator.text(std::move(text));
+}
+
+/// The column of a text in a width: center, ljust, rjust, zfill.
+Value fill(Call& call) {
+  if (!call.has_count(1, 2) || call.values[0].kind != Kind::integer) {
+    return call.evaluator.fail("`" + std::string(call.name) + "()` needs a width");
+  }
+  const bool has_fill = call.count() == 2;
+  const std::string* filler = has_fill ? text_at(call, 1) : nullptr;
+  if (has_fill && filler == nullptr) return Value::failure();
+  std::string text = self_of(call);
+  const auto size = static_cast<std::int64_t>(utf8::count_code_points(text));
+  const auto most = static_cast<std::int64_t>(call.evaluator.limits().xacro_text_bytes) + size;
+  const std::int64_t room = std::min(call.values[0].integer, most) - size;
+  if (room <= 0) return call.self;
+  const auto times = [&](std::int64_t count) {
+    const std::string one = filler != nullptr ? *filler : " ";
+    std::string result;
+    for (std::int64_t i = 0; i < count; ++i) result += one;
+    return result;
+  };
+  if (call.name == "zfill") {
+    const bool has_sign = text.starts_with('-') || text.starts_with('+');
+    text.insert(has_sign ? 1 : 0, static_cast<std::size_t>(room), '0');
+  } else if (call.name == "ljust") {
+    text += times(room);
+  } else if (call.name == "rjust") {
+    text = times(room) + text;
+  } else {
+    const std::int64_t left = room / 2 + (room & call.values[0].integer & 1);
+    text = times(left) + text + times(room - left);
+  }
+  return call.evaluator.text(std::move(text));
+}
+
+/// isdigit(), isalpha() and their kind, for ASCII.
+Value is_class(Call& call) {
+  if (!call.has_count(0, 0)) return Value::failure();
+  const std::string& text = self_of(call);
+  if (!is_ascii(text)) {
+    return call.evaluator.fail_unsupported("`" + std::string(call.name) +
+                                           "()` of other letters than ASCII");
+  }
+  const std::string_view name = call.name;
+  if (name == "isupper" || name == "islower") {
+    const bool wants_upper = name == "isupper";
+    bool has_letter = false;
+    for (const char c : text) {
+      if (!is_letter(c)) continue;
+      has_letter = true;
+      if ((std::isupper(static_cast<unsigned char>(c)) != 0) != wants_upper)
+        return Value::of(false);
+    }
+    return Value::of(has_letter);
+  }
+  if (name == "isidentifier") {
+    const bool begins = !text.empty() && (is_letter(text[0]) || text[0] == '_');
+    return Value::of(begins && std::all_of(text.begin(), text.end(), [](char c) {
+                       return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+                     }));
+  }
+  const auto belongs = [&](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (name == "isalpha") return std::isalpha(byte) != 0;
+    if (name == "isalnum") return std::isalnum(byte) != 0;
+    if (name == "isspace") return is_python_blank(byte);
+    return std::isdigit(byte) != 0;
+  };
+  return Value::of(!text.empty() && std::all_of(text.begin(), text.end(), belongs));
+}
+
+constexpr std::array kText = {Method{"capitalize", capitalize},
+                              Method{"casefold", to_lower},
+                              Method{"center", fill},
+                              Method{"count", count_text},
+                              Method{"encode", nullptr},
+                              Method{"endswith", has_end},
+                              Method{"expandtabs", nullptr},
+                              Method{"find", find},
+                              Method{"format", brace_format},
+                              Method{"format_map", nullptr},
+                              Method{"index", find},
+                              Method{"isalnum", is_class},
+                              Method{"isalpha", is_class},
+                              Method{"isascii", nullptr},
+                              Method{"isdecimal", is_class},
+                              Method{"isdigit", is_class},
+                              Method{"isidentifier", is_class},
+                              Method{"islower", is_class},
+                              Method{"isnumeric", is_class},
+                              Method{"isprintable", nullptr},
+                              Method{"isspace", is_class},
+                              Method{"istitle", nullptr},
+                              Method{"isupper", is_class},
+                              Method{"join", join},
+                              Method{"ljust", fill},
+                              Method{"lower", to_lower},
+                              Method{"lstrip", strip},
+                              Method{"maketrans", nullptr},
+                              Method{"partition", partition},
+                              Method{"removeprefix", remove_end},
+                              Method{"removesuffix", remove_end},
+                              Method{"replace", replace},
+                              Method{"rfind", find},
+                              Method{"rindex", find},
+                              Method{"rjust", fill},
+                              Method{"rpartition", partition},
+                              Method{"rsplit", split},
+                              Method{"rstrip", strip},
+                              Method{"split", split},
+                              Method{"splitlines", splitlines},
+                              Method{"startswith", has_end},
+                              Method{"strip", strip},
+                              Method{"swapcase", swapcase},
+                              Method{"title", title},
+                              Method{"translate", nullptr},
+                              Method{"upper", to_upper},
+                              Method{"zfill", fill}};
+
+}  // namespace
+
+const Method* text_method(std::string_view name) {
+  const auto found =
+      std::find_if(kText.begin(), kText.end(), [&](const Method& one) { return one.name == name; });
+  return found == kText.end() ? nullptr : &*found;
+}
+
+}  // namespace smurf::xacro

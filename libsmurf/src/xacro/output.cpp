@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The result as XML, in the layout of xacro, and where each part of it was written.
+#include <algorithm>
+
+#include "xacro/expander.hpp"
+#include "xacro/python_text.hpp"
+
+namespace smurf::xacro {
+namespace {
+
+std::uint32_t offset(std::size_t size) { return static_cast<std::uint32_t>(size); }
+
+class Writer {
+ public:
+  Writer(const std::vector<Piece>& pieces, std::string& text, std::vector<Leaf>& leaves)
+      : pieces_(pieces), text_(text), leaves_(leaves) {}
+
+  void run(const Node& root) {
+    text_ = "<?xml version=\"1.0\" ?>\n";
+    element(root, 0);
+  }
+
+ private:
+  void escaped(std::string_view value, bool is_attribute) {
+    for (const char c : value) {
+      switch (c) {
+      case '&': text_ += "&amp;"; break;
+      case '<': text_ += "&lt;"; break;
+      case '>': text_ += "&gt;"; break;
+      case '"': text_ += "&quot;"; break;
+      case '\n':
+      case '\t': text_.push_back(is_attribute ? ' ' : c); break;
+      case '\r': text_ += "&#13;"; break;
+      default: text_.push_back(c);
+      }
+    }
+  }
+
+  Leaf& leaf(Leaf::Kind kind, std::size_t begin, const Node& node) {
+    Leaf& leaf = leaves_.emplace_back();
+    leaf.kind = kind;
+    leaf.begin = offset(begin);
+    leaf.end = offset(text_.size());
+    leaf.frame = node.frame;
+    return leaf;
+  }
+
+  void piece(const Piece& piece, std::string_view value, bool is_attribute, const Node& node,
+             Span whole) {
+    const std::size_t begin = text_.size();
+    escaped(value, is_attribute);
+    Leaf& made = leaf(is_attribute ? Leaf::Kind::value : Leaf::Kind::text, begin, node);
+    made.origin = piece.origin;
+    made.use = piece.use;
+    made.whole = whole;
+    made.first_input = piece.first_input;
+    made.inputs = piece.inputs;
+    // Escapes change the positions of the bytes behind them.
+    made.is_exact = piece.is_exact && text_.size() - begin == value.size() &&
+                    piece.origin.end - piece.origin.begin == value.size();
+  }
+
+  void traced(const TracedText& text, bool is_attribute, const Node& node, Span whole) {
+    if (text.pieces == 0) return piece(text.whole, text.value, is_attribute, node, whole);
+    std::size_t at = 0;
+    for (std::uint32_t i = 0; i < text.pieces; ++i) {
+      const Piece& one = pieces_[text.first_piece + i];
+      piece(one, text.value.substr(at, one.size), is_attribute, node, whole);
+      at += one.size;
+    }
+  }
+
+  void attributes(const Node& node) {
+    std::vector<const NodeAttribute*> sorted;
+    for (const NodeAttribute& one : node.attributes) sorted.push_back(&one);
+    std::sort(sorted.begin(), sorted.end(),
+              [](const NodeAttribute* a, const NodeAttribute* b) { return a->name < b->name; });
+    for (const NodeAttribute* one : sorted) {
+      text_.push_back(' ');
+      const std::size_t begin = text_.size();
+      text_ += one->name;
+      Leaf& name = leaf(Leaf::Kind::attribute, begin, node);
+      name.origin = one->name_span;
+      name.use = name.whole = one->span;
+      text_ += "=\"";
+      traced(one->text, true, node, one->span);
+      text_.push_back('"');
+    }
+  }
+
+  static bool is_blank(const Node& node) {
+    return node.kind == NodeKind::text && without_blanks(node.text.value).empty();
+  }
+
+  void element(const Node& node, std::size_t indent) {
+    text_.append(indent, ' ');
+    const std::size_t begin = text_.size();
+    text_.push_back('<');
+    text_ += node.name;
+    Leaf& tag = leaf(Leaf::Kind::tag, begin, node);
+    tag.origin = node.name_span;
+    tag.use = node.tag_span;
+    tag.whole = node.span;
+    attributes(node);
+    if (node.children.empty()) {
+      text_ += "/>\n";
+      return;
+    }
+    text_.push_back('>');
+    if (node.children.size() == 1 && node.children[0]->kind == NodeKind::text) {
+      content(*node.children[0], node);
+    } else {
+      text_.push_back('\n');
+      for (const Node* child : node.children) {
+        if (!is_blank(*child)) write(*child, node, indent + 2);
+      }
+      text_.append(indent, ' ');
+    }
+    const std::size_t end = text_.size();
+    text_ += "</" + std::string(node.name) + ">";
+    Leaf& closing = leaf(Leaf::Kind::end_tag, end, node);
+    closing.origin = node.name_span;
+    closing.use = node.tag_span;
+    closing.whole = node.span;
+    text_.push_back('\n');
+  }
+
+  void content(const Node& text, const Node& parent) {
+    traced(text.text, false, text.frame == kNoFrame ? parent : text, text.span);
+  }
+
+  void write(const Node& node, const Node& parent, std::size_t indent) {
+    switch (node.kind) {
+    case NodeKind::element: element(node, indent); return;
+    case NodeKind::text:
+      text_.append(indent, ' ');
+      content(node, parent);
+      text_.push_back('\n');
+      return;
+    case NodeKind::comment:
+      text_.append(indent, ' ').append("<!--").append(node.text.value).append("-->\n");
+      return;
+    case NodeKind::character_data:
+      text_.append("<![CDATA[").append(node.text.value).append("]]>");
+      return;
+    case NodeKind::instruction:
+      text_.append(indent, ' ').append("<?").append(node.text.value).append("?>\n");
+      return;
+    }
+  }
+
+  const std::vector<Piece>& pieces_;
+  std::string& text_;
+  std::vector<Leaf>& leaves_;
+};
+
+}  // namespace
+
+void write_result(const Node& root, const std::vector<Piece>& pieces, std::string& text,
+                  std::vector<Leaf>& leaves) {
+  Writer(pieces, text, leaves).run(root);
+}
+
+}  // namespace smurf::xacro

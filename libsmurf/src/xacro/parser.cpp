@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Texts of operators, and each expression parsed once.
+#include <algorithm>
+
+#include "base/words.hpp"
+#include "base/xacro_rules.hpp"
+#include "xacro/parser.hpp"
+
+namespace smurf::xacro {
+
+std::string_view text_of(Operation operation) {
+  constexpr std::string_view kTexts[] = {
+      "+", "-", "*", "/", "//", "%", "**", "@",  "<<", ">>", "&",      "|",  "^",
+      "-", "+", "~", "<", "<=", ">", ">=", "==", "!=", "in", "not in", "is", "is not"};
+  return kTexts[static_cast<std::size_t>(operation)];
+}
+
+const Expression& Expressions::parse(std::string_view text) {
+  const auto known = known_.find(text);
+  if (known != known_.end()) return known->second;
+  const auto place = known_.emplace(std::string(text), Expression{}).first;
+  Expression& expression = place->second;
+  heap_.charge(text.size() * 20);  // trees need about this much
+  expression.root = Parser(*this, place->first, expression.fault).run();
+  return expression;
+}
+
+}  // namespace smurf::xacro

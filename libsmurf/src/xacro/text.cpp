@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Texts with `${...}` and `$(...)`.
+#include <algorithm>
+
+#include "base/limits.hpp"
+#include "base/quoted.hpp"
+#include "base/xacro_rules.hpp"
+#include "xacro/expander.hpp"
+#include "xacro/python_text.hpp"
+
+namespace smurf::xacro {
+namespace {
+
+std::uint32_t offset(std::size_t size) { return static_cast<std::uint32_t>(size); }
+
+/// A part of a text: plain, `${...}`, `$(...)` or `$${`.
+struct Token {
+  enum class Kind : std::uint8_t { text, expression, substitution, escape, fault };
+  Kind kind = Kind::text;
+  std::size_t begin = 0, end = 0;
+};
+
+/// The token at `at`.
+Token next_token(std::string_view text, std::size_t at) {
+  if (text[at] != '$') {
+    return {Token::Kind::text, at, std::min(text.find('$', at), text.size())};
+  }
+  std::size_t end = text.find_first_not_of('$', at);
+  if (end == std::string_view::npos) end = text.size();
+  const std::size_t dollars = end - at;
+  const char bracket = end < text.size() ? text[end] : '\0';
+  const bool has_bracket = bracket == '{' || bracket == '(';
+  if (dollars > 1) {
+    return {has_bracket ? Token::Kind::escape : Token::Kind::fault, at,
+            std::min(end + 1, text.size())};
+  }
+  if (!has_bracket) {
+    // "$" is a text at the end, and before anything else.
+    return {Token::Kind::text, at, std::min(text.find('$', at + 1), text.size())};
+  }
+  const std::size_t close = text.find(bracket == '{' ? '}' : ')', end);
+  if (close == std::string_view::npos) return {Token::Kind::fault, at, text.size()};
+  return {bracket == '{' ? Token::Kind::expression : Token::Kind::substitution, at, close + 1};
+}
+
+}  // namespace
+
+Piece Expander::part_of(const Piece& whole, std::size_t begin, std::size_t end) {
+  Piece piece = whole;
+  piece.size = offset(end - begin);
+  piece.inputs = 0;
+  if (!whole.is_exact) return piece;
+  piece.origin.begin = whole.origin.begin + offset(begin);
+  piece.origin.end = whole.origin.begin + offset(end);
+  piece.use = piece.origin;
+  return piece;
+}
+
+OriginId Expander::origin(const Piece& piece) { return heap_.add({piece.origin, piece.is_exact}); }
+
+void Expander::place_failure(const Piece& expression, std::size_t skipped) {
+  Failure& failure = evaluator_.failure();
+  if (failure.rule == nullptr || !failure.span.empty()) return;
+  failure.span = expression.origin;
+  if (!expression.is_exact || failure.end == 0) return;
+  failure.span.begin =
+      std::min(expression.origin.end, expression.origin.begin + offset(skipped) + failure.begin);
+  failure.span.end =
+      std::min(expression.origin.end, expression.origin.begin + offset(skipped) + failure.end);
+  if (failure.span.empty()) failure.span = expression.origin;
+}
+
+Value Expander::evaluate_expression(std::string_view inner, const Piece& place, Table& symbols,
+                                    Piece& piece) {
+  Evaluator::Used outer;
+  std::swap(outer, evaluator_.used());
+  std::string pasted;
+  bool is_exact = true;
+  if (inner.find('$') != std::string_view::npos) {
+    const Value text = evaluate_text(inner, part_of(place, 2, 2 + inner.size()), symbols, nullptr);
+    if (text.is_failed()) return text;
+    pasted = evaluator_.string_of(text);
+    inner = pasted;
+    is_exact = false;
+  }
+  const std::string_view code = without_blanks(inner);
+  Value value = evaluator_.evaluate(code, symbols);
+  if (value.is_failed()) {
+    Piece exact = place;
+    exact.is_exact = place.is_exact && is_exact;
+    place_failure(exact, 2 + static_cast<std::size_t>(code.data() - inner.data()));
+    return value;
+  }
+  if (value.origin != kComputed) {
+    const Place& written = heap_.place(value.origin);
+    piece.origin = written.span;
+    piece.is_exact = written.is_exact;
+  } else {
+    piece.is_exact = false;
+    constexpr std::size_t kMostInputs = 4;
+    piece.first_input = offset(result_.inputs.size());
+    for (const auto& [name, used] : evaluator_.used()) {
+      if (piece.inputs >= kMostInputs) break;
+      ++piece.inputs;
+      result_.inputs.push_back({name, heap_.place(used).span});
+    }
+  }
+  std::swap(outer, evaluator_.used());
+  return value;
+}
+
+Value Expander::evaluate_text(std::string_view text, const Piece& place, Table& symbols,
+                              std::vector<Piece>* pieces) {
+  std::string joined;
+  Value only;
+  std::size_t parts = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    if (!evaluator_.step(2)) {
+      place_failure(place, 0);
+      return Value::failure();
+    }
+    const Token token = next_token(text, at);
+    at = token.end;
+    const std::string_view written = text.substr(token.begin, token.end - token.begin);
+    Piece piece = part_of(place, token.begin, token.end);
+    Value value;
+    switch (token.kind) {
+    case Token::Kind::text: value = heap_.text(std::string(written)).at(origin(piece)); break;
+    case Token::Kind::escape:
+      piece = part_of(place, token.begin + 1, token.end);
+      value = heap_.text(std::string(written.substr(1)));
+      break;
+    case Token::Kind::fault:
+      evaluator_.fail(rules::sml3302_xacro_syntax,
+                      written.starts_with("$$") ? "`$$` is only allowed before `{` or `(`"
+                                                : "this expression is never closed",
+                      written.starts_with("${") ? "add the closing `}`" : "");
+      place_failure(piece, 0);
+      return Value::failure();
+    case Token::Kind::expression:
+      value = evaluate_expression(written.substr(2, written.size() - 3), piece, symbols, piece);
+      break;
+    case Token::Kind::substitution: {
+      const Value inner = evaluate_text(written.substr(2, written.size() - 3),
+                                        part_of(piece, 2, written.size() - 1), symbols, nullptr);
+      if (inner.is_failed()) return inner;
+      value = substitute(evaluator_.string_of(inner));
+      place_failure(piece, 0);
+      if (value.origin != kComputed && !value.is_failed()) {
+        piece.origin = heap_.place(value.origin).span;
+        piece.is_exact = heap_.place(value.origin).is_exact;
+      } else {
+        piece.is_exact = false;
+      }
+      break;
+    }
+    }
+    if (value.is_failed()) return value;
+    if (parts++ == 0 && at == text.size()) {
+      only = value;
+      if (pieces == nullptr) return only;
+      pieces->push_back(piece);
+      return only;
+    }
+    const std::string shown = evaluator_.string_of(value);
+    if (evaluator_.has_failed()) {
+      place_failure(piece, 0);
+      return Value::failure();
+    }
+    joined += shown;
+    piece.size = offset(shown.size());
+    if (pieces != nullptr) pieces->push_back(piece);
+  }
+  const Value all = evaluator_.text(std::move(joined));
+  if (all.is_failed()) {
+    place_failure(place, 0);
+    return all;
+  }
+  Piece whole = place;
+  whole.is_exact = false;
+  return all.at(origin(whole));
+}
+
+Value Expander::evaluate_text(const NodeAttribute& attribute, Table& symbols) {
+  const TracedText& text = attribute.text;
+  if (text.value.find('$') == std::string_view::npos) {
+    return heap_.text(std::string(text.value)).at(origin(text.whole));
+  }
+  return evaluate_text(text.value, text.whole, symbols, nullptr);
+}
+
+bool Expander::trace(const TracedText& in, Table& symbols, TracedText& out) {
+  if (in.value.find('$') == std::string_view::npos) {
+    out = in;
+    return true;
+  }
+  std::vector<Piece> pieces;
+  Piece place = in.whole;
+  place.is_exact = place.is_exact && in.pieces == 0;
+  const Value value = evaluate_text(in.value, place, symbols, &pieces);
+  if (value.is_failed()) return false;
+  std::string text = evaluator_.string_of(value);
+  if (evaluator_.has_failed()) {
+    place_failure(place, 0);
+    return false;
+  }
+  if (pieces.size() == 1) pieces[0].size = offset(text.size());
+  out.value = value.is_text() ? std::string_view(*value.text) : heap_.keep(std::move(text));
+  out.whole = in.whole;
+  out.whole.size = offset(out.value.size());
+  out.whole.is_exact = false;
+  std::size_t at = 0;
+  for (Piece& piece : pieces) {
+    const bool is_same = piece.is_exact && piece.origin.end - piece.origin.begin == piece.size &&
+                         context_.sources.text(piece.origin) == out.value.substr(at, piece.size);
+    piece.is_exact = is_same;
+    at += piece.size;
+  }
+  if (pieces.size() == 1) {
+    out.whole = pieces[0];
+    return true;
+  }
+  out.first_piece = offset(pieces_.size());
+  out.pieces = offset(pieces.size());
+  heap_.charge(pieces.size() * sizeof(Piece));
+  pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
+  return true;
+}
+
+Value Expander::literal(const Value& value) {
+  if (!value.is_text()) return value;
+  const std::string& text = *value.text;
+  if (text.size() >= 2 && text.front() == '\'' && text.back() == '\'') {
+    Place place = heap_.place(value.origin);
+    if (place.is_exact) {
+      ++place.span.begin;
+      --place.span.end;
+    }
+    const Value inner = heap_.text(text.substr(1, text.size() - 2));
+    return inner.at(value.origin == kComputed ? kComputed : heap_.add(place));
+  }
+  // Python ignores underscores in numbers; here, they are texts.
+  if (text.empty() || text.find('_') != std::string::npos) return value;
+  if (const auto integer = read_integer(text, heap_)) return integer->at(value.origin);
+  if (const auto real = read_float(text)) return Value::of(*real).at(value.origin);
+  if (text == "true" || text == "True") return Value::of(true).at(value.origin);
+  if (text == "false" || text == "False") return Value::of(false).at(value.origin);
+  return value;
+}
+
+void Expander::set(Table& table, std::string_view name, const Value& value, bool is_unevaluated,
+                   Span place) {
+  if (table.root()->own(name) != nullptr && is_first_at(place)) {
+    Diagnostic& diagnostic = context_.sink.report(
+        rules::sml3401_xacro_hides_function, place,
+        quoted(name) + " is a function or a constant of expressions, and is hidden from here on");
+    diagnostic.help("give it another name");
+  }
+  const Value read = literal(value);
+  table.set(name, read, is_unevaluated && read.is_text());
+}
+
+void Expander::assign(Table& table, std::string_view name, const Value& value) {
+  set(table, name, value, true, {});
+}
+
+Value Expander::resolve(Table& table, Table::Entry& entry, std::string_view name) {
+  if (entry.is_evaluating) {
+    std::string chain;
+    const auto first = std::find(resolving_.begin(), resolving_.end(), name);
+    for (auto at = first; at != resolving_.end(); ++at) chain += quoted(*at) + " -> ";
+    return evaluator_.fail(rules::sml3316_xacro_cycle,
+                           "the property is defined by itself: " + chain + quoted(name),
+                           "compute it at its definition, with `lazy_eval=\"false\"`");
+  }
+  if (resolving_.size() >= settings_.limits.xacro_depth) {
+    return evaluator_.fail(rules::sml3312_xacro_limit,
+                           "more than " + std::to_string(settings_.limits.xacro_depth) +
+                               " properties are defined by each other",
+                           raise_xacro_limit("xacro-depth"));
+  }
+  entry.is_evaluating = true;
+  resolving_.push_back(name);
+  const Place place = heap_.place(entry.value.origin);
+  Piece piece;
+  piece.is_exact = place.is_exact;
+  piece.origin = piece.use = place.span;
+  Value value = literal(evaluate_text(*entry.value.text, piece, table, nullptr));
+  resolving_.pop_back();
+  entry.is_evaluating = false;
+  if (value.is_failed()) return value;
+  if (value.origin == kComputed) value.origin = heap_.add({place.span, false});
+  entry.value = value;
+  entry.is_unevaluated = false;
+  return value;
+}
+
+}  // namespace smurf::xacro

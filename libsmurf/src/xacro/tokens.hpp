@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tokens of an expression.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "xacro/syntax.hpp"
+
+namespace smurf::xacro {
+
+struct Token {
+  enum class Kind : std::uint8_t { name, keyword, number, text, mark, end };
+  Kind kind = Kind::end;
+  std::uint32_t begin = 0, end = 0;
+  std::string_view text;  ///< as written
+  Value value;            ///< of a number or a text
+
+  bool is(std::string_view mark) const {
+    return (kind == Kind::mark || kind == Kind::keyword) && text == mark;
+  }
+};
+
+/// Empty after a fault.
+std::vector<Token> split_tokens(std::string_view text, Heap& heap, SyntaxFault& fault);
+
+}  // namespace smurf::xacro
