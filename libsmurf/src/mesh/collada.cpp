@@ -148,7 +148,10 @@ class ColladaReader {
   void add_surface() {
     TriangleCollector triangles(kMostPlaced, [this](const Vector3& a, const Vector3& b,
                                                     const Vector3& c) { surface_.add(a, b, c); });
-    if (place_triangles(file_, Affine{}, &numbers_, triangles).empty()) surface_.write_to(facts_);
+    std::optional<MeshDefect> defect;
+    const bool is_read = place_triangles(file_, Affine{}, &numbers_, triangles, &defect).empty();
+    if (defect) facts_.defect = std::move(defect);
+    if (is_read && !facts_.defect) surface_.write_to(facts_);
   }
 
   void fail(View at, std::string what) {

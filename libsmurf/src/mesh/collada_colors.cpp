@@ -18,21 +18,44 @@ View descend(View element, std::initializer_list<std::string_view> names) {
   return element;
 }
 
-/// The first <diffuse> of an effect; null if there is none.
-View diffuse_of(View effect, std::string_view child) {
+/// The shading of an effect; null if there is none.
+View shading_of(View effect) {
   const View technique = descend(effect, {"profile_COMMON", "technique"});
   for (const std::string_view shading : {"phong", "lambert", "blinn"}) {
-    if (const View found = descend(technique, {shading, "diffuse", child})) return found;
+    const View found = descend(technique, {shading});
+    if (found && found.child("diffuse")) return found;
   }
   return {};
 }
 
+/// How COLLADA 1.4.1 defines the opacity. Exporters that invert it write what would be invisible.
+double opacity_of(View shading) {
+  const View transparent = shading.child("transparent");
+  const View share = descend(shading, {"transparency", "float"});
+  if (!transparent && !share) return 1;
+  const auto numbers_in = [](View element) {
+    std::vector<double> all = element ? numbers(element.text()) : std::vector<double>();
+    return is_finite(all) ? all : std::vector<double>();
+  };
+  const std::vector<double> given = numbers_in(share);
+  const double factor = given.size() == 1 ? given.front() : 1;
+  std::vector<double> color = numbers_in(descend(transparent, {"color"}));
+  if (color.size() != 4) color = {1, 1, 1, 1};
+  const std::string_view mode = transparent ? value(transparent, "opaque") : "";
+  double opacity = color[3] * factor;
+  if (mode == "A_ZERO") opacity = 1 - color[3] * factor;
+  if (mode == "RGB_ZERO") opacity = 1 - color[0] * factor;
+  if (mode == "RGB_ONE") opacity = color[0] * factor;
+  return opacity > 0 ? std::min(opacity, 1.0) : 1;
+}
+
 std::optional<Rgba> color_of(View effect) {
-  if (const View color = diffuse_of(effect, "color")) {
+  const View shading = shading_of(effect);
+  if (const View color = descend(shading, {"diffuse", "color"})) {
     const std::vector<double> all = numbers(color.text());
     if (all.size() < 3 || all.size() > 4 || !is_finite(all)) return std::nullopt;
-    // The meaning of the fourth number depends on <transparent>, and exporters disagree about it.
-    Rgba rgba{0, 0, 0, 1};
+    // The fourth number means nothing without <transparent>.
+    Rgba rgba{0, 0, 0, opacity_of(shading)};
     for (std::size_t i = 0; i < 3; ++i) rgba[i] = std::clamp(all[i], 0.0, 1.0);
     return rgba;
   }
@@ -47,7 +70,7 @@ Colors::Colors(View root) {
     if (library.name() != "library_effects") continue;
     for (const View effect : library) {
       effects.emplace(value(effect, "id"), color_of(effect));
-      if (diffuse_of(effect, "texture")) has_textures_ = true;
+      if (descend(shading_of(effect), {"diffuse", "texture"})) has_textures_ = true;
     }
   }
   for (const View library : root) {

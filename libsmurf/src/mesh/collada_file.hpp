@@ -69,8 +69,10 @@ std::optional<double> unit_of(xml::View asset);
 
 /// Passes the triangles of the scene, moved by `X` and the transforms of the nodes, to `triangles`.
 /// Returns the reason if this failed, as read_collada_triangles(). `known` as for GeometryReader.
+/// If the file is broken, `defect` says so; it may be null.
 std::string place_triangles(const File& file, const Affine& X, NumberLists* known,
-                            TriangleCollector& triangles);
+                            TriangleCollector& triangles,
+                            std::optional<MeshDefect>* defect = nullptr);
 
 /// Applies <matrix>, <translate>, <rotate> or <scale> in a node to the transform of the node. False
 /// if it has the wrong numbers.

@@ -72,6 +72,13 @@ bool GeometryReader::read_points(View mesh, Geometry& geometry) {
   const View source = positions_of(mesh);
   const View array = source ? source.child("float_array") : View();
   if (!array) return fail(mesh, "the points of the mesh are missing");
+  const View technique = source.child("technique_common");
+  if (const View accessor = technique ? technique.child("accessor") : View()) {
+    const std::string_view named = value(accessor, "source");
+    if (named.empty() || id_in(named) != value(array, "id")) {
+      return fail(accessor, "the accessor of the points names no list of numbers of its source");
+    }
+  }
   const std::vector<double> all = numbers_of(array);
   if (!is_finite(all)) return fail(array, "some coordinates of the vertices are not numbers");
   const Layout layout = layout_of(source);
@@ -116,6 +123,11 @@ std::optional<GeometryReader::Indices> GeometryReader::indices_of(View primitive
       indices.textures = sources_->of(input);
     }
     if (semantic != "VERTEX" || has_points) continue;
+    const View vertices = primitives.parent().child("vertices");
+    if (!vertices || id_in(value(input, "source")) != value(vertices, "id")) {
+      fail(input, "the input VERTEX names no vertices of its mesh");
+      return std::nullopt;
+    }
     indices.offset = place;
     has_points = true;
   }

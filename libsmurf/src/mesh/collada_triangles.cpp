@@ -37,9 +37,14 @@ class ColladaTriangles {
   }
 
   /// The reason why there are no triangles.
-  std::string read(const Affine& X) {
+  std::string read(const Affine& X, std::optional<MeshDefect>* defect) {
     index();
     const View scene = scene_of();
+    // Other readers refuse such a file, this one shows its only scene.
+    if (defect != nullptr && unknown_scene_) {
+      *defect = file_.defect_at(unknown_scene_, "there is no scene with the id " +
+                                                    quoted(id_in(value(unknown_scene_, "url"))));
+    }
     if (!scene) return "has no scene that places its parts";
     for (const View child : scene) {
       if (child.name() == "node" && !node(child, X)) break;
@@ -47,8 +52,10 @@ class ColladaTriangles {
     if (!triangles_.reason().empty()) return triangles_.reason();
     if (!problem_) problem_ = geometries_.problem();
     if (problem_ && !problem_->is_defect) return problem_->what;
-    if (problem_) return why_broken(file_.defect_at(problem_->element, problem_->what));
-    return {};
+    if (!problem_) return {};
+    const MeshDefect found = file_.defect_at(problem_->element, problem_->what);
+    if (defect != nullptr && !*defect) *defect = found;
+    return why_broken(found);
   }
 
  private:
@@ -75,11 +82,12 @@ class ColladaTriangles {
   }
 
   /// The scene that the file displays, otherwise its only scene.
-  View scene_of() const {
+  View scene_of() {
     if (const View shown = root_.child("scene")) {
       if (const View instance = shown.child("instance_visual_scene")) {
         const auto found = scene_of_id_.find(id_in(value(instance, "url")));
         if (found != scene_of_id_.end()) return found->second;
+        unknown_scene_ = instance;
       }
     }
     return scene_of_id_.size() == 1 ? scene_of_id_.begin()->second : View();
@@ -174,6 +182,7 @@ class ColladaTriangles {
   TriangleCollector& triangles_;
   Colors colors_;
   std::map<std::string_view, View> geometry_of_id_, node_of_id_, scene_of_id_;
+  View unknown_scene_;  ///< the instance of a scene that the file does not have
   GeometryReader geometries_;
   std::unordered_map<xml::ElementId, Geometry> geometries_read_;
   std::vector<xml::ElementId> path_;                       ///< from the scene to the node
@@ -186,8 +195,9 @@ class ColladaTriangles {
 }  // namespace
 
 std::string collada::place_triangles(const File& file, const Affine& X, NumberLists* known,
-                                     TriangleCollector& triangles) {
-  return ColladaTriangles(file, known, triangles).read(X);
+                                     TriangleCollector& triangles,
+                                     std::optional<MeshDefect>* defect) {
+  return ColladaTriangles(file, known, triangles).read(X, defect);
 }
 
 std::string read_collada_triangles(std::string_view text, TriangleCollector& triangles) {

@@ -15,8 +15,10 @@ namespace smurf {
 void read_binary_stl(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface);
 void read_ascii_stl(std::string_view text, MeshFacts& facts, SurfaceSum& surface);
 void read_obj(std::string_view text, MeshFacts& facts, SurfaceSum& surface);
-/// Also collects the triangles, with their texture coordinates.
-MeshFacts read_textured_obj(std::string_view text, TriangleCollector& triangles);
+/// Also collects the triangles, with their texture coordinates and colours. `neighbours` reads the
+/// material libraries; it may be null.
+MeshFacts read_obj_triangles(std::string_view text, const MeshNeighbours& neighbours,
+                             TriangleCollector& triangles);
 void read_collada(std::string_view text, MeshFacts& facts, SurfaceSum& surface);
 void read_bobj(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface);
 void read_gltf(std::string_view bytes, const MeshNeighbours& neighbours, MeshFacts& facts,

@@ -25,5 +25,8 @@ MeshFormat format_of_mesh(std::string_view bytes, std::string_view extension);
 
 /// The texture files that a material library (.mtl) names.
 std::vector<MeshDependency> read_material_library(std::string_view text);
+/// Whether an OBJ has faces that do not belong to its first group. MuJoCo does not read them
+/// (tinyobjloader makes a shape of each `o` or `g`; user_mesh.cc uses the first).
+bool has_faces_after_first_group(std::string_view text);
 
 }  // namespace smurf

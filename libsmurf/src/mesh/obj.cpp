@@ -2,37 +2,31 @@
 // Wavefront OBJ: positions, faces and the files it names; the rest is ignored, because each reader
 // uses a different part of it.
 #include <array>
-#include <functional>
+#include <limits>
 #include <vector>
 
 #include "base/numbers.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/mesh_reader.hpp"
+#include "mesh/obj_materials.hpp"
 #include "mesh/surface.hpp"
 #include "mesh/words.hpp"
 
 namespace smurf {
 namespace {
 
-/// A line that was joined from several lines is not contained in the text.
-MeshDependency named_in(std::string_view text, std::string_view name, MeshDependency::Kind kind,
-                        std::uint32_t line) {
-  const std::less<> is_before;
-  const bool is_there = !is_before(name.data(), text.data()) &&
-                        !is_before(text.data() + text.size(), name.data() + name.size());
-  return {.filename = std::string(name),
-          .kind = kind,
-          .line = line,
-          .offset = is_there ? static_cast<std::uint64_t>(name.data() - text.data()) : 0,
-          .length = is_there ? name.size() : 0};
-}
-
 class ObjReader {
  public:
-  /// `textured` receives the triangles with their texture coordinates; it may be null.
+  /// `triangles` receives the triangles with their texture coordinates and colours. It may be null,
+  /// and so may `materials`.
   ObjReader(std::string_view text, MeshFacts& facts, SurfaceSum& surface,
-            TriangleCollector* textured)
-      : text_(text), words_(text), facts_(facts), surface_(surface), textured_(textured) {}
+            TriangleCollector* triangles, ObjMaterials* materials)
+      : text_(text),
+        words_(text),
+        facts_(facts),
+        surface_(surface),
+        triangles_(triangles),
+        materials_(materials) {}
 
   void read() {
     while (!facts_.defect && !words_.is_at_end()) {
@@ -59,7 +53,10 @@ class ObjReader {
       offset_ = latest_offset_;
       fail("a face uses vertex " + std::to_string(latest_) + ", but the file has only " +
            std::to_string(points_.size()));
-    } else if (latest_ == 0) {
+    }
+    check(last_texture_, texture_count_, "texture coordinates");
+    check(last_normal_, normal_count_, "a normal");
+    if (!facts_.defect && latest_ == 0) {
       surface_.write_to(facts_);
     }
   }
@@ -70,12 +67,22 @@ class ObjReader {
       vertex(line);
     } else if (keyword == "f") {
       face(line);
-    } else if (keyword == "vt" && textured_ != nullptr) {
-      texture_vertex(line);
+    } else if (keyword == "vt") {
+      ++texture_count_;
+      if (wants_texture_points()) texture_vertex(line);
+    } else if (keyword == "vn") {
+      ++normal_count_;
     } else if (keyword == "mtllib" && !line.empty()) {
       facts_.dependencies.push_back(
-          named_in(text_, line, MeshDependency::Kind::material_library, line_));
+          mesh_dependency(text_, line, MeshDependency::Kind::material_library, line_));
+      if (materials_ != nullptr) materials_->read(line);
+    } else if (keyword == "usemtl" && materials_ != nullptr) {
+      triangles_->set_color(materials_->color_of(line));
     }
+  }
+
+  bool wants_texture_points() const {
+    return triangles_ != nullptr && triangles_->wants_texture_points();
   }
 
   void vertex(std::string_view line) {
@@ -130,14 +137,15 @@ class ObjReader {
                     "` of a face is not an index");
       }
       ++corners;
+      note_attributes(corner);
       const auto point = find(*index);
       if (facts_.defect) return;
       is_known = is_known && point.has_value();
       if (!is_known) continue;
-      if (textured_ != nullptr) textures[2] = texture_of(corner);
+      if (wants_texture_points()) textures[2] = texture_of(corner);
       if (first && previous && corners > 2) {
         surface_.add(*first, *previous, *point);
-        if (textured_ != nullptr) textured_->add(*first, *previous, *point, textures);
+        if (triangles_ != nullptr) triangles_->add(*first, *previous, *point, textures);
       }
       if (!first) {
         first = point;
@@ -148,6 +156,38 @@ class ObjReader {
     }
     if (corners < 3) return fail("a face has fewer than three corners");
     facts_.triangles += corners - 2;
+  }
+
+  /// The indices of the texture coordinates and of the normal, such as those in "7/3/2" and "7//2".
+  void note_attributes(std::string_view corner) {
+    const std::size_t slash = corner.find('/');
+    if (slash == std::string_view::npos) return;
+    const std::string_view rest = corner.substr(slash + 1);
+    const std::size_t second = rest.find('/');
+    note(rest.substr(0, second), texture_count_, last_texture_);
+    if (second != std::string_view::npos)
+      note(rest.substr(second + 1), normal_count_, last_normal_);
+  }
+
+  struct LastIndex {
+    std::int64_t index = 0;  ///< the greatest one
+    std::uint32_t line = 0;
+    std::uint64_t offset = 0;
+  };
+  void note(std::string_view word, std::int64_t count, LastIndex& last) {
+    if (word.empty()) return;
+    const std::int64_t index = parse_integer(word).value_or(0);
+    if (index > last.index) last = {index, line_, offset_};
+    if (index < -count || index == 0)
+      last = {std::numeric_limits<std::int64_t>::max(), line_, offset_};
+  }
+  /// assimp and MuJoCo refuse the file. assimp ignores the indices if the file has none of these. A
+  /// preview shows the triangles despite that.
+  void check(const LastIndex& last, std::int64_t count, const std::string& what) {
+    if (facts_.defect || triangles_ != nullptr || count == 0 || last.index <= count) return;
+    line_ = last.line;
+    offset_ = last.offset;
+    fail("a corner of a face uses " + what + " that the file does not have");
   }
 
   /// None for a vertex that follows later or is missing.
@@ -182,41 +222,46 @@ class ObjReader {
   std::uint64_t latest_ = 0;
   std::uint32_t latest_line_ = 0;
   std::uint64_t latest_offset_ = 0;
+  std::int64_t texture_count_ = 0, normal_count_ = 0;
+  LastIndex last_texture_, last_normal_;
   BoxSum box_;
   SurfaceSum& surface_;
-  TriangleCollector* textured_;
+  TriangleCollector* triangles_;
+  ObjMaterials* materials_;
   std::vector<TexturePoint> textures_;  ///< if they were requested
 };
 
 }  // namespace
 
 void read_obj(std::string_view text, MeshFacts& facts, SurfaceSum& surface) {
-  ObjReader(text, facts, surface, nullptr).read();
+  ObjReader(text, facts, surface, nullptr, nullptr).read();
 }
 
-MeshFacts read_textured_obj(std::string_view text, TriangleCollector& triangles) {
+MeshFacts read_obj_triangles(std::string_view text, const MeshNeighbours& neighbours,
+                             TriangleCollector& triangles) {
   MeshFacts facts;
   facts.format = MeshFormat::obj;
   const TriangleVisitor nothing_else;
   SurfaceSum surface(nothing_else);
-  ObjReader(text, facts, surface, &triangles).read();
+  ObjMaterials materials(neighbours);
+  ObjReader(text, facts, surface, &triangles, &materials).read();
+  if (materials.has_textures()) triangles.note_textures();
   return facts;
 }
 
-std::vector<MeshDependency> read_material_library(std::string_view text) {
-  std::vector<MeshDependency> textures;
+bool has_faces_after_first_group(std::string_view text) {
   Words words(text);
+  bool has_content = false;  // of the first group
+  bool is_group_over = false;
   while (!words.is_at_end()) {
     const std::string_view keyword = words.next();
-    const std::uint32_t line = words.line();
-    std::string_view rest = words.rest_of_line();
-    const bool is_map = keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" ||
-                        keyword == "decal" || keyword == "norm" || keyword == "refl";
-    // Options (-s 1 1 1) come first and have any number of values; such lines are not supported.
-    if (!is_map || rest.empty() || rest.front() == '-') continue;
-    textures.push_back(named_in(text, rest, MeshDependency::Kind::texture, line));
+    words.rest_of_line();
+    const bool is_face = keyword == "f";
+    if (is_face && is_group_over) return true;
+    if (is_face || keyword == "l" || keyword == "p") has_content = true;
+    if (keyword == "o" || keyword == "g") is_group_over = has_content;
   }
-  return textures;
+  return false;
 }
 
 }  // namespace smurf

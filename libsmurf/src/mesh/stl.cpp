@@ -19,19 +19,38 @@ bool is_finite(const Vector3& point) {
   return std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); });
 }
 
+/// "1.5e3", ".5", "nan", "-inf", "-nan(ind)".
+bool begins_as_number(std::string_view word) {
+  if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
+  if (word.starts_with('.')) word.remove_prefix(1);
+  if (word.empty()) return false;
+  const bool is_digit = word.front() >= '0' && word.front() <= '9';
+  const std::string start = path::to_lower(word.substr(0, 3));
+  return is_digit || start == "nan" || start == "inf";
+}
+
 class AsciiStlReader {
  public:
   AsciiStlReader(std::string_view text, MeshFacts& facts, SurfaceSum& surface)
-      : words_(text), facts_(facts), surface_(surface) {}
+      : text_(text), words_(text), facts_(facts), surface_(surface) {}
 
   void read() {
-    while (!words_.is_at_end() && solid()) {
+    check_start();
+    while (!facts_.defect && !words_.is_at_end() && solid()) {
     }
     facts_.box = box_.box();
     if (!facts_.defect) surface_.write_to(facts_);
   }
 
  private:
+  /// assimp, with which RViz and Gazebo read meshes, and three.js take the file for a binary STL
+  /// otherwise (STLLoader.cpp, IsAsciiSTL()).
+  void check_start() {
+    const std::size_t begin = text_.find_first_not_of(" \t");
+    if (begin != std::string_view::npos && text_.substr(begin).starts_with("solid")) return;
+    facts_.defect = {"an ASCII STL has to begin with `solid`, in lower case", 0, 1};
+  }
+
   bool solid() {
     if (!expect("solid")) return false;
     words_.rest_of_line();  // a name
@@ -48,8 +67,12 @@ class AsciiStlReader {
 
   bool facet() {
     if (!expect("normal")) return false;
-    // Normals are often zero or not a number, and readers compute their own.
-    for (int i = 0; i < 3; ++i) words_.next();
+    // Normals are often zero or not a number, and readers compute their own. But assimp stops at
+    // other words.
+    for (int i = 0; i < 3; ++i) {
+      const std::string_view word = words_.next();
+      if (!begins_as_number(word)) return unexpected(word, "a number");
+    }
     if (!expect("outer") || !expect("loop")) return false;
     Vector3 corners[3];
     for (Vector3& corner : corners) {
@@ -92,6 +115,7 @@ class AsciiStlReader {
     return false;
   }
 
+  std::string_view text_;
   Words words_;
   MeshFacts& facts_;
   BoxSum box_;

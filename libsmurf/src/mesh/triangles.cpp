@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <limits>
-#include <set>
 
 #include "mesh/formats.hpp"
 #include "mesh/mesh_reader.hpp"
@@ -10,30 +8,20 @@
 namespace smurf {
 namespace {
 
-/// This function reads texture coordinates of OBJ only.
 MeshFacts read_plain_facts(std::string_view bytes, std::string_view extension,
-                           TriangleCollector& triangles) {
-  const bool is_obj = format_of_mesh(bytes, extension) == MeshFormat::obj;
-  if (triangles.wants_texture_points() && is_obj) return read_textured_obj(bytes, triangles);
+                           const MeshNeighbours& neighbours, TriangleCollector& triangles) {
+  if (format_of_mesh(bytes, extension) == MeshFormat::obj) {
+    return read_obj_triangles(bytes, neighbours, triangles);
+  }
   return read_mesh(bytes, extension, [&](const Vector3& a, const Vector3& b, const Vector3& c) {
     triangles.add(a, b, c);
   });
 }
 
-/// Whether a material library of an OBJ names textures.
-bool has_textures(const MeshFacts& facts, const MeshNeighbours& neighbours) {
-  std::set<std::string> read;
-  return std::any_of(facts.dependencies.begin(), facts.dependencies.end(),
-                     [&](const MeshDependency& library) {
-                       return read.insert(library.path()).second &&
-                              !read_material_library(neighbours(library.path()).text).empty();
-                     });
-}
-
 /// Reads a format that does not place its triangles by nodes.
 std::string read_plain(std::string_view bytes, std::string_view extension,
                        const MeshNeighbours& neighbours, TriangleCollector& triangles) {
-  const MeshFacts facts = read_plain_facts(bytes, extension, triangles);
+  const MeshFacts facts = read_plain_facts(bytes, extension, neighbours, triangles);
   if (facts.defect) return why_broken(*facts.defect);
   if (facts.format == MeshFormat::unknown) return "is of an unknown format";
   if (facts.format == MeshFormat::lfs_pointer) return "is a Git LFS pointer";
@@ -41,7 +29,6 @@ std::string read_plain(std::string_view bytes, std::string_view extension,
   if (triangles.reason().empty() && triangles.triangles() != facts.triangles) {
     return "refers to points that come later in the file";
   }
-  if (neighbours && has_textures(facts, neighbours)) triangles.note_textures();
   return {};
 }
 
