@@ -139,10 +139,12 @@ struct ProofScope {
   bool may_merge_links = false;  ///< links on fixed joints may be missing
   bool may_add_base = false;     ///< the result may have a new link `world` and its joint
   bool may_change_limits = false;
+  bool may_change_materials = false;  ///< to those of the annotations
 };
 ProofScope proof_scope(const UrdfExport& options);
 
-/// Compares kinematics at zero and at seeded random joint positions, masses and limits, by names.
+/// Compares kinematics at zero and at seeded random joint positions, masses, limits, materials of
+/// visuals and collisions of contact sensors, by names.
 /// Links and joints that only one of the two has are a difference.
 Proof compare_models(const LinkedModel& source, const LinkedModel& result,
                      const ProofScope& scope = {});

@@ -28,6 +28,10 @@ std::optional<std::string> loss_in_model(const Diagnostic& finding);
 /// wrong mass or motor changes neither.
 std::optional<std::string> loss_in_scene(const Diagnostic& finding, const SourceMap& sources);
 
+/// Whether a finding is about lights or other settings of the world, which do not decide where
+/// anything is.
+bool is_about_world_setting(const Diagnostic& finding, const LinkedScene& scene);
+
 /// Whether urdfdom is known not to crash on a text with these findings.
 bool may_ask_urdfdom(std::span<const Diagnostic> findings);
 

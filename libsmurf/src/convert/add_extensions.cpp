@@ -13,6 +13,7 @@
 #include "convert/annotation_values.hpp"
 #include "convert/passes.hpp"
 #include "convert/sensor_views.hpp"
+#include "link/gazebo_names.hpp"
 
 namespace smurf::passes {
 namespace {
@@ -254,7 +255,32 @@ std::string gazebo_sensor(const yaml::Document& document, const Sensor& sensor,
          "\">\n" + content.content(*sensor.type) + "  </sensor>\n";
 }
 
+namespace {
+
+/// Gazebo gives collisions other names than the URDF.
+std::string with_names_of_gazebo(std::string text, const LinkedModel& model,
+                                 const GazeboNames& names) {
+  constexpr std::string_view kBegin = "<collision>";
+  for (std::size_t at = text.find(kBegin); at != std::string::npos; at = text.find(kBegin, at)) {
+    at += kBegin.size();
+    const std::size_t end = text.find("</", at);
+    const std::string written = text.substr(at, end - at);
+    for (std::size_t link = 0; link < names.collisions.size(); ++link) {
+      const auto& collisions = model.robot->links[link].collisions;
+      for (std::size_t i = 0; i < collisions.size(); ++i) {
+        if (!collisions[i].name || escape_xml(*collisions[i].name) != written) continue;
+        return text.substr(0, at) + escape_xml(names.collisions[link][i]) +
+               with_names_of_gazebo(text.substr(end), model, names);
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
 void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits) {
+  const GazeboNames names = gazebo_names(model);
   std::set<std::string_view> known = names_in_extensions(model, "sensor");
   for (const Sensor& sensor : model.annotations.sensors) {
     const std::string_view type = gazebo_type(sensor);
@@ -264,9 +290,11 @@ void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits) {
     }
     const std::string carrier = gazebo_carrier(model, sensor);
     if (carrier.empty()) continue;
-    edits.add_child(model.robot->document.view(),
-                    "<gazebo reference=\"" + escape_xml(carrier) + "\">\n" +
-                        gazebo_sensor(*document, sensor, *sensor.name) + "</gazebo>");
+    edits.add_child(
+        model.robot->document.view(),
+        "<gazebo reference=\"" + escape_xml(carrier) + "\">\n" +
+            with_names_of_gazebo(gazebo_sensor(*document, sensor, *sensor.name), model, names) +
+            "</gazebo>");
   }
 }
 

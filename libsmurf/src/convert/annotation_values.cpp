@@ -29,7 +29,8 @@ const urdf::Material* AnnotationValues::definition(std::string_view name) const 
 }
 
 bool AnnotationValues::defines(const MaterialAnnotation& entry) const {
-  return entry.name && definition(*entry.name) != nullptr;
+  // Materials without a name are not shared: each visual has its own.
+  return entry.name && !entry.name->empty() && definition(*entry.name) != nullptr;
 }
 
 bool AnnotationValues::says_color(const MaterialAnnotation& entry) const {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Proves a conversion: compares the quantities that a simulator computes from the two models.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
 
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
+#include "convert/annotation_values.hpp"
 #include "convert/mass_properties.hpp"
 #include "convert/passes.hpp"
+#include "link/gazebo_names.hpp"
 #include "smurf/convert.hpp"
 
 namespace smurf {
@@ -32,6 +35,8 @@ class Comparison {
     proof_.links = source_.robot->links.size();
     if (!scope_.may_change_limits) same_limits();
     same_masses();
+    same_looks();
+    same_contacts();
     constexpr int kConfigurations = 5;
     std::mt19937 random(20260101);  // fixed seed, so that every run gives the same proof
     for (int i = 0; i < kConfigurations; ++i) same_poses(i == 0 ? JointPositions{} : draw(random));
@@ -126,6 +131,63 @@ class Comparison {
     if (!(proof_.inertia <= kTolerance)) note("the inertia differs");
   }
 
+  /// What a reader of a URDF shows: the colour and the texture of a visual, or those of the robot's
+  /// material of the same name.
+  struct Look {
+    std::optional<std::array<double, 4>> color;
+    bool has_texture = false;
+    friend bool operator==(const Look&, const Look&) = default;
+  };
+  static Look look_of(const urdf::Visual& visual, const LinkedModel& model) {
+    if (!visual.material) return {};
+    const urdf::Material* material = &*visual.material;
+    if (!material->rgba && !material->texture && material->name) {
+      for (const urdf::Material& known : model.robot->materials) {
+        if (known.name && *known.name == *material->name) material = &known;
+      }
+    }
+    return {material->rgba.value(), material->texture.has_value()};
+  }
+  /// The look that the annotations give a visual, if they may be applied.
+  Look expected_look(const urdf::Visual& visual) const {
+    Look look = look_of(visual, source_);
+    const Field<std::string> name = visual.material ? visual.material->name : Field<std::string>();
+    if (!scope_.may_change_materials || !name || name->empty()) return look;
+    for (const MaterialAnnotation& entry : source_.annotations.materials) {
+      if (!entry.name || *entry.name != *name) continue;
+      if (entry.diffuse_color) look.color = rgba_of(*entry.diffuse_color);
+      if (entry.diffuse_texture) look.has_texture = true;
+      return look;
+    }
+    return look;
+  }
+
+  void same_looks() {
+    for (const urdf::Link& link : source_.robot->links) {
+      if (!link.name || merged_links_.contains(*link.name)) continue;
+      const auto index = result_.link_names.find(renamed_link(*link.name));
+      if (!index) continue;
+      const auto& others = result_.robot->links[*index].visuals;
+      // The visuals of merged links follow, and those that replace capsules.
+      if (others.size() < link.visuals.size()) {
+        note("the link `" + *link.name + "` has fewer visuals");
+        continue;
+      }
+      for (std::size_t i = 0; i < link.visuals.size(); ++i) {
+        if (expected_look(link.visuals[i]) == look_of(others[i], result_)) continue;
+        note("the material of a visual of the link `" + *link.name + "` differs");
+      }
+    }
+  }
+
+  /// Contact sensors that find their collisions in Gazebo still do. All may be removed.
+  void same_contacts() {
+    const bool has_any = !contact_names(result_).empty();
+    if (has_any && passes::known_contacts(result_) < passes::known_contacts(source_)) {
+      note("a contact sensor names a collision that Gazebo does not have");
+    }
+  }
+
   JointPositions draw(std::mt19937& random) const {
     JointPositions positions;
     for (const urdf::Joint& joint : source_.robot->joints) {
@@ -188,7 +250,8 @@ ProofScope proof_scope(const UrdfExport& options) {
   return {.prefix = options.prefix,
           .may_merge_links = options.collapses_fixed,
           .may_add_base = options.base != BaseJoint::as_is,
-          .may_change_limits = options.apply.limits};
+          .may_change_limits = options.apply.limits,
+          .may_change_materials = options.apply.materials};
 }
 
 Proof compare_models(const LinkedModel& source, const LinkedModel& result,

@@ -134,6 +134,7 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
     steps.edit(
         [&](XmlEdits& edits) { passes::set_version(steps.model(), options.version, edits); });
   }
+  steps.edit([&](XmlEdits& edits) { passes::rename_contacts(model, steps.model(), edits); });
   if (options.is_canonical && steps.is_sound()) {
     steps.take(canonical_urdf(steps.model(), steps.text()));
   }

@@ -36,6 +36,8 @@ class MaterialMaker {
   /// definition.
   void add(const urdf::Material& material) {
     if (!material.name || (!material.rgba && !material.texture)) return;
+    // Exporters leave the names of all materials empty; each visual keeps its own in the URDF.
+    if (material.name->empty()) return;
     std::vector<NewValue> members = {text_value("name", *material.name)};
     // An invalid colour of the URDF is not copied to an annotation.
     if (material.rgba && std::all_of(material.rgba->begin(), material.rgba->end(),
@@ -78,7 +80,14 @@ NewValue texts_by_subject(const Context& context, const std::string& section,
         break;
       }
     }
-    const std::string text = edits.copy(element, {});
+    std::vector<Edit> changes;
+    for (const Edit& edit : context.edits) {
+      const Span& span = edit.span;
+      const bool is_inside = span.source == document.source && span.begin >= element.span().begin &&
+                             span.end <= element.span().end;
+      if (is_inside) changes.push_back(edit);
+    }
+    const std::string text = edits.copy(element, std::move(changes));
     const auto [place, is_new] = places.emplace(key, entries.size());
     if (is_new) {
       entries.push_back(mapping_value(key, {text_value("xml", text)}));

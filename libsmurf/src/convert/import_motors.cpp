@@ -3,8 +3,8 @@
 // joint: MARS finds the joints of a pose by motor names, Phobos by joint names.
 #include <numbers>
 
-#include "base/numbers.hpp"
 #include "convert/import.hpp"
+#include "convert/joint_commands.hpp"
 
 namespace smurf::import {
 namespace {
@@ -61,34 +61,17 @@ class MotorMaker {
     for (const xml::View joint : system) {
       const auto index = joint.name() == "joint" ? joint_index(joint) : std::nullopt;
       if (!index || drives_[*index]) continue;
-      Drive drive;
-      for (const xml::View interface : joint) {
-        if (interface.name() == "command_interface") command_interface(interface, drive);
-      }
-      if (drive.type.empty()) continue;  // only observed
+      const std::optional<JointCommand> command = joint_command(joint);
+      if (!command) continue;  // only observed
+      Drive drive{.type = motor_type(command->interface),
+                  .comment = {},
+                  .lowest = command->position_lower,
+                  .highest = command->position_upper,
+                  .speed = command->speed,
+                  .effort = command->effort};
       drive.comment = "from ros2_control, " + context_.line_of(joint.span());
       drives_[*index] = drive;
     }
-  }
-
-  /// A joint that can be commanded in several ways becomes a position motor if that is one of them.
-  static void command_interface(xml::View interface, Drive& drive) {
-    const std::string_view name = attribute_of(interface, "name");
-    const std::string type = motor_type(name);
-    if (type.empty()) return;
-    if (drive.type.empty() || type == "PID" || (type == "DC" && drive.type != "PID")) {
-      drive.type = type;
-    }
-    std::optional<double> min;
-    std::optional<double> max;
-    for (const xml::View param : interface) {
-      if (attribute_of(param, "name") == "min") min = parse_number(text_of(param));
-      if (attribute_of(param, "name") == "max") max = parse_number(text_of(param));
-    }
-    if (type == "PID") drive.lowest = min;
-    if (type == "PID") drive.highest = max;
-    if (type == "DC") drive.speed = max;
-    if (type == "direct_effort") drive.effort = max;
   }
 
   void transmission(xml::View element) {
@@ -109,11 +92,10 @@ class MotorMaker {
       context_.keep_as_text(element.name_span(), what, "its joint has no axis or is unknown");
       return;
     }
-    std::string_view interface = child_text(joints.front(), "hardwareInterface");
-    if (interface.empty()) interface = child_text(element.child("actuator"), "hardwareInterface");
-    if (interface.find("State") != std::string_view::npos || drives_[*index]) return;
+    const std::optional<std::string_view> interface = transmission_interface(element);
+    if (!interface || drives_[*index]) return;
     Drive drive;
-    drive.type = motor_type(interface);
+    drive.type = motor_type(*interface);
     drive.comment = "from a transmission, " + context_.line_of(element.span());
     if (drive.type.empty()) {
       drive.type = "PID";

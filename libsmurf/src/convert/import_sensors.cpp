@@ -12,6 +12,7 @@
 #include "base/numbers.hpp"
 #include "convert/gazebo_sensors.hpp"
 #include "convert/import.hpp"
+#include "link/gazebo_names.hpp"
 
 namespace smurf::import {
 namespace {
@@ -52,6 +53,7 @@ class SensorMaker {
     for (const xml::View child : extensions_of(context_, "sensor")) {
       sensor(child, attribute_of(child.child("parent"), "link"));
     }
+    rename_contacts();
     return std::move(entries_);
   }
 
@@ -80,6 +82,11 @@ class SensorMaker {
     }
   }
 
+  /// Phobos stops at sensor types that it does not know.
+  bool is_known_to_style(const JointQuantity& quantity) const {
+    return context_.options.style != SmurfStyle::phobos || quantity.interface != "effort";
+  }
+
   void joint_states(xml::View element) {
     const urdf::Joint* found = context_.model.find_joint(attribute_of(element, "name"));
     if (found == nullptr || !found->has_one_axis()) return;
@@ -88,6 +95,11 @@ class SensorMaker {
       if (child.name() != "state_interface") continue;
       for (JointQuantity& quantity : quantities_) {
         if (attribute_of(child, "name") != quantity.interface) continue;
+        if (!is_known_to_style(quantity)) {
+          context_.keep_as_text(child.name_span(), "the effort of the joint `" + *joint.name + "`",
+                                "Phobos has no sensor of this kind");
+          continue;
+        }
         if (quantity.joints.empty()) {
           quantity.link = joint.child.value_or("");
           quantity.place = context_.line_of(child.span());
@@ -296,13 +308,12 @@ class SensorMaker {
       return {text_value("type", "NodeContact"), text_value("link", link),
               list_value("id", {text_value({}, link)})};
     }
+    std::vector<NewValue> collisions = collisions_named_in(element);
     const auto named = child_text(element.child("contact"), "collision");
-    std::vector<NewValue> collisions;
-    if (context_.model.collision_names.contains(named)) {
+    if (collisions.empty() && context_.model.collision_names.contains(named)) {
       collisions.push_back(text_value({}, std::string(named)));
-    } else {
-      collisions = collisions_of(link);
     }
+    if (collisions.empty()) collisions = collisions_of(link);
     if (collisions.empty()) {
       problem = context_.options.layout == SmurfLayout::in_place
                     ? "its collisions have no names, and the URDF is not changed"
@@ -313,21 +324,60 @@ class SensorMaker {
             list_value("id", std::move(collisions))};
   }
 
+  /// Those that Gazebo finds by the names in a sensor.
+  std::vector<NewValue> collisions_named_in(xml::View sensor) {
+    std::vector<NewValue> collisions;
+    for (const ContactName& contact : contacts_) {
+      if (contact.element.parent().parent().id() != sensor.id()) continue;
+      const auto place = find_collision(gazebo_, contact.link, contact.text);
+      if (!place) continue;
+      const std::string name = name_at(*place);
+      if (!name.empty()) collisions.push_back(text_value({}, name));
+    }
+    return collisions;
+  }
+
+  /// Gazebo makes the names of collisions from those in the URDF, so the names in sensors follow
+  /// those that are given here.
+  void rename_contacts() {
+    if (given_names_.empty() || contacts_.empty()) return;
+    const GazeboNames renamed =
+        gazebo_names(context_.model, [&](std::size_t link, std::size_t collision) {
+          const auto given = given_names_.find(static_cast<std::uint32_t>(link));
+          if (given != given_names_.end() && !given->second[collision].empty()) {
+            return given->second[collision];
+          }
+          return context_.robot().links[link].collisions[collision].name.value_or({});
+        });
+    for (const ContactName& contact : contacts_) {
+      const auto place = find_collision(gazebo_, contact.link, contact.text);
+      if (!place) continue;
+      const std::string& name = renamed.collisions[place->link][place->collision];
+      if (name == contact.text) continue;
+      context_.edits.push_back({contact.element.text_span(), escape_xml(name)});
+    }
+  }
+
+  /// The name of a collision, which may get it now; "" if it cannot.
+  std::string name_at(const CollisionPlace& place) {
+    const urdf::Link& link = context_.robot().links[place.link];
+    const urdf::Collision& collision = link.collisions[place.collision];
+    if (collision.name) return *collision.name;
+    if (context_.options.layout == SmurfLayout::in_place || collision.name.written) return {};
+    std::vector<std::string>& given = given_names_[static_cast<std::uint32_t>(place.link)];
+    given.resize(link.collisions.size());
+    std::string& name = given[place.collision];
+    if (name.empty()) name = give_name(collision, link.name.value_or({}));
+    return name;
+  }
+
   /// Unnamed collisions get a name in the written URDF, if one is written.
   std::vector<NewValue> collisions_of(const std::string& link) {
     const std::uint32_t index = *context_.model.link_names.find(link);
     std::vector<NewValue> names;
-    std::vector<std::string>& given = given_names_[index];
-    const auto& collisions = context_.robot().links[index].collisions;
-    given.resize(collisions.size());
-    for (std::size_t i = 0; i < collisions.size(); ++i) {
-      if (collisions[i].name) {
-        names.push_back(text_value({}, *collisions[i].name));
-        continue;
-      }
-      if (context_.options.layout == SmurfLayout::in_place || collisions[i].name.written) continue;
-      if (given[i].empty()) given[i] = give_name(collisions[i], link);
-      names.push_back(text_value({}, given[i]));
+    for (std::size_t i = 0; i < context_.robot().links[index].collisions.size(); ++i) {
+      const std::string name = name_at({index, i});
+      if (!name.empty()) names.push_back(text_value({}, name));
     }
     return names;
   }
@@ -344,6 +394,8 @@ class SensorMaker {
   UniqueNames names_;
   UniqueNames geometry_names_;
   std::map<std::uint32_t, std::vector<std::string>> given_names_;  ///< by link
+  GazeboNames gazebo_ = gazebo_names(context_.model);
+  std::vector<ContactName> contacts_ = contact_names(context_.model);
   std::vector<NewValue> entries_;
   std::array<JointQuantity, 3> quantities_ = {
       JointQuantity{"position", "joint_positions", "JointPosition"},

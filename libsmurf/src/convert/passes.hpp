@@ -67,6 +67,11 @@ std::vector<const xml::Attribute*> newer_limits(const LinkedModel& model, std::s
 /// Adds a joint from a link `world` to the root.
 void add_base(const LinkedModel& model, BaseJoint base, XmlEdits& edits);
 
+/// Makes contact sensors of Gazebo name the collisions of `result` that they name in `source`.
+void rename_contacts(const LinkedModel& source, const LinkedModel& result, XmlEdits& edits);
+/// How many names in contact sensors are those of collisions in Gazebo.
+std::size_t known_contacts(const LinkedModel& model);
+
 /// Removes elements that URDF does not define from the robot, its links and joints.
 std::vector<xml::View> extension_elements(const urdf::Robot& robot);
 

@@ -5,6 +5,7 @@
 
 #include "base/readers.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 #include "smurf/check.hpp"
 
 namespace smurf {
@@ -145,6 +146,19 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Source
   case InputKind::other: break;
   }
   return "some poses are unknown";
+}
+
+bool is_about_world_setting(const Diagnostic& finding, const LinkedScene& scene) {
+  for (const SceneFile& file : scene.scenes) {
+    if (file.source != finding.span.source || !file.document) continue;
+    for (const yaml::View key : file.document->view()) {
+      const Span span = key.span();
+      const bool is_inside =
+          key.key_span().begin <= finding.span.begin && finding.span.end <= span.end;
+      if (is_inside) return is_one_of(key.key(), {"lights", "environment", "physics", "plugins"});
+    }
+  }
+  return false;
 }
 
 bool may_ask_urdfdom(std::span<const Diagnostic> findings) {

@@ -9,7 +9,8 @@ namespace smurf {
 AnnotatedLooks::AnnotatedLooks(const LinkedModel& model, const FlatModel& flat)
     : model_(model), flat_(flat), values_(model) {
   for (const MaterialAnnotation& entry : model.annotations.materials) {
-    if (entry.name) annotations_.emplace(*entry.name, &entry);
+    // Materials without a name are not shared.
+    if (entry.name && !entry.name->empty()) annotations_.emplace(*entry.name, &entry);
   }
   for (const VisualAnnotation& entry : model.annotations.visuals) {
     if (entry.name && entry.material_name) replaced_[*entry.name] = *entry.material_name;

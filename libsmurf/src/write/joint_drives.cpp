@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/joint_drives.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "base/numbers.hpp"
 #include "base/quantity.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/import.hpp"
+#include "convert/joint_commands.hpp"
 #include "convert/passes.hpp"
 
 namespace smurf {
@@ -96,9 +98,31 @@ class DriveReader {
   void of_ros2_control(xml::View system) {
     for (const xml::View joint : system) {
       if (joint.name() != "joint") continue;
-      const xml::View command = joint.child("command_interface");
-      if (command) add(system, joint_named(joint), import::attribute_of(command, "name"));
+      const std::optional<JointCommand> command = joint_command(joint);
+      if (!command) continue;
+      JointDrive* drive = add(system, joint_named(joint), command->interface);
+      if (drive == nullptr) continue;
+      drive->command = command->element.id();
+      narrow(*drive, *command);
     }
+  }
+
+  /// The limits of a command may narrow those of the joint, never widen them.
+  static void narrow(JointDrive& drive, const JointCommand& command) {
+    const auto least = [](std::optional<double>& limit, std::optional<double> other) {
+      other = above_zero(other);
+      if (other && (!limit || *other < *limit)) limit = other;
+    };
+    least(drive.speed, command.speed);
+    least(drive.effort, command.effort);
+    const std::optional<double>& lower = command.position_lower;
+    const std::optional<double>& upper = command.position_upper;
+    if (!lower || !upper || !is_quantity(*lower) || !is_quantity(*upper)) return;
+    const double low = std::max(*lower, drive.lower.value_or(*lower));
+    const double high = std::min(*upper, drive.upper.value_or(*upper));
+    if (!(low < high)) return;
+    drive.lower = low;
+    drive.upper = high;
   }
 
   void of_transmission(xml::View transmission) {
@@ -106,18 +130,19 @@ class DriveReader {
     std::string_view type = import::child_text(transmission, "type");
     if (type.empty()) type = import::attribute_of(transmission, "type");
     if (!joint || type.find("SimpleTransmission") == std::string_view::npos) return;
-    std::string_view interface = import::child_text(joint, "hardwareInterface");
-    if (interface.empty()) {
-      interface = import::child_text(transmission.child("actuator"), "hardwareInterface");
+    const std::optional<std::string_view> interface = transmission_interface(transmission);
+    // A position, as for urdf2smurf, if it does not state how the joint is commanded.
+    if (interface) {
+      add(transmission, joint_named(joint), interface->empty() ? "position" : *interface);
     }
-    add(transmission, joint_named(joint), interface);
   }
 
-  void add(xml::View element, const urdf::Joint* joint, std::string_view interface) {
+  JointDrive* add(xml::View element, const urdf::Joint* joint, std::string_view interface) {
     JointDrive* drive = drive_of(joint);
-    if (drive == nullptr) return;
+    if (drive == nullptr) return nullptr;
     drive->kind = kind_of(interface);
     drive->element = element.id();
+    return drive;
   }
 
   const LinkedModel& model_;

@@ -20,6 +20,7 @@ struct JointDrive {
   DriveKind kind = DriveKind::position;
   std::string name;                          ///< name of the motor; otherwise of the joint
   xml::ElementId element = xml::kNoElement;  ///< the extension that defines it; none for a motor
+  xml::ElementId command = xml::kNoElement;  ///< its <command_interface>, if it has one
   std::optional<double> effort, speed;       ///< largest value; N m or N, rad/s or m/s; above 0
   std::optional<double> lower, upper;        ///< limits of the position, rad or m
   double gain = 0;                           ///< gain of a position, 1/s
