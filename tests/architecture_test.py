@@ -29,7 +29,7 @@ STAGES = {
     "check": {"base", "syntax", "link", "lint"},
     "flatten": {"base", "syntax", "ast", "link"},
     "convert": {"base", "syntax", "ast", "link"},
-    "write": {"base", "syntax", "ast", "link", "lint", "flatten", "convert"},
+    "write": {"base", "syntax", "ast", "mesh", "link", "lint", "flatten", "convert"},
     "render": {"base"},
     "diff": {"base", "syntax", "ast", "write", "render"},
 }

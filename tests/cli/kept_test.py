@@ -9,7 +9,9 @@ Usage: kept_test.py SMURFS-FLATTEN
 """
 import json
 import re
+import struct
 import unittest
+import zlib
 
 import cli
 
@@ -39,7 +41,12 @@ URDF = """<robot name="rich">
 <link name="finger"/>
 <joint name="knuckle" type="prismatic"><parent link="hand"/><child link="finger"/><axis xyz="1 0 0"/>
   <limit lower="0" upper="1" effort="8" velocity="2"/></joint>
-<link name="flat"><inertial><mass value="1"/><inertia ixx="0.0001" iyy="0.0001" izz="0.000201" ixy="0"
+<link name="pad">""" + BODY.format(m="1") + """<collision><geometry><box size="1 1 1"/></geometry></collision></link>
+<joint name="glue" type="fixed"><parent link="base"/><child link="pad"/></joint>
+<gazebo reference="base"><sensor name="touch" type="contact"><contact>
+  <collision>base_fixed_joint_lump__bumper_collision</collision>
+  <collision>base_fixed_joint_lump__pad_collision_2</collision></contact></sensor></gazebo>
+<link name="flat"><visual><geometry><mesh filename="two.obj"/></geometry></visual><inertial><mass value="1"/><inertia ixx="0.0001" iyy="0.0001" izz="0.000201" ixy="0"
   ixz="0" iyz="0"/></inertial></link>
 <joint name="hinge" type="continuous"><parent link="base"/><child link="flat"/><axis xyz="0 0 1"/></joint>
 <gazebo reference="arm"><mu1>0.75</mu1><kp>7</kp><sensor name="eye" type="camera"><camera/></sensor></gazebo>
@@ -88,7 +95,8 @@ submodels:
 own_section:
 - {name: something}
 """
-SCENE = """physics: {gravity: {x: 0, y: 0, z: -3}, ode: {stepsize: 2, cfm: 1.0e-8, erp: 0.3}}
+SCENE = """plugins: [libmars_gui]
+physics: {gravity: {x: 0, y: 0, z: -3}, ode: {stepsize: 2, cfm: 1.0e-8, erp: 0.3}}
 environment: {fog: {density: 0.5}}
 lights:
 - {name: lamp, type: 1, position: {x: 0, y: 0, z: 3}, linearAttenuation: 0.25, ambient: {r: 1, g: 0, b: 0, a: 1}}
@@ -98,7 +106,32 @@ entities:
    cfriction2: 0.25, colour: blue}
 - {name: Cloud, type: weather, rain: heavy}
 - {name: Free, file: free.urdf}
+- {name: Free Änd easy, file: free.urdf, anchor: none}
+- {name: Hill, type: heightmap, file: hill.png, width: 1, length: 1, height: 1}
 """
+# A tetrahedron, and a flat part in another colour.
+TWO = """mtllib two.mtl
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+usemtl red
+f 1 3 2
+f 1 2 4
+f 2 3 4
+f 3 1 4
+usemtl green
+f 1 2 3
+"""
+
+
+def png(*pixels):
+    """A row of pixels of three bytes."""
+    def chunk(name, content):
+        return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", len(pixels), 1, 8, 2, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(b"\0" + b"".join(map(bytes, pixels)))) + chunk(b"IEND", b""))
+
 
 # For every thing: a text of the model, and the text that replaces it.
 CHANGES = {
@@ -113,6 +146,7 @@ CHANGES = {
     "shapes with a size of 0": ('<sphere radius="0"/>', '<sphere radius="1"/>'),
     "names of visuals and collisions": ('<visual name="hull">', '<visual name="shell">'),
     "colours": ('rgba="0 0 1 1"', 'rgba="0 1 1 1"'),
+    "colours of parts of mesh files": ("usemtl green", "usemtl red"),
     "textures": ('<texture filename="skin.png"/>', ""),
     "movable joints": ('name="hinge" type="continuous"', 'name="hinge" type="fixed"'),
     "mimicking joints": ('<mimic joint="shoulder" multiplier="0.5"/>', ""),
@@ -124,9 +158,15 @@ CHANGES = {
     "calibrations of joints": ('<calibration rising="0.5"/>', ""),
     "limits of acceleration and jerk": (' acceleration="9"', ""),
     "damping and friction of joints": ('damping="0.25"', 'damping="0.5"'),
+    "collisions within a robot": ('<collision name="bumper"><geometry><box size="1 2 3"/>',
+                                  '<collision name="bumper"><geometry><box size="1 2 4"/>'),
+    "gains of motors": ("joint: shoulder, type: PID", "joint: shoulder, type: direct_effort"),
     "transmissions": ("<transmission.*</transmission>", ""),
     "elements of ros2_control": ("<ros2_control.*</ros2_control>", ""),
     "elements in <gazebo>": ('<plugin name="brain" filename="libbrain.so"/>', ""),
+    "collisions of contact sensors on several links":
+        ("<collision>base_fixed_joint_lump__pad_collision_2</collision>", ""),
+    "systems of Gazebo for sensors": ('type="camera"', 'type="sonar"'),
     "elements that URDF does not define": ('<contact><lateral_friction value="0.4"/></contact>', ""),
     "attributes that URDF does not define": (' group="2"', ""),
     "motor": ("- {name: shoulder_motor.*?}\n", ""),
@@ -154,10 +194,13 @@ CHANGES = {
     "step size": ("stepsize: 2, ", ""),
     "solver settings": ("cfm: 1.0e-8, ", ""),
     "environment": ("environment: {fog: {density: 0.5}}\n", ""),
+    "plug-ins of MARS": ("plugins: [libmars_gui]\n", ""),
     "lights": ("- {name: lamp, type: 1.*?}}\n", "[]\n"),
     "ambient colours of lights": (", ambient: {r: 1, g: 0, b: 0, a: 1}", ""),
     "attenuations and specular colours of lights": (", linearAttenuation: 0.25", ""),
+    "heightmaps in colour or out of reach": ("file: hill.png", "file: grey.png"),
     "entities of other types": ("- {name: Cloud.*?}\n", ""),
+    "names of entities": ("name: Free Änd easy", "name: Free_and_easy"),
     "anchors": (", anchor: world", ""),
     "roots named `world` without an anchor": ('<robot name="free"><link name="world"/>',
                                               '<robot name="free"><link name="root"/>'),
@@ -186,7 +229,8 @@ OWN_WORDS = {"textures in mjcf": "the texture `skin.png`, whose content is not P
              "mimicking joints": "the joint `wrist` is free to move without its leader",
              "gravity": "the gravity is not in", "step size": "the step size is not in",
              "solver settings": "the constraint force mixing is not in", "lights": "the light is not in",
-             "environment": "the environment is not in", "entities of other types": "`Cloud` is not in"}
+             "plug-ins of MARS": "the list of plug-ins is not in", "environment": "the environment is not in",
+             "entities of other types": "`Cloud` is not in"}
 # The rich scene has none of the materials, names and sensors that are lost where others are kept, and no moments of 0.
 UNNAMED = {("partly", thing) for thing in ("material", "visual setting", "sensor")}
 UNNAMED |= {("changed: USD computes moments of inertia of 0 from shapes", "inertias that simulators refuse")}
@@ -197,7 +241,9 @@ UNNAMED |= {("shapes only", thing) for thing in ("names of visuals and collision
 ASIDES = {"masses of moving links that have none", "inertias that simulators refuse", "motor setting",
           "sensor setting", "material setting", "gravity when none is set", "step size when none is set",
           "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives",
-          "roots named `world` without an anchor"}
+          "roots named `world` without an anchor", "colours of parts of mesh files", "collisions within a robot",
+          "gains of motors", "collisions of contact sensors on several links", "systems of Gazebo for sensors",
+          "names of entities", "heightmaps in colour or out of reach"}
 OF_URDF = set(list(CHANGES)[:list(CHANGES).index("motor")])
 
 
@@ -231,6 +277,8 @@ class KeptTest(cli.CliTest):
     def written(self, texts, forms=FORMATS):
         for name, text in texts.items():
             self.write(name, text)
+        self.write("hill.png", png((0, 0, 0), (9, 0, 90)))
+        self.write("grey.png", png((0, 0, 0), (9, 9, 9)))
         results = {}
         for form in forms:
             (self.folder / "out").unlink(missing_ok=True)
@@ -249,6 +297,7 @@ class KeptTest(cli.CliTest):
     def texts():
         return {"rich.urdf": URDF, "rich_all.yml": ANNOTATIONS, "rich.smurfs": SCENE,
                 "free.urdf": '<robot name="free"><link name="world"/></robot>',
+                "two.obj": TWO, "two.mtl": "newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\n",
                 "rich.smurf": "modelname: rich\nfiles: [rich.urdf, rich_all.yml]\n"}
 
     def test_nothing_is_lost_without_a_word(self):

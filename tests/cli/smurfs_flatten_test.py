@@ -469,10 +469,11 @@ class OldScenes(FlattenTest):
         self.assertEqual([(map.findtext("uri"), map.findtext("size")) for map in sdf.findall(".//collision/geometry/heightmap")],
                          [("old/t.png", "20 10 2"), ("old/t.png", "5 5 1")])
         mjcf = xml.etree.ElementTree.fromstring(self.run_tool("old.smurfs", "--format", "mjcf").stdout)
+        # The darkest pixel has a fifth of the height, the brightest four fifths.
         self.assertEqual([(field.get("name"), field.get("size").rsplit(" ", 1)[0]) for field in mjcf.findall("asset/hfield")],
-                         [("Old", "10 5 2"), ("Old/heights_1", "2.5 2.5 1")])
+                         [("Old", "10 5 1.2000000000000002"), ("Old/heights_1", "2.5 2.5 0.6000000000000001")])
         self.assertEqual([(geom.get("hfield"), geom.get("pos")) for geom in mjcf.findall("worldbody/geom")],
-                         [("Old", "0 0 1"), ("Old/heights_1", "0 9 1")])
+                         [("Old", "0 0 1.4"), ("Old/heights_1", "0 9 1.2")])
 
     def test_lights(self):
         self.write("old.yml", OLD_YAML)

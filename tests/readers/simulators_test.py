@@ -591,7 +591,7 @@ class Contents(SimulatorTest):
         self.write("b_collision.yml", "collision:\n- {name: high, link: l, bitmask: 6, cfriction1: 0.3}\n")
         lines = self.lines(reader.BUILD / "mujoco_actuators", self.write_scene("b.smurf", "mjcf"))
         geoms = {line[1]: line[2:] for line in lines if line[0] == "geom"}
-        self.assertEqual(geoms, {"b/low": ["0", "65535", "1"], "b/high": ["0", "6", "0.3"]})
+        self.assertEqual(geoms, {"b/low": ["0", "65535", "0.8"], "b/high": ["0", "6", "0.3"]})
 
     @reader.needs_built("mujoco_actuators")
     def test_viewers_show_every_body(self):

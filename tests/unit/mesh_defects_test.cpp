@@ -6,6 +6,7 @@
 #include "support/replaced.hpp"
 
 using namespace smurf;
+using namespace smurf::test;
 
 namespace {
 

@@ -16,6 +16,7 @@
 #include "smurf/result_losses.hpp"
 #include "smurf/write_scene.hpp"
 #include "smurfs-flatten/assets.hpp"
+#include "smurfs-flatten/bases.hpp"
 #include "smurfs-flatten/chain.hpp"
 #include "smurfs-flatten/compare.hpp"
 #include "smurfs-flatten/formats.hpp"
@@ -35,6 +36,7 @@ struct Options {
   std::string dialect = "spec";
   std::string dialect_help;
   std::string ground_help;
+  std::string base;
   bool compare_dialects = false;
   std::string form;
   std::string explained;
@@ -92,6 +94,14 @@ void add_options(Command& command, Options& options) {
        .values = {"reference", "expand"},
        .set = set_text(options.form)});
   add({.name = "ground", .help = options.ground_help, .set = set_flag(options.ground)});
+  add({.name = "base",
+       .metavar = "BASE",
+       .help =
+           "Choose what becomes of models that the scene does not anchor. fixed: they are fixed "
+           "to the world; floating: they move freely. By default, they move freely, except "
+           "for those whose root is called `world` in formats for simulators.",
+       .values = {"fixed", "floating"},
+       .set = set_text(options.base)});
   add({.name = "links",
        .help = "Write the world pose of every link as well.",
        .set = set_flag(options.links)});
@@ -260,10 +270,15 @@ bool wants_json(const Options& options) {
   return options.format == "json" || path::extension(options.common.output) == ".json";
 }
 
+std::optional<std::string> loss_in(const Diagnostic& finding, const LoadedScene& loaded) {
+  if (is_about_world_setting(finding, loaded.scene)) return std::nullopt;
+  return loss_in_scene(finding, *loaded.sources);
+}
+
 /// The first finding that makes it impossible to compute a pose.
 std::optional<std::string> first_loss(const LoadedScene& loaded) {
   for (const Diagnostic& finding : loaded.found.diagnostics()) {
-    if (auto loss = loss_in_scene(finding, *loaded.sources)) return loss;
+    if (auto loss = loss_in(finding, loaded)) return loss;
   }
   return std::nullopt;
 }
@@ -307,9 +322,16 @@ bool has_falling_robots(const FlatScene& flat) {
          std::none_of(flat.instances.begin(), flat.instances.end(), is_fixed_thing);
 }
 
+BaseChoice base_choice(const Options& options) {
+  if (options.base.empty()) return BaseChoice::world_roots_fixed;
+  return options.base == "fixed" ? BaseChoice::fixed : BaseChoice::floating;
+}
+
 Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options& options,
                      const SceneFormat& format, SceneForm form, const std::string& current) {
   LinkedScene& scene = loaded.scene;
+  Bases bases(scene);
+  if (!options.base.empty() || format.fixes_world_roots) bases.anchor(base_choice(options));
   // The rules run later, and judge the scene in the first dialect, as documented.
   const Dialect* dialect = find_dialect(options.dialect);
   const bool is_documented = dialect == dialects().front();
@@ -334,17 +356,19 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
     result.copies = redirect_assets(flat, options.assets, flattening, conversion.files(),
                                     options.common.limits);
   }
-  result.text = format.write(
-      {.flat = flat,
-       .scene = scene,
-       .sources = *loaded.sources,
-       .losses = loaded.found,
-       .links = options.links,
-       .form = form,
-       .ground = options.ground,
-       .names_copies = !options.assets.empty(),
-       .meshes = mesh_source(flattening, result.copies, conversion.files(), options.common.limits),
-       .most_bytes = options.common.limits.scene_bytes});
+  const SceneExport written{
+      .flat = flat,
+      .scene = scene,
+      .sources = *loaded.sources,
+      .losses = loaded.found,
+      .links = options.links,
+      .form = form,
+      .ground = options.ground,
+      .names_copies = !options.assets.empty(),
+      .meshes = mesh_source(flattening, result.copies, conversion.files(), options.common.limits),
+      .most_bytes = options.common.limits.scene_bytes};
+  if (options.ground) bases.stand_on_floor(flat, written);
+  result.text = format.write(written);
   result.copies = named_copies(result.copies, result.text, flattening);
   if (result.text.size() > options.common.limits.scene_bytes) {
     const Span place{scene.scenes.front().source, 0, 0};
@@ -445,7 +469,7 @@ int smurfs_flatten_main(int argc, char** argv) {
   // A comment suppresses a finding, but does not make the pose known.
   const std::optional<std::string> loss = first_loss(*loaded);
   const ExitCode verdict = conversion.report(
-      *loaded, [&](const Diagnostic& finding) { return loss_in_scene(finding, sources); });
+      *loaded, [&](const Diagnostic& finding) { return loss_in(finding, *loaded); });
   if (verdict == kFailed) return kFailed;
   if (loss) return conversion.refuse("cannot be converted: " + *loss);
   if (verdict != kDone && !options.common.force) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/file_reader.hpp"
@@ -59,13 +60,30 @@ struct SceneFormat {
   std::pair<std::string_view, std::string_view> companion = {};
   bool has_reference_form = false;
   bool has_expanded_form = true;
-  bool has_ground = false;      ///< can add a floor to the expanded form
-  bool repeats_models = false;  ///< writes the model of each instance out
+  bool has_ground = false;         ///< can add a floor to the expanded form
+  bool repeats_models = false;     ///< writes the model of each instance out
+  bool fixes_world_roots = false;  ///< its readers know that a root named `world` does not move
   /// The parts that check_scene_size() counts in advance; null if nothing is repeated.
   RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;
   /// Why this build cannot write it, and what to do; empty if it can. Null: every build can.
   std::string_view (*obstacle)() = nullptr;
 };
+
+/// What becomes of models that the scene anchors nowhere. Readers of URDFs fix a root named
+/// `world`; MARS lets every such model move freely.
+enum class BaseChoice : std::uint8_t { world_roots_fixed, fixed, floating };
+/// Anchors these models to the world, and returns their instances. `anchor: none` in the scene is
+/// kept.
+std::vector<std::size_t> anchor_bases(LinkedScene& scene, BaseChoice choice);
+
+/// A model of which a part is below the floor of SceneExport::ground at the start.
+struct BelowFloor {
+  std::size_t instance = 0;
+  double depth = 0;  ///< m
+};
+/// Considers the collisions of links that can move; the visuals of models without collisions.
+/// Ignores meshes that cannot be read, and depths below a millimetre.
+std::vector<BelowFloor> below_floor(const SceneExport& scene);
 
 std::span<const SceneFormat* const> scene_formats();
 /// Null if there is no format of that name.

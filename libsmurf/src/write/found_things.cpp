@@ -80,18 +80,27 @@ bool has_drives(SceneColumn column) {
 }
 
 /// Whether an actuator or drive has what this part of a transmission or ros2_control states. Its
-/// own parts are considered separately.
-bool is_said_by_drive(xml::View part) {
+/// own parts are considered separately. Drives of USD have no limits of positions.
+bool is_said_by_drive(xml::View part, const std::set<xml::ElementId>& commands,
+                      SceneColumn column) {
   const std::string_view name = part.name();
   if (name == "mechanicalReduction") return import::text_of(part) == "1";
-  if (name == "command_interface") return part.parent().child(name).id() == part.id();
+  if (name == "command_interface") return commands.contains(part.id());
+  if (name == "param" && commands.contains(part.parent().id())) {
+    const std::string_view limit = import::attribute_of(part, "name");
+    const bool is_position = import::attribute_of(part.parent(), "name") == "position";
+    return is_position ? column == SceneColumn::mjcf && (limit == "min" || limit == "max")
+                       : limit == "max";
+  }
   return name == "type" || name == "joint" || name == "actuator" || name == "hardwareInterface";
 }
 
-void add_unsaid_settings(xml::View element, const std::string& driver, Found& found) {
+void add_unsaid_settings(xml::View element, const std::string& driver,
+                         const std::set<xml::ElementId>& commands, SceneColumn column,
+                         Found& found) {
   for (const xml::View part : element) {
-    if (is_said_by_drive(part)) {
-      add_unsaid_settings(part, driver, found);
+    if (is_said_by_drive(part, commands, column)) {
+      add_unsaid_settings(part, driver, commands, column, found);
     } else {
       found.push_back({part.name_span(), std::string(part.name()) + " of " + driver});
     }
@@ -102,14 +111,18 @@ Found drivers(const LinkedModel& model, SceneColumn column, std::string_view ele
   Found found;
   if (!model.robot) return found;
   std::set<xml::ElementId> written;
+  std::set<xml::ElementId> commands;
   if (has_drives(column)) {
-    for (const JointDrive& drive : joint_drives(model)) written.insert(drive.element);
+    for (const JointDrive& drive : joint_drives(model)) {
+      written.insert(drive.element);
+      commands.insert(drive.command);
+    }
   }
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View view(model.robot->document, id);
     if (view.name() != element) continue;
     if (written.contains(id)) {
-      add_unsaid_settings(view, shortened(name_of(view), kMostOfName), found);
+      add_unsaid_settings(view, shortened(name_of(view), kMostOfName), commands, column, found);
     } else {
       found.push_back({view.name_span(), name_of(view)});
     }
@@ -188,6 +201,16 @@ Found velocities(const LinkedModel& model, SceneColumn) {
   });
 }
 
+Found own_collisions(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (!model.robot) return found;
+  const auto collides = [](const urdf::Link& link) { return !link.collisions.empty(); };
+  const auto& links = model.robot->links;
+  if (std::count_if(links.begin(), links.end(), collides) < 2) return found;
+  found.push_back({{model.robot->document.source, 0, 0}, shortened(model.path, kMostOfName)});
+  return found;
+}
+
 Found joint_frictions(const LinkedModel& model, SceneColumn) {
   return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
     if (!joint.dynamics || joint.dynamics->friction.value_or(0) == 0) return std::nullopt;
@@ -214,6 +237,16 @@ Found newer_limits(const LinkedModel& model, SceneColumn) {
   if (!model.robot) return found;
   for (const xml::Attribute* limit : passes::newer_limits(model, "1.0")) {
     found.push_back({limit->name_span(), std::string(limit->name())});
+  }
+  return found;
+}
+
+Found chosen_gains(const LinkedModel& model, SceneColumn) {
+  Found found;
+  for (const JointDrive& drive : joint_drives(model)) {
+    if (drive.kind == DriveKind::effort) continue;
+    found.push_back({drive.motor != nullptr ? drive.motor->span : drive.joint->span,
+                     shortened(drive.name, kMostOfName)});
   }
   return found;
 }
@@ -268,8 +301,13 @@ Found gazebo_elements(const LinkedModel& model, SceneColumn column) {
     const xml::View gazebo(model.robot->document, id);
     if (gazebo.name() != "gazebo") continue;
     for (const xml::View child : gazebo) {
-      if (is_sdf && is_taken_by_gazebo(model, child)) continue;
-      found.push_back({child.name_span(), name_of(child)});
+      if (!is_sdf || !is_taken_by_gazebo(model, child)) {
+        found.push_back({child.name_span(), name_of(child)});
+        continue;
+      }
+      for (const xml::View plugin : broken_plugins(child)) {
+        found.push_back({plugin.name_span(), name_of(plugin)});
+      }
     }
   }
   return found;
@@ -414,14 +452,17 @@ Found start_positions(const SceneExport& scene, SceneColumn) {
   return found;
 }
 
-Found free_worlds(const SceneExport& scene, SceneColumn) {
+Found world_roots(const SceneExport& scene, SceneColumn) {
   Found found;
   for (std::size_t i = 0; i < scene.flat.instances.size(); ++i) {
     const FlatInstance& instance = scene.flat.instances[i];
     const LinkedModel* model = robot_of(scene.scene, i);
-    if (model == nullptr || instance.anchor.kind != Attachment::Kind::none) continue;
-    if (root_link_name(*model) != "world") continue;
-    found.push_back({place_of(scene.scene.entity(scene.scene.instances[i])), instance.path});
+    if (model == nullptr || instance.anchor.kind != Attachment::Kind::world) continue;
+    const Entity& entity = scene.scene.entity(scene.scene.instances[i]);
+    const SceneUse& use = scene.scene.use(scene.scene.instances[i]);
+    const bool is_chosen = !entity.anchor.written && root_link_name(*model) == "world" &&
+                           use.placement.anchor.kind == Attachment::Kind::none;
+    if (is_chosen) found.push_back({place_of(entity), instance.path});
   }
   return found;
 }

@@ -18,14 +18,18 @@ Found textures(const LinkedModel& model, SceneColumn column);
 Found efforts(const LinkedModel& model, SceneColumn column);
 Found velocities(const LinkedModel& model, SceneColumn);
 Found joint_frictions(const LinkedModel& model, SceneColumn);
+Found own_collisions(const LinkedModel& model, SceneColumn);
 Found safety_controllers(const LinkedModel& model, SceneColumn);
 Found calibrations(const LinkedModel& model, SceneColumn);
 Found newer_limits(const LinkedModel& model, SceneColumn);
+Found chosen_gains(const LinkedModel& model, SceneColumn);
 /// MJCF and USD: only transmissions without a joint.
 Found transmissions(const LinkedModel& model, SceneColumn column);
 Found ros2_controls(const LinkedModel& model, SceneColumn column);
 /// SDF: only elements that Gazebo does not convert. MJCF: all elements except sensors.
 Found gazebo_elements(const LinkedModel& model, SceneColumn column);
+/// Sensors that need plug-ins of the world in Gazebo.
+Found sensor_systems(const LinkedModel& model, SceneColumn);
 Found other_extensions(const LinkedModel& model, SceneColumn);
 Found other_attributes(const LinkedModel& model, SceneColumn);
 
@@ -67,7 +71,10 @@ Found ambient_lights(const SceneExport& scene, SceneColumn);
 Found light_details(const SceneExport& scene, SceneColumn);
 /// Start positions of joints that do not start at zero.
 Found start_positions(const SceneExport& scene, SceneColumn);
-Found free_worlds(const SceneExport& scene, SceneColumn);  ///< entities without an anchor
+/// Entities with another name in the result.
+Found changed_names(const SceneExport& scene, SceneColumn column);
+/// Entities without an anchor whose root is fixed to the world because of its name.
+Found world_roots(const SceneExport& scene, SceneColumn);
 /// Keys of entities with shapes that the format ignores.
 Found entity_keys(const SceneExport& scene, SceneColumn column);
 

@@ -109,6 +109,11 @@ bool is_sound(std::string_view name, std::string_view value) {
   return !is_one_of(name, kFlags) || is_one_of(path::to_lower(value), kFlagValues);
 }
 
+/// SDF refuses a plug-in without a file.
+bool is_broken_plugin(xml::View element) {
+  return element.name() == "plugin" && attribute_of(element, "filename").empty();
+}
+
 /// Whether a link has the shapes that an element in its <gazebo> is about.
 bool has_shapes_for(const urdf::Link& link, std::string_view element) {
   if (is_one_of(element, kOfCollisions)) return !link.collisions.empty();
@@ -120,6 +125,7 @@ bool has_shapes_for(const urdf::Link& link, std::string_view element) {
 bool is_taken_by_gazebo(const LinkedModel& model, xml::View child) {
   const bool needs_name = child.name() == "sensor" || child.name() == "plugin";
   if (needs_name && attribute_of(child, "name").empty()) return false;
+  if (is_broken_plugin(child)) return false;
   const std::string_view reference = attribute_of(child.parent(), "reference");
   if (!reference.empty() && !is_sound(child.name(), value_of(child))) return false;
   if (reference.empty()) return child.name().find(':') == std::string_view::npos;
@@ -128,6 +134,15 @@ bool is_taken_by_gazebo(const LinkedModel& model, xml::View child) {
   if (link && !is_of_joint) return has_shapes_for(model.robot->links[*link], child.name());
   const auto joint = model.joint_names.find(reference);
   return joint && is_joint_of_sdf(model, *joint) && !is_one_of(child.name(), kOfLinks);
+}
+
+std::vector<xml::View> broken_plugins(xml::View sensor) {
+  std::vector<xml::View> found;
+  if (sensor.name() != "sensor") return found;
+  for (const xml::View child : sensor) {
+    if (is_broken_plugin(child)) found.push_back(child);
+  }
+  return found;
 }
 
 GazeboElements::GazeboElements(const LinkedModel& model, std::string_view source)
@@ -145,6 +160,17 @@ GazeboElements::GazeboElements(const LinkedModel& model, std::string_view source
       part.has_material |= child.name() == "visual" && child.child("material");
     }
   }
+}
+
+void GazeboElements::move(xml::ElementId element, std::string_view from, const std::string& to) {
+  const auto old = by_reference_.find(from);
+  if (old == by_reference_.end()) return;
+  std::vector<xml::View>& elements = old->second.elements;
+  const auto found = std::find_if(elements.begin(), elements.end(),
+                                  [&](const xml::View& one) { return one.id() == element; });
+  if (found == elements.end()) return;
+  by_reference_[to].elements.push_back(*found);
+  by_reference_.find(from)->second.elements.erase(found);
 }
 
 const GazeboElements::Part& GazeboElements::part_of(std::string_view reference) const {
@@ -183,6 +209,14 @@ void GazeboElements::add_raw(XmlText& xml, xml::View element, std::string_view f
     const std::string unique = names.add(sdf_name(name->value()));
     if (unique != name->value()) edits.push_back({name->value_span(), escape_xml(unique)});
   }
+  for (const xml::View part : element) {
+    for (const xml::View inner : part) {
+      const auto changed = texts_.find(inner.id());
+      if (changed == texts_.end()) continue;
+      for (const auto& [span, text] : changed->second) edits.push_back({span, escape_xml(text)});
+    }
+  }
+  for (const xml::View plugin : broken_plugins(element)) edits.push_back({plugin.span(), ""});
   const xml::View pose = element.child("pose");
   const bool is_placed =
       element.name() == "sensor" || element.name() == "projector" || element.name() == "light";

@@ -18,12 +18,21 @@ namespace smurf {
 /// it is a sensor or plug-in without a name, which SDF refuses.
 bool is_taken_by_gazebo(const LinkedModel& model, xml::View child);
 
+/// The plug-ins in a sensor that SDF refuses, because they name no file.
+std::vector<xml::View> broken_plugins(xml::View sensor);
+
 class GazeboElements {
  public:
   /// `source` is the text of the URDF.
   GazeboElements(const LinkedModel& model, std::string_view source);
 
   bool empty() const { return by_reference_.empty(); }
+  /// Replaces the text of an element below a child of <gazebo>.
+  void set_text(xml::View element, std::string text) {
+    texts_[element.id()].push_back({element.text_span(), std::move(text)});
+  }
+  /// Makes an element belong to another link.
+  void move(xml::ElementId element, std::string_view from, const std::string& to);
 
   /// The contents of <model>.
   void add_to_model(XmlText& xml) const;
@@ -76,6 +85,7 @@ class GazeboElements {
 
   const LinkedModel& model_;
   std::string_view source_;
+  std::map<xml::ElementId, std::vector<std::pair<Span, std::string>>> texts_;
   std::map<std::string, Part, std::less<>> by_reference_;  ///< "": the model
 };
 

@@ -84,7 +84,7 @@ class AttachWriter : MjcfParts {
       xml_.open("body", {{"name", flat(i).path},
                          {"pos", join_numbers(X_WE.position)},
                          {"quat", quaternion_text(X_WE.orientation)}});
-      add_free_joint(i);
+      add_free_joint(name(i, "free"), *flat(i).X_WE);
       if (flat(i).anchor.kind == Attachment::Kind::link) welded_.push_back(i);
     }
     xml_.empty("attach", {{"model", model_id(i)}, {"prefix", name(i, "")}});

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "write/contacts.hpp"
-#include "write/preview_meshes.hpp"
+#include "write/mjcf_meshes.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/xml_text.hpp"
@@ -45,17 +45,12 @@ class MjcfParts {
   void add_inertial(const LinkInertial& mass, bool moves, Span span, const std::string& name);
   /// Writes the meshes of entities that are not models into <asset>.
   void add_meshes_of_entities();
-  static std::string mesh_key(const FlatMesh& mesh);
-  /// Declares a mesh: by file name if MuJoCo reads the file, otherwise with its triangles. Returns
-  /// the reason if there is no mesh, such as "is flat, which MuJoCo refuses", or "". MuJoCo refuses
-  /// the whole world for one mesh that it cannot read, so the files are read here.
-  std::string declare_mesh(const FlatMesh& mesh, Span place);
   /// Whether the content of a file is PNG; MuJoCo refuses the whole world for one that is not.
   bool is_png(const std::string& file) const;
   /// Why MuJoCo cannot read a heightmap; empty if it can.
-  std::string_view fault_of_heightmap(const std::string& file) const;
+  std::string fault_of_heightmap(const std::string& file) const;
   /// The joint of a free body. Not <freejoint/>, which DART reads as a weld.
-  void add_free_joint(std::size_t i);
+  void add_free_joint(const std::string& name, const Pose& X_WB);
   /// Appends the positions of the next joint, in the order of the joints.
   void add_start(const std::string& numbers) { start_ += (start_.empty() ? "" : " ") + numbers; }
   /// One keyframe `initial` with all of these.
@@ -67,27 +62,20 @@ class MjcfParts {
   SceneLosses losses_;
   LinkFrames frames_;
   XmlText xml_{scene_.most_bytes};
-  std::string start_;                          ///< qpos
-  std::string commands_;                       ///< ctrl
-  std::map<std::string, std::string> meshes_;  ///< mesh_key -> name of the declared mesh
+  std::string start_;     ///< qpos
+  std::string commands_;  ///< ctrl
+  MjcfMeshes meshes_;
 
  private:
   void add_class(const std::string& name, const std::vector<XmlText::Attribute>& geom);
-  void declare_triangles(const std::string& name, const FlatMesh& mesh,
-                         const MeshTriangles& triangles);
-
-  struct MeshOfFile {
-    bool is_named = true;          ///< MuJoCo reads the file; otherwise its triangles are written
-    std::string reason;            ///< the reason if there is no mesh for MuJoCo
-    std::optional<double> volume;  ///< before scaling; none if the file was not read
-    bool is_readable = false;      ///< here
-  };
-  void examine(const FlatMesh& mesh, MeshOfFile& of_file) const;
-
-  PreviewMeshes files_;
-  std::map<std::string, MeshOfFile> mesh_files_;
   bool has_bitmasks_ = false;
-  std::map<const FlatShape*, std::string> heightmaps_;  ///< names of the declared ones
+
+  struct DeclaredHeights {
+    std::string name;
+    double lift = 0;  ///< the height of the darkest pixel, m
+  };
+  void declare_heights(std::size_t instance, const FlatShape& shape, const FlatHeightmap& map);
+  std::map<const FlatShape*, DeclaredHeights> heightmaps_;
 };
 
 }  // namespace smurf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drake model directives. Rotations are an angle and an axis, because Drake does not read
 // quaternions (common/schema/rotation.h).
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -90,15 +91,30 @@ class DirectivesWriter {
     out_ += "- add_model:\n    name: " + quoted(names_[i]) +
             "\n    file: " + quoted("package://scene/" + scene_.flat.models[*flat(i).model].urdf) +
             "\n";
-    if (!flat(i).joint_positions.empty()) {
-      out_ += "    default_joint_positions:\n";
-      for (const auto& [joint, position] : flat(i).joint_positions) {
-        out_ += "      " + quoted(joint) + ": [" + format_number(position) + "]\n";
-      }
-    }
+    add_joint_positions(i);
     if (flat(i).anchor.kind != Attachment::Kind::none) return;
     out_ += "    default_free_body_pose:\n      " + quoted(root_name(i)) + ":\n";
     add_pose(*flat(i).X_WE, "        ");
+  }
+
+  void add_joint_positions(std::size_t i) {
+    auto positions = flat(i).joint_positions;
+    // Drake does not compute the default position of a follower from that of its leader.
+    const LinkedModel& model = *robot_of(i);
+    const JointPositions& given = scene_.scene.joint_positions(scene_.scene.instances[i]);
+    for (const urdf::Joint& joint : model.robot->joints) {
+      if (!joint.mimic || !joint.name) continue;
+      const double position = start_position(model, joint, given);
+      const bool is_known = std::any_of(positions.begin(), positions.end(), [&](const auto& known) {
+        return known.first == *joint.name;
+      });
+      if (position != 0 && !is_known) positions.emplace_back(*joint.name, position);
+    }
+    if (positions.empty()) return;
+    out_ += "    default_joint_positions:\n";
+    for (const auto& [joint, position] : positions) {
+      out_ += "      " + quoted(joint) + ": [" + format_number(position) + "]\n";
+    }
   }
 
   void add_weld(std::size_t i) {

@@ -49,6 +49,7 @@ class GltfWriter {
     std::vector<Part> parts;  ///< the file has colours
     std::optional<std::size_t> normals;
     std::string why_none;
+    bool has_textures = false;
   };
 
   static void append_pose(std::string& node, const Pose& pose) {
@@ -139,8 +140,10 @@ class GltfWriter {
     const auto* mesh = std::get_if<FlatMesh>(&shape.geometry);
     if (mesh == nullptr) return losses_.unseen_shape(shape.span, shape.geometry, {});
     const std::string& file = files_.first_name(mesh->file);
-    const std::string& reason = accessors_of(file, shape.span).why_none;
+    const Accessors& accessors = accessors_of(file, shape.span);
+    const std::string& reason = accessors.why_none;
     if (!reason.empty()) return losses_.unseen_shape(shape.span, shape.geometry, reason);
+    if (accessors.has_textures && !shape.color) losses_.note("textures", shape.span, mesh->file);
     add(file, shape.X_LS, mesh->scale);
   }
 
@@ -209,6 +212,7 @@ class GltfWriter {
     Accessors accessors;
     const MeshTriangles mesh = files_.read(file, place);
     accessors.why_none = mesh.reason;
+    accessors.has_textures = mesh.has_textures;
     if (!mesh.reason.empty()) return accessors;
     accessors.points = add_vectors(mesh.points, true);
     // Some readers treat the greatest index of a type as a special value.

@@ -292,6 +292,12 @@ void SceneLosses::report_setting(WorldSetting setting, const SceneFile& file) {
       report(yaml::View{*file.document, file.scene.environment}.key_span(), "the environment is");
     }
     return;
+  case WorldSetting::plugins:
+    if (file.document) {
+      const yaml::View plugins = file.document->view().find("plugins");
+      if (plugins) report(plugins.key_span(), "the list of plug-ins is");
+    }
+    return;
   case WorldSetting::lights:
     for (const Light& light : file.scene.lights) {
       report(light.name.written ? light.name.span : light.span, "the light is");

@@ -10,6 +10,7 @@
 #include "base/unique_names.hpp"
 #include "write/annotated_colors.hpp"
 #include "write/mjcf_attach.hpp"
+#include "write/mjcf_excludes.hpp"
 #include "write/mjcf_sensors.hpp"
 
 namespace smurf {
@@ -35,6 +36,7 @@ class MjcfWriter : MjcfSensors {
       if (is_top_level_[i] && flat(i).X_WE) add_top_level(i);
     }
     xml_.close();
+    add_excludes();
     add_equalities();
     add_actuators();
     add_sensors();
@@ -79,12 +81,13 @@ class MjcfWriter : MjcfSensors {
       }
       for (const urdf::Link& link : model.robot->links) {
         for (const urdf::Visual& visual : link.visuals) {
-          add_mesh(m, visual.geometry, visual.span);
           const auto texture = texture_of(visual, model, scene_.flat.models[m]);
+          const bool has_look = texture || colors_.of(visual, model, scene_.flat.models[m]);
+          add_mesh(m, visual.geometry, visual.span, !has_look);
           if (texture && textures.contains(*texture)) declare_texture(*texture);
         }
         for (const urdf::Collision& shape : link.collisions)
-          add_mesh(m, shape.geometry, shape.span);
+          add_mesh(m, shape.geometry, shape.span, false);
       }
     }
     add_meshes_of_entities();
@@ -115,22 +118,30 @@ class MjcfWriter : MjcfSensors {
     xml_.empty("material", {{"name", name}, {"texture", name}});
   }
 
-  void add_mesh(std::size_t model, const urdf::Geometry& geometry, Span span) {
+  void add_mesh(std::size_t model, const urdf::Geometry& geometry, Span span, bool in_colors) {
     const auto flat_geometry = to_flat(geometry, scene_.flat.models[model]);
     const auto* mesh = flat_geometry ? std::get_if<FlatMesh>(&*flat_geometry) : nullptr;
-    if (mesh == nullptr || meshes_.contains(mesh_key(*mesh))) return;
-    const bool exists = existing_.contains(*std::get<urdf::Mesh>(geometry.shape).filename);
-    const std::string reason = exists ? declare_mesh(*mesh, span) : "is missing";
-    if (!reason.empty())
-      losses_.shape(span, "the mesh `" + mesh->file + "`, which " + reason + ",");
+    if (mesh == nullptr) return;
+    if (meshes_.name_of(*mesh) == nullptr) {
+      const bool exists = existing_.contains(*std::get<urdf::Mesh>(geometry.shape).filename);
+      const std::string reason = exists ? meshes_.declare(*mesh, span) : "is missing";
+      if (!reason.empty()) {
+        return losses_.shape(span, "the mesh `" + mesh->file + "`, which " + reason + ",");
+      }
+    }
+    if (in_colors) meshes_.declare_parts(*mesh, span);
   }
 
   void add_top_level(std::size_t i) {
-    if (robot_of(i) != nullptr) {
-      const bool is_free = flat(i).anchor.kind != Attachment::Kind::world;
-      add_robot(i, is_free);
-    } else {
-      add_solid(i);
+    const LinkedModel* model = robot_of(i);
+    if (model == nullptr) return add_solid(i);
+    const std::size_t root = to_size(model->tree.roots.front());
+    const bool is_free = flat(i).anchor.kind != Attachment::Kind::world;
+    add_tree(i, root, *flat(i).X_WE, is_free ? name(i, "free") : "");
+    while (!floating_.empty()) {
+      const Floating body = std::move(floating_.back());
+      floating_.pop_back();
+      add_tree(body.instance, body.link, body.X_WL, body.joint);
     }
   }
 
@@ -139,14 +150,16 @@ class MjcfWriter : MjcfSensors {
     std::size_t instance = 0, link = 0;
     std::vector<PlaceOfLink> inside;
     std::size_t next = 0;
+    WeldedBodies* welded = nullptr;
   };
 
-  void add_robot(std::size_t top, bool is_free) {
+  /// Writes a link and everything below it. Without a name of a free joint, the link is fixed.
+  void add_tree(std::size_t top, std::size_t root, const Pose& X_WL,
+                const std::string& free_joint) {
     std::vector<Step> stack;
-    const LinkedModel& model = *robot_of(top);
-    const std::size_t root = to_size(model.tree.roots.front());
-    open_body(top, root, *flat(top).X_WE, nullptr, is_free);
-    stack.push_back({top, root, inside(top, root), 0});
+    WeldedBodies* welded = excludes_.add_tree(free_joint.empty());
+    open_body(top, root, X_WL, nullptr, free_joint, welded);
+    stack.push_back({top, root, inside(top, root), 0, welded});
     while (!stack.empty()) {
       Step& step = stack.back();
       if (step.next == step.inside.size()) {
@@ -155,15 +168,29 @@ class MjcfWriter : MjcfSensors {
         continue;
       }
       const auto [instance, link] = step.inside[step.next++];
-      if (instance == step.instance) {
-        open_link(instance, link);
-      } else {
+      WeldedBodies* outer = step.welded;
+      if (instance != step.instance) {
         const Pose X_LE =
             pose_on_anchor(scene_.scene, instance, frames_).value_or(*flat(instance).X_WE);
-        open_body(instance, link, X_LE, nullptr, false);
+        open_body(instance, link, X_LE, nullptr, "", outer);
+      } else if (floats_in_world(instance, link, *outer)) {
+        continue;
+      } else {
+        outer = open_link(instance, link, outer);
       }
-      stack.push_back({instance, link, inside(instance, link), 0});
+      stack.push_back({instance, link, inside(instance, link), 0, outer});
     }
+  }
+
+  /// MuJoCo allows free joints in the world only, so such a link is written there later.
+  bool floats_in_world(std::size_t i, std::size_t link, const WeldedBodies& outer) {
+    const LinkedModel& model = *robot_of(i);
+    const urdf::Joint& joint = model.joint(*model.tree.parent_joint[link]);
+    if (joint.type != urdf::JointType::floating || !outer.is_world()) return false;
+    const std::optional<Pose>& X_EL = frames_.of(scene_.scene, linked(i))[link];
+    if (!X_EL || !flat(i).X_WE) return false;
+    floating_.push_back({i, link, *flat(i).X_WE * *X_EL, name(i, joint.name.value_or("free"))});
+    return true;
   }
 
   /// Adds the links below a link, then the roots of entities anchored to it.
@@ -182,22 +209,23 @@ class MjcfWriter : MjcfSensors {
   }
 
   /// Writes a body at the zero position of its joint; the keyframe moves it.
-  void open_link(std::size_t i, std::size_t link) {
+  WeldedBodies* open_link(std::size_t i, std::size_t link, WeldedBodies* outer) {
     const LinkedModel& model = *robot_of(i);
     const urdf::Joint& joint = model.joint(*model.tree.parent_joint[link]);
-    open_body(i, link, urdf::to_pose(joint.origin), &joint, false);
+    if (joint.has_one_axis()) outer = excludes_.add_moving(i, *outer);
+    open_body(i, link, urdf::to_pose(joint.origin), &joint, "", outer);
+    return outer;
   }
 
   void open_body(std::size_t i, std::size_t link, const Pose& pose, const urdf::Joint* joint,
-                 bool is_free) {
+                 const std::string& free_joint, WeldedBodies* welded) {
     const LinkedModel& model = *robot_of(i);
-    xml_.open("body", {{"name", name(i, link_name(model, link))},
+    const std::string body = name(i, link_name(model, link));
+    xml_.open("body", {{"name", body},
                        {"pos", join_numbers(pose.position)},
                        {"quat", quaternion_text(pose.orientation)}});
-    bool moves = is_free;
-    if (is_free) {
-      add_free_joint(i);
-    }
+    bool moves = !free_joint.empty();
+    if (moves) add_free_joint(free_joint, pose);
     if (joint != nullptr) moves = add_joint(i, model, *joint);
     const urdf::Link& written = model.robot->links[link];
     auto mass = inertial_of(written);
@@ -206,7 +234,7 @@ class MjcfWriter : MjcfSensors {
       losses_.note(kInventedMasses, written.span, link_name(model, link));
     }
     if (mass) add_inertial(*mass, moves, written.span, link_name(model, link));
-    add_geoms(i, model, written);
+    if (add_geoms(i, model, written)) welded->add(i, body);
     add_mounts(i, link);
   }
 
@@ -249,7 +277,8 @@ class MjcfWriter : MjcfSensors {
     }
   }
 
-  void add_geoms(std::size_t i, const LinkedModel& model, const urdf::Link& link) {
+  /// Whether any of them can touch another body.
+  bool add_geoms(std::size_t i, const LinkedModel& model, const urdf::Link& link) {
     const FlatModel& flat_model = scene_.flat.models[*flat(i).model];
     bool is_shown = false;
     for (const urdf::Visual& visual : link.visuals) {
@@ -261,6 +290,12 @@ class MjcfWriter : MjcfSensors {
       add_name(*geom, i, visual.name);
       std::optional<Rgba> color = colors_.of(visual, model, flat_model);
       const auto texture = texture_of(visual, model, flat_model);
+      const auto* mesh = std::get_if<FlatMesh>(&*geometry);
+      const auto* parts = color || texture || mesh == nullptr ? nullptr : meshes_.parts_of(*mesh);
+      if (parts != nullptr && !parts->empty()) {
+        add_parts(*geom, *parts, urdf::to_pose(visual.origin));
+        continue;
+      }
       if (const auto known = texture ? textures_.find(*texture) : textures_.end();
           known != textures_.end()) {
         geom->emplace_back("material", known->second);
@@ -269,6 +304,7 @@ class MjcfWriter : MjcfSensors {
       }
       add_geom(std::move(*geom), urdf::to_pose(visual.origin), color, {});
     }
+    bool can_touch = false;
     for (const urdf::Collision& collision : link.collisions) {
       const auto geometry = to_flat(collision.geometry, flat_model);
       auto geom = geometry ? geom_of(is_shown ? "collision" : "solid", *geometry) : std::nullopt;
@@ -277,6 +313,20 @@ class MjcfWriter : MjcfSensors {
       add_name(*geom, i, collision.name);
       add_geom(std::move(*geom), urdf::to_pose(collision.origin), std::nullopt,
                contacts_of(model).of(collision, link));
+      can_touch = true;
+    }
+    return can_touch;
+  }
+
+  /// Writes a geom for each colour of a mesh file. Only the first one has the name of the visual.
+  void add_parts(std::vector<XmlText::Attribute> geom, const std::vector<MjcfMeshes::Part>& parts,
+                 const Pose& pose) {
+    for (const MjcfMeshes::Part& part : parts) {
+      for (XmlText::Attribute& attribute : geom) {
+        if (attribute.first == "mesh") attribute.second = part.name;
+      }
+      add_geom(geom, pose, part.color, {});
+      std::erase_if(geom, [](const auto& attribute) { return attribute.first == "name"; });
     }
   }
 
@@ -294,6 +344,17 @@ class MjcfWriter : MjcfSensors {
 
   const CollisionContacts& contacts_of(const LinkedModel& model) {
     return contacts_.try_emplace(&model, model).first->second;
+  }
+
+  void add_excludes() {
+    bool is_open = false;
+    excludes_.for_each([&](const std::string& body, const std::string& other) {
+      if (!is_open) xml_.open("contact");
+      is_open = true;
+      xml_.empty("exclude", {{"body1", body}, {"body2", other}});
+      return !xml_.is_full();
+    });
+    if (is_open) xml_.close();
   }
 
   void add_equalities() {
@@ -314,7 +375,16 @@ class MjcfWriter : MjcfSensors {
     xml_.close();
   }
 
+  /// A link that a floating joint connects to the world.
+  struct Floating {
+    std::size_t instance = 0, link = 0;
+    Pose X_WL;
+    std::string joint;  ///< name
+  };
+
   std::vector<bool> is_top_level_;
+  std::vector<Floating> floating_;
+  MjcfExcludes excludes_;
   std::map<PlaceOfLink, std::vector<std::size_t>> children_;
   std::map<const LinkedModel*, CollisionContacts> contacts_;
   AnnotatedColors colors_;
@@ -351,6 +421,7 @@ extern constinit const SceneFormat scene_mjcf{
     .has_reference_form = true,
     .has_ground = true,
     .repeats_models = true,
+    .fixes_world_roots = true,
     .repeated_parts = repeated_parts};
 
 }  // namespace smurf

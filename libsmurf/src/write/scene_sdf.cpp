@@ -24,7 +24,7 @@ class SdfWriter {
       : scene_(scene),
         is_old_(is_old),
         losses_(scene, is_old ? SceneColumn::sdf16 : SceneColumn::sdf, is_old ? "SDF 1.6" : "SDF"),
-        names_(safe_names(scene.flat)) {}
+        names_(sdf_names(scene.flat)) {}
 
   std::string run() {
     xml_.open("sdf", {{"version", is_old_ ? "1.6" : "1.9"}});
@@ -33,6 +33,7 @@ class SdfWriter {
     add_lights();
     if (scene_.ground) add_ground();
     add_groups();
+    if (!is_old_) add_sdf_systems(xml_, scene_.scene);
     losses_.table();
     losses_.files_in_archives();
     return xml_.finish();
@@ -54,7 +55,11 @@ class SdfWriter {
   /// Facts about a model, computed once.
   const SdfModel& parts_of(const LinkedModel& model) {
     auto& known = models_[&model];
-    if (!known) known = std::make_unique<SdfModel>(model, scene_.sources);
+    if (known) return *known;
+    known = std::make_unique<SdfModel>(model, scene_.sources);
+    for (const auto& [span, name] : known->lost_contacts()) {
+      losses_.note(kLostContacts, span, name);
+    }
     return *known;
   }
   const std::string& root_name(const LinkedModel& model) const {
@@ -142,7 +147,7 @@ class SdfWriter {
     const auto link = parent->link_names.find(flat(i).anchor.link);
     if (!link) return;
     const auto [known, is_new] = bodies_.try_emplace(parent);
-    if (is_new) known->second = bodies_of(*parent, refers(*parent));
+    if (is_new) known->second = sdf_bodies(*parent, refers(*parent));
     const std::vector<std::size_t>& bodies = known->second;
     add_fixed_joint("anchor_of_" + names_[i],
                     names_[other] + "::" + links_of(*parent)[bodies[*link]],
@@ -199,26 +204,11 @@ class SdfWriter {
     xml_.close();
   }
 
-  /// By link: the link whose body contains it. A link without mass at the end of a fixed joint
-  /// belongs to its parent; libsdformat merges all links at fixed joints.
-  std::vector<std::size_t> bodies_of(const LinkedModel& model, bool as_libsdformat) const {
-    std::vector<std::size_t> bodies(model.robot->links.size());
-    for (const LinkIndex link : model.tree.order) {
-      const std::size_t at = to_size(link);
-      bodies[at] = at;
-      const auto& above = model.tree.parent_joint[at];
-      if (!above || model.joint(*above).type != urdf::JointType::fixed) continue;
-      if (!as_libsdformat && inertial_of(model.link(link))) continue;
-      bodies[at] = bodies[to_size(*model.tree.joint_parent[to_size(*above)])];
-    }
-    return bodies;
-  }
-
   void add_robot(std::size_t i, const LinkedModel& model) {
     xml_.open("model", {{"name", names_[i]}});
     add_pose(*flat(i).X_WE);
     const std::vector<std::optional<Pose>>& X_EL = frames_.of(scene_.scene, linked(i));
-    const std::vector<std::size_t> bodies = bodies_of(model, false);
+    const std::vector<std::size_t>& bodies = parts_of(model).bodies;
     std::vector<std::vector<std::size_t>> parts(bodies.size());
     for (const LinkIndex link : model.tree.order) {
       const std::size_t at = to_size(link);
@@ -261,36 +251,28 @@ class SdfWriter {
     const BodyInertia inertia = body_inertia(mass.value_or(smallest_mass()), 0, 0);
     if (inertia.is_changed) losses_.note(kRefusedInertias, whole.span, link_name(model, body));
     add_sdf_inertial(xml_, inertia.mass, is_old_);
-    UniqueNames shapes;
     UniqueNames sensors;
     for (const std::size_t part : parts) {
       const Pose X_BL = inverse(*X_EL[body]) * *X_EL[part];
-      add_shapes(model, scene_.flat.models[*flat(i).model], part, X_BL, shapes);
+      add_shapes(model, scene_.flat.models[*flat(i).model], part, X_BL);
       const std::string frame = part == body || is_old_ ? "" : links_of(model)[part];
       parts_of(model).add_to_link(xml_, part, frame, X_BL, is_old_, sensors);
     }
     xml_.close();
   }
 
-  /// Uses the names of libsdformat, because contact sensors in <gazebo> refer to them.
-  static std::string shape_name(const Field<std::string>& name, std::string_view link,
-                                const char* kind, std::size_t index) {
-    if (name) return sdf_name(*name + kind);
-    return sdf_name(std::string(link) + kind) + (index > 0 ? "_" + std::to_string(index) : "");
-  }
-
   void add_shapes(const LinkedModel& model, const FlatModel& flat_model, std::size_t part,
-                  const Pose& X_BL, UniqueNames& names) {
+                  const Pose& X_BL) {
     const urdf::Link& link = model.robot->links[part];
+    const SdfShapeNames& names = parts_of(model).shape_names;
     const GazeboElements& gazebo = parts_of(model).gazebo;
     const std::string_view link_name = link.name ? std::string_view(*link.name) : "";
     for (const urdf::Visual& visual : link.visuals) {
       if (xml_.is_full()) return;
       const auto geometry = to_flat(visual.geometry, flat_model);
       if (!geometry || !can_say(*geometry, visual.span)) continue;
-      const auto index = static_cast<std::size_t>(&visual - link.visuals.data());
-      open_shape("visual", names.add(shape_name(visual.name, link_name, "_visual", index)),
-                 X_BL * urdf::to_pose(visual.origin), *geometry);
+      open_shape("visual", names.visuals.at(&visual), X_BL * urdf::to_pose(visual.origin),
+                 *geometry);
       if (!gazebo.has_own_material(link_name)) {
         AnnotatedLooks::Look look = colors_.look_of(visual, model, flat_model);
         if (look.color) look.color = as_libsdformat_has(*look.color);
@@ -304,8 +286,7 @@ class SdfWriter {
       if (xml_.is_full()) return;
       const auto geometry = to_flat(collision.geometry, flat_model);
       if (!geometry || !can_say(*geometry, collision.span)) continue;
-      const auto index = static_cast<std::size_t>(&collision - link.collisions.data());
-      open_shape("collision", names.add(shape_name(collision.name, link_name, "_collision", index)),
+      open_shape("collision", names.collisions.at(&collision),
                  X_BL * urdf::to_pose(collision.origin), *geometry);
       const Contacts contacts = is_old_ ? Contacts() : parts_of(model).contacts.of(collision, link);
       add_sdf_surface(xml_, contacts, gazebo.empty() ? nullptr : &gazebo, link_name);
@@ -468,6 +449,7 @@ extern constinit const SceneFormat scene_sdf{
     .has_reference_form = true,
     .has_ground = true,
     .repeats_models = true,
+    .fixes_world_roots = true,
     .repeated_parts = sdf_parts};
 
 extern constinit const SceneFormat scene_sdf16{
@@ -476,6 +458,7 @@ extern constinit const SceneFormat scene_sdf16{
     .write = [](const SceneExport& scene) { return SdfWriter(scene, true).run(); },
     .has_ground = true,
     .repeats_models = true,
+    .fixes_world_roots = true,
     .repeated_parts = sdf_parts};
 
 }  // namespace smurf

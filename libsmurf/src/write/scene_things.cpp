@@ -18,7 +18,8 @@ constexpr std::string_view kShown = "shown";
 constexpr std::string_view kNoPlace = "lost: SDF has no element for them";
 constexpr std::string_view kSpeed = "lost: MuJoCo does not limit speeds";
 constexpr std::string_view kEffort =
-    "partly: MuJoCo limits the forces of actuators, which driven joints have";
+    "lost: MuJoCo limits the forces of actuators only, which joints with a motor have; urdf2smurf "
+    "--motors all makes motors";
 constexpr std::string_view kActuator =
     "partly: actuators, where one joint is driven, without other settings";
 constexpr std::string_view kDrive =
@@ -32,8 +33,14 @@ constexpr std::string_view kNearest = "changed: to the nearest inertia that the 
 constexpr std::string_view kTenGrams = "added: 10 g in a ball of 1 cm, the default of MARS";
 constexpr std::string_view kReadMeshes =
     "kept: meshes that are STL, OBJ, bobj, COLLADA or glTF, without skins and textures";
-constexpr std::string_view kFreeWorld =
-    "added: a free body, as MARS has; Gazebo fixes such a URDF to the world";
+constexpr std::string_view kFixedWorld =
+    "added: them fixed to the world, as readers of URDFs do; `anchor: none` or --base floating "
+    "frees them, as in MARS";
+constexpr std::string_view kGains =
+    "added: a damping of 10 times the largest effort divided by the largest speed, 100 without "
+    "these limits, and for positions a stiffness of `p` times that, 20 times without `p`";
+constexpr std::string_view kPlainName =
+    "changed: names have ASCII letters, digits and _ only, are unique, and are not reserved";
 constexpr std::string_view kColours = "lost: shapes have colours";
 
 constexpr SceneThing kThings[] = {
@@ -58,10 +65,14 @@ constexpr SceneThing kThings[] = {
     {.title = "names of visuals and collisions",
      .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, "kept: as attributes"}},
     {.title = "colours", .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kKept, kKept}},
+    {.title = kColorsOfMeshes,
+     .cells = {kKept, kKept,
+               "lost: MuJoCo shows a mesh in one colour, and refuses a flat part as a mesh", kKept,
+               kKept, kKept, kKept, kKept}},
     {.title = "textures",
      .in_model = things::textures,
      .cells = {"kept: as albedo maps", "lost: SDF 1.6 has scripts of Gazebo Classic for them",
-               "partly: PNG files", kKept, kKept,
+               "partly: PNG files, but not those that a mesh file names", kKept, kKept,
                "partly: PNG and JPEG files, but not those that a mesh file names", kColours,
                kColours}},
     {.title = "movable joints",
@@ -92,17 +103,32 @@ constexpr SceneThing kThings[] = {
      .cells = {kNoPlace, kNoPlace, kLost, kKept, kKept, kShown, kShown, kLost}},
     {.title = "damping and friction of joints",
      .in_model = things::joint_frictions,
-     .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, "partly: damping"}},
+     .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, "kept: friction for PhysX"}},
     {.title = "transmissions",
      .in_model = things::transmissions,
      .cells = {kPlugin, kPlugin, kActuator, kKept, kKept, kShown, kShown, kDrive}},
     {.title = "elements of ros2_control",
      .in_model = things::ros2_controls,
      .cells = {kPlugin, kPlugin, kActuator, kKept, kKept, kShown, kShown, kDrive}},
+    {.title = "collisions within a robot",
+     .in_model = things::own_collisions,
+     .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown,
+               "added: none, as in NVIDIA's importer of URDFs, because convex hulls overlap"}},
+    {.title = "gains of motors",
+     .in_model = things::chosen_gains,
+     .cells = {kKept, kKept, kGains, kKept, kKept, kKept, kKept, kGains}},
     {.title = "elements in <gazebo>",
      .in_model = things::gazebo_elements,
      .cells = {kAsGazebo, kAsGazebo, "partly: sensors that MuJoCo has", kKept, kKept, kFields,
                kShown, kGazeboOnly}},
+    {.title = kLostContacts,
+     .cells = {"lost: a contact sensor of Gazebo belongs to one link",
+               "lost: a contact sensor of Gazebo belongs to one link", kKept, kKept, kKept, kKept,
+               kKept, kKept}},
+    {.title = "systems of Gazebo for sensors",
+     .in_model = things::sensor_systems,
+     .cells = {"added: the plug-ins of Gazebo Fortress and later that run them", kKept, kKept,
+               kKept, kKept, kKept, kKept, kKept}},
     {.title = "elements that URDF does not define",
      .in_model = things::other_extensions,
      .cells = {kLost, kLost, kLost, kKept, kKept, kShown, kShown, kLost}},
@@ -233,6 +259,10 @@ constexpr SceneThing kThings[] = {
      .of = ThingOf::scene,
      .setting = WorldSetting::environment,
      .cells = kLostEverywhere},
+    {.title = "plug-ins of MARS",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::plugins,
+     .cells = kLostEverywhere},
     {.title = "lights",
      .of = ThingOf::scene,
      .setting = WorldSetting::lights,
@@ -249,6 +279,12 @@ constexpr SceneThing kThings[] = {
      .in_scene = things::light_details,
      .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kKept,
                "lost: light of USD falls off with the square of the distance"}},
+    {.title = kUnsureHeights,
+     .of = ThingOf::scene,
+     .cells = {kKept, kKept,
+               "changed: MuJoCo stretches the red part of the image from the darkest pixel to the "
+               "brightest one",
+               kKept, kKept, kKept, kKept, kKept}},
     {.title = "entities of other types",
      .of = ThingOf::scene,
      .cells = {kLost, kLost, kLost, kLost, kLost, "kept: in the tree", "kept: as nodes",
@@ -258,8 +294,14 @@ constexpr SceneThing kThings[] = {
      .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, kKept}},
     {.title = "roots named `world` without an anchor",
      .of = ThingOf::scene,
-     .in_scene = things::free_worlds,
-     .cells = {kFreeWorld, kFreeWorld, kKept, kKept, kKept, kKept, kKept, kKept}},
+     .in_scene = things::world_roots,
+     .cells = {kFixedWorld, kFixedWorld, kFixedWorld, kFixedWorld, kKept, kKept, kKept,
+               kFixedWorld}},
+    {.title = "names of entities",
+     .of = ThingOf::scene,
+     .in_scene = things::changed_names,
+     .cells = {kPlainName, kPlainName, kKept, kPlainName, kPlainName, kKept, kKept,
+               "kept: as attributes"}},
     {.title = "start positions",
      .of = ThingOf::scene,
      .in_scene = things::start_positions,

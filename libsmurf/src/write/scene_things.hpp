@@ -44,12 +44,23 @@ enum class Fate : std::uint8_t {
 };
 
 /// Settings of scene files; each loss is reported at its place.
-enum class WorldSetting : std::uint8_t { none, gravity, step_size, solver, environment, lights };
+enum class WorldSetting : std::uint8_t {
+  none,
+  gravity,
+  step_size,
+  solver,
+  environment,
+  plugins,
+  lights
+};
 
 /// Titles of things that the writers report themselves.
 inline constexpr std::string_view kInventedMasses = "masses of moving links that have none";
 inline constexpr std::string_view kEmptyShapes = "shapes with a size of 0";
 inline constexpr std::string_view kRefusedInertias = "inertias that simulators refuse";
+inline constexpr std::string_view kColorsOfMeshes = "colours of parts of mesh files";
+inline constexpr std::string_view kLostContacts = "collisions of contact sensors on several links";
+inline constexpr std::string_view kUnsureHeights = "heightmaps in colour or out of reach";
 
 struct SceneThing {
   std::string_view title;  ///< plural: "effort limits"; of an annotation singular: "motor"

@@ -5,8 +5,10 @@
 #include <map>
 
 #include "base/edits.hpp"
+#include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/utf8.hpp"
+#include "convert/xml_edits.hpp"
 #include "syntax/strict_xml.hpp"
 #include "write/raw_xml.hpp"
 #include "write/scene_losses.hpp"
@@ -82,14 +84,13 @@ class UrdfMerger {
 
   /// The latest version that one of the models needs; without a version, readers assume 1.0.
   void open_robot() {
-    std::string version = "1.0";
     for (const LinkedModel& model : scene_.scene.models) {
-      if (model.robot) version = std::max(version, model.robot->version.value_or(version));
+      if (model.robot) version_ = std::max(version_, model.robot->version.value_or(version_));
     }
-    if (version == "1.0") {
+    if (version_ == "1.0") {
       xml_.open("robot", {{"name", "scene"}});
     } else {
-      xml_.open("robot", {{"name", "scene"}, {"version", version}});
+      xml_.open("robot", {{"name", "scene"}, {"version", version_}});
     }
   }
 
@@ -115,6 +116,7 @@ class UrdfMerger {
     std::vector<Edit> edits;
     for (const xml::Element& element : document.elements) edit(document, element, i, edits);
     const xml::Element& root = document.elements[static_cast<std::size_t>(document.root)];
+    if (version_ == "1.0") replace_capsules(model, i, edits);
     keep_namespaces(document.view(), edits);
     const std::string_view text = source_text(model);
     const std::size_t end = text.substr(0, root.span.end).rfind("</");
@@ -127,6 +129,55 @@ class UrdfMerger {
            strict_xml(
                apply_edits(text.substr(root.tag_span().end, end - root.tag_span().end), edits)) +
            "\n";
+  }
+
+  /// URDF 1.0 has no capsules: a cylinder in the place of each, and two spheres at its ends.
+  void replace_capsules(const LinkedModel& model, std::size_t i, std::vector<Edit>& edits) const {
+    for (const urdf::Link& link : model.robot->links) {
+      for (const urdf::Visual& visual : link.visuals) {
+        replace_capsule(model, visual, i, edits);
+      }
+      for (const urdf::Collision& collision : link.collisions) {
+        replace_capsule(model, collision, i, edits);
+      }
+    }
+  }
+
+  void replace_capsule(const LinkedModel& model, const auto& shape, std::size_t i,
+                       std::vector<Edit>& edits) const {
+    const auto* capsule = std::get_if<urdf::Capsule>(&shape.geometry.shape);
+    if (capsule == nullptr || !capsule->radius || !capsule->length) return;
+    const xml::Document& document = model.robot->document;
+    const xml::View element(document, shape.element);
+    const std::string radius = format_number(*capsule->radius);
+    edits.push_back({xml::View(document, shape.geometry.shape_element).span(),
+                     new_element("cylinder", {{"radius", radius},
+                                              {"length", format_number(*capsule->length)}})});
+    std::string spheres;
+    for (const auto& [end, z] :
+         {std::pair{"_top", *capsule->length / 2}, std::pair{"_bottom", -*capsule->length / 2}}) {
+      const Pose X_LS = urdf::to_pose(shape.origin) * Pose{{0, 0, z}, {}};
+      spheres += "<" + std::string(element.name());
+      if (shape.name) spheres += " name=\"" + escape_xml(*shape.name + end) + "\"";
+      spheres += ">" + new_element("origin", origin_attributes(X_LS)) + "<geometry>" +
+                 new_element("sphere", {{"radius", radius}}) + "</geometry>" +
+                 material_of(element, i) + "</" + std::string(element.name()) + ">";
+    }
+    const Span span = element.span();
+    edits.push_back({{span.source, span.end, span.end}, spheres});
+  }
+
+  /// The material of a visual, or "".
+  std::string material_of(xml::View visual, std::size_t i) const {
+    const xml::View material = visual.child("material");
+    const xml::Attribute* name = material ? material.attribute("name") : nullptr;
+    if (name == nullptr) return {};
+    std::string text = "<material name=\"" + escape_xml(prefix(i) + std::string(name->value()));
+    const xml::View color = material.child("color");
+    const xml::Attribute* rgba = color ? color.attribute("rgba") : nullptr;
+    if (rgba == nullptr) return text + "\"/>";
+    return text + "\">" + new_element("color", {{"rgba", std::string(rgba->value())}}) +
+           "</material>";
   }
 
   std::string_view source_text(const LinkedModel& model) const {
@@ -319,6 +370,7 @@ class UrdfMerger {
   const SceneExport& scene_;
   SceneLosses losses_;
   std::vector<std::string> names_;
+  std::string version_ = "1.0";
   std::vector<std::size_t> groups_ = anchor_groups(scene_.scene);
   std::map<std::string, std::string, std::less<>> namespaces_;  ///< what prefixes mean
   LinkFrames frames_;
@@ -332,6 +384,7 @@ extern constinit const SceneFormat scene_urdf{
     .help = "one URDF with a prefix before the names of each model",
     .write = [](const SceneExport& scene) { return UrdfMerger(scene).run(); },
     .repeats_models = true,
+    .fixes_world_roots = true,
     .repeated_parts = repeated_parts};
 
 }  // namespace smurf

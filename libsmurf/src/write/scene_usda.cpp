@@ -82,6 +82,7 @@ class UsdaWriter {
   void add_robot(std::size_t index) {
     const UsdLayout& layout = physics_.layout_of(index);
     open_entity(index, physics_.schemas_of_robot(index));
+    physics_.add_articulation(index);
     materials_ = "/World/" + names_[index] + "/" + layout.materials;
     const auto& X_EL = frames_.of(scene_.scene, scene_.scene.instances[index]);
     for (std::size_t link = 0; link < layout.links.size() && !text_.is_full(); ++link) {
@@ -209,6 +210,9 @@ class UsdaWriter {
     } else if (const Mesh* mesh = mesh_of(shape)) {
       if (solid.collides) schemas.emplace_back("PhysicsMeshCollisionAPI");
       const bool has_own_colors = !shape.color && !mesh->colored_name.empty();
+      if (mesh->has_textures && !shape.color && solid.is_shown) {
+        losses_.note("textures", shape.span, std::get<FlatMesh>(shape.geometry).file);
+      }
       text_.open("Mesh", solid.prim, schemas,
                  "/Meshes/" + (has_own_colors ? mesh->colored_name : mesh->name));
       if (solid.collides) add_approximation(solid);
@@ -261,6 +265,7 @@ class UsdaWriter {
     std::string why_none;
     std::string colored_name = {};  ///< the file's shape with the colours of the file, if any
     std::string colors = {};        ///< attributes, one per line
+    bool has_textures = false;
   };
 
   /// Null if the shape has no triangles; that is already reported.
@@ -306,6 +311,7 @@ class UsdaWriter {
     Mesh mesh{mesh_names_.add(safe_name(path::stem(file))),
               extent + "\n" + points + "]\n" + counts + "]\n" + indices + "]\n",
               {}};
+    mesh.has_textures = triangles.has_textures;
     if (has_colors(triangles.parts)) {
       mesh.colored_name = mesh_names_.add(mesh.name + "_colored");
       mesh.colors = colors_of(triangles);
@@ -391,6 +397,7 @@ extern constinit const SceneFormat scene_usda{
     .name = "usda",
     .help = "an OpenUSD stage with UsdPhysics, for Isaac Sim",
     .write = [](const SceneExport& scene) { return UsdaWriter(scene).run(); },
-    .repeats_models = true};
+    .repeats_models = true,
+    .fixes_world_roots = true};
 
 }  // namespace smurf

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "write/sdf_names.hpp"
 #include "write/sdf_parts.hpp"
 
 namespace smurf {
@@ -23,17 +24,29 @@ class SdfModel {
   void add_to_link(XmlText& xml, std::size_t part, std::string_view frame, const Pose& X_BL,
                    bool is_old, UniqueNames& names) const;
   void add_to_joint(XmlText& xml, const urdf::Joint& joint, bool is_old, UniqueNames& names) const;
+  /// Places and names of collisions that a contact sensor cannot name, because they are in another
+  /// body.
+  const std::vector<std::pair<Span, std::string>>& lost_contacts() const { return lost_contacts_; }
 
  private:
+  void name_contacts();
   void add_sensors(XmlText& xml, std::string_view carrier, std::string_view frame,
                    UniqueNames& names) const;
 
   const LinkedModel& model_;
   std::multimap<std::string, const Sensor*, std::less<>> sensors_;  ///< by link or joint
+  std::vector<std::pair<Span, std::string>> lost_contacts_;
 
  public:
+  std::vector<std::size_t> bodies;  ///< by link
+  SdfShapeNames shape_names;
   CollisionContacts contacts;
   GazeboElements gazebo;
 };
+
+/// The plug-ins of the world that run the sensors of its models, for Gazebo Fortress and later.
+void add_sdf_systems(XmlText& xml, const LinkedScene& scene);
+/// Whether a sensor of the model needs one.
+bool needs_sdf_systems(const LinkedModel& model);
 
 }  // namespace smurf

@@ -64,6 +64,27 @@ void skip_leaders(Followers& followers) {
 
 }  // namespace
 
+namespace {
+
+using Limits = std::pair<double, double>;
+
+std::optional<Limits> limits_of(const urdf::Joint& joint) {
+  if (joint.type == urdf::JointType::continuous || !joint.limit) return std::nullopt;
+  const Limits limits{joint.limit->lower.value_or(0), joint.limit->upper.value_or(0)};
+  return limits.first <= limits.second ? std::optional(limits) : std::nullopt;
+}
+
+/// Those that follow from the limits of the leader.
+std::optional<Limits> limits_of_follower(const DrivenFollower& follower) {
+  const auto leader = limits_of(*follower.leader);
+  if (!leader) return std::nullopt;
+  const double first = leader->first * follower.multiplier + follower.offset;
+  const double second = leader->second * follower.multiplier + follower.offset;
+  return Limits{std::min(first, second), std::max(first, second)};
+}
+
+}  // namespace
+
 const UsdPhysics::Model& UsdPhysics::model_of(std::size_t instance) {
   const LinkedModel& robot = this->robot(instance);
   const auto [known, is_new] = models_.try_emplace(&robot);
@@ -124,7 +145,13 @@ void UsdPhysics::add_scene() {
 
 std::vector<std::string> UsdPhysics::schemas_of_robot(std::size_t instance) {
   if (model_of(instance).joints.empty()) return {};
-  return {"PhysicsArticulationRootAPI"};
+  return {"PhysicsArticulationRootAPI", "PhysxArticulationAPI"};
+}
+
+void UsdPhysics::add_articulation(std::size_t instance) {
+  if (model_of(instance).joints.empty()) return;
+  // The convex hulls of neighbours overlap. NVIDIA's importer of URDFs writes the same.
+  text_.line("bool physxArticulation:enabledSelfCollisions = 0");
 }
 
 bool UsdPhysics::is_body(std::size_t instance) const {
@@ -265,27 +292,29 @@ void UsdPhysics::add_axis(std::size_t i, const Joint& joint, Ends ends) {
   const double speed = drive != nullptr && drive->speed ? *drive->speed
                        : urdf.limit                     ? urdf.limit->velocity.value_or(0)
                                                         : 0;
-  if (speed > 0) schemas.emplace_back("PhysxJointAPI");
+  const double friction = urdf.dynamics ? urdf.dynamics->friction.value_or(0) : 0;
+  if (speed > 0 || friction > 0) schemas.emplace_back("PhysxJointAPI");
   if (follower) schemas.emplace_back("PhysxMimicJointAPI:rotX");
   open_joint(is_linear(urdf) ? "PhysicsPrismaticJoint" : "PhysicsRevoluteJoint", joint.name,
              schemas, ends);
   text_.line("uniform token physics:axis = \"X\"");
-  add_limits(urdf);
+  add_limits(urdf, follower);
   add_drive(i, urdf, drive);
   if (drive != nullptr) {
     text_.line("custom string smurf:motor = " + UsdaText::quoted(drive->name));
   }
   if (speed > 0) number("physxJoint:maxJointVelocity", speed * unit_of(urdf));
+  if (friction > 0) number("physxJoint:jointFriction", friction);
   if (follower) add_leader(i, *follower);
 }
 
-void UsdPhysics::add_limits(const urdf::Joint& joint) {
-  if (joint.type == urdf::JointType::continuous || !joint.limit) return;
-  const double lower = joint.limit->lower.value_or(0);
-  const double upper = joint.limit->upper.value_or(0);
-  if (lower > upper) return;
-  number("physics:lowerLimit", lower * unit_of(joint));
-  number("physics:upperLimit", upper * unit_of(joint));
+void UsdPhysics::add_limits(const urdf::Joint& joint,
+                            const std::optional<DrivenFollower>& follower) {
+  auto limits = limits_of(joint);
+  if (!limits && follower) limits = limits_of_follower(*follower);
+  if (!limits) return;
+  number("physics:lowerLimit", limits->first * unit_of(joint));
+  number("physics:upperLimit", limits->second * unit_of(joint));
 }
 
 /// Without a motor: a drive with damping only.
@@ -317,7 +346,13 @@ std::optional<DrivenFollower> UsdPhysics::leader_of(const Model& model, const ur
   const bool has_end = follower.leader != nullptr && !model.followers.contains(follower.leader);
   if (has_end && model.index.contains(follower.leader) && follower.leader->has_one_axis() &&
       is_linear(*follower.leader) == is_linear(joint) && follower.multiplier != 0) {
-    return follower;
+    if (limits_of(joint) || limits_of_follower(follower)) return follower;
+    if (reported_.insert(&joint).second) {
+      losses_.joint(joint,
+                    "free to move, since it follows another joint and neither has limits, which "
+                    "PhysX needs,");
+    }
+    return std::nullopt;
   }
   if (reported_.insert(&joint).second) {
     losses_.joint(joint, "free to move, since it has no moving leader of its kind,");

@@ -29,6 +29,8 @@ class UsdPhysics {
   const UsdLayout& layout_of(std::size_t instance) { return model_of(instance).layout; }
   /// Schemas for the Xform of an instance with a robot.
   std::vector<std::string> schemas_of_robot(std::size_t instance);
+  /// The attributes of these schemas.
+  void add_articulation(std::size_t instance);
   /// Whether an instance without a robot is a body.
   bool is_body(std::size_t instance) const;
   /// Writes the mass of a link, or of an instance without a robot.
@@ -76,7 +78,7 @@ class UsdPhysics {
   void add_anchor(std::size_t instance, LinkFrames& frames, const std::string& name);
   void add_joint(std::size_t instance, const Joint& joint);
   void add_axis(std::size_t instance, const Joint& joint, Ends ends);
-  void add_limits(const urdf::Joint& joint);
+  void add_limits(const urdf::Joint& joint, const std::optional<DrivenFollower>& follower);
   void add_drive(std::size_t instance, const urdf::Joint& joint, const JointDrive* drive);
   void add_leader(std::size_t instance, const DrivenFollower& follower);
   void add_locked(const Joint& joint, Ends ends);
