@@ -92,6 +92,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/sanitizer.hpp",
     "base/suggest.hpp",
     "base/system.hpp",
+    "base/utf8.hpp",
     "base/windows_paths.hpp",
     "convert/mass_properties.hpp",
     "flatten/shapes.hpp",
@@ -104,6 +105,16 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "render/wrap.hpp",
     "syntax/tinyxml2_referee.hpp",
     "write/json_text.hpp",
+}
+
+
+# Tables with one file for each row, the folders of the files, and the namespaces around those of the files.
+FILES_OF_TABLES = {
+    "base/rules.def": ("lint/rules", "smurf::rules"),
+    "ast/sections.def": ("ast/sections", "smurf::sections"),
+    "base/readers.def": ("base/readers", "smurf::readers"),
+    "flatten/dialects.def": ("flatten/dialects", "smurf::readings"),
+    "write/scene_formats.def": ("write", "smurf"),
 }
 
 
@@ -210,6 +221,16 @@ def check_installed_headers():
             yield path, 1, "this header is not in public_headers of libsmurf/CMakeLists.txt"
 
 
+def check_namespaces():
+    """Files of tables are compiled as one unit, and their helpers have the same names."""
+    for table, (folder, namespace) in FILES_OF_TABLES.items():
+        for row in re.findall(r"^SMURF_\w+\((\w+)\)", (SOURCE / table).read_text(encoding="utf-8"), re.M):
+            path = SOURCE / folder / f"{row}.cpp"
+            expected = f"namespace {namespace}::{row}_file {{"
+            if path.exists() and expected not in path.read_text(encoding="utf-8").splitlines():
+                yield path, 1, f"write `{expected}`, so that other files may use the same names"
+
+
 def check_pipeline():
     for path in sorted(p for folder in (SOURCE, ROOT / "tools") for p in sources(folder)):
         if any(folder in path.parents for folder in PIPELINE_FOLDERS):
@@ -250,6 +271,7 @@ def main():
         *check_private_headers(),
         *check_public_headers(),
         *check_installed_headers(),
+        *check_namespaces(),
         *check_pipeline(),
         *check_tools(),
         *check_sizes(),

@@ -28,7 +28,7 @@ struct CheckReport {
   std::span<const Diagnostic> diagnostics() const { return found->diagnostics; }
 };
 
-py::list to_findings(const std::shared_ptr<const Found>& found) {
+py::list list_of(const std::shared_ptr<const Found>& found) {
   py::list findings;
   for (std::size_t i = 0; i < found->diagnostics.size(); ++i) {
     findings.append(py::cast(Finding{found, i}));
@@ -136,7 +136,7 @@ void bind_verdict(py::module_& module) {
 void bind_report(py::module_& module) {
   py::class_<CheckReport>(module, "Report", "What a check has found; a sequence of findings.")
       .def_property_readonly(
-          "findings", [](const CheckReport& self) { return to_findings(self.found); },
+          "findings", [](const CheckReport& self) { return list_of(self.found); },
           "A new list of smurf.Finding, sorted by file, line, column and id.")
       .def_property_readonly(
           "errors", [](const CheckReport& self) { return self.rest.summary.errors; },
@@ -159,7 +159,7 @@ void bind_report(py::module_& module) {
           },
           "A list of smurf.TargetVerdict, one for each target.")
       .def("__len__", [](const CheckReport& self) { return self.diagnostics().size(); })
-      .def("__iter__", [](const CheckReport& self) { return py::iter(to_findings(self.found)); })
+      .def("__iter__", [](const CheckReport& self) { return py::iter(list_of(self.found)); })
       .def("__getitem__",
            [](const CheckReport& self, std::int64_t index) {
              const auto size = static_cast<std::int64_t>(self.diagnostics().size());
@@ -195,12 +195,12 @@ void bind_report(py::module_& module) {
 }  // namespace
 
 py::list to_findings(std::vector<Diagnostic> diagnostics, const SourceMap& sources) {
-  return to_findings(std::make_shared<const Found>(Found{std::move(diagnostics), sources}));
+  return list_of(std::make_shared<const Found>(Found{std::move(diagnostics), sources}));
 }
 
 py::object to_report(Report report, const SourceMap& sources) {
   auto found = std::make_shared<const Found>(Found{std::move(report.diagnostics), sources});
-  if (!report.problems.empty()) raise_error(report.problems.front(), to_findings(found));
+  if (!report.problems.empty()) raise_error(report.problems.front(), list_of(found));
   return py::cast(CheckReport{std::move(found), std::move(report)});
 }
 

@@ -8,7 +8,7 @@ A code block after a line that is only "`PATH`:" is the file PATH. In a block `t
 with "$ " is a command, and what follows is all it prints; a line "..." stands for any number of
 lines, and "..." at the end of a line for the rest of that line. The command in "<!-- $ COMMAND -->" is
 run, and its output ignored. All commands of a page run in one folder, which also holds `fixtures`, the
-model `arm` and `arm.urdf`.
+programs in `build/release/bin`, the model `arm` and `arm.urdf`.
 """
 import os
 import pathlib
@@ -68,8 +68,10 @@ def differences(page, folder, environment):
     return messages, count
 
 
-def set_up(folder):
-    """The models that the pages name."""
+def set_up(folder, binaries):
+    """The models that the pages name, and the tools as in a clone."""
+    (folder / "build" / "release").mkdir(parents=True)
+    (folder / "build" / "release" / "bin").symlink_to(binaries)
     (folder / "fixtures").symlink_to(ROOT / "fixtures")
     shutil.copytree(ROOT / "fixtures" / "models" / "arm", folder / "arm")
     shutil.copy(ROOT / "tests" / "docs" / "arm.urdf", folder)
@@ -83,7 +85,7 @@ def main():
     failures = 0
     for page in pages:
         with tempfile.TemporaryDirectory() as folder:
-            set_up(pathlib.Path(folder))
+            set_up(pathlib.Path(folder), binaries)
             messages, count = differences(page, pathlib.Path(folder), environment)
         if count == 0:
             messages.append(f"{page}: no command")

@@ -58,9 +58,13 @@ class PackageXml(unittest.TestCase):
         self.assertEqual(looked_for("tests/CMakeLists.txt", False), set(NAMES_OF_TESTS))
 
     def test_setup_installs_it(self):
-        text = (ROOT / "scripts/setup").read_text().partition("build_packages=(")[2].partition("\n)")[0]
-        installed = {word for line in text.splitlines() for word in line.partition("#")[0].split()}
-        self.assertLessEqual(debian_packages(), installed)
+        text = (ROOT / "scripts/setup").read_text()
+        lists = [text.partition(f"{name}=(")[2].partition("\n)")[0] for name in ("tool_packages", "build_packages")]
+        tools, others = [{word for line in part.splitlines() for word in line.partition("#")[0].split()} for part in lists]
+        self.assertLessEqual(debian_packages(), tools | others)
+        self.assertFalse(tools & others)
+        for_tests = {DEBIAN.get(name, name) for name in named("test_depend")} - {"python3"}
+        self.assertFalse(tools & for_tests, "the demo runs no tests")
 
     def test_debian_packages_are_built_with_it(self):
         text = (ROOT / "packaging/debian/control").read_text()

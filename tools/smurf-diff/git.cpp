@@ -16,7 +16,6 @@
 namespace smurf::tools {
 namespace {
 
-constexpr std::string_view kTool = "smurf-diff";
 constexpr std::string_view kNothing = "/dev/null";
 
 struct GitFile {
@@ -79,7 +78,7 @@ class GitDiff {
     TextStyle style = style_for_git(options_.color);
     style.width = 78;  // less than 80, because the text is indented
     const std::string text = heading_of(before_, after_) + "\n" + indented(body(style));
-    write_output(kTool, options_.output, text);  // users may quit a pager at any time
+    write_output(kSmurfDiff, options_.output, text);  // users may quit a pager at any time
     return kDone;
   }
 
@@ -131,7 +130,7 @@ ExitCode compare_for_git(const Options& options) {
   const std::vector<std::string>& operands = options.operands;
   if (operands.size() == 1) {
     const std::string text = render::escape(operands[0]) + "\n  not merged\n";
-    write_output(kTool, options.output, text);
+    write_output(kSmurfDiff, options.output, text);
     return kDone;
   }
   const std::string& new_path = operands.size() > 7 ? operands[7] : operands[0];

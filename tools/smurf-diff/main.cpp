@@ -20,27 +20,26 @@ using namespace smurf::tools;
 
 namespace {
 
-constexpr std::string_view kTool = "smurf-diff";
-
 /// The file for an operand, which may be in an archive. Reports an error and returns none if it
 /// cannot be read or compared.
 std::optional<Version> open(const std::string& operand, const Options& options,
                             const Session& session) {
   if (operand == "-") {
     MemoryFiles memory;
-    const auto name = read_standard_input(kTool, options.stdin_filename, options.limits, memory);
+    const auto name =
+        read_standard_input(kSmurfDiff, options.stdin_filename, options.limits, memory);
     if (!name) return std::nullopt;
     return Version{*name, "-", *name, memory.read(*name, options.limits.file_bytes).text};
   }
   if (const auto reason = why_unreadable(operand, session.files())) {
-    complain(kTool, "cannot read '" + operand + "': " + *reason);
+    complain(kSmurfDiff, "cannot read '" + operand + "': " + *reason);
     return std::nullopt;
   }
-  const auto path = find_main_file(kTool, operand, session.files());
+  const auto path = find_main_file(kSmurfDiff, operand, session.files());
   if (!path) return std::nullopt;
   const InputKind kind = input_kind(*path);
   if (kind == InputKind::resource || kind == InputKind::other) {
-    complain(kTool, "'" + operand + "' is not a model, scene, URDF or annotation file");
+    complain(kSmurfDiff, "'" + operand + "' is not a model, scene, URDF or annotation file");
     return std::nullopt;
   }
   return Version{*path, operand};
@@ -50,7 +49,7 @@ std::string render(const Compared& compared, const Session& session, const Optio
                    const std::string& picture) {
   const SourceMap& sources = session.loaded_sources();
   const DiffInputs inputs{options.operands[0], options.operands[1], options.tolerance};
-  const ToolName tool{kTool, kVersion};
+  const ToolName tool{kSmurfDiff, kVersion};
   const auto& differences = compared.differences;
   if (options.format == DiffFormat::json) {
     return render_diff_json(differences, sources, inputs, tool);
@@ -68,7 +67,7 @@ bool find_models(Options& options) {
   constexpr InputKind kKinds[] = {InputKind::model, InputKind::urdf, InputKind::scene};
   for (std::string& operand : options.operands) {
     if (operand == "-" || !places::is_folder(operand)) continue;
-    const auto found = find_only_input(kTool, operand, kKinds, options.limits);
+    const auto found = find_only_input(kSmurfDiff, operand, kKinds, options.limits);
     if (!found) return false;
     operand = *found;
   }
@@ -91,16 +90,16 @@ ExitCode compare_operands(const Options& options) {
   if (has_picture && compared.is_known() && !compared.differences.empty()) {
     picture = picture_of(session, *before, *after, options);
   }
-  if (!tools::keeps_inputs(kTool, files, std::span(&options.output, 1))) return kFailed;
+  if (!tools::keeps_inputs(kSmurfDiff, files, std::span(&options.output, 1))) return kFailed;
   for (const Diagnostic& finding : compared.trouble) {
     write_error(
         render_full(finding, session.loaded_sources(), style_for(Stream::error, options.color)));
   }
-  if (!compared.problem.empty()) complain(kTool, compared.problem);
+  if (!compared.problem.empty()) complain(kSmurfDiff, compared.problem);
   if (!compared.is_known()) return kFailed;
   if (!options.quiet) {
     const std::string text = render(compared, session, options, picture);
-    if (!write_output(kTool, options.output, text)) return kFailed;
+    if (!write_output(kSmurfDiff, options.output, text)) return kFailed;
   }
   return compared.differences.empty() ? kDone : kFindings;
 }
@@ -126,7 +125,7 @@ int smurf_diff_main(int argc, char** argv) {
   }
   if (options.for_git) drop_separator(options.operands);
   if (const std::string problem = problem_of(options); !problem.empty()) {
-    complain(kTool, problem);
+    complain(kSmurfDiff, problem);
     return kFailed;
   }
   if (options.for_git) return compare_for_git(options);

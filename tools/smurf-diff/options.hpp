@@ -12,6 +12,8 @@
 
 namespace smurf::tools {
 
+inline constexpr std::string_view kSmurfDiff = "smurf-diff";
+
 enum class DiffFormat { text, json, html };
 
 struct Options {

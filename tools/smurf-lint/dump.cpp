@@ -16,16 +16,14 @@
 namespace smurf::tools {
 namespace {
 
-constexpr std::string_view kTool = "smurf-lint";
-
 /// The path to load, which may be in an archive. Reports an error and returns none if it cannot be
 /// loaded.
 std::optional<std::string> main_file(const std::string& path, const FileReader& files) {
-  std::optional<std::string> main = find_main_file(kTool, path, files);
+  std::optional<std::string> main = find_main_file(kSmurfLint, path, files);
   if (!main || *main != path) return main;
   const InputKind kind = input_kind(path);
   if (kind != InputKind::resource && kind != InputKind::other) return main;
-  complain(kTool, "'" + path + "' is not a model, scene, URDF or annotation file");
+  complain(kSmurfLint, "'" + path + "' is not a model, scene, URDF or annotation file");
   return std::nullopt;
 }
 
@@ -61,14 +59,14 @@ ExitCode dump_model(const LintOptions& options) {
   const auto path = main_file(options.dump_model, session.files());
   if (!path) return kFailed;
   const Dump dumped = dump(*path, session, options);
-  if (!tools::keeps_inputs(kTool, files, std::span(&options.output, 1))) return kFailed;
+  if (!tools::keeps_inputs(kSmurfLint, files, std::span(&options.output, 1))) return kFailed;
   if (!dumped.json) {
-    complain(kTool, "what is in '" + options.dump_model + "' has more than " +
-                        std::to_string(options.limits.scene_bytes) + " bytes of JSON; " +
-                        raise_limit("scene-bytes"));
+    complain(kSmurfLint, "what is in '" + options.dump_model + "' has more than " +
+                             std::to_string(options.limits.scene_bytes) + " bytes of JSON; " +
+                             raise_limit("scene-bytes"));
     return kFailed;
   }
-  if (!write_output(kTool, options.output, *dumped.json)) return kFailed;
+  if (!write_output(kSmurfLint, options.output, *dumped.json)) return kFailed;
   for (const Diagnostic& one : dumped.found) {
     write_error(
         render_concise(one, session.loaded_sources(), style_for(Stream::error, options.color)));

@@ -18,7 +18,6 @@
 namespace smurf::tools {
 namespace {
 
-constexpr std::string_view kTool = "smurf-lint";
 /// A fix may uncover the next fault; this bounds the number of rounds.
 constexpr int kRounds = 10;
 /// Includes rounds that only fix findings omitted earlier because there were too many.
@@ -128,17 +127,17 @@ bool write_changes(const std::map<std::string, Change>& changes, const LintPlan&
   std::vector<OutputFile> files;
   for (const auto& [path, change] : changes) {
     if (path == plan.standard_input || !leads_outside(path, options)) continue;
-    complain(kTool, "cannot fix '" + path +
-                        "': it is a link that leads out of its project; name "
-                        "the file itself, or add --allow-outside; nothing was fixed");
+    complain(kSmurfLint, "cannot fix '" + path +
+                             "': it is a link that leads out of its project; name "
+                             "the file itself, or add --allow-outside; nothing was fixed");
     return false;
   }
   for (const auto& [path, change] : changes) {
     if (path == plan.standard_input) continue;
-    if (changes.size() == 1) return write_output(kTool, path, change.after);
+    if (changes.size() == 1) return write_output(kSmurfLint, path, change.after);
     files.push_back(named_by_user(path, change.after));
   }
-  return write_files(kTool, files, true);
+  return write_files(kSmurfLint, files, true);
 }
 
 std::string unified_diff(const std::map<std::string, Change>& changes) {

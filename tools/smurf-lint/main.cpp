@@ -34,7 +34,6 @@ using namespace smurf::tools;
 
 namespace {
 
-constexpr std::string_view kTool = "smurf-lint";
 /// The baseline of --generate-baseline when neither the command line nor --config names one.
 constexpr std::string_view kBaselineName = ".smurf-lint-baseline.yaml";
 
@@ -51,14 +50,14 @@ TextStyle style_of(const LintOptions& options, const std::string& file) {
 }
 
 ExitCode write_text(const LintOptions& options, std::string_view text) {
-  return write_output(kTool, options.output, text) ? kDone : kFailed;
+  return write_output(kSmurfLint, options.output, text) ? kDone : kFailed;
 }
 
 ExitCode explain(const LintOptions& options) {
   const TextStyle style = style_of(options, options.output);
   const std::string text = explanation(options.explain, style);
   if (text.empty()) {
-    complain(kTool, nothing_to_explain(options.explain));
+    complain(kSmurfLint, nothing_to_explain(options.explain));
     return kFailed;
   }
   return write_text(options, text);
@@ -95,7 +94,7 @@ ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const s
                         .sources = checked.session.sources(),
                         .summary = report.summary,
                         .targets = report.targets,
-                        .tool = kTool,
+                        .tool = kSmurfLint,
                         .remarks = std::move(remarks),
                         .quiet = options.quiet || is_nothing,
                         .counts_only = options.statistics,
@@ -109,7 +108,7 @@ ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const s
   for (const ReportRequest& request : settings.reports) {
     const std::string& file = request.file.empty() ? place : request.file;
     const std::string text = request.format->render(results, style_of(options, file));
-    if (!write_output(kTool, file, text)) code = kFailed;
+    if (!write_output(kSmurfLint, file, text)) code = kFailed;
   }
   return code;
 }
@@ -152,7 +151,7 @@ bool write_all(const LintOptions& options, const LintPlan& plan, const Session& 
   if (!write_changes(changes, plan, options)) return false;
   const std::string& input = plan.standard_input;
   return input.empty() ||
-         write_output(kTool, "-", session.files().read(input, options.limits.file_bytes).text);
+         write_output(kSmurfLint, "-", session.files().read(input, options.limits.file_bytes).text);
 }
 
 ExitCode give_out(const LintOptions& options, const LintPlan& plan, Session& session,
@@ -167,15 +166,17 @@ ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session,
              const std::function<Report()>& check) {
   const Fixed fixed = fix_all(options, plan, session, std::move(found), check);
   if (fixed.end == FixEnd::no_end) {
-    complain(kTool, "the fixes undo each other; nothing was changed (this is a bug of smurf-lint)");
+    complain(kSmurfLint,
+             "the fixes undo each other; nothing was changed (this is a bug of smurf-lint)");
     return kFailed;
   }
   const ExitCode code = give_out(options, plan, session, fixed);
   if (fixed.end != FixEnd::limit || code == kFailed) return code;
-  complain(kTool, "not all fixes were applied: the others need more than " +
-                      std::to_string(options.limits.rechecked_bytes) +
-                      " bytes to be checked; run smurf-lint again after these are written, or " +
-                      raise_limit("rechecked-bytes"));
+  complain(kSmurfLint,
+           "not all fixes were applied: the others need more than " +
+               std::to_string(options.limits.rechecked_bytes) +
+               " bytes to be checked; run smurf-lint again after these are written, or " +
+               raise_limit("rechecked-bytes"));
   return kFailed;
 }
 
@@ -199,7 +200,7 @@ ExitCode rename(const LintOptions& options, const LintPlan& plan, Session& sessi
     for (const Rename& one : options.renames) {
       renames += (renames.empty() ? "'" : ", '") + one.from + "' to '" + one.to + "'";
     }
-    complain(kTool, "wrote " + counted(changes.size(), "file") + ": renamed " + renames);
+    complain(kSmurfLint, "wrote " + counted(changes.size(), "file") + ": renamed " + renames);
   }
   if (options.fix_only) return kDone;
   return report(options, plan, {found, session}, nullptr);
@@ -212,9 +213,9 @@ std::optional<std::string> baseline_to_write(const LintOptions& options, const s
   if (is_chosen) return known;
   std::string usual(kBaselineName);
   if (known.empty() || identity(known) == identity(usual)) return usual;
-  complain(kTool, "a configuration that was found beside the files cannot choose the file to "
-                  "write; to write its baseline, add --baseline " +
-                      shell_word(known));
+  complain(kSmurfLint, "a configuration that was found beside the files cannot choose the file to "
+                       "write; to write its baseline, add --baseline " +
+                           shell_word(known));
   return std::nullopt;
 }
 
@@ -225,7 +226,7 @@ bool may_be_overwritten(const std::string& path, const LintOptions& options) {
   if (old.status == ReadStatus::ok && is_baseline(old.text)) return true;
   const std::string reason =
       old.status == ReadStatus::ok ? "smurf-lint did not write it as a baseline" : old.reason;
-  complain(kTool, "cannot write '" + path + "': " + reason);
+  complain(kSmurfLint, "cannot write '" + path + "': " + reason);
   return false;
 }
 
@@ -239,8 +240,8 @@ ExitCode write_baseline(const LintOptions& options, const Session& session, Repo
   if (!path || !may_be_overwritten(*path, options)) return kFailed;
   const std::string text = session.baseline_of(report, *path);
   const bool is_usual = *path == kBaselineName;
-  const bool is_written =
-      is_usual ? write_files(kTool, {{".", *path, text}}, true) : write_output(kTool, *path, text);
+  const bool is_written = is_usual ? write_files(kSmurfLint, {{".", *path, text}}, true)
+                                   : write_output(kSmurfLint, *path, text);
   if (!is_written) return kFailed;
   if (options.quiet) return kDone;
   const auto count = static_cast<std::size_t>(
@@ -265,7 +266,7 @@ bool keeps_inputs(const LintOptions& options, const Report& found,
     }
   }
   return std::all_of(inputs.begin(), inputs.end(), [&](const InputFiles* read) {
-    return tools::keeps_inputs(kTool, *read, outputs);
+    return tools::keeps_inputs(kSmurfLint, *read, outputs);
   });
 }
 
@@ -280,7 +281,7 @@ ExitCode list_files(const LintOptions& options, const LintPlan& plan, const Inpu
     text += render::escape(path) + "\n";
     inputs.add(path);
   }
-  if (!tools::keeps_inputs(kTool, inputs, std::span(&options.output, 1))) return kFailed;
+  if (!tools::keeps_inputs(kSmurfLint, inputs, std::span(&options.output, 1))) return kFailed;
   const ExitCode code = write_text(options, text);
   return !plan.problems.empty() ? kFailed : code;
 }
@@ -292,17 +293,17 @@ ExitCode merge_reports(const LintOptions& options) {
   for (const std::string& path : options.paths) {
     FileContent content = inputs.read(path, options.limits.file_bytes);
     if (content.status != ReadStatus::ok) {
-      complain(kTool, "cannot read '" + path + "': " + content.reason);
+      complain(kSmurfLint, "cannot read '" + path + "': " + content.reason);
       return kFailed;
     }
     reports.push_back({path, std::move(content.text)});
   }
-  const MergedReport merged = merge_json_reports(reports, {kTool, SMURF_VERSION});
+  const MergedReport merged = merge_json_reports(reports, {kSmurfLint, SMURF_VERSION});
   if (!merged.problem.empty()) {
-    complain(kTool, merged.problem);
+    complain(kSmurfLint, merged.problem);
     return kFailed;
   }
-  if (!tools::keeps_inputs(kTool, inputs, std::span(&options.output, 1))) return kFailed;
+  if (!tools::keeps_inputs(kSmurfLint, inputs, std::span(&options.output, 1))) return kFailed;
   const ExitCode code = write_text(options, merged.json);
   return code == kDone ? judge(merged.summary, options.threshold) : code;
 }
@@ -338,7 +339,7 @@ ExitCode run(const LintOptions& options) {
   MemoryFiles files(&archives);
   if (!options.baseline.empty() && !options.generate_baseline) {
     if (const auto reason = why_unreadable(options.baseline, files)) {
-      complain(kTool, "cannot read '" + options.baseline + "': " + *reason);
+      complain(kSmurfLint, "cannot read '" + options.baseline + "': " + *reason);
       return kFailed;
     }
   }
@@ -380,7 +381,7 @@ int smurf_lint_main(int argc, char** argv) {
   LintOptions options;
   if (const auto code = parse_command_line(lint_command(options), argc, argv)) return *code;
   if (const auto conflict = find_conflict(options)) {
-    complain(kTool, *conflict);
+    complain(kSmurfLint, *conflict);
     return kFailed;
   }
   if (!options.explain.empty()) return explain(options);

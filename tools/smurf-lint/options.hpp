@@ -19,6 +19,8 @@
 
 namespace smurf::tools {
 
+inline constexpr std::string_view kSmurfLint = "smurf-lint";
+
 /// Part `number` (from 1) of `count` parts of the files.
 struct Shard {
   std::uint64_t number = 1;

@@ -25,8 +25,6 @@
 namespace smurf::tools {
 namespace {
 
-constexpr std::string_view kTool = "smurf-lint";
-
 /// The files that a configuration excludes, and its own sections.
 struct Exclusions {
   struct Patterns {
@@ -165,7 +163,7 @@ class Planner {
   }
 
   void fail(const std::string& message) {
-    complain(kTool, message);
+    complain(kSmurfLint, message);
     plan_.problems.push_back(message);
   }
 
@@ -233,7 +231,8 @@ class Planner {
   }
 
   void add_standard_input() {
-    const auto name = read_standard_input(kTool, options_.stdin_filename, options_.limits, files_);
+    const auto name =
+        read_standard_input(kSmurfLint, options_.stdin_filename, options_.limits, files_);
     if (!name) {
       plan_.problems.emplace_back("cannot read standard input");
       return;

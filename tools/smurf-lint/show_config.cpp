@@ -17,7 +17,6 @@
 namespace smurf::tools {
 namespace {
 
-constexpr std::string_view kTool = "smurf-lint";
 constexpr std::size_t kOriginColumn = 30;
 
 using Entry = std::pair<std::string, std::string>;  ///< a value, as YAML, and its origin
@@ -196,12 +195,12 @@ ExitCode show_config(const LintOptions& options) {
   confine_to_inputs(disk, options);
   const InputFiles files(disk);
   if (!places::exists(options.show_config)) {
-    complain(kTool, "there is no '" + options.show_config + "'");
+    complain(kSmurfLint, "there is no '" + options.show_config + "'");
     return kFailed;
   }
   const std::string path = find_config(options.show_config, options, files);
   if (const auto reason = path.empty() ? std::nullopt : why_unreadable(path, files)) {
-    complain(kTool, "cannot read '" + path + "': " + *reason);
+    complain(kSmurfLint, "cannot read '" + path + "': " + *reason);
     return kFailed;
   }
   SourceMap sources;
@@ -222,8 +221,8 @@ ExitCode show_config(const LintOptions& options) {
   show_rules(config, options, page);
   show_input(config, options, page);
   show_run(config, run, options, page);
-  if (!keeps_inputs(kTool, files, std::span(&options.output, 1))) return kFailed;
-  if (!write_output(kTool, options.output, page.text())) return kFailed;
+  if (!keeps_inputs(kSmurfLint, files, std::span(&options.output, 1))) return kFailed;
+  if (!write_output(kSmurfLint, options.output, page.text())) return kFailed;
 
   for (const Diagnostic& one : report.diagnostics) {
     write_error(render_concise(one, session.sources(), style_for(Stream::error, options.color)));

@@ -174,7 +174,8 @@ class ModelCheck {
 
   std::string limits_message(const JointPlan& joint, const Named& named) const {
     if (given_.contains(fixed_.joint(joint).name.value_or(""))) {
-      return "pose " + quoted(run_.options().pose) + " has " + named.name + " outside its limits";
+      return "pose " + smurf::quoted(run_.options().pose) + " has " + named.name +
+             " outside its limits";
     }
     if (fixed_.joint(joint).mimic) {
       return named.name + " is outside its limits because of the joint that it mimics";

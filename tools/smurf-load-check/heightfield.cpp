@@ -14,7 +14,7 @@ namespace {
 
 /// libpng returns errors by longjmp, which does not run destructors, so objects with destructors
 /// are here.
-struct Reading {
+struct PngReading {
   std::string_view left;  ///< to be read
   std::uint64_t most_pixels = 0;
   png_structp png = nullptr;
@@ -23,29 +23,29 @@ struct Reading {
   std::vector<png_byte> bytes;
   std::vector<png_bytep> rows;
 
-  Reading(std::string_view file, std::uint64_t most) : left(file), most_pixels(most) {
+  PngReading(std::string_view file, std::uint64_t most) : left(file), most_pixels(most) {
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
     info = png_create_info_struct(png);
   }
-  ~Reading() { png_destroy_read_struct(&png, &info, nullptr); }
-  Reading(const Reading&) = delete;
-  Reading& operator=(const Reading&) = delete;
+  ~PngReading() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngReading(const PngReading&) = delete;
+  PngReading& operator=(const PngReading&) = delete;
 
   [[noreturn]] static void on_error(png_structp png, png_const_charp message) {
-    static_cast<Reading*>(png_get_error_ptr(png))->fault = message;
+    static_cast<PngReading*>(png_get_error_ptr(png))->fault = message;
     png_longjmp(png, 1);
   }
   static void on_warning(png_structp, png_const_charp) {}
 
   static void read(png_structp png, png_bytep to, std::size_t size) {
-    std::string_view& left = static_cast<Reading*>(png_get_io_ptr(png))->left;
+    std::string_view& left = static_cast<PngReading*>(png_get_io_ptr(png))->left;
     if (size > left.size()) png_error(png, "the file is cut short");
     std::memcpy(to, left.data(), size);
     left.remove_prefix(size);
   }
 };
 
-std::size_t rows_of(const Reading& reading) {
+std::size_t rows_of(const PngReading& reading) {
   return png_get_image_height(reading.png, reading.info);
 }
 
@@ -58,9 +58,9 @@ void skip_other_chunks(png_structp png) {
 }
 
 /// One grey value of 16 bits per pixel, the more significant byte first.
-void decode(Reading& reading) {
+void decode(PngReading& reading) {
   skip_other_chunks(reading.png);
-  png_set_read_fn(reading.png, &reading, Reading::read);
+  png_set_read_fn(reading.png, &reading, PngReading::read);
   png_read_info(reading.png, reading.info);
   png_set_expand_16(reading.png);
   png_set_strip_alpha(reading.png);
@@ -82,7 +82,7 @@ void decode(Reading& reading) {
 }
 
 /// Reads the image; false if libpng reports an error.
-bool read_grey(Reading& reading) {
+bool read_grey(PngReading& reading) {
   if (setjmp(png_jmpbuf(reading.png)) != 0) return false;
   decode(reading);
   return true;
@@ -94,7 +94,7 @@ std::variant<HeightImage, std::string>
 read_height_image(const std::string& path, const ShapeFiles& from, std::uint64_t most) {
   const FileContent content = from.files.read(path, from.limits.mesh_bytes);
   if (content.status != ReadStatus::ok) return content.reason;
-  Reading reading(content.text, most);
+  PngReading reading(content.text, most);
   if (!read_grey(reading)) {
     const std::uint64_t pixels =
         std::uint64_t{png_get_image_width(reading.png, reading.info)} * rows_of(reading);

@@ -14,7 +14,7 @@
 namespace smurf::load_check {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Folders are shown by the diagnostics and the headline; a table has no space for them.
 std::string place_text(Span place, const SourceMap& sources) {
@@ -140,14 +140,16 @@ std::string checks_text(const Report& report, const TextStyle& style) {
 }
 
 /// JSON has no infinity and no NaN.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+OrderedJson number(double value) {
+  return std::isfinite(value) ? OrderedJson(value) : OrderedJson();
+}
 
-Json to_json(const Figure& figure, const SourceMap& sources) {
-  Json json{{"name", figure.bound},
-            {"value", number(figure.value)},
-            {"bound", figure.limit},
-            {"unit", bound_info(figure.bound).unit},
-            {"is_within", figure.is_within()}};
+OrderedJson to_json(const Figure& figure, const SourceMap& sources) {
+  OrderedJson json{{"name", figure.bound},
+                   {"value", number(figure.value)},
+                   {"bound", figure.limit},
+                   {"unit", bound_info(figure.bound).unit},
+                   {"is_within", figure.is_within()}};
   if (!figure.worst.empty()) {
     json["worst"] = {{"name", figure.worst},
                      {"file", sources.path(figure.place.source)},
@@ -156,12 +158,12 @@ Json to_json(const Figure& figure, const SourceMap& sources) {
   return json;
 }
 
-Json to_json(const Checked& checked, const SourceMap& sources) {
-  Json stages = Json::array();
+OrderedJson to_json(const Checked& checked, const SourceMap& sources) {
+  OrderedJson stages = OrderedJson::array();
   for (const StageResult& stage : checked.result.stages) {
-    Json figures = Json::array();
+    OrderedJson figures = OrderedJson::array();
     for (const Figure& figure : stage.figures) figures.push_back(to_json(figure, sources));
-    Json json{{"stage", to_string(stage.stage)}, {"verdict", to_string(stage.verdict)}};
+    OrderedJson json{{"stage", to_string(stage.stage)}, {"verdict", to_string(stage.verdict)}};
     if (!stage.note.empty()) json["note"] = stage.note;
     json["figures"] = figures;
     stages.push_back(json);
@@ -185,9 +187,9 @@ std::string render_text(const Report& report, const TextStyle& style) {
 }
 
 std::string render_json(const Report& report) {
-  Json json = Json::parse(smurf::render_json(report.diagnostics, report.sources, report.summary,
-                                             {"smurf-load-check", tools::kVersion}));
-  Json checks = Json::array();
+  OrderedJson json = OrderedJson::parse(smurf::render_json(
+      report.diagnostics, report.sources, report.summary, {"smurf-load-check", tools::kVersion}));
+  OrderedJson checks = OrderedJson::array();
   for (const Checked& checked : report.checked) checks.push_back(to_json(checked, report.sources));
   const Tally tally = tally_of(report.checked);
   json["verdicts"] = {{"pass", tally.passed},

@@ -78,7 +78,7 @@ class ShapeBuilder {
     plan.body = link.body;
     plan.X_WS = link.X_WL * urdf::to_pose(collision.origin);
     plan.place = collision.name ? collision.name.span : tag_name(model, collision.element);
-    plan.name = collision.name ? "collision " + quoted(*collision.name)
+    plan.name = collision.name ? "collision " + smurf::quoted(*collision.name)
                                : "the collision of " + title(plan_.link(link));
     plan.bitmask = bitmask_of(model, collision);
     if (fill(model, collision.geometry, plan)) plan_.shapes.push_back(std::move(plan));

@@ -18,7 +18,7 @@ struct ColorPlace {
   Rgba rgba{0, 0, 0, 1};
 };
 
-std::optional<Rgba> parse(std::string_view text) {
+std::optional<Rgba> parse_color(std::string_view text) {
   Rgba rgba{0, 0, 0, 1};
   std::size_t count = 0;
   while (true) {
@@ -41,7 +41,7 @@ std::vector<ColorPlace> colors_of(const xml::Document& document) {
     if (!help) continue;
     for (const KeyHelp& key : help->attributes) {
       const xml::Attribute* attribute = key.is_color ? element.attribute(key.name) : nullptr;
-      const auto rgba = attribute != nullptr ? parse(attribute->value()) : std::nullopt;
+      const auto rgba = attribute != nullptr ? parse_color(attribute->value()) : std::nullopt;
       if (rgba) places.push_back({attribute->value_span(), *rgba});
     }
   }

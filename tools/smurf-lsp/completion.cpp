@@ -17,8 +17,8 @@ namespace smurf::lsp {
 namespace {
 
 // CompletionItemKind of the protocol.
-constexpr int kProperty = 10, kValue = 12, kSnippet = 15, kFile = 17, kReference = 18, kFolder = 19,
-              kClass = 7;
+constexpr int kPropertyItem = 10, kValue = 12, kSnippet = 15, kFile = 17, kReference = 18,
+              kFolder = 19, kClassItem = 7;
 constexpr int kIsSnippet = 2;  // InsertTextFormat
 constexpr std::size_t kMostItems = 2000;
 
@@ -111,8 +111,8 @@ class Completer {
       if (has(key.name)) continue;
       const bool is_block =
           !context.is_flow && (key.form == ValueForm::list || key.form == ValueForm::mapping);
-      Json& item =
-          add(key.name, kProperty, end_quote(key.name) + (is_block ? ":" : ": "), detail_of(key));
+      Json& item = add(key.name, kPropertyItem, end_quote(key.name) + (is_block ? ":" : ": "),
+                       detail_of(key));
       if (!key.doc.empty()) item["documentation"] = markdown(key.doc);
       item["sortText"] = (key.required ? "0" : "1") + key.name;
       if (key.required) required.push_back(&key);
@@ -139,7 +139,7 @@ class Completer {
     case XmlContext::Kind::end_tag:
       if (!context.open.empty()) {
         const std::string name(context.open.back());
-        add(name, kClass, name + ">");
+        add(name, kClassItem, name + ">");
       }
       return;
     case XmlContext::Kind::attribute: add_attributes(context); return;
@@ -175,7 +175,7 @@ class Completer {
   void add_element(std::string_view name) {
     const auto help = element_help(name);
     if (!help) return;
-    Json& item = add(std::string(name), kClass, std::string(name));
+    Json& item = add(std::string(name), kClassItem, std::string(name));
     item["documentation"] = markdown(help->doc);
     int stop = 0;
     add_snippet(item, element_text(*help, stop, "\n"));
@@ -203,7 +203,7 @@ class Completer {
     for (const KeyHelp& key : help->attributes) {
       const auto& has = context.attributes;
       if (std::find(has.begin(), has.end(), key.name) != has.end()) continue;
-      Json& item = add(key.name, kProperty, key.name + "=\"\"", detail_of(key));
+      Json& item = add(key.name, kPropertyItem, key.name + "=\"\"", detail_of(key));
       item["documentation"] = markdown(key.doc);
       item["sortText"] = (key.required ? "0" : "1") + key.name;
       add_snippet(item, key.name + "=\"$1\"");

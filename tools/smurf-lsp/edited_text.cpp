@@ -5,12 +5,12 @@
 #include <iterator>
 #include <tuple>
 
+#include "base/utf8.hpp"
+
 namespace smurf::lsp {
 namespace {
 
 constexpr std::size_t kBlock = 4096;
-
-bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
 
 }  // namespace
 
@@ -29,7 +29,7 @@ std::vector<EditedText::Block> EditedText::cut(std::string_view text) const {
   std::vector<Block> blocks;
   do {
     std::size_t size = std::min(kBlock, text.size());
-    while (size < text.size() && is_continuation(text[size])) ++size;
+    while (size < text.size() && utf8::is_continuation(text[size])) ++size;
     count(blocks.emplace_back(Block{std::string(text.substr(0, size))}));
     text.remove_prefix(size);
   } while (!text.empty());

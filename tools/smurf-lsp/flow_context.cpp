@@ -8,7 +8,7 @@ namespace smurf::lsp {
 namespace {
 
 constexpr std::string_view kSpace = " \t\r\n";
-constexpr std::size_t kDeepest = 200;
+constexpr std::size_t kMostLevels = 200;
 
 class Reader {
  public:
@@ -19,7 +19,7 @@ class Reader {
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '[' || c == '{') {
-        if (context_.levels.size() == kDeepest) return {std::nullopt, text_.size()};
+        if (context_.levels.size() == kMostLevels) return {std::nullopt, text_.size()};
         context_.levels.push_back({c == '{', {}, {}});
         next();
       } else if (c == ']' || c == '}') {

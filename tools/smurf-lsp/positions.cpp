@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/utf8.hpp"
 #include "smurf/source.hpp"
 
 namespace smurf::lsp {
@@ -14,14 +15,12 @@ struct Character {
   std::uint32_t units = 1;
 };
 
-bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
-
 /// Clients send UTF-8. An invalid byte of a file counts as one character.
 Character first_of(std::string_view text, Encoding encoding) {
   const auto lead = static_cast<unsigned char>(text.front());
   const std::size_t promised = lead < 0xc0 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
   std::size_t bytes = 1;
-  while (bytes < promised && bytes < text.size() && is_continuation(text[bytes])) {
+  while (bytes < promised && bytes < text.size() && utf8::is_continuation(text[bytes])) {
     ++bytes;
   }
   if (bytes < promised) return {1, 1};
@@ -84,7 +83,7 @@ std::size_t offset_in(std::string_view text, const Json& position, Encoding enco
 Json Positions::position(SourceId source, std::uint32_t offset) const {
   const std::string_view text = sources_.text(source);
   offset = std::min(offset, static_cast<std::uint32_t>(text.size()));
-  for (int i = 0; i < 3 && offset < text.size() && is_continuation(text[offset]); ++i) {
+  for (int i = 0; i < 3 && offset < text.size() && utf8::is_continuation(text[offset]); ++i) {
     ++offset;  // to a whole character
   }
   // Starts at the nearest place counted before: a file may be one line with thousands of places.

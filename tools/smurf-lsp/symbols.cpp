@@ -13,7 +13,7 @@ namespace {
 constexpr int kNamespace = 3, kClass = 5, kProperty = 7, kField = 8, kFunction = 12, kVariable = 13,
               kObject = 19, kEvent = 24;
 /// Clients and JSON libraries fail at chains of thousands of links.
-constexpr int kDeepest = 40;
+constexpr int kDeepestLink = 40;
 /// Nobody reads a longer list; the user types more of the name instead.
 constexpr std::size_t kMostSymbols = 2000;
 
@@ -81,7 +81,7 @@ class RobotOutline {
     for (const LinkIndex root : model_.tree.roots) print(root, 0);
     // Links that no root reaches are in a loop, or too deep.
     for (std::size_t i = 0; i < seen_.size(); ++i) {
-      print(LinkIndex{static_cast<std::uint32_t>(i)}, kDeepest);
+      print(LinkIndex{static_cast<std::uint32_t>(i)}, kDeepestLink);
     }
   }
 
@@ -94,7 +94,7 @@ class RobotOutline {
     for (const JointIndex joint : model_.tree.child_joints[to_size(index)]) {
       begin(model_.joint(joint));
       const auto child = model_.tree.joint_child[to_size(joint)];
-      if (depth < kDeepest && child) print(*child, depth + 2);
+      if (depth < kDeepestLink && child) print(*child, depth + 2);
       symbols_.end();
     }
     symbols_.end();

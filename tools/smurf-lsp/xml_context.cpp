@@ -6,7 +6,7 @@
 namespace smurf::lsp {
 namespace {
 
-constexpr std::string_view kBlank = " \t\r\n";
+constexpr std::string_view kXmlBlank = " \t\r\n";
 constexpr std::string_view kNameEnd = " \t\r\n/>=\"'<";
 
 class Scanner {
@@ -61,7 +61,7 @@ class Scanner {
     }
     context_.attributes.clear();
     while (true) {
-      at_ = std::min(text_.find_first_not_of(kBlank, at_), text_.size());
+      at_ = std::min(text_.find_first_not_of(kXmlBlank, at_), text_.size());
       if (at_ == text_.size()) return in_attribute(at_);
       if (text_[at_] == '>') break;
       if (text_[at_] == '<') return close(is_end, true);  // the tag was never closed
@@ -98,9 +98,9 @@ class Scanner {
       return true;
     }
     context_.attributes.push_back(attribute);
-    at_ = std::min(text_.find_first_not_of(kBlank, at_), text_.size());
+    at_ = std::min(text_.find_first_not_of(kXmlBlank, at_), text_.size());
     if (at_ == text_.size() || text_[at_] != '=') return true;
-    at_ = std::min(text_.find_first_not_of(kBlank, at_ + 1), text_.size());
+    at_ = std::min(text_.find_first_not_of(kXmlBlank, at_ + 1), text_.size());
     if (at_ == text_.size() || (text_[at_] != '"' && text_[at_] != '\'')) return true;
     const std::size_t value = at_ + 1;
     const std::size_t close = text_.find(text_[at_], value);

@@ -65,9 +65,9 @@ Line read(std::string_view line) {
   return read;
 }
 
-class Lines {
+class LinesBefore {
  public:
-  explicit Lines(std::string_view text) : text_(text) {}
+  explicit LinesBefore(std::string_view text) : text_(text) {}
 
   std::size_t begin_of(std::size_t at) const {
     const std::size_t before = at == 0 ? text_.npos : text_.rfind('\n', at - 1);
@@ -94,7 +94,7 @@ bool says_something(std::string_view line) {
 }
 
 /// The steps from the root to a column, found in the lines above.
-KeyPath path_above(const Lines& lines, std::size_t begin, std::vector<Level> own) {
+KeyPath path_above(const LinesBefore& lines, std::size_t begin, std::vector<Level> own) {
   KeyPath path;
   std::size_t limit = 0;
   bool is_item = false;
@@ -122,7 +122,8 @@ KeyPath path_above(const Lines& lines, std::size_t begin, std::vector<Level> own
 }
 
 /// The keys at a column of the entry around a line.
-std::vector<std::string> siblings_at(const Lines& lines, std::size_t begin, std::size_t column) {
+std::vector<std::string> siblings_at(const LinesBefore& lines, std::size_t begin,
+                                     std::size_t column) {
   std::vector<std::string> keys;
   // Whether the line still belongs to the entry.
   const auto take = [&](std::string_view line, bool is_above) {
@@ -179,7 +180,7 @@ struct OpenFlow {
 };
 
 std::optional<OpenFlow> open_flow(std::string_view before) {
-  const Lines lines(before);
+  const LinesBefore lines(before);
   std::optional<std::size_t> text_column;  // of the key of a block of text
   for (std::optional<std::size_t> at = 0; at; at = lines.next(*at)) {
     const std::string_view text = lines.line(*at);
@@ -210,7 +211,7 @@ YamlContext within(const OpenFlow& flow, std::string_view text, std::size_t offs
   context.quote = flow.context.quote;
   std::vector<Level> levels = flow.line.levels;
   levels.push_back({flow.line.value, false, {}});
-  context.path = path_above(Lines(text), flow.line_begin, std::move(levels));
+  context.path = path_above(LinesBefore(text), flow.line_begin, std::move(levels));
   for (const FlowLevel& level : flow.context.levels) {
     const bool is_last = &level == &flow.context.levels.back();
     if (!level.is_mapping) {
@@ -240,7 +241,7 @@ void skip_quote(std::string_view text, YamlContext& context) {
 
 YamlContext yaml_context(std::string_view text, std::size_t offset) {
   if (const auto flow = open_flow(text.substr(0, offset))) return within(*flow, text, offset);
-  const Lines lines(text);
+  const LinesBefore lines(text);
   const std::size_t begin = lines.begin_of(offset);
   const std::string_view before = text.substr(begin, offset - begin);
   Line own = read(before);

@@ -50,7 +50,11 @@ std::size_t items_from(yaml::View item);
 
 namespace sections {
 
-#define SMURF_SECTION(name) extern const SectionSpec name;
+#define SMURF_SECTION(name)                                                                        \
+  namespace name##_file {                                                                          \
+    extern const SectionSpec name;                                                                 \
+  }                                                                                                \
+  using name##_file::name;
 #include "ast/sections.def"
 #undef SMURF_SECTION
 

@@ -21,8 +21,6 @@
 namespace smurf {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Whether a text is not a number, but resembles one.
 bool is_out_of_range(std::string_view text) {
   const std::size_t e = text.find('e');

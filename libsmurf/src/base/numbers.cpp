@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "base/floating.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Length of the longest prefix of the decimal grammar, 0 when there is none.
 std::size_t decimal_prefix(std::string_view text) {

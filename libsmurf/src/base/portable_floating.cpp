@@ -9,11 +9,11 @@
 
 #include "base/floating.hpp"
 #include "base/path.hpp"
+#include "base/words.hpp"
 
 namespace smurf::portable {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_hexadecimal_digit(char c) {
   return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }

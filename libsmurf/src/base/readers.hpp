@@ -13,7 +13,11 @@ inline constexpr std::string_view kVisualsKept = "#visuals-kept";
 
 namespace smurf::readers {
 
-#define SMURF_READER(name) extern const Reader name;
+#define SMURF_READER(name)                                                                         \
+  namespace name##_file {                                                                          \
+    extern const Reader name;                                                                      \
+  }                                                                                                \
+  using name##_file::name;
 #include "base/readers.def"
 #undef SMURF_READER
 

@@ -25,7 +25,7 @@ bool differ_only_in_case(std::string_view a, std::string_view b) {
 }
 
 /// One bit for each kind of character, ignoring case.
-std::uint64_t characters(std::string_view text) {
+std::uint64_t character_bits(std::string_view text) {
   std::uint64_t bits = 0;
   for (const char c : text)
     bits |= std::uint64_t{1} << (static_cast<unsigned char>(lower(c)) % 64U);
@@ -125,7 +125,7 @@ std::optional<std::string_view> search(std::string_view name,
   if (name.empty() || name.size() > kLongestName || known.size() > kMostNames) return std::nullopt;
   const int farthest = std::max(1, static_cast<int>(name.size()) / 3);
   Search result{.best = farthest + 1, .finds_ties = finds_ties};
-  const std::uint64_t own = characters(name);
+  const std::uint64_t own = character_bits(name);
   for (const std::string_view candidate : known) {
     if (candidate == name) return std::nullopt;
     spend(1, steps_left);
@@ -137,7 +137,7 @@ std::optional<std::string_view> search(std::string_view name,
       continue;
     }
     const int limit = std::min(result.limit(), farthest);
-    if (limit < 1 || fewest_edits(own, characters(candidate)) > limit) continue;
+    if (limit < 1 || fewest_edits(own, character_bits(candidate)) > limit) continue;
     const int distance = distance_of(name, candidate, limit, steps_left);
     if (distance <= limit) result.add(candidate, distance);
   }

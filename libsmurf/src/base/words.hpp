@@ -10,6 +10,7 @@ namespace smurf {
 /// The characters that separate words.
 inline constexpr std::string_view kBlanks = " \t\r\n";
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Without the blanks around it.
 constexpr std::string_view trimmed(std::string_view text) {

@@ -7,7 +7,7 @@
 namespace smurf {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_space(char c) { return c == ' ' || c == '\t'; }
 
 /// Line ends with indentation become line ends.
 std::string outdented(std::string_view text, std::string_view indentation) {
@@ -72,9 +72,9 @@ void XmlEdits::add_child(xml::View element, std::string_view child) {
 
 void XmlEdits::remove(Span span) {
   std::uint32_t begin = span.begin;
-  while (begin > 0 && is_blank(text_[begin - 1])) --begin;
+  while (begin > 0 && is_space(text_[begin - 1])) --begin;
   std::uint32_t end = span.end;
-  while (end < text_.size() && is_blank(text_[end])) ++end;
+  while (end < text_.size() && is_space(text_[end])) ++end;
   const bool is_alone = (begin == 0 || text_[begin - 1] == '\n') &&
                         (end == text_.size() || text_[end] == '\n' || text_[end] == '\r');
   if (!is_alone) {
@@ -128,7 +128,7 @@ std::string_view XmlEdits::indentation(Span span) const {
   // Limits the indentation, which is repeated for each line of a moved text.
   constexpr std::size_t kDeepest = 40;
   std::size_t end = begin;
-  while (end < span.begin && end - begin < kDeepest && is_blank(text_[end])) ++end;
+  while (end < span.begin && end - begin < kDeepest && is_space(text_[end])) ++end;
   return text_.substr(begin, end - begin);
 }
 
@@ -154,7 +154,7 @@ void XmlEdits::close(xml::View element, std::string_view children, std::vector<E
   const Span tag = element.tag_span();
   if (tag.end == element.span().end) {  // <a/>
     Span slash{tag.source, tag.end - 2, tag.end};
-    while (is_blank(text_[slash.begin - 1])) --slash.begin;
+    while (is_space(text_[slash.begin - 1])) --slash.begin;
     edits.push_back({slash, ">" + text + std::string(line_end_) + outer + "</" +
                                 std::string(element.name()) + ">"});
     return;

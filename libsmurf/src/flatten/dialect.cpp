@@ -12,7 +12,11 @@
 namespace smurf {
 
 namespace readings {
-#define SMURF_DIALECT(variable) extern const Dialect variable;
+#define SMURF_DIALECT(name)                                                                        \
+  namespace name##_file {                                                                          \
+    extern const Dialect name;                                                                     \
+  }                                                                                                \
+  using name##_file::name;
 #include "flatten/dialects.def"
 #undef SMURF_DIALECT
 }  // namespace readings

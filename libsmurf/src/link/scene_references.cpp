@@ -21,7 +21,7 @@ std::optional<std::pair<std::string_view, std::uint32_t>> other_kind(const Linke
 }
 
 /// A key that names a frame, and the rule that reports its faults.
-struct Reference {
+struct SceneReference {
   const Field<std::string>& field;
   std::string_view key;
   const Rule& unknown;
@@ -58,7 +58,7 @@ class ReferenceResolver {
     placement.is_known = (entity.position || !entity.position.written) &&
                          entity.rotation.form != RotationForm::invalid &&
                          (entity.parent || !entity.parent.written);
-    const Reference parent{entity.parent, "parent", rules::sml5101_unknown_parent, self};
+    const SceneReference parent{entity.parent, "parent", rules::sml5101_unknown_parent, self};
     if (names_no_frame(parent)) {
       placement.parent = around.parent;
       placement.X_PE = is_loaded_scene(use) ? own : around.X_PE * own;
@@ -83,7 +83,7 @@ class ReferenceResolver {
   bool is_loaded_scene(UseIndex use) const { return !scene_.uses[to_size(use)].outer; }
 
   /// Absent, empty, `none` and `world`. Phobos 2 writes WORLD.
-  bool names_no_frame(const Reference& parent) {
+  bool names_no_frame(const SceneReference& parent) {
     if (!parent.field || parent.field->empty()) return true;
     const std::string lower = path::to_lower(*parent.field);
     if (lower != "world" && lower != "none") return false;
@@ -91,7 +91,7 @@ class ReferenceResolver {
     return true;
   }
 
-  void report_case(const Reference& reference, const std::string& lower) {
+  void report_case(const SceneReference& reference, const std::string& lower) {
     if (*reference.field == lower) return;
     Diagnostic& diagnostic = sink_.report(
         rules::sml5106_world_case, reference.field.span,
@@ -103,7 +103,7 @@ class ReferenceResolver {
 
   Attachment anchor(const Entity& entity, UseIndex use, std::optional<InstanceIndex> self,
                     const Placement& placement, bool inherits) {
-    const Reference reference{entity.anchor, "anchor", rules::sml5102_unknown_anchor, self};
+    const SceneReference reference{entity.anchor, "anchor", rules::sml5102_unknown_anchor, self};
     if (entity.anchor.written && !entity.anchor) return {};
     if (!entity.anchor || entity.anchor->empty()) {
       // In a list `smurfa`, only the root gets the anchor of the assembly.
@@ -125,7 +125,7 @@ class ReferenceResolver {
   }
 
   /// `ENTITY::LINK`. None if it cannot be resolved; the reason is reported once.
-  std::optional<Attachment> frame(const Reference& reference, UseIndex use) {
+  std::optional<Attachment> frame(const SceneReference& reference, UseIndex use) {
     const std::string& text = *reference.field;
     const std::size_t separator = text.find("::");
     if (separator == std::string::npos) {
@@ -146,7 +146,7 @@ class ReferenceResolver {
     return frame_of(reference, std::get<InstanceIndex>(*found), name, link);
   }
 
-  std::optional<Attachment> frame_of(const Reference& reference, InstanceIndex index,
+  std::optional<Attachment> frame_of(const SceneReference& reference, InstanceIndex index,
                                      std::string_view name, std::string_view link) {
     const Instance& instance = scene_.instance(index);
     const Attachment attachment{Attachment::Kind::link, index, std::string(link)};
@@ -188,7 +188,7 @@ class ReferenceResolver {
 
   /// A word that is neither a frame nor reserved: an entity's name, or a
   /// misspelling.
-  void report_word(const Reference& reference, UseIndex use) {
+  void report_word(const SceneReference& reference, UseIndex use) {
     const std::string& text = *reference.field;
     Diagnostic& diagnostic =
         sink_.report(reference.unknown, reference.field.span,
@@ -231,18 +231,18 @@ class ReferenceResolver {
     return root ? std::optional(std::string(*name) + "::" + *root) : std::nullopt;
   }
 
-  void suggest(Diagnostic& diagnostic, const Reference& reference, const std::string& text,
+  void suggest(Diagnostic& diagnostic, const SceneReference& reference, const std::string& text,
                std::string_view before, std::string_view after) {
     diagnostic.help(std::string(before) + quoted(text) + std::string(after));
     diagnostic.fixes.push_back({Applicability::unsafe, {edit(reference, text)}});
   }
 
-  Edit edit(const Reference& reference, const std::string& text) {
+  Edit edit(const SceneReference& reference, const std::string& text) {
     const Span span = reference.field.span;
     return {span, yaml_like(sources_.text(span), text)};
   }
 
-  void report_entity(const Reference& reference, std::string_view name) {
+  void report_entity(const SceneReference& reference, std::string_view name) {
     if (!names_.is_complete()) return;
     Diagnostic& diagnostic = sink_.report(reference.unknown, reference.field.span,
                                           quoted(reference.key) + " names the entity " +
@@ -253,7 +253,7 @@ class ReferenceResolver {
     }
   }
 
-  void report_include(const Reference& reference, UseIndex include, std::string_view name) {
+  void report_include(const SceneReference& reference, UseIndex include, std::string_view name) {
     const SceneUse& use = scene_.uses[to_size(include)];
     if (!scene_.file(use).document) return;  // a broken include is already reported
     Diagnostic& diagnostic = sink_.report(rules::sml5103_parent_of_scene, reference.field.span,
@@ -270,8 +270,8 @@ class ReferenceResolver {
     if (!inside.empty()) diagnostic.help("name an entity inside it:" + inside);
   }
 
-  void report_link(const Reference& reference, const LinkedModel& model, const Instance& instance,
-                   std::string_view link) {
+  void report_link(const SceneReference& reference, const LinkedModel& model,
+                   const Instance& instance, std::string_view link) {
     Diagnostic& diagnostic =
         sink_.report(reference.unknown, reference.field.span,
                      quoted(reference.key) + " names the link " + quoted(link) +

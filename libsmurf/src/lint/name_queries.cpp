@@ -11,8 +11,6 @@
 namespace smurf {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Letters, digits and `_`, by byte.
 constexpr std::array<bool, 256> kWord = [] {
   std::array<bool, 256> words{};

@@ -29,8 +29,6 @@ bool take_sign(std::string_view& text) {
   return is_negative;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// strtod() sets ERANGE for numbers with fewer digits than the type has.
 template <class Number>
 bool is_in_range(double value) {

@@ -6,13 +6,13 @@
 namespace smurf {
 namespace {
 
-std::uint32_t offset(std::size_t size) { return static_cast<std::uint32_t>(size); }
+std::uint32_t to_offset(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
 /// The end of the line, before its line end.
 std::uint32_t end_of_line(std::string_view text, std::size_t at) {
   std::size_t end = std::min(text.find('\n', at), text.size());
   if (end > at && text[end - 1] == '\r') --end;
-  return offset(end);
+  return to_offset(end);
 }
 
 std::size_t start_of_line(std::string_view text, std::size_t at) {
@@ -27,7 +27,7 @@ std::optional<Edit> line_above(SourceId source, std::string_view text, std::size
   const std::string_view before = text.substr(line, at - line);
   if (before.find_first_not_of(" \t-") != std::string_view::npos) return std::nullopt;
   const std::size_t indent = std::min(before.find_first_not_of(" \t"), before.size());
-  return Edit{{source, offset(line), offset(line)},
+  return Edit{{source, to_offset(line), to_offset(line)},
               std::string(before.substr(0, indent)) + comment + "\n"};
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kMarker = "smurf-lint:";
 constexpr std::string_view kBlank = " \t";
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 std::uint32_t offset(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
@@ -44,9 +44,9 @@ class Lines {
     line_.begin = before == std::string_view::npos ? 0 : before + 1;
     line_.end = std::min(text_.find('\n', at), text_.size());
     line_.text_begin = line_.begin;
-    while (line_.text_begin < line_.end && is_blank(text_[line_.text_begin])) ++line_.text_begin;
+    while (line_.text_begin < line_.end && is_space(text_[line_.text_begin])) ++line_.text_begin;
     line_.text_end = line_.end;
-    while (line_.text_end > line_.text_begin && is_blank(text_[line_.text_end - 1])) {
+    while (line_.text_end > line_.text_begin && is_space(text_[line_.text_end - 1])) {
       --line_.text_end;
     }
   }
@@ -135,7 +135,7 @@ class Suppressions::Reader {
          at = text_.find(kMarker, at + 1)) {
       const std::size_t hash = text_.find_last_not_of(kBlank, at == 0 ? 0 : at - 1);
       if (at == 0 || hash == std::string_view::npos || text_[hash] != '#') continue;
-      if (hash > 0 && !is_blank(text_[hash - 1]) && text_[hash - 1] != '\n') continue;
+      if (hash > 0 && !is_space(text_[hash - 1]) && text_[hash - 1] != '\n') continue;
       if (!is_in_scalar(document, offset(hash))) markers.push_back({hash, at});
     }
     return markers;

@@ -20,7 +20,7 @@ using render::text;
 
 constexpr std::uint32_t kContext = 2;  ///< lines before and after each mark
 /// Lines shown of one mark; a longer mark shows only its first and last lines.
-constexpr std::uint32_t kMostLines = 12;
+constexpr std::uint32_t kMostExcerptLines = 12;
 constexpr std::size_t kMostText = 16'000'000;  ///< bytes of lines in a page
 
 struct Lines {
@@ -50,11 +50,11 @@ class Excerpts {
     const std::uint32_t begin = std::min(span.begin, size);
     const std::uint32_t first = sources_.line_of(source, begin);
     const std::uint32_t last = sources_.line_of(source, std::clamp(span.end, begin, size));
-    if (last - first <= kMostLines) {
+    if (last - first <= kMostExcerptLines) {
       add(source, first, last);
     } else {
-      add(source, first, first + kMostLines / 2);
-      add(source, last - kMostLines / 2, last);
+      add(source, first, first + kMostExcerptLines / 2);
+      add(source, last - kMostExcerptLines / 2, last);
     }
   }
 

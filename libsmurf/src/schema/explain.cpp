@@ -50,7 +50,8 @@ constexpr Phrase kPhrases[] = {
     {Keyword::unique_items, "contains an item twice", ""},
 };
 
-constexpr std::size_t kNodesForStep = 64;  ///< most nodes of the schema and the value to look at
+constexpr std::size_t kNodesForExplainedStep =
+    64;  ///< most nodes of the schema and the value to look at
 constexpr std::uint64_t kComparisonsForStep = 256;  ///< most compared characters, for suggestions
 
 Phrase phrase_of(const SchemaFault& fault) {
@@ -169,7 +170,7 @@ class Explainer {
 
   std::vector<Violation> run() {
     for (const SchemaFault& fault : faults_) {
-      if (spend(kNodesForStep)) explain(fault);
+      if (spend(kNodesForExplainedStep)) explain(fault);
     }
     return std::move(violations_);
   }
@@ -177,7 +178,8 @@ class Explainer {
  private:
   /// False if no steps remain.
   bool spend(std::size_t nodes) {
-    steps_left_ -= std::min(steps_left_, static_cast<std::int64_t>(nodes / kNodesForStep + 1));
+    steps_left_ -=
+        std::min(steps_left_, static_cast<std::int64_t>(nodes / kNodesForExplainedStep + 1));
     return steps_left_ > 0;
   }
 
@@ -201,7 +203,7 @@ class Explainer {
 
   /// Then, the place is a misspelt key that may mean the missing one.
   void suggest_key(const SchemaFault& fault, yaml::View value, Violation& violation) {
-    if (!spend(kNodesForStep / 4 * value.size() + name_count(fault))) return;
+    if (!spend(kNodesForExplainedStep / 4 * value.size() + name_count(fault))) return;
     const std::vector<std::string_view> names = property_names(fault);
     const std::set<std::string_view> known(names.begin(), names.end());
     const std::string_view meant[] = {fault.name};

@@ -43,12 +43,6 @@ class Keys {
   std::vector<std::string_view> keys_;
 };
 
-std::size_t member_count(yaml::View mapping) {
-  std::size_t count = 0;
-  for (const yaml::View member : mapping) count += member.is_repeated() ? 0 : 1;
-  return count;
-}
-
 /// The schema of the name in a check with names; kNoSchema if it has none.
 SchemaIndex schema_of(const SchemaCheck* check, std::string_view name) {
   if (check == nullptr) return kNoSchema;

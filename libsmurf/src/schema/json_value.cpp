@@ -30,13 +30,13 @@ std::size_t hash_of_number(double number) {
   return smurf::hash_of({bytes, sizeof bytes});
 }
 
+}  // namespace
+
 std::size_t member_count(yaml::View mapping) {
   std::size_t count = 0;
   for (const yaml::View member : mapping) count += member.is_repeated() ? 0 : 1;
   return count;
 }
-
-}  // namespace
 
 JsonType json_type(yaml::View value) {
   switch (value.kind()) {

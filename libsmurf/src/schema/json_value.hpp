@@ -15,6 +15,9 @@ enum class JsonType : std::uint8_t { null, boolean, number, text, list, mapping 
 /// A plain scalar that YAML types as a number or boolean is one; every other scalar is a text.
 JsonType json_type(yaml::View value);
 
+/// The number of different keys.
+std::size_t member_count(yaml::View mapping);
+
 /// Whether it has the type that a schema names, such as "integer".
 bool has_type(yaml::View value, std::string_view type);
 

@@ -34,14 +34,14 @@ constexpr std::array<CharClass, 256> char_classes() {
     classes[static_cast<unsigned char>(c)] = CharClass::ending;
   return classes;
 }
-constexpr std::array<CharClass, 256> kClasses = char_classes();
+constexpr std::array<CharClass, 256> kCharClasses = char_classes();
 
 /// yaml-cpp treats a text of more than 1000 bytes as a value, never as a key.
 constexpr std::uint32_t kLongestKey = 1000;
 
-class Scanner {
+class PlainScanner {
  public:
-  Scanner(std::string_view text, YamlBuilder& builder) : text_(text), builder_(builder) {}
+  PlainScanner(std::string_view text, YamlBuilder& builder) : text_(text), builder_(builder) {}
 
   std::optional<std::uint32_t> run() {
     while (to_next_token()) {
@@ -75,7 +75,7 @@ class Scanner {
     return peek(ahead) == ' ' || peek(ahead) == '\n';
   }
   bool is_dash() const { return peek() == '-' && is_end_of_word(1); }
-  static CharClass class_of(char c) { return kClasses[static_cast<unsigned char>(c)]; }
+  static CharClass class_of(char c) { return kCharClasses[static_cast<unsigned char>(c)]; }
 
   void skip_spaces() {
     const std::string_view text = text_;
@@ -387,7 +387,7 @@ class Scanner {
 
 std::optional<std::uint32_t> scan_plain_yaml(std::string_view text, YamlBuilder& builder) {
   if (byte_order_mark_size(text) > 0) return 0;
-  return Scanner(text, builder).run();
+  return PlainScanner(text, builder).run();
 }
 
 }  // namespace smurf

@@ -25,9 +25,9 @@ namespace {
 using xml::Attribute;
 using xml::Element;
 
-class Scanner {
+class XmlScanner {
  public:
-  Scanner(std::string_view text, SourceId id, const Limits& limits, DiagnosticSink& sink)
+  XmlScanner(std::string_view text, SourceId id, const Limits& limits, DiagnosticSink& sink)
       : text_(text),
         id_(id),
         limits_(limits),
@@ -494,7 +494,7 @@ class Scanner {
 
 std::optional<xml::Document> scan_xml(const SourceMap& sources, SourceId id, const Limits& limits,
                                       DiagnosticSink& sink) {
-  return Scanner(sources.text(id), id, limits, sink).run();
+  return XmlScanner(sources.text(id), id, limits, sink).run();
 }
 
 }  // namespace smurf

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "base/words.hpp"
+
 namespace smurf {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 std::uint32_t size_of(std::string_view text) { return static_cast<std::uint32_t>(text.size()); }
 
 /// One past the closing quote; none if the quote is not closed.

@@ -18,13 +18,9 @@ Found other_keys(const LinkedModel& model, const Annotation& entry,
   return found;
 }
 
-namespace {
-
 void append(Found& all, Found some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
 }
-
-}  // namespace
 
 Found materials(const LinkedModel& model, SceneColumn column) {
   Found found;

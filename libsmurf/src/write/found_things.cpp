@@ -130,10 +130,6 @@ Found drivers(const LinkedModel& model, SceneColumn column, std::string_view ele
   return found;
 }
 
-void append(Found& all, Found some) {
-  std::move(some.begin(), some.end(), std::back_inserter(all));
-}
-
 /// The place of a setting that the scene lacks: the scene.
 Found missing(const SceneExport& scene) {
   for (const SceneFile& file : scene.scene.scenes) {

@@ -7,6 +7,7 @@
 namespace smurf::things {
 
 using Found = std::vector<FoundThing>;
+void append(Found& all, Found some);
 
 // In a URDF.
 Found masses(const LinkedModel& model, SceneColumn);

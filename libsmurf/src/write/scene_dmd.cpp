@@ -11,7 +11,7 @@
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 
-namespace smurf {
+namespace smurf::scene_dmd_file {
 namespace {
 
 /// A flow scalar that YAML and Drake read as this text.
@@ -156,4 +156,4 @@ extern constinit const SceneFormat scene_dmd{
     .has_reference_form = true,
     .has_expanded_form = false};
 
-}  // namespace smurf
+}  // namespace smurf::scene_dmd_file

@@ -6,7 +6,7 @@
 #include "smurf/write_scene.hpp"
 #include "write/scene_parts.hpp"
 
-namespace smurf {
+namespace smurf::scene_dot_file {
 namespace {
 
 /// A quoted string; a backslash would start an escape in a label. Characters that could be misread
@@ -131,4 +131,4 @@ extern constinit const SceneFormat scene_dot{
     .help = "the attachments between instances, as a Graphviz graph",
     .write = write};
 
-}  // namespace smurf
+}  // namespace smurf::scene_dot_file

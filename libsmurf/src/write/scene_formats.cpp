@@ -3,14 +3,18 @@
 
 namespace smurf {
 
-#define SMURF_SCENE_FORMAT(variable) extern const SceneFormat variable;
+#define SMURF_SCENE_FORMAT(name)                                                                   \
+  namespace name##_file {                                                                          \
+    extern const SceneFormat name;                                                                 \
+  }                                                                                                \
+  using name##_file::name;
 #include "write/scene_formats.def"
 #undef SMURF_SCENE_FORMAT
 
 namespace {
 
 constexpr const SceneFormat* kFormats[] = {
-#define SMURF_SCENE_FORMAT(variable) &variable,
+#define SMURF_SCENE_FORMAT(name) &name,
 #include "write/scene_formats.def"
 #undef SMURF_SCENE_FORMAT
 };

@@ -16,7 +16,7 @@
 #include "write/scene_losses.hpp"
 #include "write/unit_meshes.hpp"
 
-namespace smurf {
+namespace smurf::scene_gltf_file {
 namespace {
 
 /// Three numbers of four bytes, and an index of two, in base64.
@@ -332,4 +332,4 @@ extern constinit const SceneFormat scene_gltf{
     .write = [](const SceneExport& scene) { return GltfWriter(scene).run(); },
     .repeats_models = true};
 
-}  // namespace smurf
+}  // namespace smurf::scene_gltf_file

@@ -4,7 +4,7 @@
 #include "write/viewer_data.hpp"
 #include "write/viewer_page.hpp"
 
-namespace smurf {
+namespace smurf::scene_html_file {
 namespace {
 
 std::string write(const SceneExport& scene) {
@@ -26,8 +26,12 @@ extern constinit const SceneFormat scene_html{
     .write = write,
     .obstacle = obstacle};
 
+}  // namespace smurf::scene_html_file
+
+namespace smurf {
+
 std::string write_both_versions(const SceneExport& before, const SceneExport& after) {
-  if (!obstacle().empty()) return {};
+  if (!scene_html_file::obstacle().empty()) return {};
   const std::optional<std::string> data = viewer_data(after, &before);
   return data ? page_around(viewer_page(), *data) : std::string();
 }

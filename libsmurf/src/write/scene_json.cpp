@@ -7,7 +7,7 @@
 #include "smurf/write_scene.hpp"
 #include "write/json_text.hpp"
 
-namespace smurf {
+namespace smurf::scene_json_file {
 namespace {
 
 /// The lights of scenes, then those of old scenes.
@@ -174,15 +174,19 @@ class JsonWriter {
 
 }  // namespace
 
-std::string write_flat_json(const FlatScene& scene, bool links) {
-  return JsonWriter(links).run(scene);
-}
-
 extern constinit const SceneFormat scene_json{
     .name = "json",
     .help = "instances in the world frame, for programs",
-    .write = [](const SceneExport& scene) { return write_flat_json(scene.flat, scene.links); },
+    .write = [](const SceneExport& scene) { return JsonWriter(scene.links).run(scene.flat); },
     .has_reference_form = true,
     .has_expanded_form = false};
+
+}  // namespace smurf::scene_json_file
+
+namespace smurf {
+
+std::string write_flat_json(const FlatScene& scene, bool links) {
+  return scene_json_file::JsonWriter(links).run(scene);
+}
 
 }  // namespace smurf

@@ -13,7 +13,7 @@
 #include "write/mjcf_excludes.hpp"
 #include "write/mjcf_sensors.hpp"
 
-namespace smurf {
+namespace smurf::scene_mjcf_file {
 namespace {
 
 class MjcfWriter : MjcfSensors {
@@ -424,4 +424,4 @@ extern constinit const SceneFormat scene_mjcf{
     .fixes_world_roots = true,
     .repeated_parts = repeated_parts};
 
-}  // namespace smurf
+}  // namespace smurf::scene_mjcf_file

@@ -16,7 +16,7 @@
 #include "write/scene_losses.hpp"
 #include "write/unit_meshes.hpp"
 
-namespace smurf {
+namespace smurf::scene_obj_file {
 namespace {
 
 /// The lengths of the shortest line of a point and of a third of a triangle.
@@ -150,4 +150,4 @@ extern constinit const SceneFormat scene_obj{
     .write = [](const SceneExport& scene) { return ObjWriter(scene).run(); },
     .repeats_models = true};
 
-}  // namespace smurf
+}  // namespace smurf::scene_obj_file

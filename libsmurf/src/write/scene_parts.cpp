@@ -8,6 +8,7 @@
 #include "base/path.hpp"
 #include "base/unique_names.hpp"
 #include "base/vectors.hpp"
+#include "base/words.hpp"
 #include "flatten/shapes.hpp"
 #include "link/kinematics.hpp"
 
@@ -15,8 +16,6 @@ namespace smurf {
 namespace {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 LinkInertial diagonal(double mass, double ixx, double iyy, double izz) {
   return {.mass = mass, .X_LC = {}, .ixx = ixx, .iyy = iyy, .izz = izz};
 }

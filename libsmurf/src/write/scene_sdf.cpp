@@ -15,7 +15,7 @@
 #include "write/sdf_names.hpp"
 #include "write/xml_text.hpp"
 
-namespace smurf {
+namespace smurf::scene_sdf_file {
 namespace {
 
 class SdfWriter {
@@ -452,13 +452,17 @@ extern constinit const SceneFormat scene_sdf{
     .fixes_world_roots = true,
     .repeated_parts = sdf_parts};
 
+}  // namespace smurf::scene_sdf_file
+
+namespace smurf::scene_sdf16_file {
+
 extern constinit const SceneFormat scene_sdf16{
     .name = "sdf1.6",
     .help = "an SDFormat 1.6 world, for older readers",
-    .write = [](const SceneExport& scene) { return SdfWriter(scene, true).run(); },
+    .write = [](const SceneExport& scene) { return scene_sdf_file::SdfWriter(scene, true).run(); },
     .has_ground = true,
     .repeats_models = true,
     .fixes_world_roots = true,
     .repeated_parts = sdf_parts};
 
-}  // namespace smurf
+}  // namespace smurf::scene_sdf16_file

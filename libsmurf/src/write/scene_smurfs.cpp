@@ -6,7 +6,7 @@
 #include "smurf/write_scene.hpp"
 #include "write/json_text.hpp"
 
-namespace smurf {
+namespace smurf::scene_smurfs_file {
 namespace {
 
 class FlatSceneWriter {
@@ -134,4 +134,4 @@ extern constinit const SceneFormat scene_smurfs{
     .has_reference_form = true,
     .has_expanded_form = false};
 
-}  // namespace smurf
+}  // namespace smurf::scene_smurfs_file

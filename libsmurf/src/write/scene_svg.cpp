@@ -8,7 +8,7 @@
 #include "write/scene_parts.hpp"
 #include "write/svg_view.hpp"
 
-namespace smurf {
+namespace smurf::scene_svg_file {
 namespace {
 
 /// With more shapes, a view from the side is unreadable.
@@ -86,4 +86,4 @@ extern constinit const SceneFormat scene_svg{
     .write = write,
     .repeats_models = true};
 
-}  // namespace smurf
+}  // namespace smurf::scene_svg_file

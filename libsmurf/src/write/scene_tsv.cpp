@@ -5,7 +5,7 @@
 #include "base/utf8.hpp"
 #include "smurf/write_scene.hpp"
 
-namespace smurf {
+namespace smurf::scene_tsv_file {
 namespace {
 
 /// Escapes tabs and line ends, which would break the table, and other control characters. A leading
@@ -76,4 +76,4 @@ std::string write(const SceneExport& scene) {
 extern constinit const SceneFormat scene_tsv{
     .name = "tsv", .help = "a table of poses, one line per instance", .write = write};
 
-}  // namespace smurf
+}  // namespace smurf::scene_tsv_file

@@ -15,7 +15,7 @@
 #include "write/scene_parts.hpp"
 #include "write/xml_text.hpp"
 
-namespace smurf {
+namespace smurf::scene_urdf_file {
 namespace {
 
 /// An attribute with a name of the model. `element` is empty for any element.
@@ -387,4 +387,4 @@ extern constinit const SceneFormat scene_urdf{
     .fixes_world_roots = true,
     .repeated_parts = repeated_parts};
 
-}  // namespace smurf
+}  // namespace smurf::scene_urdf_file

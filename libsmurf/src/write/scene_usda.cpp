@@ -14,7 +14,7 @@
 #include "write/usd_lights.hpp"
 #include "write/usd_physics.hpp"
 
-namespace smurf {
+namespace smurf::scene_usda_file {
 namespace {
 
 /// "(0, 0, 0), ", and "0, " plus a third of the "3, " for the number of corners.
@@ -400,4 +400,4 @@ extern constinit const SceneFormat scene_usda{
     .repeats_models = true,
     .fixes_world_roots = true};
 
-}  // namespace smurf
+}  // namespace smurf::scene_usda_file

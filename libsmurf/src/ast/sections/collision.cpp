@@ -3,7 +3,7 @@
 // Object.cpp:56-79; Phobos representation.py.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::collision_file {
 namespace {
 
 using enum ValueType;
@@ -70,4 +70,4 @@ constinit const SectionSpec collision{
     .read = read,
     .entries = entries_of<&Annotations::collisions>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::collision_file

@@ -2,7 +2,7 @@
 // Sources: MARS smurf.cpp:465-480, ControllerData.cpp:41-92, Controller.cpp:173.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::controllers_file {
 namespace {
 
 using enum ValueType;
@@ -60,4 +60,4 @@ constinit const SectionSpec controllers{
     .read = read,
     .entries = entries_of<&Annotations::controllers>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::controllers_file

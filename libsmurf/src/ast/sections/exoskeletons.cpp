@@ -2,7 +2,7 @@
 // Sources: Phobos hyrodyn.py.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::exoskeletons_file {
 namespace {
 
 using enum ValueType;
@@ -60,4 +60,4 @@ constinit const SectionSpec exoskeletons{
     .read = read,
     .entries = entries_of<&Annotations::exoskeletons>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::exoskeletons_file

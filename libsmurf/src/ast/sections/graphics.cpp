@@ -2,7 +2,7 @@
 // Sources: MARS GraphicData.cpp, smurf.cpp:458-464.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::graphics_file {
 namespace {
 
 using enum ValueType;
@@ -59,4 +59,4 @@ constinit const SectionSpec graphics{.name = "graphics",
                                      .read = read,
                                      .entries = entries_of<&Annotations::graphics>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::graphics_file

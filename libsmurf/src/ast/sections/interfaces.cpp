@@ -2,7 +2,7 @@
 // Sources: Phobos representation.py:2289-2326.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::interfaces_file {
 namespace {
 
 using enum ValueType;
@@ -53,4 +53,4 @@ constinit const SectionSpec interfaces{.name = "interfaces",
                                        .read = read,
                                        .entries = entries_of<&Annotations::interfaces>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::interfaces_file

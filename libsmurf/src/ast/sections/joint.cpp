@@ -3,7 +3,7 @@
 // Joint.cpp:101-124; mars_ode_physics Joint.cpp:180-193; Phobos representation.py:2001-2119.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::joint_file {
 namespace {
 
 using enum ValueType;
@@ -289,4 +289,4 @@ constinit const SectionSpec joint{
     .read = read,
     .entries = entries_of<&Annotations::joints>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::joint_file

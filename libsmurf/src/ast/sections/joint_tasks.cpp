@@ -2,7 +2,7 @@
 // Sources: rock-cpp/smurf Robot.cpp:22-31, 128-151, 190-280, DynamicTransformation.hpp.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::joint_tasks_file {
 namespace {
 
 using enum ValueType;
@@ -41,4 +41,4 @@ constinit const SectionSpec joint_tasks{.name = "joint_tasks",
                                         .read = read,
                                         .entries = entries_of<&Annotations::joint_tasks>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::joint_tasks_file

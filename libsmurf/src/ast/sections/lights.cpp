@@ -2,7 +2,7 @@
 // Sources: MARS LightData.cpp:45-71, LightData.h; smurf.cpp:450-464.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::lights_file {
 namespace {
 
 using enum ValueType;
@@ -91,4 +91,4 @@ constinit const SectionSpec lights{
     .read = read,
     .entries = entries_of<&Annotations::lights>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::lights_file

@@ -3,7 +3,7 @@
 // representation.py:1764.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::link_file {
 namespace {
 
 using enum ValueType;
@@ -74,4 +74,4 @@ constinit const SectionSpec link{
     .read = read,
     .entries = entries_of<&Annotations::links>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::link_file

@@ -2,7 +2,7 @@
 // Sources: MARS MaterialData.cpp:47-118, smurf.cpp:333-352; rock-cpp/smurf Robot.cpp:343-375.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::materials_file {
 namespace {
 
 using enum ValueType;
@@ -125,4 +125,4 @@ constinit const SectionSpec materials{
     .read = read,
     .entries = entries_of<&Annotations::materials>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::materials_file

@@ -3,7 +3,7 @@
 // representation.py:2399.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::motors_file {
 namespace {
 
 using enum ValueType;
@@ -260,4 +260,4 @@ constinit const SectionSpec motors{.name = "motors",
                                    .read = read,
                                    .entries = entries_of<&Annotations::motors>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::motors_file

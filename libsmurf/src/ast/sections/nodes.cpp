@@ -2,7 +2,7 @@
 // Sources: MARS smurf.cpp:366-390.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::nodes_file {
 namespace {
 
 using enum ValueType;
@@ -55,4 +55,4 @@ constinit const SectionSpec nodes{.name = "nodes",
                                   .read = read,
                                   .entries = entries_of<&Annotations::nodes>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::nodes_file

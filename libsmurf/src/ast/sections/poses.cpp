@@ -3,7 +3,7 @@
 #include "ast/sections.hpp"
 #include "base/quantity.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::poses_file {
 namespace {
 
 using enum ValueType;
@@ -55,4 +55,4 @@ constinit const SectionSpec poses{.name = "poses",
                                   .read = read,
                                   .entries = entries_of<&Annotations::poses>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::poses_file

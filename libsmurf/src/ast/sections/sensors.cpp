@@ -4,7 +4,7 @@
 // sensor_representations.py.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::sensors_file {
 namespace {
 
 using enum ValueType;
@@ -271,16 +271,6 @@ constexpr std::string_view kAliases[] = {"sensor"};
 
 }  // namespace
 
-NameKinds measured_by(std::string_view type) {
-  const auto holds = [&](std::string_view word) {
-    return type.find(word) != std::string_view::npos;
-  };
-  // The order of MARS, smurf.cpp:288-330.
-  if (holds("Joint") && !holds("6DOF")) return NameKind::joint;
-  if (holds("Node")) return holds("Contact") ? NameKinds(NameKind::collision) : kNodeKinds;
-  return holds("Motor") ? NameKinds(NameKind::motor) : NameKinds();
-}
-
 constinit const SectionSpec sensors{
     .name = "sensors",
     .aliases = kAliases,
@@ -291,5 +281,19 @@ constinit const SectionSpec sensors{
     .filtered_keys = keys,
     .read = read,
     .entries = entries_of<&Annotations::sensors>};
+
+}  // namespace smurf::sections::sensors_file
+
+namespace smurf::sections {
+
+NameKinds measured_by(std::string_view type) {
+  const auto holds = [&](std::string_view word) {
+    return type.find(word) != std::string_view::npos;
+  };
+  // The order of MARS, smurf.cpp:288-330.
+  if (holds("Joint") && !holds("6DOF")) return NameKind::joint;
+  if (holds("Node")) return holds("Contact") ? NameKinds(NameKind::collision) : kNodeKinds;
+  return holds("Motor") ? NameKinds(NameKind::motor) : NameKinds();
+}
 
 }  // namespace smurf::sections

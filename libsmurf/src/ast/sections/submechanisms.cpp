@@ -2,7 +2,7 @@
 // Sources: Phobos hyrodyn.py, robot.py:352-360; HyRoDyn files of ARC-OPT/wbc.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::submechanisms_file {
 namespace {
 
 using enum ValueType;
@@ -126,4 +126,4 @@ constinit const SectionSpec submechanisms{.name = "submechanisms",
                                           .read = read,
                                           .entries = entries_of<&Annotations::submechanisms>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::submechanisms_file

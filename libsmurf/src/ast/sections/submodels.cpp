@@ -2,7 +2,7 @@
 // Sources: Phobos robot.py:412-424 and 790-830.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::submodels_file {
 namespace {
 
 using enum ValueType;
@@ -41,4 +41,4 @@ constinit const SectionSpec submodels{
     .read = read,
     .entries = entries_of<&Annotations::submodels>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::submodels_file

@@ -2,7 +2,7 @@
 // Sources: MARS smurf.cpp:404-426.
 #include "ast/sections.hpp"
 
-namespace smurf::sections {
+namespace smurf::sections::visuals_file {
 namespace {
 
 using enum ValueType;
@@ -53,4 +53,4 @@ constinit const SectionSpec visuals{.name = "visuals",
                                     .read = read,
                                     .entries = entries_of<&Annotations::visuals>};
 
-}  // namespace smurf::sections
+}  // namespace smurf::sections::visuals_file

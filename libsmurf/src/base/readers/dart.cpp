@@ -2,7 +2,7 @@
 // DART, which reads URDF with urdfdom.
 #include "base/readers.hpp"
 
-namespace smurf::readers {
+namespace smurf::readers::dart_file {
 namespace {
 
 constexpr Fact kUnread[] = {
@@ -18,4 +18,4 @@ extern constinit const Reader dart{.name = "dart",
                                    .version = "DART 6.12.1",
                                    .unread = kUnread};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::dart_file

@@ -2,7 +2,7 @@
 // Drake, which has its own URDF reader.
 #include "base/readers.hpp"
 
-namespace smurf::readers {
+namespace smurf::readers::drake_file {
 namespace {
 
 using enum Effect;
@@ -27,4 +27,4 @@ extern constinit const Reader drake{.name = "drake",
                                     .families = kFamilies,
                                     .unread = kUnread};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::drake_file

@@ -2,7 +2,7 @@
 // MARS with envire (envire4mars), the generation between MARS 1 and MARS 2.
 #include "base/readers.hpp"
 
-namespace smurf::readers {
+namespace smurf::readers::envire_file {
 
 extern constinit const Reader envire{
     .name = "envire",
@@ -11,4 +11,4 @@ extern constinit const Reader envire{
     .like = &urdfdom,
     .reads_annotations = true};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::envire_file

@@ -2,7 +2,7 @@
 // Gazebo, which reads URDF with sdformat, which reads it with urdfdom.
 #include "base/readers.hpp"
 
-namespace smurf::readers {
+namespace smurf::readers::gazebo_file {
 
 extern constinit const Reader gazebo{.name = "gazebo",
                                      .title = "Gazebo",
@@ -10,4 +10,4 @@ extern constinit const Reader gazebo{.name = "gazebo",
                                      .like = &urdfdom,
                                      .version = "sdformat 12.3"};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::gazebo_file

@@ -2,7 +2,7 @@
 // MARS 1 (rock-simulation/mars) with its SMURF and scene loaders.
 #include "base/readers.hpp"
 
-namespace smurf::readers {
+namespace smurf::readers::mars_file {
 namespace {
 
 using enum Effect;
@@ -24,4 +24,4 @@ extern constinit const Reader mars{
     .families = kFamilies,
     .reads_annotations = true};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::mars_file

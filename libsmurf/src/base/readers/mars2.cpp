@@ -2,7 +2,7 @@
 // MARS 2 (mars-robot-simulation) with its envire model loader and its scene loader.
 #include "base/readers.hpp"
 
-namespace smurf::readers {
+namespace smurf::readers::mars2_file {
 
 extern constinit const Reader mars2{
     .name = "mars2",
@@ -11,4 +11,4 @@ extern constinit const Reader mars2{
     .like = &urdfdom,
     .reads_annotations = true};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::mars2_file

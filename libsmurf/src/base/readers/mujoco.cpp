@@ -2,7 +2,7 @@
 // MuJoCo, which has its own URDF reader.
 #include "base/readers.hpp"
 
-namespace smurf::readers {
+namespace smurf::readers::mujoco_file {
 namespace {
 
 using enum Effect;
@@ -41,4 +41,4 @@ extern constinit const Reader mujoco{.name = "mujoco",
                                      .families = kFamilies,
                                      .unread = kUnread};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::mujoco_file

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace smurf::readers {
+namespace smurf::readers::phobos_file {
 namespace {
 
 /// Rules on invalid numbers in a URDF.
@@ -37,4 +37,4 @@ extern constinit const Reader phobos{.name = "phobos",
                                      .families = kFamilies,
                                      .reads_annotations = true};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::phobos_file

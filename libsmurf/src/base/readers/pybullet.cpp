@@ -2,7 +2,7 @@
 // Bullet's URDF reader, which PyBullet uses.
 #include "base/readers.hpp"
 
-namespace smurf::readers {
+namespace smurf::readers::pybullet_file {
 namespace {
 
 using enum Effect;
@@ -22,4 +22,4 @@ extern constinit const Reader pybullet{
     .version = "Bullet 2025-01",
     .families = kFamilies};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::pybullet_file

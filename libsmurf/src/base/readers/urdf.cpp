@@ -2,7 +2,7 @@
 // The facts about all URDF readers; the table of a reader can override them.
 #include "base/readers.hpp"
 
-namespace smurf::readers {
+namespace smurf::readers::urdf_file {
 
 extern constinit const Reader urdf{
     .name = "urdf",
@@ -10,4 +10,4 @@ extern constinit const Reader urdf{
     .basis = "what the readers below have in common, unless their own table says otherwise",
     .is_target = false};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::urdf_file

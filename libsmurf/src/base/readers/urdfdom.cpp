@@ -2,7 +2,7 @@
 // urdfdom: the URDF parser of ROS, Gazebo, DART and both versions of MARS.
 #include "base/readers.hpp"
 
-namespace smurf::readers {
+namespace smurf::readers::urdfdom_file {
 namespace {
 
 using enum Effect;
@@ -33,4 +33,4 @@ extern constinit const Reader urdfdom{.name = "urdfdom",
                                       .is_target = false,
                                       .unread = kUnread};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::urdfdom_file

@@ -12,7 +12,7 @@
 #include "flatten/dialect_parts.hpp"
 #include "smurf/archive_files.hpp"
 
-namespace smurf::readings {
+namespace smurf::readings::mars_file {
 namespace {
 
 /// The keys of an entity after the enclosing includes have overwritten them.
@@ -173,7 +173,7 @@ class EntityReader {
   Keys keys_of(const SceneUse& use, const std::vector<Keys>& outer) const {
     if (!use.outer) return {};
     const Entity& entity = *scene_.entity(use);
-    Keys keys = readings::keys_of(entity);
+    Keys keys = mars_file::keys_of(entity);
     if (is_archive_type(entity_type(entity))) keys.refusal = kNotFromArchive;
     if (is_drawn(*use.outer)) keys.refusal = kNotFromDrawing;
     if (scene_.uses[to_size(*use.outer)].outer) include(keys, entity, outer[to_size(*use.outer)]);
@@ -182,7 +182,7 @@ class EntityReader {
 
   Keys keys_of(const Instance& instance, const Keys& around) const {
     const Entity& entity = scene_.entity(instance);
-    Keys keys = readings::keys_of(entity);
+    Keys keys = mars_file::keys_of(entity);
     const bool is_nested = scene_.use(instance).outer.has_value();
     if (is_archive_type(instance.type)) keys.refusal = kNotFromArchive;
     if (is_drawn(instance.use)) {
@@ -244,7 +244,7 @@ class EntityReader {
     const yaml::View main = model.files.front().document->view();
     DiagnosticSink reported_elsewhere;
     const Entity own = read_entity(main, EntityList::entities, reported_elsewhere);
-    const Keys own_keys = readings::keys_of(own);
+    const Keys own_keys = mars_file::keys_of(own);
     if (own.position) keys.position = own_keys.position;
     if (own.rotation.form != RotationForm::absent) keys.rotation = own_keys.rotation;
     if (own.anchor) keys.anchor = own_keys.anchor;
@@ -354,4 +354,4 @@ extern constinit const Dialect mars{
     .pose_of = documented_pose,
     .is_moved_by_include = [](const Entity& entity) { return !keys_of(entity).is_relative(); }};
 
-}  // namespace smurf::readings
+}  // namespace smurf::readings::mars_file

@@ -3,7 +3,7 @@
 #include "base/path.hpp"
 #include "flatten/dialect_parts.hpp"
 
-namespace smurf::readings {
+namespace smurf::readings::mars2_file {
 namespace {
 
 class EntityReader {
@@ -106,4 +106,4 @@ extern constinit const Dialect mars2{.name = "mars2",
                                      .pose_of = documented_pose,
                                      .is_moved_by_include = [](const Entity&) { return false; }};
 
-}  // namespace smurf::readings
+}  // namespace smurf::readings::mars2_file

@@ -9,7 +9,7 @@
 #include "flatten/dialect_parts.hpp"
 #include "smurf/archive_files.hpp"
 
-namespace smurf::readings {
+namespace smurf::readings::phobos_file {
 namespace {
 
 /// The rotation that scipy computes from the numbers; none if it raises an exception.
@@ -181,4 +181,4 @@ extern constinit const Dialect phobos{.name = "phobos",
                                       .pose_of = pose_of,
                                       .is_moved_by_include = has_no_parent_link};
 
-}  // namespace smurf::readings
+}  // namespace smurf::readings::phobos_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "flatten/dialect_parts.hpp"
 
-namespace smurf::readings {
+namespace smurf::readings::spec_file {
 namespace {
 
 SceneReading read(const LinkedScene& scene) {
@@ -26,4 +26,4 @@ extern constinit const Dialect spec{.name = "spec",
                                     .pose_of = documented_pose,
                                     .is_moved_by_include = has_no_parent_link};
 
-}  // namespace smurf::readings
+}  // namespace smurf::readings::spec_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml0001_unreadable_file_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -21,4 +21,4 @@ extern constinit const Rule sml0001_unreadable_file{
     .sources = "The operating system.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml0001_unreadable_file_file

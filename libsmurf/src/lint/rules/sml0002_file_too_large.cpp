@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml0002_file_too_large_file {
 
 extern constinit const Rule sml0002_file_too_large{
     .id = "SML0002",
@@ -13,4 +13,4 @@ extern constinit const Rule sml0002_file_too_large{
     .remedy = "Name another file, or raise the limit (docs/limits.md).",
     .sources = "Limit of these tools."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml0002_file_too_large_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml0003_invalid_utf8_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -28,4 +28,4 @@ extern constinit const Rule sml0003_invalid_utf8{
     .sources = "YAML 1.2 section 5.2; XML 1.0 section 2.2.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml0003_invalid_utf8_file

@@ -3,7 +3,7 @@
 #include "base/rules.hpp"
 #include "base/uncertain.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml0004_control_character_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -31,4 +31,4 @@ extern constinit const Rule sml0004_control_character{
     .sources = "YAML 1.2 section 5.1; XML 1.0 section 2.2.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml0004_control_character_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml0005_unsupported_encoding_file {
 
 namespace {
 
@@ -21,4 +21,4 @@ extern constinit const Rule sml0005_unsupported_encoding{
     .remedy = "Save the file as UTF-8.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml0005_unsupported_encoding_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml0010_yaml_syntax_file {
 namespace {
 
 constexpr std::string_view kLastLine = "reads a last line without `:` as a key without a value";
@@ -36,4 +36,4 @@ extern constinit const Rule sml0010_yaml_syntax{
     .sources = "yaml-cpp 0.7 and PyYAML 6.0, executed.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml0010_yaml_syntax_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml0012_complex_key_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -20,4 +20,4 @@ extern constinit const Rule sml0012_complex_key{.id = "SML0012",
                                                 .remedy = "Use a plain text key.",
                                                 .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml0012_complex_key_file

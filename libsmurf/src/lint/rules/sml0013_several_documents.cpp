@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml0013_several_documents_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -25,4 +25,4 @@ extern constinit const Rule sml0013_several_documents{
     .remedy = "Keep one document per file.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml0013_several_documents_file

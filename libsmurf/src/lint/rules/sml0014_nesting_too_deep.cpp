@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml0014_nesting_too_deep_file {
 
 extern constinit const Rule sml0014_nesting_too_deep{
     .id = "SML0014",
@@ -16,4 +16,4 @@ extern constinit const Rule sml0014_nesting_too_deep{
         "yaml-cpp 0.7 (250 to 500 levels), tinyxml2 9.0 (99) and urdfdom (overflows at 50,000), "
         "executed."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml0014_nesting_too_deep_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml0017_merge_key_file {
 namespace {
 
 void check_document(const yaml::Document& document, Findings& findings) {
@@ -49,4 +49,4 @@ extern constinit const Rule sml0017_merge_key{
     .check_scene = check_scene_files,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml0017_merge_key_file

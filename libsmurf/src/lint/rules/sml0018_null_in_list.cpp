@@ -4,7 +4,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml0018_null_in_list_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -49,4 +49,4 @@ extern constinit const Rule sml0018_null_in_list{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml0018_null_in_list_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1001_xml_malformed_file {
 namespace {
 
 constexpr std::string_view kRefuses = "refuses the file";
@@ -44,4 +44,4 @@ extern constinit const Rule sml1001_xml_malformed{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1001_xml_malformed_file

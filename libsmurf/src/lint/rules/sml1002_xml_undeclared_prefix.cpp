@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1002_xml_undeclared_prefix_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -23,4 +23,4 @@ extern constinit const Rule sml1002_xml_undeclared_prefix{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1002_xml_undeclared_prefix_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1005_xml_junk_before_prolog_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -27,4 +27,4 @@ extern constinit const Rule sml1005_xml_junk_before_prolog{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1005_xml_junk_before_prolog_file

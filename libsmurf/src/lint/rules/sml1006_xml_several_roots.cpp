@@ -3,7 +3,7 @@
 #include "base/rules.hpp"
 #include "base/uncertain.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1006_xml_several_roots_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -26,4 +26,4 @@ extern constinit const Rule sml1006_xml_several_roots{.id = "SML1006",
                                                       .facts = kFacts,
                                                       .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1006_xml_several_roots_file

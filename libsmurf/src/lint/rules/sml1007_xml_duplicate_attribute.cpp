@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1007_xml_duplicate_attribute_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -20,4 +20,4 @@ extern constinit const Rule sml1007_xml_duplicate_attribute{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1007_xml_duplicate_attribute_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1009_xacro_residue_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -69,4 +69,4 @@ extern constinit const Rule sml1009_xacro_residue{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1009_xacro_residue_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1010_lfs_pointer_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -22,4 +22,4 @@ extern constinit const Rule sml1010_lfs_pointer{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1010_lfs_pointer_file

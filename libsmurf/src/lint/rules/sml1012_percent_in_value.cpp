@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1012_percent_in_value_file {
 namespace {
 
 constexpr std::string_view kPrintf =
@@ -49,4 +49,4 @@ extern constinit const Rule sml1012_percent_in_value{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1012_percent_in_value_file

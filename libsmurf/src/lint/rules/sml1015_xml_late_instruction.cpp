@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1015_xml_late_instruction_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -26,4 +26,4 @@ extern constinit const Rule sml1015_xml_late_instruction{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1015_xml_late_instruction_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1016_xml_missing_quotes_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -25,4 +25,4 @@ extern constinit const Rule sml1016_xml_missing_quotes{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1016_xml_missing_quotes_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1017_xml_less_than_in_value_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -23,4 +23,4 @@ extern constinit const Rule sml1017_xml_less_than_in_value{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1017_xml_less_than_in_value_file

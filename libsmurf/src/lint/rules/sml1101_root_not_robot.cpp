@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1101_root_not_robot_file {
 namespace {
 
 constexpr std::string_view kRefuses = "refuses a root other than `robot`";
@@ -31,4 +31,4 @@ extern constinit const Rule sml1101_root_not_robot{
     .remedy = "Name the root element `robot`, or check whether this is the right file.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1101_root_not_robot_file

@@ -5,7 +5,7 @@
 #include "base/words.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1102_robot_name_missing_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -49,4 +49,4 @@ extern constinit const Rule sml1102_robot_name_missing{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1102_robot_name_missing_file

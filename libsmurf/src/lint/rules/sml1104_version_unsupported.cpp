@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1104_version_unsupported_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -32,4 +32,4 @@ extern constinit const Rule sml1104_version_unsupported{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1104_version_unsupported_file

@@ -6,7 +6,7 @@
 #include "base/words.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1105_feature_needs_newer_version_file {
 namespace {
 
 constexpr std::string_view kRotation = "quat_xyzw";
@@ -46,4 +46,4 @@ extern constinit const Rule sml1105_feature_needs_newer_version{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1105_feature_needs_newer_version_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1106_unknown_element_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -21,4 +21,4 @@ extern constinit const Rule sml1106_unknown_element{
     .remedy = "Correct the name; foreign data belongs under `robot` or needs a prefix.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1106_unknown_element_file

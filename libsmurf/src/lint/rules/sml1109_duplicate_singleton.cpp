@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1109_duplicate_singleton_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -28,4 +28,4 @@ extern constinit const Rule sml1109_duplicate_singleton{
     .sources = "urdf-loader 0.13, executed.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1109_duplicate_singleton_file

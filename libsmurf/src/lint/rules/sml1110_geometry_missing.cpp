@@ -7,7 +7,7 @@
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1110_geometry_missing_file {
 namespace {
 
 bool is_shape_of(const urdf::ElementSpec& spec, std::string_view name) {
@@ -83,4 +83,4 @@ extern constinit const Rule sml1110_geometry_missing{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1110_geometry_missing_file

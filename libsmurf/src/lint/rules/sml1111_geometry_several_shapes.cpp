@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1111_geometry_several_shapes_file {
 namespace {
 
 void check_geometry(const LinkedModel& model, const urdf::Geometry& geometry, Findings& findings) {
@@ -48,4 +48,4 @@ extern constinit const Rule sml1111_geometry_several_shapes{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1111_geometry_several_shapes_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1112_geometry_first_child_foreign_file {
 namespace {
 
 void check_geometry(const LinkedModel& model, const urdf::Link& link,
@@ -48,4 +48,4 @@ extern constinit const Rule sml1112_geometry_first_child_foreign{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1112_geometry_first_child_foreign_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1113_required_attribute_missing_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -59,4 +59,4 @@ extern constinit const Rule sml1113_required_attribute_missing{
     .remedy = "Add the attribute.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1113_required_attribute_missing_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1114_tag_case_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -29,4 +29,4 @@ extern constinit const Rule sml1114_tag_case{
     .sources = "urdf-loader 0.13, executed.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1114_tag_case_file

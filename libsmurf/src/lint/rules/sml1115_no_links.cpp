@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1115_no_links_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -29,4 +29,4 @@ extern constinit const Rule sml1115_no_links{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1115_no_links_file

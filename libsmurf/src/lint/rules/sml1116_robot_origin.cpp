@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1116_robot_origin_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -30,4 +30,4 @@ extern constinit const Rule sml1116_robot_origin{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1116_robot_origin_file

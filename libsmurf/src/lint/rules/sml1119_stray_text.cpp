@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1119_stray_text_file {
 
 extern constinit const Rule sml1119_stray_text{
     .id = "SML1119",
@@ -13,4 +13,4 @@ extern constinit const Rule sml1119_stray_text{
     .remedy = "Delete the text, make it a comment, or move it into an attribute.",
     .sources = "urdfdom, sdformat, MuJoCo and Bullet, which ask for elements only."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1119_stray_text_file

@@ -5,7 +5,7 @@
 #include "lint/name_queries.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1201_unknown_link_of_joint_file {
 namespace {
 
 using Names = std::set<std::string_view>;
@@ -87,4 +87,4 @@ extern constinit const Rule sml1201_unknown_link_of_joint{
     .blocks_building = true,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1201_unknown_link_of_joint_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1203_parent_or_child_missing_file {
 namespace {
 
 void check_end(const LinkedModel& model, const urdf::Joint& joint, std::string_view end,
@@ -41,4 +41,4 @@ extern constinit const Rule sml1203_parent_or_child_missing{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1203_parent_or_child_missing_file

@@ -3,7 +3,7 @@
 #include "lint/drake_queries.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1204_several_roots_file {
 namespace {
 
 /// Joints that name an unknown link, or one link twice, are reported instead of the roots that they
@@ -61,4 +61,4 @@ extern constinit const Rule sml1204_several_roots{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1204_several_roots_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1205_no_root_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -39,4 +39,4 @@ extern constinit const Rule sml1205_no_root{.id = "SML1205",
                                             .facts = kFacts,
                                             .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1205_no_root_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1206_link_with_two_parents_file {
 namespace {
 
 /// True when the link is the other one or a descendant of it.
@@ -101,4 +101,4 @@ extern constinit const Rule sml1206_link_with_two_parents{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1206_link_with_two_parents_file

@@ -7,7 +7,7 @@
 #include "base/rules.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1207_self_joint_file {
 namespace {
 
 /// The names of roots and of children. Collected once, because every joint of a file may connect a
@@ -93,4 +93,4 @@ extern constinit const Rule sml1207_self_joint{.id = "SML1207",
                                                .is_impossible = true,
                                                .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1207_self_joint_file

@@ -4,7 +4,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1208_detached_cycle_file {
 namespace {
 
 /// The parent of a link that no root reaches.
@@ -69,4 +69,4 @@ extern constinit const Rule sml1208_detached_cycle{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1208_detached_cycle_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1209_world_link_misuse_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -58,4 +58,4 @@ extern constinit const Rule sml1209_world_link_misuse{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1209_world_link_misuse_file

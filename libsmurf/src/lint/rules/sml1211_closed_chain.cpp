@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1211_closed_chain_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -42,4 +42,4 @@ extern constinit const Rule sml1211_closed_chain{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1211_closed_chain_file

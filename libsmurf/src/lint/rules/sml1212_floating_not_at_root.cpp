@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1212_floating_not_at_root_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -51,4 +51,4 @@ extern constinit const Rule sml1212_floating_not_at_root{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1212_floating_not_at_root_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1213_floating_or_planar_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -44,4 +44,4 @@ extern constinit const Rule sml1213_floating_or_planar{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1213_floating_or_planar_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1301_duplicate_name_file {
 namespace {
 
 /// `names` has the first of each name. Works for links and joints.
@@ -46,4 +46,4 @@ extern constinit const Rule sml1301_duplicate_name{
     .blocks_building = true,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1301_duplicate_name_file

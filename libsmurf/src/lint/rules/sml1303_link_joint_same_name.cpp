@@ -7,7 +7,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1303_link_joint_same_name_file {
 namespace {
 
 /// The links and joints that remain after sdformat has merged and dropped links.
@@ -70,4 +70,4 @@ extern constinit const Rule sml1303_link_joint_same_name{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1303_link_joint_same_name_file

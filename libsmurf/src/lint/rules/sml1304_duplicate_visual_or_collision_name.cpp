@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1304_duplicate_visual_or_collision_name_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -46,4 +46,4 @@ extern constinit const Rule sml1304_duplicate_visual_or_collision_name{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1304_duplicate_visual_or_collision_name_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1305_name_empty_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -43,4 +43,4 @@ extern constinit const Rule sml1305_name_empty{.id = "SML1305",
                                                .check_model = check,
                                                .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1305_name_empty_file

@@ -4,7 +4,7 @@
 #include "base/words.hpp"
 #include "lint/name_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1306_reference_whitespace_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -51,4 +51,4 @@ extern constinit const Rule sml1306_reference_whitespace{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1306_reference_whitespace_file

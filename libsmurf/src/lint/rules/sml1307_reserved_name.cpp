@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/name_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1307_reserved_name_file {
 namespace {
 
 void check_name(std::string_view kind, const Field<std::string>& name, Findings& findings) {
@@ -38,4 +38,4 @@ extern constinit const Rule sml1307_reserved_name{.id = "SML1307",
                                                   .check_model = check,
                                                   .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1307_reserved_name_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/name_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1308_double_colon_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -29,4 +29,4 @@ extern constinit const Rule sml1308_double_colon{.id = "SML1308",
                                                  .check_model = check,
                                                  .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1308_double_colon_file

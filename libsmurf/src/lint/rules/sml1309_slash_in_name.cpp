@@ -3,7 +3,7 @@
 #include "lint/habit.hpp"
 #include "lint/name_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1309_slash_in_name_file {
 namespace {
 
 /// One finding per file, because authors name all parts by one scheme.
@@ -41,4 +41,4 @@ extern constinit const Rule sml1309_slash_in_name{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1309_slash_in_name_file

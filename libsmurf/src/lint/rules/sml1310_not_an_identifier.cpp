@@ -4,7 +4,7 @@
 #include "lint/habit.hpp"
 #include "lint/name_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1310_not_an_identifier_file {
 namespace {
 
 /// One finding per file, at the first such name, because a naming scheme is one decision.
@@ -56,4 +56,4 @@ extern constinit const Rule sml1310_not_an_identifier{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1310_not_an_identifier_file

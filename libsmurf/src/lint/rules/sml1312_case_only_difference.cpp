@@ -2,7 +2,7 @@
 #include "base/path.hpp"
 #include "lint/name_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1312_case_only_difference_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -27,4 +27,4 @@ extern constinit const Rule sml1312_case_only_difference{
     .sources = "URDF names are compared byte by byte in every reader that was executed.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1312_case_only_difference_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/name_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1313_non_ascii_name_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -26,4 +26,4 @@ extern constinit const Rule sml1313_non_ascii_name{
                "PathUtils.cpp:356-369.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1313_non_ascii_name_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1314_unnamed_collision_or_visual_file {
 namespace {
 
 /// One finding each for visuals and collisions: an exporter names all of them, or none.
@@ -48,4 +48,4 @@ extern constinit const Rule sml1314_unnamed_collision_or_visual{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1314_unnamed_collision_or_visual_file

@@ -4,7 +4,7 @@
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1401_type_missing_or_unknown_file {
 namespace {
 
 constexpr std::string_view kTypes[] = {"revolute", "continuous", "prismatic",
@@ -68,4 +68,4 @@ extern constinit const Rule sml1401_type_missing_or_unknown{
     .facts = kFacts,
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1401_type_missing_or_unknown_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/limit_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1403_limit_missing_file {
 namespace {
 
 std::string_view tag(const LinkedModel& model, const urdf::Limit& limit) {
@@ -52,4 +52,4 @@ extern constinit const Rule sml1403_limit_missing{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1403_limit_missing_file

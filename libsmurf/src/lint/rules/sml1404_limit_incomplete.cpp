@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/limit_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1404_limit_incomplete_file {
 namespace {
 
 void check_value(const LinkedModel& model, const urdf::Joint& joint, bool is_written,
@@ -45,4 +45,4 @@ extern constinit const Rule sml1404_limit_incomplete{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1404_limit_incomplete_file

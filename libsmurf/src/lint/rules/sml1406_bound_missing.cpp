@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/limit_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1406_bound_missing_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -49,4 +49,4 @@ extern constinit const Rule sml1406_bound_missing{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1406_bound_missing_file

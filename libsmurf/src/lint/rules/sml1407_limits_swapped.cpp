@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1407_limits_swapped_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -53,4 +53,4 @@ extern constinit const Rule sml1407_limits_swapped{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1407_limits_swapped_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/limit_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1408_bounds_equal_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -35,4 +35,4 @@ extern constinit const Rule sml1408_bounds_equal{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1408_bounds_equal_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1409_continuous_with_bounds_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -38,4 +38,4 @@ extern constinit const Rule sml1409_continuous_with_bounds{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1409_continuous_with_bounds_file

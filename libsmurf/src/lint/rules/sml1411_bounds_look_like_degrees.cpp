@@ -5,7 +5,7 @@
 #include "base/numbers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1411_bounds_look_like_degrees_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -40,4 +40,4 @@ extern constinit const Rule sml1411_bounds_look_like_degrees{
     .sources = "Distribution of the limits of 322 files of the Tola/Corke dataset.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1411_bounds_look_like_degrees_file

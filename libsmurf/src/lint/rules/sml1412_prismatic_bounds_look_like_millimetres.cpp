@@ -4,7 +4,7 @@
 #include "base/numbers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1412_prismatic_bounds_look_like_millimetres_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -37,4 +37,4 @@ extern constinit const Rule sml1412_prismatic_bounds_look_like_millimetres{
                "dataset.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1412_prismatic_bounds_look_like_millimetres_file

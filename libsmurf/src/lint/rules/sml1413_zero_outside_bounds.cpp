@@ -4,7 +4,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1413_zero_outside_bounds_file {
 namespace {
 
 /// Whether DART, which starts in the middle of limits without 0, cannot compute with that position.
@@ -57,4 +57,4 @@ extern constinit const Rule sml1413_zero_outside_bounds{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1413_zero_outside_bounds_file

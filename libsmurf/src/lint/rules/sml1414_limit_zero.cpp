@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/limit_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1414_limit_zero_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -51,4 +51,4 @@ extern constinit const Rule sml1414_limit_zero{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1414_limit_zero_file

@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1415_limit_negative_file {
 namespace {
 
 void check_value(const urdf::Joint& joint, const Field<double>& limit, const char* name,
@@ -46,4 +46,4 @@ extern constinit const Rule sml1415_limit_negative{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1415_limit_negative_file

@@ -3,7 +3,7 @@
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1418_limit_placeholder_file {
 namespace {
 
 /// One finding per file, because exporters write the same limits into all joints.
@@ -37,4 +37,4 @@ extern constinit const Rule sml1418_limit_placeholder{
         "31 such velocities.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1418_limit_placeholder_file

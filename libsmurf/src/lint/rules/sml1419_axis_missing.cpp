@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1419_axis_missing_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -24,4 +24,4 @@ extern constinit const Rule sml1419_axis_missing{
     .sources = "urdfdom, executed.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1419_axis_missing_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1421_axis_zero_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -41,4 +41,4 @@ extern constinit const Rule sml1421_axis_zero{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1421_axis_zero_file

@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1422_axis_not_unit_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -52,4 +52,4 @@ extern constinit const Rule sml1422_axis_not_unit{
     .tolerance = {.value = 1e-3, .meaning = "how far the length of an axis may be from 1"},
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1422_axis_not_unit_file

@@ -5,7 +5,7 @@
 #include "base/numbers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1423_axis_almost_aligned_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -49,4 +49,4 @@ extern constinit const Rule sml1423_axis_almost_aligned{
                   .meaning =
                       "the largest component of an axis that is treated as a rounding error"}};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1423_axis_almost_aligned_file

@@ -2,7 +2,7 @@
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1424_irrelevant_child_file {
 namespace {
 
 /// Elements without effect of the same kind, and the edits that delete them.
@@ -59,4 +59,4 @@ extern constinit const Rule sml1424_irrelevant_child{
         "urdfdom joint.cpp:611-613 (exports `0 0 0`); 24 of 322 files of the Tola/Corke dataset.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1424_irrelevant_child_file

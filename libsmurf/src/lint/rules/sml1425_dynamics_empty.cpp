@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1425_dynamics_empty_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -45,4 +45,4 @@ extern constinit const Rule sml1425_dynamics_empty{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1425_dynamics_empty_file

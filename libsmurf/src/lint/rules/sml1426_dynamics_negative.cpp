@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1426_dynamics_negative_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -40,4 +40,4 @@ extern constinit const Rule sml1426_dynamics_negative{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1426_dynamics_negative_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1429_safety_soft_limits_missing_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -36,4 +36,4 @@ extern constinit const Rule sml1429_safety_soft_limits_missing{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1429_safety_soft_limits_missing_file

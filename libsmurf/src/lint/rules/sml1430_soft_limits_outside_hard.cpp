@@ -4,7 +4,7 @@
 #include "base/numbers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1430_soft_limits_outside_hard_file {
 namespace {
 
 /// The message about wrong soft limits; empty when they are correct.
@@ -63,4 +63,4 @@ extern constinit const Rule sml1430_soft_limits_outside_hard{
     .sources = "PR2 safety limits on the ROS wiki; MoveIt robot_model.cpp:849-860.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1430_soft_limits_outside_hard_file

@@ -3,7 +3,7 @@
 #include "lint/drake_queries.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1432_mimic_target_unknown_file {
 namespace {
 
 /// An empty name does not refer to anything.
@@ -57,4 +57,4 @@ extern constinit const Rule sml1432_mimic_target_unknown{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1432_mimic_target_unknown_file

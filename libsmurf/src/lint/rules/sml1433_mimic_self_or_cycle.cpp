@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/mimic_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1433_mimic_self_or_cycle_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -52,4 +52,4 @@ extern constinit const Rule sml1433_mimic_self_or_cycle{.id = "SML1433",
                                                         .check_model = check,
                                                         .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1433_mimic_self_or_cycle_file

@@ -3,7 +3,7 @@
 #include "lint/mimic_queries.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1434_mimic_chain_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -41,4 +41,4 @@ extern constinit const Rule sml1434_mimic_chain{
     .sources = "urdf-loader 0.13 and MuJoCo, executed; Pinocchio model.cpp:213.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1434_mimic_chain_file

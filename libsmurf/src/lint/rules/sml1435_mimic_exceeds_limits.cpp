@@ -5,7 +5,7 @@
 #include "lint/mimic_queries.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1435_mimic_exceeds_limits_file {
 namespace {
 
 bool has_bounds(const urdf::Joint& joint) {
@@ -59,4 +59,4 @@ extern constinit const Rule sml1435_mimic_exceeds_limits{
         .value = 0.01,
         .meaning = "how far the joint may be moved beyond its limits, as a fraction of its range"}};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1435_mimic_exceeds_limits_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1436_mimic_multiplier_zero_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -31,4 +31,4 @@ extern constinit const Rule sml1436_mimic_multiplier_zero{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1436_mimic_multiplier_zero_file

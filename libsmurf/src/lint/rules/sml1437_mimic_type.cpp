@@ -3,7 +3,7 @@
 #include "lint/mimic_queries.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1437_mimic_type_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -45,4 +45,4 @@ extern constinit const Rule sml1437_mimic_type{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1437_mimic_type_file

@@ -3,7 +3,7 @@
 #include "lint/angle_queries.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1439_rpy_truncated_file {
 namespace {
 
 /// One finding per file, with one fix for all angles, because authors round all of them alike.
@@ -42,4 +42,4 @@ extern constinit const Rule sml1439_rpy_truncated{
     .sources = "97 of 322 files of the Tola/Corke dataset.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1439_rpy_truncated_file

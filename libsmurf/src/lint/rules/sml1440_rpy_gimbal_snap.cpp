@@ -7,7 +7,7 @@
 #include "lint/angle_queries.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1440_rpy_gimbal_snap_file {
 namespace {
 
 /// Joints and inertials keep their pose (parser_urdf.cc:2802).
@@ -56,4 +56,4 @@ extern constinit const Rule sml1440_rpy_gimbal_snap{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1440_rpy_gimbal_snap_file

@@ -6,7 +6,7 @@
 #include "lint/angle_queries.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1441_rpy_large_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -40,4 +40,4 @@ extern constinit const Rule sml1441_rpy_large{
     .sources = "URDF specification; urdfdom pose.h.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1441_rpy_large_file

@@ -9,7 +9,7 @@
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1442_origin_large_file {
 namespace {
 
 /// The number of a text that is farthest from 0.
@@ -83,4 +83,4 @@ extern constinit const Rule sml1442_origin_large{
                   .meaning = "how far a part may lie from the frame it is placed in"},
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1442_origin_large_file

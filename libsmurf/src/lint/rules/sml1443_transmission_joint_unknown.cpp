@@ -3,7 +3,7 @@
 #include "lint/drake_queries.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1443_transmission_joint_unknown_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -40,4 +40,4 @@ extern constinit const Rule sml1443_transmission_joint_unknown{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1443_transmission_joint_unknown_file

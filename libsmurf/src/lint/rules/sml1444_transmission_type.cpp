@@ -5,7 +5,7 @@
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1444_transmission_type_file {
 namespace {
 
 /// The types of ros_control. Plugins add others, so only misspellings of these are reported.
@@ -55,4 +55,4 @@ extern constinit const Rule sml1444_transmission_type{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1444_transmission_type_file

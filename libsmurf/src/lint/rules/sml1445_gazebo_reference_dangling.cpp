@@ -4,7 +4,7 @@
 #include "base/suggest.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1445_gazebo_reference_dangling_file {
 namespace {
 
 /// Without a reference the element applies to the model, so a misspelt attribute changes its
@@ -63,4 +63,4 @@ extern constinit const Rule sml1445_gazebo_reference_dangling{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1445_gazebo_reference_dangling_file

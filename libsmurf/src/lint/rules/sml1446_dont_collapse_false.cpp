@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1446_dont_collapse_false_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -30,4 +30,4 @@ extern constinit const Rule sml1446_dont_collapse_false{
     .sources = "Isaac importer UrdfParser.cpp:1270-1274.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1446_dont_collapse_false_file

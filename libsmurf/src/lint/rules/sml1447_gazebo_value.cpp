@@ -10,7 +10,7 @@
 #include "lint/sdf_scope.hpp"
 #include "lint/sdf_values.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1447_gazebo_value_file {
 namespace {
 
 constexpr std::string_view kWhole = "maxContacts";
@@ -124,4 +124,4 @@ extern constinit const Rule sml1447_gazebo_value{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1447_gazebo_value_file

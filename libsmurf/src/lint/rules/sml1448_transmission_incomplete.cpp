@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1448_transmission_incomplete_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -48,4 +48,4 @@ extern constinit const Rule sml1448_transmission_incomplete{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1448_transmission_incomplete_file

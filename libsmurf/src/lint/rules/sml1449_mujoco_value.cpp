@@ -17,7 +17,7 @@
 #include "link/mujoco_compiler.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1449_mujoco_value_file {
 namespace {
 
 /// The attributes of `compiler` that MuJoCo reads; it ignores others.
@@ -260,4 +260,4 @@ extern constinit const Rule sml1449_mujoco_value{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1449_mujoco_value_file

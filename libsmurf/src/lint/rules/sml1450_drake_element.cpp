@@ -10,7 +10,7 @@
 #include "lint/drake_checks.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1450_drake_element_file {
 namespace {
 
 using drake::AttributeSpec;
@@ -257,4 +257,4 @@ extern constinit const Rule sml1450_drake_element{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1450_drake_element_file

@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1451_drake_language_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -42,4 +42,4 @@ extern constinit const Rule sml1451_drake_language{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1451_drake_language_file

@@ -9,7 +9,7 @@
 #include "lint/queries.hpp"
 #include "lint/sdf_values.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1452_gazebo_value_repeated_file {
 namespace {
 
 /// Elements of which sdformat keeps the last one; each was run in both orders.
@@ -67,4 +67,4 @@ extern constinit const Rule sml1452_gazebo_value_repeated{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1452_gazebo_value_repeated_file

@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1501_moving_link_without_inertial_file {
 namespace {
 
 bool is_shape_only(const LinkedModel& model) {
@@ -56,4 +56,4 @@ extern constinit const Rule sml1501_moving_link_without_inertial{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1501_moving_link_without_inertial_file

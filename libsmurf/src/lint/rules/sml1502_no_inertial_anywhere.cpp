@@ -5,7 +5,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1502_no_inertial_anywhere_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -52,4 +52,4 @@ extern constinit const Rule sml1502_no_inertial_anywhere{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1502_no_inertial_anywhere_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1504_mass_missing_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -39,4 +39,4 @@ extern constinit const Rule sml1504_mass_missing{.id = "SML1504",
                                                  .check_model = check,
                                                  .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1504_mass_missing_file

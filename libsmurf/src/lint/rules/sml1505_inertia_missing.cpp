@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1505_inertia_missing_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -38,4 +38,4 @@ extern constinit const Rule sml1505_inertia_missing{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1505_inertia_missing_file

@@ -5,7 +5,7 @@
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1506_inertia_attribute_missing_file {
 namespace {
 
 /// The place of a misspelt `name`, which is reported there; empty when there is none.
@@ -72,4 +72,4 @@ extern constinit const Rule sml1506_inertia_attribute_missing{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1506_inertia_attribute_missing_file

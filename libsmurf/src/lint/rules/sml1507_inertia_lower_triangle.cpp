@@ -5,7 +5,7 @@
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1507_inertia_lower_triangle_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -47,4 +47,4 @@ extern constinit const Rule sml1507_inertia_lower_triangle{
     .sources = "urdfdom, MuJoCo and Bullet, executed; 44 uses in 941 public files.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1507_inertia_lower_triangle_file

@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1508_mass_zero_file {
 namespace {
 
 constexpr double kDropped = 1e-6;  // kg; sdformat drops bodies up to this
@@ -75,4 +75,4 @@ extern constinit const Rule sml1508_mass_zero{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1508_mass_zero_file

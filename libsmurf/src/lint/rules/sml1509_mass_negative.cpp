@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1509_mass_negative_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -50,4 +50,4 @@ extern constinit const Rule sml1509_mass_negative{.id = "SML1509",
                                                   .facts = kFacts,
                                                   .is_impossible = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1509_mass_negative_file

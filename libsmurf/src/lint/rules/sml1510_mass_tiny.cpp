@@ -5,7 +5,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1510_mass_tiny_file {
 namespace {
 
 bool is_world(const urdf::Link& link) { return link.name.value_or("") == "world"; }
@@ -76,4 +76,4 @@ extern constinit const Rule sml1510_mass_tiny{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1510_mass_tiny_file

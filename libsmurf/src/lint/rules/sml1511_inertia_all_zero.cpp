@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1511_inertia_all_zero_file {
 namespace {
 
 /// The first entry that urdfdom cannot read. It leaves all six at 0 then.
@@ -70,4 +70,4 @@ extern constinit const Rule sml1511_inertia_all_zero{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1511_inertia_all_zero_file

@@ -10,7 +10,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1512_not_positive_definite_file {
 namespace {
 
 /// The place of an entry that is too small for a double, which most readers read as 0.
@@ -82,4 +82,4 @@ extern constinit const Rule sml1512_not_positive_definite{
     .facts = kFacts,
     .is_impossible = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1512_not_positive_definite_file

@@ -7,7 +7,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1513_triangle_violated_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -67,4 +67,4 @@ extern constinit const Rule sml1513_triangle_violated{
     .facts = kFacts,
     .is_impossible = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1513_triangle_violated_file

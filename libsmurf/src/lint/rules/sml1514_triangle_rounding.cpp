@@ -10,7 +10,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1514_triangle_rounding_file {
 namespace {
 
 constexpr double kEpsilon = 2.220446049250313e-16;
@@ -123,4 +123,4 @@ extern constinit const Rule sml1514_triangle_rounding{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1514_triangle_rounding_file

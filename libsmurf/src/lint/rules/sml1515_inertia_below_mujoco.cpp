@@ -8,7 +8,7 @@
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1515_inertia_below_mujoco_file {
 namespace {
 
 constexpr double kSmallest = 1e-14;  // kg m^2, mjEPS
@@ -94,4 +94,4 @@ extern constinit const Rule sml1515_inertia_below_mujoco{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1515_inertia_below_mujoco_file

@@ -6,7 +6,7 @@
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1516_identity_inertia_file {
 namespace {
 
 /// One finding per file, because exporters write it into all links.
@@ -45,4 +45,4 @@ extern constinit const Rule sml1516_identity_inertia{
     .sources = "14 of 322 files of the Tola/Corke dataset.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1516_identity_inertia_file

@@ -6,7 +6,7 @@
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1517_copied_inertia_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -44,4 +44,4 @@ extern constinit const Rule sml1517_copied_inertia{
     .sources = "23 of 322 files of the Tola/Corke dataset.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1517_copied_inertia_file

@@ -6,7 +6,7 @@
 #include "lint/likely_cause.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1518_inertia_too_large_for_geometry_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -48,4 +48,4 @@ extern constinit const Rule sml1518_inertia_too_large_for_geometry{
                "Tola/Corke dataset.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1518_inertia_too_large_for_geometry_file

@@ -4,7 +4,7 @@
 #include "lint/likely_cause.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1519_inertia_too_small_for_geometry_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -48,4 +48,4 @@ extern constinit const Rule sml1519_inertia_too_small_for_geometry{
     .tolerance = {.value = 0.01,
                   .meaning = "the smallest inertia, as a fraction of that of a homogeneous block"}};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1519_inertia_too_small_for_geometry_file

@@ -5,7 +5,7 @@
 #include "lint/likely_cause.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1520_density_implausible_file {
 namespace {
 
 /// The largest shape of a link.
@@ -95,4 +95,4 @@ extern constinit const Rule sml1520_density_implausible{
     .sources = "Density of osmium; median of 322 files of the Tola/Corke dataset: 821 kg/m3.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1520_density_implausible_file

@@ -8,7 +8,7 @@
 #include "lint/body.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1521_center_of_mass_outside_geometry_file {
 namespace {
 
 /// The mistake that explains a centre outside of the box; empty if there is none.
@@ -81,4 +81,4 @@ extern constinit const Rule sml1521_center_of_mass_outside_geometry{
         .meaning =
             "how far outside the centre of mass may lie, as a fraction of the longest edge"}};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1521_center_of_mass_outside_geometry_file

@@ -6,7 +6,7 @@
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1523_radius_of_gyration_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -43,4 +43,4 @@ extern constinit const Rule sml1523_radius_of_gyration{
     .sources = "38 of 322 files of the Tola/Corke dataset.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1523_radius_of_gyration_file

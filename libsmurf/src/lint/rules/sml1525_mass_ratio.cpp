@@ -5,7 +5,7 @@
 #include "base/numbers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1525_mass_ratio_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -46,4 +46,4 @@ extern constinit const Rule sml1525_mass_ratio{
     .check_model = check,
     .tolerance = {.value = 1000, .meaning = "how many times as heavy a link may be"}};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1525_mass_ratio_file

@@ -4,7 +4,7 @@
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1527_inertial_frame_rotated_file {
 namespace {
 
 /// One finding per file, because an exporter does so for every link.
@@ -53,4 +53,4 @@ extern constinit const Rule sml1527_inertial_frame_rotated{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1527_inertial_frame_rotated_file

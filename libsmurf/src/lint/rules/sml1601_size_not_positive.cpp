@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1601_size_not_positive_file {
 namespace {
 
 void check_extent(const Field<double>& extent, std::string_view what, Findings& findings) {
@@ -65,4 +65,4 @@ extern constinit const Rule sml1601_size_not_positive{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1601_size_not_positive_file

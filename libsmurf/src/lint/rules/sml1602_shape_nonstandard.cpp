@@ -5,7 +5,7 @@
 #include "base/words.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1602_shape_nonstandard_file {
 namespace {
 
 constexpr std::string_view kStandard[] = {"box", "sphere", "cylinder", "mesh"};
@@ -55,4 +55,4 @@ extern constinit const Rule sml1602_shape_nonstandard{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1602_shape_nonstandard_file

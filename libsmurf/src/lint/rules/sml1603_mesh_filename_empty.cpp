@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1603_mesh_filename_empty_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -36,4 +36,4 @@ extern constinit const Rule sml1603_mesh_filename_empty{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1603_mesh_filename_empty_file

@@ -9,7 +9,7 @@
 #include "lint/geometry_queries.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1604_mesh_missing_file {
 namespace {
 
 /// Whether a folder on the way to the URDF has this name, as far as the path is written.
@@ -160,4 +160,4 @@ extern constinit const Rule sml1604_mesh_missing{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1604_mesh_missing_file

@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1605_mesh_case_file {
 namespace {
 
 /// The path as written, with upper and lower case of the existing file.
@@ -58,4 +58,4 @@ extern constinit const Rule sml1605_mesh_case{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1605_mesh_case_file

@@ -4,7 +4,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1606_mesh_backslash_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -47,4 +47,4 @@ extern constinit const Rule sml1606_mesh_backslash{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1606_mesh_backslash_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1607_mesh_absolute_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -63,4 +63,4 @@ extern constinit const Rule sml1607_mesh_absolute{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1607_mesh_absolute_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1608_mesh_package_uri_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -43,4 +43,4 @@ extern constinit const Rule sml1608_mesh_package_uri{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1608_mesh_package_uri_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1609_mesh_package_malformed_file {
 namespace {
 
 /// The text after "package:" and its slashes, if it may be the name of a package and a file.
@@ -59,4 +59,4 @@ extern constinit const Rule sml1609_mesh_package_malformed{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1609_mesh_package_malformed_file

@@ -3,7 +3,7 @@
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1610_mesh_uri_scheme_file {
 namespace {
 
 bool has_foreign_scheme(std::string_view path) {
@@ -53,4 +53,4 @@ extern constinit const Rule sml1610_mesh_uri_scheme{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1610_mesh_uri_scheme_file

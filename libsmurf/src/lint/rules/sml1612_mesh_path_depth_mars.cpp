@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1612_mesh_path_depth_mars_file {
 namespace {
 
 /// One finding for all paths that MARS does not find. SML1604 reports those that only MARS finds.
@@ -41,4 +41,4 @@ extern constinit const Rule sml1612_mesh_path_depth_mars{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1612_mesh_path_depth_mars_file

@@ -3,7 +3,7 @@
 
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1613_mesh_path_special_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -41,4 +41,4 @@ extern constinit const Rule sml1613_mesh_path_special{
     .sources = "`%` is literal in six readers, executed; RFC 3986 for addresses.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1613_mesh_path_special_file

@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1614_mesh_format_file {
 namespace {
 
 constexpr std::string_view kLoaded[] = {".stl", ".obj", ".dae", ".bobj", ".gltf", ".glb",
@@ -56,4 +56,4 @@ extern constinit const Rule sml1614_mesh_format{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1614_mesh_format_file

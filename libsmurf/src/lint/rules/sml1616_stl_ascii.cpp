@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1616_stl_ascii_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -33,4 +33,4 @@ extern constinit const Rule sml1616_stl_ascii{.id = "SML1616",
                                               .check_model = check,
                                               .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1616_stl_ascii_file

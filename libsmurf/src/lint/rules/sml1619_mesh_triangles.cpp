@@ -3,7 +3,7 @@
 #include "link/mujoco_compiler.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1619_mesh_triangles_file {
 namespace {
 
 constexpr std::uint64_t kMany = 10000;
@@ -81,4 +81,4 @@ extern constinit const Rule sml1619_mesh_triangles{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1619_mesh_triangles_file

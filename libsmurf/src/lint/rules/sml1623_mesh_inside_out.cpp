@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1623_mesh_inside_out_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -33,4 +33,4 @@ extern constinit const Rule sml1623_mesh_inside_out{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1623_mesh_inside_out_file

@@ -4,7 +4,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1625_mesh_flat_file {
 namespace {
 
 bool is_flat(const MeshFacts& facts) {
@@ -38,4 +38,4 @@ extern constinit const Rule sml1625_mesh_flat{.id = "SML1625",
                                               .check_model = check,
                                               .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1625_mesh_flat_file

@@ -7,7 +7,7 @@
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1627_scale_zero_file {
 namespace {
 
 double volume_of(const Vector3& edges) { return std::fabs(edges[0] * edges[1] * edges[2]); }
@@ -71,4 +71,4 @@ extern constinit const Rule sml1627_scale_zero{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1627_scale_zero_file

@@ -5,7 +5,7 @@
 #include "lint/geometry_queries.hpp"
 #include "lint/habit.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1628_scale_negative_file {
 namespace {
 
 /// One finding per file, because authors mirror all parts of the left side to make the right one.
@@ -42,4 +42,4 @@ extern constinit const Rule sml1628_scale_negative{.id = "SML1628",
                                                    .check_model = check,
                                                    .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1628_scale_negative_file

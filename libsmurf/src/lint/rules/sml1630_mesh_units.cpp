@@ -4,7 +4,7 @@
 #include "base/numbers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1630_mesh_units_file {
 namespace {
 
 constexpr double kTiny = 0.001;  // m; what nobody sees
@@ -70,4 +70,4 @@ extern constinit const Rule sml1630_mesh_units{
     .check_model = check,
     .tolerance = {.value = 50, .unit = "m", .meaning = "how large a mesh may be"}};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1630_mesh_units_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1631_dae_up_axis_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -39,4 +39,4 @@ extern constinit const Rule sml1631_dae_up_axis{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1631_dae_up_axis_file

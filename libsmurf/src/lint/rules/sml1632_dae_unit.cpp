@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1632_dae_unit_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -35,4 +35,4 @@ extern constinit const Rule sml1632_dae_unit{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1632_dae_unit_file

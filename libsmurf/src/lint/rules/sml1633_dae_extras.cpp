@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1633_dae_extras_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -31,4 +31,4 @@ extern constinit const Rule sml1633_dae_extras{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1633_dae_extras_file

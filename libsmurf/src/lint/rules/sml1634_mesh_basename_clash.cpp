@@ -7,7 +7,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1634_mesh_basename_clash_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -57,4 +57,4 @@ extern constinit const Rule sml1634_mesh_basename_clash{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1634_mesh_basename_clash_file

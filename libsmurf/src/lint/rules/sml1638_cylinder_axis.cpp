@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1638_cylinder_axis_file {
 namespace {
 
 /// The ratio of two lengths, at least 1.
@@ -63,4 +63,4 @@ extern constinit const Rule sml1638_cylinder_axis{
     .sources = "URDF specification; all readers agree.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1638_cylinder_axis_file

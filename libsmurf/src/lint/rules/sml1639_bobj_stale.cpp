@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1639_bobj_stale_file {
 namespace {
 
 bool is_alike(double a, double b, double size) { return std::abs(a - b) <= 0.01 * size; }
@@ -62,4 +62,4 @@ extern constinit const Rule sml1639_bobj_stale{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1639_bobj_stale_file

@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1640_mars_stl_visual_rotated_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -37,4 +37,4 @@ extern constinit const Rule sml1640_mars_stl_visual_rotated{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1640_mars_stl_visual_rotated_file

@@ -4,7 +4,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1642_bobj_broken_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -43,4 +43,4 @@ extern constinit const Rule sml1642_bobj_broken{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1642_bobj_broken_file

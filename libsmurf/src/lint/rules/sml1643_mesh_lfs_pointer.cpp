@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1643_mesh_lfs_pointer_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -34,4 +34,4 @@ extern constinit const Rule sml1643_mesh_lfs_pointer{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1643_mesh_lfs_pointer_file

@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1644_mesh_broken_file {
 namespace {
 
 /// The name that smurf-lint gives to a URDF from standard input.
@@ -124,4 +124,4 @@ extern constinit const Rule sml1644_mesh_broken{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1644_mesh_broken_file

@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1645_mesh_format_mismatch_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -44,4 +44,4 @@ extern constinit const Rule sml1645_mesh_format_mismatch{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1645_mesh_format_mismatch_file

@@ -7,7 +7,7 @@
 #include "lint/body.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1646_collision_visual_mismatch_file {
 namespace {
 
 /// The box around all shapes of a link, in the link's frame; none if a size is unknown.
@@ -107,4 +107,4 @@ extern constinit const Rule sml1646_collision_visual_mismatch{
     .check_model = check,
     .tolerance = {.value = 20, .meaning = "the largest ratio of their sizes that is accepted"}};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1646_collision_visual_mismatch_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1647_mujoco_mesh_missing_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -22,4 +22,4 @@ extern constinit const Rule sml1647_mujoco_mesh_missing{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1647_mujoco_mesh_missing_file

@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1648_mars_obj_turned_file {
 namespace {
 
 /// Phobos 2 writes meshes for MARS alone, y up, as mars_obj/NAME.mars.obj.
@@ -41,4 +41,4 @@ extern constinit const Rule sml1648_mars_obj_turned{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1648_mars_obj_turned_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1702_material_undefined_file {
 namespace {
 
 /// Whether a material has more than a name. exportURDF of urdfdom adds an empty texture to each.
@@ -85,4 +85,4 @@ extern constinit const Rule sml1702_material_undefined{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1702_material_undefined_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1703_material_used_before_defined_file {
 namespace {
 
 bool defines(const LinkedModel& model, const urdf::Material& material) {
@@ -55,4 +55,4 @@ extern constinit const Rule sml1703_material_used_before_defined{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1703_material_used_before_defined_file

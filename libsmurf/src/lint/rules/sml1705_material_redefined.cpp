@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1705_material_redefined_file {
 namespace {
 
 /// True when both are given and differ.
@@ -76,4 +76,4 @@ extern constinit const Rule sml1705_material_redefined{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1705_material_redefined_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1708_rgba_alpha_zero_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -23,4 +23,4 @@ extern constinit const Rule sml1708_rgba_alpha_zero{
     .sources = "URDF specification.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1708_rgba_alpha_zero_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1711_mujoco_colour_leak_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -54,4 +54,4 @@ extern constinit const Rule sml1711_mujoco_colour_leak{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1711_mujoco_colour_leak_file

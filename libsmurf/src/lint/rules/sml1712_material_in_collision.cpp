@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1712_material_in_collision_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -34,4 +34,4 @@ extern constinit const Rule sml1712_material_in_collision{
     .sources = "urdfdom link.cpp; MuJoCo xml_urdf.cc.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1712_material_in_collision_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1801_not_a_number_file {
 namespace {
 
 constexpr std::string_view kAbsent = "reads an empty number as absent";
@@ -33,4 +33,4 @@ extern constinit const Rule sml1801_not_a_number{
     .sources = "urdf-loader 0.13, executed; 35 of 941 public files.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1801_not_a_number_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1802_number_whitespace_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -30,4 +30,4 @@ extern constinit const Rule sml1802_number_whitespace{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1802_number_whitespace_file

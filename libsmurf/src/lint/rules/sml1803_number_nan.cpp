@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1803_number_nan_file {
 namespace {
 
 constexpr std::string_view kCarried = "#carried";  // see locate()
@@ -43,4 +43,4 @@ extern constinit const Rule sml1803_number_nan{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1803_number_nan_file

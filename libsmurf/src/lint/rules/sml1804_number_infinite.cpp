@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1804_number_infinite_file {
 namespace {
 
 constexpr std::string_view kNotPositive = "refuses a size that is not positive";
@@ -43,4 +43,4 @@ extern constinit const Rule sml1804_number_infinite{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1804_number_infinite_file

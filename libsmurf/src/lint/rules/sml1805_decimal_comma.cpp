@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1805_decimal_comma_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -24,4 +24,4 @@ extern constinit const Rule sml1805_decimal_comma{
     .sources = "urdf-loader 0.13, executed.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1805_decimal_comma_file

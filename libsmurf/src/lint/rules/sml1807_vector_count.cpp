@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1807_vector_count_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -37,4 +37,4 @@ extern constinit const Rule sml1807_vector_count{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1807_vector_count_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1809_hex_or_suffix_file {
 namespace {
 
 constexpr std::string_view kNotPositive =
@@ -37,4 +37,4 @@ extern constinit const Rule sml1809_hex_or_suffix{
     .sources = "urdf-loader 0.13, executed.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1809_hex_or_suffix_file

@@ -3,7 +3,7 @@
 #include "base/rules.hpp"
 #include "base/uncertain.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1810_overflow_underflow_file {
 namespace {
 
 constexpr std::string_view kAsserts = "reads 0, and ends the process with an assertion";
@@ -94,4 +94,4 @@ extern constinit const Rule sml1810_overflow_underflow{
     .remedy = "Write a number between 2.2e-308 and 1.8e308, or 0.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1810_overflow_underflow_file

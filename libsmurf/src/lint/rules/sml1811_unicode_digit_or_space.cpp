@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1811_unicode_digit_or_space_file {
 
 extern constinit const Rule sml1811_unicode_digit_or_space{
     .id = "SML1811",
@@ -11,4 +11,4 @@ extern constinit const Rule sml1811_unicode_digit_or_space{
     .why = "A Unicode minus or a no-break space comes with text that was pasted from a document.",
     .remedy = "Type the number again."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1811_unicode_digit_or_space_file

@@ -7,7 +7,7 @@
 #include "base/words.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1911_mesh_format_unread_file {
 namespace {
 
 /// "dae" for the file name "base.DAE", "other-step" for a format that no fact is about, and
@@ -98,4 +98,4 @@ extern constinit const Rule sml1911_mesh_format_unread{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1911_mesh_format_unread_file

@@ -5,7 +5,7 @@
 #include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1912_mesh_package_uri_unread_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -56,4 +56,4 @@ extern constinit const Rule sml1912_mesh_package_uri_unread{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1912_mesh_package_uri_unread_file

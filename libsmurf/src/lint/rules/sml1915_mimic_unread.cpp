@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1915_mimic_unread_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -49,4 +49,4 @@ extern constinit const Rule sml1915_mimic_unread{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1915_mimic_unread_file

@@ -7,7 +7,7 @@
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1916_link_without_inertial_file {
 namespace {
 
 /// Reported as a whole (SML1502).
@@ -103,4 +103,4 @@ extern constinit const Rule sml1916_link_without_inertial{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1916_link_without_inertial_file

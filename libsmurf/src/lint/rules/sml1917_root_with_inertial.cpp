@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1917_root_with_inertial_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -34,4 +34,4 @@ extern constinit const Rule sml1917_root_with_inertial{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1917_root_with_inertial_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2001_missing_file_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -23,4 +23,4 @@ extern constinit const Rule sml2001_missing_file{
     .remedy = "Correct the path (relative to the .smurf's folder), or delete the entry.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2001_missing_file_file

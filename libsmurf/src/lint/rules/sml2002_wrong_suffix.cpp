@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2002_wrong_suffix_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -39,4 +39,4 @@ extern constinit const Rule sml2002_wrong_suffix{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2002_wrong_suffix_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2003_no_urdf_file {
 namespace {
 
 /// The file in place of the URDF, which must be converted to one first.
@@ -49,4 +49,4 @@ extern constinit const Rule sml2003_no_urdf{.id = "SML2003",
                                             .facts = kFacts,
                                             .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2003_no_urdf_file

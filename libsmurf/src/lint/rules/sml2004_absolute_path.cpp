@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2004_absolute_path_file {
 
 namespace {
 
@@ -30,4 +30,4 @@ extern constinit const Rule sml2004_absolute_path{
     .remedy = "Write the path relative to the .smurf's folder.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2004_absolute_path_file

@@ -2,7 +2,7 @@
 #include "base/counted.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2005_unlisted_file_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -34,4 +34,4 @@ extern constinit const Rule sml2005_unlisted_file{
     .sources = "smurf_parser SMURFParser.cpp:43-69; Phobos io/smurfrobot.py:171.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2005_unlisted_file_file

@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2006_several_urdfs_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -39,4 +39,4 @@ extern constinit const Rule sml2006_several_urdfs{.id = "SML2006",
                                                   .check_model = check,
                                                   .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2006_several_urdfs_file

@@ -4,7 +4,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2007_section_shape_clash_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -45,4 +45,4 @@ extern constinit const Rule sml2007_section_shape_clash{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2007_section_shape_clash_file

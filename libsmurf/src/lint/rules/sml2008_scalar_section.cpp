@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2008_scalar_section_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -42,4 +42,4 @@ extern constinit const Rule sml2008_scalar_section{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2008_scalar_section_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2009_file_listed_twice_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -22,4 +22,4 @@ extern constinit const Rule sml2009_file_listed_twice{.id = "SML2009",
                                                       .remedy = "List the file once.",
                                                       .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2009_file_listed_twice_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2010_files_in_annotation_file_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -33,4 +33,4 @@ extern constinit const Rule sml2010_files_in_annotation_file{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2010_files_in_annotation_file_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2011_root_not_mapping_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -25,4 +25,4 @@ extern constinit const Rule sml2011_root_not_mapping{
         "out of the list that names it.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2011_root_not_mapping_file

@@ -8,7 +8,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2012_section_order_file {
 namespace {
 
 using Order = std::map<std::string_view, std::pair<std::size_t, Span>>;
@@ -88,4 +88,4 @@ extern constinit const Rule sml2012_section_order{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2012_section_order_file

@@ -4,7 +4,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2013_section_in_several_files_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -39,4 +39,4 @@ extern constinit const Rule sml2013_section_in_several_files{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2013_section_in_several_files_file

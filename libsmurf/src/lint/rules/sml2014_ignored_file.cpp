@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2014_ignored_file_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -46,4 +46,4 @@ extern constinit const Rule sml2014_ignored_file{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2014_ignored_file_file

@@ -7,7 +7,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2015_section_of_other_readers_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -54,4 +54,4 @@ extern constinit const Rule sml2015_section_of_other_readers{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2015_section_of_other_readers_file

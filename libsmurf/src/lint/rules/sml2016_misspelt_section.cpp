@@ -10,7 +10,7 @@
 #include "lint/annotation_queries.hpp"
 #include "smurf/user_schemas.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2016_misspelt_section_file {
 namespace {
 
 /// Whether an entry contains a key of the section other than its name.
@@ -104,4 +104,4 @@ extern constinit const Rule sml2016_misspelt_section{
     .check_scene = check_data,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2016_misspelt_section_file

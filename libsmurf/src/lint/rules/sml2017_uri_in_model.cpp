@@ -3,7 +3,7 @@
 #include "base/words.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2017_uri_in_model_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -46,4 +46,4 @@ extern constinit const Rule sml2017_uri_in_model{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2017_uri_in_model_file

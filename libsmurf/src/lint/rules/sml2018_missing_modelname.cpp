@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml2018_missing_modelname_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -39,4 +39,4 @@ extern constinit const Rule sml2018_missing_modelname{.id = "SML2018",
                                                       .check_model = check,
                                                       .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml2018_missing_modelname_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3101_unknown_joint_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -32,4 +32,4 @@ extern constinit const Rule sml3101_unknown_joint{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3101_unknown_joint_file

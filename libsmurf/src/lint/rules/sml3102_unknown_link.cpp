@@ -3,7 +3,7 @@
 #include "lint/annotation_queries.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3102_unknown_link_file {
 namespace {
 
 /// MARS 2 reads the name of the link from `link`, other readers from `name`; only one of them is
@@ -52,4 +52,4 @@ extern constinit const Rule sml3102_unknown_link{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3102_unknown_link_file

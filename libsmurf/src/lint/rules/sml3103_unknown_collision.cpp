@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3103_unknown_collision_file {
 namespace {
 
 /// If the link is unknown, so is the collision; only the link is reported.
@@ -36,4 +36,4 @@ extern constinit const Rule sml3103_unknown_collision{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3103_unknown_collision_file

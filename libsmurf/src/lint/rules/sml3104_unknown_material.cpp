@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3104_unknown_material_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -25,4 +25,4 @@ extern constinit const Rule sml3104_unknown_material{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3104_unknown_material_file

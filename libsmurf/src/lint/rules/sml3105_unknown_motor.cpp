@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3105_unknown_motor_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -27,4 +27,4 @@ extern constinit const Rule sml3105_unknown_motor{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3105_unknown_motor_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3106_unknown_visual_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -26,4 +26,4 @@ extern constinit const Rule sml3106_unknown_visual{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3106_unknown_visual_file

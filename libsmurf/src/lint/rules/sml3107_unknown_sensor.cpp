@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3107_unknown_sensor_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -25,4 +25,4 @@ extern constinit const Rule sml3107_unknown_sensor{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3107_unknown_sensor_file

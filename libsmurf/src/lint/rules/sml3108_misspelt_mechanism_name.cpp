@@ -3,7 +3,7 @@
 #include "lint/annotation_queries.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3108_misspelt_mechanism_name_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -35,4 +35,4 @@ extern constinit const Rule sml3108_misspelt_mechanism_name{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3108_misspelt_mechanism_name_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3109_unknown_pose_joint_file {
 namespace {
 
 /// The mapping whose key it is.
@@ -44,4 +44,4 @@ extern constinit const Rule sml3109_unknown_pose_joint{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3109_unknown_pose_joint_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3110_pose_joint_without_motor_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -47,4 +47,4 @@ extern constinit const Rule sml3110_pose_joint_without_motor{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3110_pose_joint_without_motor_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/reference_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3111_mimic_names_joint_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -37,4 +37,4 @@ extern constinit const Rule sml3111_mimic_names_joint{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3111_mimic_names_joint_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3112_joint6dof_on_root_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -37,4 +37,4 @@ extern constinit const Rule sml3112_joint6dof_on_root{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3112_joint6dof_on_root_file

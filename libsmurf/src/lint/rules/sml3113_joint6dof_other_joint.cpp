@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3113_joint6dof_other_joint_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -47,4 +47,4 @@ extern constinit const Rule sml3113_joint6dof_other_joint{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3113_joint6dof_other_joint_file

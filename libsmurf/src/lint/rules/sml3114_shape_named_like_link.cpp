@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3114_shape_named_like_link_file {
 namespace {
 
 constexpr std::string_view kInertial = "inertial_";
@@ -57,4 +57,4 @@ extern constinit const Rule sml3114_shape_named_like_link{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3114_shape_named_like_link_file

@@ -5,7 +5,7 @@
 
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3115_name_shared_in_scene_file {
 namespace {
 
 /// How many instances have a motor, or a link, of a name.
@@ -74,4 +74,4 @@ extern constinit const Rule sml3115_name_shared_in_scene{
                "SimNode.cpp:87.",
     .check_scene = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3115_name_shared_in_scene_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3116_starved_sensor_file {
 namespace {
 
 using Silent = std::map<std::string_view, Span>;
@@ -59,4 +59,4 @@ extern constinit const Rule sml3116_starved_sensor{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3116_starved_sensor_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3117_texture_missing_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -35,4 +35,4 @@ extern constinit const Rule sml3117_texture_missing{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3117_texture_missing_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3120_duplicate_annotation_name_file {
 namespace {
 
 constexpr std::string_view kLeads = "in MARS, the name refers to the last one";
@@ -59,4 +59,4 @@ extern constinit const Rule sml3120_duplicate_annotation_name{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3120_duplicate_annotation_name_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3121_repeated_name_file {
 namespace {
 
 void check_list(const Field<NameList>& list, const Subject& who, Findings& findings) {
@@ -57,4 +57,4 @@ extern constinit const Rule sml3121_repeated_name{.id = "SML3121",
                                                   .check_model = check,
                                                   .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3121_repeated_name_file

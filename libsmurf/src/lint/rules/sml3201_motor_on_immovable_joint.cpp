@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3201_motor_on_immovable_joint_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -35,4 +35,4 @@ extern constinit const Rule sml3201_motor_on_immovable_joint{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3201_motor_on_immovable_joint_file

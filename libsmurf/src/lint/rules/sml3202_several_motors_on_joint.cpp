@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3202_several_motors_on_joint_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -40,4 +40,4 @@ extern constinit const Rule sml3202_several_motors_on_joint{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3202_several_motors_on_joint_file

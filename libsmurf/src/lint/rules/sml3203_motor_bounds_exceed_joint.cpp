@@ -8,7 +8,7 @@
 #include "base/suggest.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3203_motor_bounds_exceed_joint_file {
 namespace {
 
 void report(const Motor& motor, const urdf::Joint& joint, const Field<double>& bound,
@@ -99,4 +99,4 @@ extern constinit const Rule sml3203_motor_bounds_exceed_joint{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3203_motor_bounds_exceed_joint_file

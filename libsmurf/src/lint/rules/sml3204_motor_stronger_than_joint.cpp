@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3204_motor_stronger_than_joint_file {
 namespace {
 
 struct Pair {
@@ -60,4 +60,4 @@ extern constinit const Rule sml3204_motor_stronger_than_joint{
                   .meaning = "how many times as strong or fast as the joint allows a motor may be"},
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3204_motor_stronger_than_joint_file

@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3205_mimic_circle_file {
 namespace {
 
 void report(const std::vector<Motor>& motors, const std::vector<std::size_t>& circle,
@@ -67,4 +67,4 @@ extern constinit const Rule sml3205_mimic_circle{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3205_mimic_circle_file

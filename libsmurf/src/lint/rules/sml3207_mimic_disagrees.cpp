@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3207_mimic_disagrees_file {
 namespace {
 
 /// True when the leader of the motor drives the joint that the URDF names, or is that joint.
@@ -73,4 +73,4 @@ extern constinit const Rule sml3207_mimic_disagrees{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3207_mimic_disagrees_file

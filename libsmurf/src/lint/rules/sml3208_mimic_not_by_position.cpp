@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3208_mimic_not_by_position_file {
 namespace {
 
 bool takes_positions(const Motor& motor) {
@@ -54,4 +54,4 @@ extern constinit const Rule sml3208_mimic_not_by_position{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3208_mimic_not_by_position_file

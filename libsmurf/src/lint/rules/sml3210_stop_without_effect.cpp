@@ -4,7 +4,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3210_stop_without_effect_file {
 namespace {
 
 constexpr double kLeastSpring = 1e-8;
@@ -51,4 +51,4 @@ extern constinit const Rule sml3210_stop_without_effect{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3210_stop_without_effect_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3211_stop_switched_off_by_motor_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -48,4 +48,4 @@ extern constinit const Rule sml3211_stop_switched_off_by_motor{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3211_stop_switched_off_by_motor_file

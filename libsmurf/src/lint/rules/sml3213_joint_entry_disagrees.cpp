@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3213_joint_entry_disagrees_file {
 namespace {
 
 void check_text(const Field<std::string>& in_urdf, const std::optional<Spanned<std::string>>& here,
@@ -62,4 +62,4 @@ extern constinit const Rule sml3213_joint_entry_disagrees{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3213_joint_entry_disagrees_file

@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3214_spring_keys_disagree_file {
 namespace {
 
 struct Pair {
@@ -79,4 +79,4 @@ extern constinit const Rule sml3214_spring_keys_disagree{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3214_spring_keys_disagree_file

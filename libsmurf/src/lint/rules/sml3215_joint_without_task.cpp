@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3215_joint_without_task_file {
 namespace {
 
 /// The name of the section, which may be empty; none: no tasks are looked up.
@@ -56,4 +56,4 @@ extern constinit const Rule sml3215_joint_without_task{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3215_joint_without_task_file

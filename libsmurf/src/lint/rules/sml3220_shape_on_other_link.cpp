@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3220_shape_on_other_link_file {
 namespace {
 
 /// Names of the shapes of links, collected once per link.
@@ -86,4 +86,4 @@ extern constinit const Rule sml3220_shape_on_other_link{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3220_shape_on_other_link_file

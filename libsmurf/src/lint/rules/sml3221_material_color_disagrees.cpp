@@ -6,7 +6,7 @@
 
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3221_material_color_disagrees_file {
 namespace {
 
 constexpr double kVisible = 2.0 / 255;
@@ -52,4 +52,4 @@ extern constinit const Rule sml3221_material_color_disagrees{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3221_material_color_disagrees_file

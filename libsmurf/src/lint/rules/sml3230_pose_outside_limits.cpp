@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3230_pose_outside_limits_file {
 namespace {
 
 void check_entry(const LinkedModel& model, const JointPoseSet::Entry& entry, Findings& findings) {
@@ -53,4 +53,4 @@ extern constinit const Rule sml3230_pose_outside_limits{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3230_pose_outside_limits_file

@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3240_mass_of_collisions_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -42,4 +42,4 @@ extern constinit const Rule sml3240_mass_of_collisions{
                              "the link"},
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3240_mass_of_collisions_file

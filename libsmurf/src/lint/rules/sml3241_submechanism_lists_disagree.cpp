@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3241_submechanism_lists_disagree_file {
 namespace {
 
 void check_list(const LinkedModel& model, const Submechanism& mechanism, std::string_view key,
@@ -62,4 +62,4 @@ extern constinit const Rule sml3241_submechanism_lists_disagree{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3241_submechanism_lists_disagree_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4001_wrong_type_file {
 namespace {
 
 using enum Effect;
@@ -117,4 +117,4 @@ extern constinit const Rule sml4001_wrong_type{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4001_wrong_type_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4002_unknown_value_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -24,4 +24,4 @@ extern constinit const Rule sml4002_unknown_value{
     .remedy = "Use one of the known values; they are case-sensitive.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4002_unknown_value_file

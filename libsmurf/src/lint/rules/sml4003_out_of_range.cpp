@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4003_out_of_range_file {
 namespace {
 
 constexpr std::string_view kMakesRoom = "makes room for as many values, and ends";
@@ -26,4 +26,4 @@ extern constinit const Rule sml4003_out_of_range{
     .remedy = "Write a number within the bounds of the message.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4003_out_of_range_file

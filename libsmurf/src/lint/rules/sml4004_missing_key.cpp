@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4004_missing_key_file {
 namespace {
 
 constexpr std::string_view kNameless = "keeps an entry without a name";
@@ -29,4 +29,4 @@ extern constinit const Rule sml4004_missing_key{.id = "SML4004",
                                                 .remedy = "Add the key.",
                                                 .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4004_missing_key_file

@@ -7,7 +7,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4005_misspelt_key_file {
 namespace {
 
 void report(yaml::View value, const KeySpec& meant, KeyRenames& renames, Findings& findings) {
@@ -84,4 +84,4 @@ extern constinit const Rule sml4005_misspelt_key{
     .check_scene = check,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4005_misspelt_key_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4006_number_notation_file {
 
 namespace {
 
@@ -24,4 +24,4 @@ extern constinit const Rule sml4006_number_notation{
     .remedy = "Write plain decimal digits.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4006_number_notation_file

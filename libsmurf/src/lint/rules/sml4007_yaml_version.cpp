@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4007_yaml_version_file {
 
 namespace {
 
@@ -24,4 +24,4 @@ extern constinit const Rule sml4007_yaml_version{
     .remedy = "Write numbers with a point and a sign in the exponent (1.0e-5), and quote texts.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4007_yaml_version_file

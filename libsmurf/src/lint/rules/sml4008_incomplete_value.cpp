@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4008_incomplete_value_file {
 
 namespace {
 
@@ -21,4 +21,4 @@ extern constinit const Rule sml4008_incomplete_value{.id = "SML4008",
                                                      .remedy = "Write the whole value.",
                                                      .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4008_incomplete_value_file

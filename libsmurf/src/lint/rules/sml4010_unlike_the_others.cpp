@@ -9,7 +9,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4010_unlike_the_others_file {
 namespace {
 
 /// A key that some reader needs, and keys that replace it.
@@ -126,4 +126,4 @@ extern constinit const Rule sml4010_unlike_the_others{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4010_unlike_the_others_file

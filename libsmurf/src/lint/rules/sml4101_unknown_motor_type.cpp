@@ -6,7 +6,7 @@
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4101_unknown_motor_type_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -47,4 +47,4 @@ extern constinit const Rule sml4101_unknown_motor_type{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4101_unknown_motor_type_file

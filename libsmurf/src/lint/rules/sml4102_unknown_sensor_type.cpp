@@ -6,7 +6,7 @@
 #include "base/suggest.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4102_unknown_sensor_type_file {
 namespace {
 
 constexpr std::string_view kPhobosTypes[] = {"IMU", "GPS"};
@@ -53,4 +53,4 @@ extern constinit const Rule sml4102_unknown_sensor_type{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4102_unknown_sensor_type_file

@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4103_dead_motor_file {
 namespace {
 
 struct Need {
@@ -68,4 +68,4 @@ extern constinit const Rule sml4103_dead_motor{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4103_dead_motor_file

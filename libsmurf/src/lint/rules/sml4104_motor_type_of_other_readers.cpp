@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4104_motor_type_of_other_readers_file {
 namespace {
 
 struct Foreign {
@@ -44,4 +44,4 @@ extern constinit const Rule sml4104_motor_type_of_other_readers{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4104_motor_type_of_other_readers_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4105_mimic_multiplier_missing_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -42,4 +42,4 @@ extern constinit const Rule sml4105_mimic_multiplier_missing{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4105_mimic_multiplier_missing_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4106_sensor_without_link_file {
 namespace {
 
 constexpr std::string_view kTypes[] = {
@@ -48,4 +48,4 @@ extern constinit const Rule sml4106_sensor_without_link{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4106_sensor_without_link_file

@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4107_sensor_without_targets_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -55,4 +55,4 @@ extern constinit const Rule sml4107_sensor_without_targets{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4107_sensor_without_targets_file

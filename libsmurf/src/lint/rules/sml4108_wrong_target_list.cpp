@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4108_wrong_target_list_file {
 namespace {
 
 struct List {
@@ -57,4 +57,4 @@ extern constinit const Rule sml4108_wrong_target_list{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4108_wrong_target_list_file

@@ -5,7 +5,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4109_light_incomplete_file {
 namespace {
 
 void check_model(const LinkedModel& model, Findings& findings) {
@@ -46,4 +46,4 @@ extern constinit const Rule sml4109_light_incomplete{
     .facts = kFacts,
     .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4109_light_incomplete_file

@@ -7,7 +7,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4110_bitmask_hides_body_file {
 namespace {
 
 constexpr std::int64_t kSeenByRays = 32768;
@@ -73,4 +73,4 @@ extern constinit const Rule sml4110_bitmask_hides_body{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4110_bitmask_hides_body_file

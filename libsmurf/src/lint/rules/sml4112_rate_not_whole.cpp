@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4112_rate_not_whole_file {
 namespace {
 
 void check_rate(const Field<double>& rate, const Subject& who, Findings& findings) {
@@ -43,4 +43,4 @@ extern constinit const Rule sml4112_rate_not_whole{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4112_rate_not_whole_file

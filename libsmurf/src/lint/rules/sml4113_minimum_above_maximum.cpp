@@ -6,7 +6,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4113_minimum_above_maximum_file {
 namespace {
 
 /// `lower` and `upper` of one entry.
@@ -81,4 +81,4 @@ extern constinit const Rule sml4113_minimum_above_maximum{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4113_minimum_above_maximum_file

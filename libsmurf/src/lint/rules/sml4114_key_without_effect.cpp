@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4114_key_without_effect_file {
 namespace {
 
 template <class Entry>
@@ -72,4 +72,4 @@ extern constinit const Rule sml4114_key_without_effect{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4114_key_without_effect_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4115_color_without_alpha_file {
 namespace {
 
 bool lacks_alpha(const Field<Color>& color) {
@@ -53,4 +53,4 @@ extern constinit const Rule sml4115_color_without_alpha{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4115_color_without_alpha_file

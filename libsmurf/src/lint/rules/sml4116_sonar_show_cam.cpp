@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4116_sonar_show_cam_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -34,4 +34,4 @@ extern constinit const Rule sml4116_sonar_show_cam{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4116_sonar_show_cam_file

@@ -6,7 +6,7 @@
 #include "base/numbers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4117_angle_looks_like_degrees_file {
 namespace {
 
 bool looks_like_degrees(double angle) {
@@ -90,4 +90,4 @@ extern constinit const Rule sml4117_angle_looks_like_degrees{
     .sources = "MARS MotorData.cpp, SimEntity.cpp:503-513; Phobos representation.py:2289-2326.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4117_angle_looks_like_degrees_file

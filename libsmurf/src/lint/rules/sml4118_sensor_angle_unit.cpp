@@ -7,7 +7,7 @@
 #include "lint/angle_queries.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4118_sensor_angle_unit_file {
 namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
@@ -101,4 +101,4 @@ extern constinit const Rule sml4118_sensor_angle_unit{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4118_sensor_angle_unit_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4119_approximation_coefficients_file {
 namespace {
 
 struct Function {
@@ -53,4 +53,4 @@ extern constinit const Rule sml4119_approximation_coefficients{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4119_approximation_coefficients_file

@@ -7,7 +7,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4120_quaternion_of_model_file {
 namespace {
 
 template <class Entries>
@@ -61,4 +61,4 @@ extern constinit const Rule sml4120_quaternion_of_model{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4120_quaternion_of_model_file

@@ -5,7 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4124_object_cannot_be_made_file {
 namespace {
 
 /// The number of components of `extend` that MARS reads for the size of a shape; 0 for other
@@ -77,4 +77,4 @@ extern constinit const Rule sml4124_object_cannot_be_made{
     .check_model = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4124_object_cannot_be_made_file

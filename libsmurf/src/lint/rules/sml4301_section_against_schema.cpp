@@ -2,7 +2,7 @@
 #include "lint/queries.hpp"
 #include "smurf/user_schemas.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml4301_section_against_schema_file {
 namespace {
 
 void check_sections(const yaml::Document& document, const UserSchemas& schemas, SchemaWork& work,
@@ -44,4 +44,4 @@ extern constinit const Rule sml4301_section_against_schema{
     .check_model = check_model,
     .check_scene = check_scene};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml4301_section_against_schema_file

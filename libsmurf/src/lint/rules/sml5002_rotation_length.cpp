@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5002_rotation_length_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -25,4 +25,4 @@ extern constinit const Rule sml5002_rotation_length{
         "quaternion w, x, y, z.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5002_rotation_length_file

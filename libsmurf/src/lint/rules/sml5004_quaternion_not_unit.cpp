@@ -6,7 +6,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5004_quaternion_not_unit_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -48,4 +48,4 @@ extern constinit const Rule sml5004_quaternion_not_unit{
     .tolerance = {.value = 1e-3, .meaning = "how far the length of the quaternion may be from 1"},
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5004_quaternion_not_unit_file

@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5007_entity_uri_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -37,4 +37,4 @@ extern constinit const Rule sml5007_entity_uri{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5007_entity_uri_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5009_entity_type_mismatch_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -24,4 +24,4 @@ extern constinit const Rule sml5009_entity_type_mismatch{
     .remedy = "Leave `type` out, or make it smurf for a .smurf and urdf for a .urdf.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5009_entity_type_mismatch_file

@@ -6,7 +6,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5010_misspelt_entity_type_file {
 namespace {
 
 /// The type that is meant, for the file of the entity.
@@ -50,4 +50,4 @@ extern constinit const Rule sml5010_misspelt_entity_type{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5010_misspelt_entity_type_file

@@ -5,7 +5,7 @@
 #include "lint/scene_queries.hpp"
 #include "smurf/archive_files.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5011_archive_entity_file {
 namespace {
 
 void report(const Entity& entity, Findings& findings) {
@@ -42,4 +42,4 @@ extern constinit const Rule sml5011_archive_entity{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5011_archive_entity_file

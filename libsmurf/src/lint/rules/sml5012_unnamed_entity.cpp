@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5012_unnamed_entity_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -35,4 +35,4 @@ extern constinit const Rule sml5012_unnamed_entity{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5012_unnamed_entity_file

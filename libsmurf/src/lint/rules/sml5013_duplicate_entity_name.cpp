@@ -7,7 +7,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5013_duplicate_entity_name_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -49,4 +49,4 @@ extern constinit const Rule sml5013_duplicate_entity_name{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5013_duplicate_entity_name_file

@@ -6,7 +6,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5014_ambiguous_entity_name_file {
 namespace {
 
 struct Named {
@@ -103,4 +103,4 @@ extern constinit const Rule sml5014_ambiguous_entity_name{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5014_ambiguous_entity_name_file

@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5015_separator_in_name_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -33,4 +33,4 @@ extern constinit const Rule sml5015_separator_in_name{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5015_separator_in_name_file

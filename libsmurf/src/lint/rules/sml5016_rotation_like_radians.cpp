@@ -5,7 +5,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5016_rotation_like_radians_file {
 namespace {
 
 /// The numbers of a rotation as they are written.
@@ -60,4 +60,4 @@ extern constinit const Rule sml5016_rotation_like_radians{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5016_rotation_like_radians_file

@@ -5,7 +5,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5017_quaternion_order_file {
 namespace {
 
 constexpr double kZero = 1e-6;
@@ -59,4 +59,4 @@ extern constinit const Rule sml5017_quaternion_order{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5017_quaternion_order_file

@@ -5,7 +5,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5018_uri_in_scene_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -45,4 +45,4 @@ extern constinit const Rule sml5018_uri_in_scene{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5018_uri_in_scene_file

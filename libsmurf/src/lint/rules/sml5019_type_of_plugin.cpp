@@ -6,7 +6,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5019_type_of_plugin_file {
 namespace {
 
 constexpr std::string_view kPhobosTypes[] = {"light", "heightmap", "mesh", "generic"};
@@ -39,4 +39,4 @@ extern constinit const Rule sml5019_type_of_plugin{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5019_type_of_plugin_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5021_nested_too_deep_file {
 
 extern constinit const Rule sml5021_nested_too_deep{
     .id = "SML5021",
@@ -12,4 +12,4 @@ extern constinit const Rule sml5021_nested_too_deep{
     .remedy = "Include the inner scenes directly.",
     .sources = "Limit of these tools."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5021_nested_too_deep_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5022_too_many_instances_file {
 
 extern constinit const Rule sml5022_too_many_instances{
     .id = "SML5022",
@@ -13,4 +13,4 @@ extern constinit const Rule sml5022_too_many_instances{
     .remedy = "Split the scene, or raise the limit (docs/limits.md).",
     .sources = "Limit of these tools."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5022_too_many_instances_file

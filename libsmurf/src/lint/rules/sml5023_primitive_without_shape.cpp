@@ -9,7 +9,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5023_primitive_without_shape_file {
 namespace {
 
 constexpr std::string_view kShapes[] = {"plane", "box", "sphere", "cylinder", "capsule"};
@@ -95,4 +95,4 @@ extern constinit const Rule sml5023_primitive_without_shape{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5023_primitive_without_shape_file

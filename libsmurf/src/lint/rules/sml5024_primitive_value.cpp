@@ -7,7 +7,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5024_primitive_value_file {
 namespace {
 
 /// The colours and textures of the primitive, as in the section `materials`.
@@ -65,4 +65,4 @@ extern constinit const Rule sml5024_primitive_value{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5024_primitive_value_file

@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5025_primitive_key_ignored_file {
 namespace {
 
 /// Explicit defaults are fine.
@@ -44,4 +44,4 @@ extern constinit const Rule sml5025_primitive_key_ignored{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5025_primitive_key_ignored_file

@@ -7,7 +7,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5026_old_scene_extension_file {
 namespace {
 
 constexpr std::string_view kExtensions[] = {".scn", ".scene", ".yml"};
@@ -44,4 +44,4 @@ extern constinit const Rule sml5026_old_scene_extension{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5026_old_scene_extension_file

@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5029_several_entity_lists_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -46,4 +46,4 @@ extern constinit const Rule sml5029_several_entity_lists{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5029_several_entity_lists_file

@@ -6,7 +6,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5030_implausible_pose_file {
 namespace {
 
 constexpr double kFarAway = 1e5;    // m; in single precision a centimetre is lost there
@@ -58,4 +58,4 @@ extern constinit const Rule sml5030_implausible_pose{
     .sources = "IEEE 754 single precision.",
     .check_scene = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5030_implausible_pose_file

@@ -10,7 +10,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5032_heightmap_value_file {
 namespace {
 
 constexpr KeySpec kKeys[] = {
@@ -84,4 +84,4 @@ extern constinit const Rule sml5032_heightmap_value{
         "type by itself).",
     .check_scene = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5032_heightmap_value_file

@@ -7,7 +7,7 @@
 #include "lint/misspelt_key.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5033_scene_without_entities_file {
 namespace {
 
 constexpr std::string_view kLists[] = {"entities", "smurfs", "smurfa"};
@@ -70,4 +70,4 @@ extern constinit const Rule sml5033_scene_without_entities{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5033_scene_without_entities_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5034_old_scene_file_missing_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -24,4 +24,4 @@ extern constinit const Rule sml5034_old_scene_file_missing{
     .remedy = "Correct the path; it is relative to the folder of the old scene.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5034_old_scene_file_missing_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5042_drawing_width_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -23,4 +23,4 @@ extern constinit const Rule sml5042_drawing_width{
     .remedy = "Give the `svg` element a `width` without unit; one unit is one metre.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5042_drawing_width_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5043_nested_drawing_group_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -21,4 +21,4 @@ extern constinit const Rule sml5043_nested_drawing_group{
     .remedy = "Ungroup, and draw without layers.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5043_nested_drawing_group_file

@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5044_drawn_entity_not_loaded_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -39,4 +39,4 @@ extern constinit const Rule sml5044_drawn_entity_not_loaded{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5044_drawn_entity_not_loaded_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5101_unknown_parent_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -24,4 +24,4 @@ extern constinit const Rule sml5101_unknown_parent{
         "the key out for the world.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5101_unknown_parent_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5102_unknown_anchor_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -25,4 +25,4 @@ extern constinit const Rule sml5102_unknown_anchor{
     .remedy = "Write `none`, `world`, `parent` or `ENTITY::LINK`.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5102_unknown_anchor_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5103_parent_of_scene_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -21,4 +21,4 @@ extern constinit const Rule sml5103_parent_of_scene{
     .remedy = "Name an entity inside the included scene and one of its links.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5103_parent_of_scene_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5106_world_case_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -22,4 +22,4 @@ extern constinit const Rule sml5106_world_case{
     .remedy = "Write `world` or `none`.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5106_world_case_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5107_anchor_to_itself_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -20,4 +20,4 @@ extern constinit const Rule sml5107_anchor_to_itself{
     .remedy = "Anchor the entity to the world or to another entity.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5107_anchor_to_itself_file

@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5108_anchor_without_parent_file {
 namespace {
 
 /// A link as anchor: many authors expect it to place the entity there.
@@ -56,4 +56,4 @@ extern constinit const Rule sml5108_anchor_without_parent{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5108_anchor_without_parent_file

@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5109_parent_without_anchor_file {
 namespace {
 
 /// SML5203 reports an entity that comes before the one that it is placed on.
@@ -49,4 +49,4 @@ extern constinit const Rule sml5109_parent_without_anchor{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5109_parent_without_anchor_file

@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5201_nested_anchor_lost_file {
 namespace {
 
 std::string words(const LinkedScene& scene, const Attachment& anchor) {
@@ -48,4 +48,4 @@ extern constinit const Rule sml5201_nested_anchor_lost{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5201_nested_anchor_lost_file

@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5202_nested_parent_none_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -34,4 +34,4 @@ extern constinit const Rule sml5202_nested_parent_none{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5202_nested_parent_none_file

@@ -6,7 +6,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5203_order_dependent_parent_file {
 namespace {
 
 using Frames = std::array<std::optional<std::size_t>, 2>;
@@ -89,4 +89,4 @@ extern constinit const Rule sml5203_order_dependent_parent{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5203_order_dependent_parent_file

@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5204_assembly_member_left_behind_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -37,4 +37,4 @@ extern constinit const Rule sml5204_assembly_member_left_behind{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5204_assembly_member_left_behind_file

@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5205_nested_map_pose_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -38,4 +38,4 @@ extern constinit const Rule sml5205_nested_map_pose{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5205_nested_map_pose_file

@@ -5,7 +5,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5206_primitive_list_pose_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -48,4 +48,4 @@ extern constinit const Rule sml5206_primitive_list_pose{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5206_primitive_list_pose_file

@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5207_nested_primitive_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -32,4 +32,4 @@ extern constinit const Rule sml5207_nested_primitive{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5207_nested_primitive_file

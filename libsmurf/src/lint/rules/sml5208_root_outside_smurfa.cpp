@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5208_root_outside_smurfa_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -29,4 +29,4 @@ extern constinit const Rule sml5208_root_outside_smurfa{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5208_root_outside_smurfa_file

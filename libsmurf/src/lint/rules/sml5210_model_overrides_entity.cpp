@@ -5,7 +5,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5210_model_overrides_entity_file {
 namespace {
 
 constexpr std::string_view kKeys[] = {"name",     "type",   "file",   "position",
@@ -39,4 +39,4 @@ extern constinit const Rule sml5210_model_overrides_entity{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5210_model_overrides_entity_file

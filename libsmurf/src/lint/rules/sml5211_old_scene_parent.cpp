@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5211_old_scene_parent_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -42,4 +42,4 @@ extern constinit const Rule sml5211_old_scene_parent{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5211_old_scene_parent_file

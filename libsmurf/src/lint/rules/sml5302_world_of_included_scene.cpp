@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5302_world_of_included_scene_file {
 namespace {
 
 /// The nearest enclosing scene of `use` that also sets the key.
@@ -52,4 +52,4 @@ extern constinit const Rule sml5302_world_of_included_scene{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5302_world_of_included_scene_file

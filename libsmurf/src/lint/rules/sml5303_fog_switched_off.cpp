@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5303_fog_switched_off_file {
 namespace {
 
 bool has_fog(yaml::View environment) {
@@ -56,4 +56,4 @@ extern constinit const Rule sml5303_fog_switched_off{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5303_fog_switched_off_file

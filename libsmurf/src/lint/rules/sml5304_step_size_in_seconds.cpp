@@ -4,7 +4,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5304_step_size_in_seconds_file {
 namespace {
 
 /// Simulations step by 0.1 ms to 20 ms; as seconds these numbers are below this.
@@ -51,4 +51,4 @@ extern constinit const Rule sml5304_step_size_in_seconds{
     .check_scene = check,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5304_step_size_in_seconds_file

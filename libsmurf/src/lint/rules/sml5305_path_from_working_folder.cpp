@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5305_path_from_working_folder_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -23,4 +23,4 @@ extern constinit const Rule sml5305_path_from_working_folder{
         "in the same folder.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5305_path_from_working_folder_file

@@ -6,7 +6,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5306_gravity_implausible_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -49,4 +49,4 @@ extern constinit const Rule sml5306_gravity_implausible{
     .check_scene = check,
     .tolerance = {.value = 30, .unit = "m/s^2", .meaning = "the strongest gravity"}};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5306_gravity_implausible_file

@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5307_fog_range_file {
 namespace {
 
 std::optional<double> number_at(yaml::View mapping, std::string_view key) {
@@ -40,4 +40,4 @@ extern constinit const Rule sml5307_fog_range{
     .sources = "MARS SMURFLoader.cpp:516-535; OpenGL 2.1 specification, section 3.10.",
     .check_scene = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5307_fog_range_file

@@ -7,7 +7,7 @@
 #include "lint/scene_queries.hpp"
 #include "smurf/user_schemas.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml5401_entity_against_schema_file {
 namespace {
 
 /// The reader of the scene reports values that are not a position or rotation at all.
@@ -47,4 +47,4 @@ extern constinit const Rule sml5401_entity_against_schema{
     .sources = "The schema that the label names.",
     .check_scene = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml5401_entity_against_schema_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml6001_engine_gives_up_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -22,4 +22,4 @@ extern constinit const Rule sml6001_engine_gives_up{
     .facts = kFacts,
     .reported_by = Tool::load_check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml6001_engine_gives_up_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml6002_no_verdict_file {
 
 extern constinit const Rule sml6002_no_verdict{
     .id = "SML6002",
@@ -18,4 +18,4 @@ extern constinit const Rule sml6002_no_verdict{
     .sources = "ODE 0.16.2, executed; the slowest of 307 robots takes 5 s, the median 23 ms.",
     .reported_by = Tool::load_check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml6002_no_verdict_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml6105_axis_zero_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -19,4 +19,4 @@ extern constinit const Rule sml6105_axis_zero{.id = "SML6105",
                                               .facts = kFacts,
                                               .reported_by = Tool::load_check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml6105_axis_zero_file

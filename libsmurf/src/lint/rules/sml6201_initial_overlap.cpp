@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml6201_initial_overlap_file {
 
 extern constinit const Rule sml6201_initial_overlap{
     .id = "SML6201",
@@ -14,4 +14,4 @@ extern constinit const Rule sml6201_initial_overlap{
     .sources = "15 of 307 robots; Panda 36 mm, Baxter 67 mm.",
     .reported_by = Tool::load_check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml6201_initial_overlap_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml6301_zero_outside_limits_file {
 
 extern constinit const Rule sml6301_zero_outside_limits{
     .id = "SML6301",
@@ -14,4 +14,4 @@ extern constinit const Rule sml6301_zero_outside_limits{
     .sources = "ODE 0.16.2, executed on 307 robots: all that move at rest have such a joint.",
     .reported_by = Tool::load_check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml6301_zero_outside_limits_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml6302_moves_at_rest_file {
 
 extern constinit const Rule sml6302_moves_at_rest{
     .id = "SML6302",
@@ -14,4 +14,4 @@ extern constinit const Rule sml6302_moves_at_rest{
     .sources = "ODE 0.16.2, executed: 132 of 132 sound robots move less than 5.1e-16 m.",
     .reported_by = Tool::load_check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml6302_moves_at_rest_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml6401_joint_comes_apart_file {
 
 extern constinit const Rule sml6401_joint_comes_apart{
     .id = "SML6401",
@@ -14,4 +14,4 @@ extern constinit const Rule sml6401_joint_comes_apart{
     .sources = "ODE 0.16.2, executed: sound robots stay below 0.4 mm and 6e-3 rad at 1 ms.",
     .reported_by = Tool::load_check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml6401_joint_comes_apart_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml6402_energy_grows_file {
 
 extern constinit const Rule sml6402_energy_grows{
     .id = "SML6402",
@@ -14,4 +14,4 @@ extern constinit const Rule sml6402_energy_grows{
     .sources = "ODE 0.16.2, executed: sound robots gain at most 2e-5 m.",
     .reported_by = Tool::load_check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml6402_energy_grows_file

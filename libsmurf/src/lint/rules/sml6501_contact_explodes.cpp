@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml6501_contact_explodes_file {
 
 extern constinit const Rule sml6501_contact_explodes{
     .id = "SML6501",
@@ -14,4 +14,4 @@ extern constinit const Rule sml6501_contact_explodes{
     .sources = "ODE 0.16.2, executed: sound robots gain at most 0.07 m, exploding ones 1e4 m.",
     .reported_by = Tool::load_check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml6501_contact_explodes_file

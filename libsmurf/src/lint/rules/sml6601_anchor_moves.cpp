@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml6601_anchor_moves_file {
 
 extern constinit const Rule sml6601_anchor_moves{
     .id = "SML6601",
@@ -13,4 +13,4 @@ extern constinit const Rule sml6601_anchor_moves{
     .sources = "ODE 0.16.2, executed.",
     .reported_by = Tool::load_check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml6601_anchor_moves_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7001_continuous_without_limit_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -33,4 +33,4 @@ extern constinit const Rule sml7001_continuous_without_limit{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7001_continuous_without_limit_file

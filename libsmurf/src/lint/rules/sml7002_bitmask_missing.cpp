@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7002_bitmask_missing_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -33,4 +33,4 @@ extern constinit const Rule sml7002_bitmask_missing{.id = "SML7002",
                                                     .needs_target = true,
                                                     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7002_bitmask_missing_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7003_entry_without_link_file {
 namespace {
 
 template <class Entry>
@@ -44,4 +44,4 @@ extern constinit const Rule sml7003_entry_without_link{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7003_entry_without_link_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7004_motor_key_missing_file {
 namespace {
 
 /// The keys that MARS 2 reads without checking whether they are there.
@@ -57,4 +57,4 @@ extern constinit const Rule sml7004_motor_key_missing{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7004_motor_key_missing_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7005_motor_type_of_other_reader_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -57,4 +57,4 @@ extern constinit const Rule sml7005_motor_type_of_other_reader{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7005_motor_type_of_other_reader_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7006_inline_section_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -38,4 +38,4 @@ extern constinit const Rule sml7006_inline_section{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7006_inline_section_file

@@ -4,7 +4,7 @@
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7008_list_unknown_to_phobos_file {
 namespace {
 
 void report(Span section, std::string_view name, Findings& findings) {
@@ -54,4 +54,4 @@ extern constinit const Rule sml7008_list_unknown_to_phobos{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7008_list_unknown_to_phobos_file

@@ -7,7 +7,7 @@
 #include "lint/annotation_queries.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7009_stops_phobos_file {
 namespace {
 
 /// Sensors of MARS without a class in Phobos.
@@ -167,4 +167,4 @@ extern constinit const Rule sml7009_stops_phobos{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7009_stops_phobos_file

@@ -8,7 +8,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7010_scene_stops_phobos_file {
 namespace {
 
 void check_position(yaml::View position, Findings& findings) {
@@ -71,4 +71,4 @@ extern constinit const Rule sml7010_scene_stops_phobos{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7010_scene_stops_phobos_file

@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7100_scene_unread_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -42,4 +42,4 @@ extern constinit const Rule sml7100_scene_unread{.id = "SML7100",
                                                  .facts = kFacts,
                                                  .former = kFormer};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7100_scene_unread_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7101_anchor_none_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -32,4 +32,4 @@ extern constinit const Rule sml7101_anchor_none{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7101_anchor_none_file

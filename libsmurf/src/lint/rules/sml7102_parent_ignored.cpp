@@ -3,7 +3,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7102_parent_ignored_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -34,4 +34,4 @@ extern constinit const Rule sml7102_parent_ignored{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7102_parent_ignored_file

@@ -4,7 +4,7 @@
 #include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7103_rotation_convention_file {
 namespace {
 
 std::string_view form_of(const Rotation& rotation) {
@@ -58,4 +58,4 @@ extern constinit const Rule sml7103_rotation_convention{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7103_rotation_convention_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7104_pose_as_mapping_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -35,4 +35,4 @@ extern constinit const Rule sml7104_pose_as_mapping{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7104_pose_as_mapping_file

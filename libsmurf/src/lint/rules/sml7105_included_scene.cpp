@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7105_included_scene_file {
 namespace {
 
 bool has_pose(const Entity& entity) {
@@ -41,4 +41,4 @@ extern constinit const Rule sml7105_included_scene{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7105_included_scene_file

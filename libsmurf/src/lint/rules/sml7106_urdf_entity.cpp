@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7106_urdf_entity_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -33,4 +33,4 @@ extern constinit const Rule sml7106_urdf_entity{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7106_urdf_entity_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7107_entity_of_plugin_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -33,4 +33,4 @@ extern constinit const Rule sml7107_entity_of_plugin{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7107_entity_of_plugin_file

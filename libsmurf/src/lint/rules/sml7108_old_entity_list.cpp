@@ -5,7 +5,7 @@
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7108_old_entity_list_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -37,4 +37,4 @@ extern constinit const Rule sml7108_old_entity_list{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7108_old_entity_list_file

@@ -3,7 +3,7 @@
 #include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml7109_step_size_file {
 namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -34,4 +34,4 @@ extern constinit const Rule sml7109_step_size{
     .needs_target = true,
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml7109_step_size_file

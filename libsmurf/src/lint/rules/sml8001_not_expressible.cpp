@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8001_not_expressible_file {
 
 extern constinit const Rule sml8001_not_expressible{
     .id = "SML8001",
@@ -14,4 +14,4 @@ extern constinit const Rule sml8001_not_expressible{
     .sources = "The elements of URDF: urdfdom 3 and 5.1.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8001_not_expressible_file

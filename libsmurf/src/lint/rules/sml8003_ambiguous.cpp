@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8003_ambiguous_file {
 
 extern constinit const Rule sml8003_ambiguous{
     .id = "SML8003",
@@ -14,4 +14,4 @@ extern constinit const Rule sml8003_ambiguous{
     .sources = "Two motors of one joint in MARS: smurf.cpp:257-270.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8003_ambiguous_file

@@ -2,7 +2,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8004_vendor_extension_file {
 namespace {
 
 constexpr Fact kFacts[] = {
@@ -21,4 +21,4 @@ extern constinit const Rule sml8004_vendor_extension{
     .facts = kFacts,
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8004_vendor_extension_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8005_collapsed_link_file {
 
 extern constinit const Rule sml8005_collapsed_link{
     .id = "SML8005",
@@ -15,4 +15,4 @@ extern constinit const Rule sml8005_collapsed_link{
                "fusestatic.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8005_collapsed_link_file

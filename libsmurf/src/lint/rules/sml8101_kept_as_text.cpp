@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8101_kept_as_text_file {
 
 extern constinit const Rule sml8101_kept_as_text{
     .id = "SML8101",
@@ -15,4 +15,4 @@ extern constinit const Rule sml8101_kept_as_text{
     .sources = "Sections and types that MARS reads: smurf.cpp:257-485, SensorManager.cpp:351.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8101_kept_as_text_file

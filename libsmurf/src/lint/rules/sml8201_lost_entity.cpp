@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8201_lost_entity_file {
 
 extern constinit const Rule sml8201_lost_entity{
     .id = "SML8201",
@@ -13,4 +13,4 @@ extern constinit const Rule sml8201_lost_entity{
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8201_lost_entity_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8202_lost_joint_pose_file {
 
 extern constinit const Rule sml8202_lost_joint_pose{
     .id = "SML8202",
@@ -14,4 +14,4 @@ extern constinit const Rule sml8202_lost_joint_pose{
     .sources = "SDFormat 1.9 joint.sdf; URDF has no such element.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8202_lost_joint_pose_file

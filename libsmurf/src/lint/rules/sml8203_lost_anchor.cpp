@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8203_lost_anchor_file {
 
 extern constinit const Rule sml8203_lost_anchor{
     .id = "SML8203",
@@ -13,4 +13,4 @@ extern constinit const Rule sml8203_lost_anchor{
     .sources = "SDFormat 1.9 world.sdf has no joints; MuJoCo 3 drops bodies inside attach (run).",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8203_lost_anchor_file

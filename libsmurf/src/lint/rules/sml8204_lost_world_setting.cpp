@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8204_lost_world_setting_file {
 
 extern constinit const Rule sml8204_lost_world_setting{
     .id = "SML8204",
@@ -13,4 +13,4 @@ extern constinit const Rule sml8204_lost_world_setting{
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8204_lost_world_setting_file

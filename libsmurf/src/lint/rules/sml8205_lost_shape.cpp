@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8205_lost_shape_file {
 
 extern constinit const Rule sml8205_lost_shape{
     .id = "SML8205",
@@ -13,4 +13,4 @@ extern constinit const Rule sml8205_lost_shape{
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8205_lost_shape_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8206_simplified_joint_file {
 
 extern constinit const Rule sml8206_simplified_joint{
     .id = "SML8206",
@@ -13,4 +13,4 @@ extern constinit const Rule sml8206_simplified_joint{
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8206_simplified_joint_file

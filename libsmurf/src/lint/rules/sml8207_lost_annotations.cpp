@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8207_lost_annotations_file {
 
 extern constinit const Rule sml8207_lost_annotations{
     .id = "SML8207",
@@ -14,4 +14,4 @@ extern constinit const Rule sml8207_lost_annotations{
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8207_lost_annotations_file

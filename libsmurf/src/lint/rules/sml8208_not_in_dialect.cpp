@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8208_not_in_dialect_file {
 
 extern constinit const Rule sml8208_not_in_dialect{
     .id = "SML8208",
@@ -14,4 +14,4 @@ extern constinit const Rule sml8208_not_in_dialect{
     .sources = "smurfs-flatten; MARS SMURFLoader.cpp, MarsSceneLoader.cpp, Phobos multiple.py.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8208_not_in_dialect_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8209_old_nodes_stand_still_file {
 
 extern constinit const Rule sml8209_old_nodes_stand_still{
     .id = "SML8209",
@@ -15,4 +15,4 @@ extern constinit const Rule sml8209_old_nodes_stand_still{
     .sources = "MARS NodeData.cpp:98-286, Load.cpp:228-268.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8209_old_nodes_stand_still_file

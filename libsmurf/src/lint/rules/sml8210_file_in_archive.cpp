@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8210_file_in_archive_file {
 
 extern constinit const Rule sml8210_file_in_archive{
     .id = "SML8210",
@@ -15,4 +15,4 @@ extern constinit const Rule sml8210_file_in_archive{
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8210_file_in_archive_file

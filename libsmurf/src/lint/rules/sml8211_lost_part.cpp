@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8211_lost_part_file {
 
 extern constinit const Rule sml8211_lost_part{
     .id = "SML8211",
@@ -17,4 +17,4 @@ extern constinit const Rule sml8211_lost_part{
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8211_lost_part_file

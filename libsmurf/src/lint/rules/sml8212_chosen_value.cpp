@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml8212_chosen_value_file {
 
 extern constinit const Rule sml8212_chosen_value{
     .id = "SML8212",
@@ -15,4 +15,4 @@ extern constinit const Rule sml8212_chosen_value{
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml8212_chosen_value_file

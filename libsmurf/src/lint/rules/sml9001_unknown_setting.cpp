@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml9001_unknown_setting_file {
 
 extern constinit const Rule sml9001_unknown_setting{
     .id = "SML9001",
@@ -12,4 +12,4 @@ extern constinit const Rule sml9001_unknown_setting{
     .remedy = "Write the suggested key, or delete it.",
     .sources = "smurf-lint."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml9001_unknown_setting_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml9002_wrong_setting_file {
 
 extern constinit const Rule sml9002_wrong_setting{
     .id = "SML9002",
@@ -13,4 +13,4 @@ extern constinit const Rule sml9002_wrong_setting{
     .remedy = "Write a value of the kind that the message names; `--list-rules` shows the rules.",
     .sources = "smurf-lint."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml9002_wrong_setting_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml9011_broken_schema_file {
 
 extern constinit const Rule sml9011_broken_schema{
     .id = "SML9011",
@@ -14,4 +14,4 @@ extern constinit const Rule sml9011_broken_schema{
               "`#/definitions/NAME` of the same file.",
     .sources = "JSON Schema draft-07; limits of these tools."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml9011_broken_schema_file

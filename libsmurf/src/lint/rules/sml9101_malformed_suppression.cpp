@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml9101_malformed_suppression_file {
 
 extern constinit const Rule sml9101_malformed_suppression{
     .id = "SML9101",
@@ -15,4 +15,4 @@ extern constinit const Rule sml9101_malformed_suppression{
         "must name the rules.",
     .sources = "smurf-lint, docs/integrations.md"};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml9101_malformed_suppression_file

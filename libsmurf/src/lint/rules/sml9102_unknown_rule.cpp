@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml9102_unknown_rule_file {
 
 extern constinit const Rule sml9102_unknown_rule{
     .id = "SML9102",
@@ -12,4 +12,4 @@ extern constinit const Rule sml9102_unknown_rule{
     .remedy = "Name the rule as the report does: by its id or its name.",
     .sources = "smurf-lint --list-rules"};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml9102_unknown_rule_file

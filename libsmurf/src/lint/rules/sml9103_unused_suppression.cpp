@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml9103_unused_suppression_file {
 
 extern constinit const Rule sml9103_unused_suppression{
     .id = "SML9103",
@@ -13,4 +13,4 @@ extern constinit const Rule sml9103_unused_suppression{
     .remedy = "Remove the comment; `--fix` does it.",
     .sources = "smurf-lint"};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml9103_unused_suppression_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml9104_malformed_baseline_file {
 
 extern constinit const Rule sml9104_malformed_baseline{
     .id = "SML9104",
@@ -12,4 +12,4 @@ extern constinit const Rule sml9104_malformed_baseline{
     .remedy = "Write it again with `smurf-lint --generate-baseline`.",
     .sources = "smurf-lint"};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml9104_malformed_baseline_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml9105_stale_baseline_entry_file {
 
 extern constinit const Rule sml9105_stale_baseline_entry{
     .id = "SML9105",
@@ -13,4 +13,4 @@ extern constinit const Rule sml9105_stale_baseline_entry{
     .remedy = "Write the baseline again with `smurf-lint --generate-baseline`.",
     .sources = "smurf-lint"};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml9105_stale_baseline_entry_file
