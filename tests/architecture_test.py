@@ -67,7 +67,7 @@ UNPORTABLE = {
 REPLACEMENTS = {"base/ranges.hpp", "base/bits.hpp", "base/exact_math.hpp", "base/exact_math.cpp", "base/floating.cpp"}
 # Headers of a system, and the only files that include them. std::filesystem behaves differently on Windows than
 # base/places.hpp.
-SYSTEM_HEADERS = re.compile(r"(dirent|fcntl|io|poll|shellapi|unistd|windows|winioctl)\.h|sys/.*\.h|filesystem")
+SYSTEM_HEADERS = re.compile(r"(dirent|fcntl|io|poll|shellapi|signal|unistd|windows|winioctl)\.h|sys/.*\.h|filesystem")
 SYSTEM_FILES = re.compile(r"src/base/(places_posix\.cpp|system(_posix|_windows)?\.[ch]pp|windows_paths\.cpp)|"
                           r"tools/common/process_(posix|windows)\.cpp|tools/smurf-load-check/")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -75,17 +75,22 @@ def from_folder(folder, module_folder):
     return programs, {MODULE: module.read_bytes()} if module.is_file() else {}
 
 
+LARGEST = 200_000_000  # bytes of an archive of a release; they have a quarter of it
+
+
 def from_release(archive, sum_):
     base = os.environ.get("SMURF_RELEASES") or f"{homepage()}/releases/download/v{version()}"
     url = f"{base.rstrip('/')}/{archive}"
     say(f"takes the programs of the release, {url}")
     try:
         with urllib.request.urlopen(url, timeout=60) as answer:
-            content = answer.read()
+            content = answer.read(LARGEST + 1)
     except OSError as problem:
         raise NoPrograms(f"cannot download {url}: {problem}\n"
                          "SMURF_RELEASES=URL names another place that has it, SMURF_PREBUILT=FOLDER a folder with the "
                          "programs; SMURF_FROM_SOURCE=1 compiles them here") from problem
+    if len(content) > LARGEST:
+        raise NoPrograms(f"{url} is not what was released: it has more than {LARGEST} bytes. Nothing was installed")
     if hashlib.sha256(content).hexdigest() != sum_:
         raise NoPrograms(f"{url} is not what was released: its sha256 is {hashlib.sha256(content).hexdigest()}, not {sum_}. "
                          "Nothing was installed")

@@ -12,12 +12,11 @@
 """
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import sysconfig
 
-from .try_all import try_all
+from .try_all import find_on_path, try_all
 
 PROGRAMS = {
     "lint": "smurf-lint",
@@ -40,7 +39,7 @@ def find_program(name):
     for program in folders:
         if program.is_file() and os.access(program, os.X_OK):
             return str(program)
-    return shutil.which(name)
+    return find_on_path(name)
 
 
 def main(arguments):
@@ -48,10 +47,7 @@ def main(arguments):
         print(__doc__.strip())
         return 0 if arguments else 2
     if arguments[0] == "try-all":
-        lint = find_program("smurf-lint")
-        if lint is not None:
-            os.environ["PATH"] = os.path.dirname(lint) + os.pathsep + os.environ.get("PATH", "")
-        return try_all(arguments[1:])
+        return try_all(arguments[1:], find_program)
     name = PROGRAMS.get(arguments[0])
     if name is None:
         commands = ", ".join([*PROGRAMS, "try-all"])

@@ -13,13 +13,7 @@
 namespace smurf::python {
 
 Report check_owned(Owner& owner) {
-  const auto check = [&](auto& loaded) {
-    const DiagnosticSink found = loaded.found;  // which a check takes away
-    Report report = owner.session->check(loaded);
-    loaded.found = found;
-    return report;
-  };
-  return owner.model ? check(*owner.model) : check(*owner.scene);
+  return owner.model ? owner.session->check(*owner.model) : owner.session->check(*owner.scene);
 }
 
 void refuse_errors(Owner& owner, const std::string& path,

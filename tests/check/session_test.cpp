@@ -110,12 +110,41 @@ TEST_CASE("six lines check a model") {
   CHECK(report.summary.models == 1);
 }
 
-TEST_CASE("a path that cannot be checked is a problem, not a finding") {
+TEST_CASE("a path that cannot be read is a finding") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "robots");
   Session session;
-  const Report report = session.check("/nowhere/arm.smurf");
-  CHECK(report.diagnostics.empty());
-  REQUIRE(report.problems.size() == 1);
-  CHECK(report.problems[0] == "cannot read '/nowhere/arm.smurf': No such file or directory");
+  for (const std::string name : {"arm.smruf", "arm.smurf", "s.smurfs"}) {
+    const Report report = session.check(folder / name);
+    REQUIRE(report.diagnostics.size() == 1);
+    CHECK(report.diagnostics[0].rule->id == "SML0001");
+    CHECK(report.diagnostics[0].message == "there is no file `" + (folder / name) + "`");
+    CHECK(render_concise(report.diagnostics[0], session.sources()).find(name) != std::string::npos);
+  }
+  const Report report = session.check(folder / "robots");
+  REQUIRE(report.diagnostics.size() == 1);
+  CHECK(report.diagnostics[0].message == "cannot read `" + (folder / "robots") + "`: is a folder");
+}
+
+TEST_CASE("a loaded model is checked again with the same result") {
+  MemoryFiles files;
+  files.add(
+      "/r.urdf",
+      "<robot name='r'><link name='a'><inertial><mass value='1 kg'/></inertial></link></robot>");
+  files.add("/s.smurfs", "entities:\n- {name: e, type: urdf, file: r.urdf, x: 1}\n- 3\n");
+  Session session(files);
+  const auto check = [&](auto& loaded) {
+    const Report report = session.check(loaded);
+    return text_of(report, session.sources());
+  };
+  LoadedModel model = session.load_model("/r.urdf");
+  const std::string first = check(model);
+  CHECK(first.find("SML1801") != std::string::npos);  // found while reading
+  CHECK(check(model) == first);
+  LoadedScene scene = session.load_scene("/s.smurfs");
+  const std::string of_scene = check(scene);
+  CHECK(of_scene.find("SML4001") != std::string::npos);
+  CHECK(check(scene) == of_scene);
 }
 
 TEST_CASE("targets are applied once") {

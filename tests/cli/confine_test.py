@@ -150,11 +150,48 @@ class Confine(cli.CliTest):
                     self.assertNotIn("the_secret", found)
         # A model in the home folder itself reads only files that are not hidden.
         self.write("a/.hidden.yml", SECRET)
-        for name, is_read in (("visible.yml", True), (".hidden.yml", False), (".ssh/id.yml", False), ("b/r.yml", False)):
+        for name, is_read in (("visible.yml", True), (".hidden.yml", False), (".ssh/id.yml", False), ("b/r.yml", True), ("b/.r.yml", False)):
             self.write("a/b/r.yml", SECRET)
+            self.write("a/b/.r.yml", SECRET)
             self.write("a/r.smurf", f"files: [{name}]\n")
             found = self.expect(1, "--isolated", "--format", "concise", self.folder / "a/r.smurf", cwd="/", environment=home).stdout
             self.assertEqual("the_secret" in found, is_read, name)
+
+    def test_meshes_below_a_shared_folder(self):
+        """A model in the home folder, or in a folder of a container such as /workspace, with its meshes."""
+        home = {"HOME": str(self.folder / "a")}
+        self.write("a/r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="meshes/m.stl"/></geometry></visual>'
+                               '</link></robot>')
+        self.write("a/meshes/m.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                                     "endloop\nendfacet\nendsolid a\n")
+        for cwd in (self.folder / "a", self.folder, "/"):
+            found = self.run_tool("--isolated", "--format", "concise", self.folder / "a/r.urdf", cwd=cwd, environment=home)
+            self.assertNotIn("outside of the project", found.stdout)
+        # Homes of other users are not read.
+        self.write("r.urdf", self.folder.joinpath("a/r.urdf").read_text().replace("meshes/", "b/meshes/"))
+        self.write("b/meshes/m.stl", "secret")
+        found = self.run_tool("--isolated", "--format", "concise", self.folder / "r.urdf", cwd="/", environment=home)
+        self.assertIn("outside of the project", found.stdout)
+
+    def test_what_was_not_looked_at_is_not_known(self):
+        self.write("far/m.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                                "endloop\nendfacet\nendsolid a\n")
+        shapes = "".join(f'<{kind}><geometry><mesh filename="m.stl"/></geometry></{kind}>' for kind in ("visual", "collision"))
+        self.write("a/b/project/r.urdf", f'<robot name="r"><link name="l">{shapes}</link></robot>')
+        (self.project / "m.stl").symlink_to(self.folder / "far/m.stl")
+        done = self.run_tool("--isolated", "--target", "mujoco,dart,ros", self.project / "r.urdf", cwd=self.project)
+        self.assertIn("lies outside of the project", done.stdout)
+        self.assertNotIn("fails to load", done.stdout)
+        self.assertRegex(done.stdout, "mujoco +not known")
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_a_baseline_in_a_home_folder(self):
+        home = {"HOME": str(self.folder / "a")}
+        self.write("a/r.urdf", '<robot name="r"><link name="l"><inertial><mass value="-1"/></inertial></link></robot>')
+        self.run_tool("--generate-baseline", ".", cwd=self.folder / "a", environment=home)
+        self.write("a/.smurf-lint.yaml", "baseline: .smurf-lint-baseline.yaml\n")
+        done = self.run_tool(".", cwd=self.folder / "a", environment=home)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_a_repository_at_home_is_no_project(self):
         (self.folder / "a/.git").mkdir()

@@ -14,6 +14,7 @@ import stat
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
@@ -24,8 +25,8 @@ FIXABLE = f"""<robot name="r">
   {PADDING}
   <link name="a"/>
   <link name="b"/>
-  <joint name="j" type="fixed">
-    <parent link="a"/><child link="b"/><dynamics/>
+  <joint name="j" type="Fixed">
+    <parent link="a"/><child link="b"/>
   </joint>
 </robot>
 """
@@ -60,6 +61,13 @@ def can_mount():
     done = subprocess.run(["unshare", "-rm", "mount", "-t", "tmpfs", "none", "/mnt"],
                           capture_output=True, check=False) if shutil.which("unshare") else None
     return done is not None and done.returncode == 0
+
+
+def temporary_name(process, number=0):
+    """Of a file that a process writes; containers and machines have numbers of their own."""
+    space = os.readlink("/proc/self/ns/pid").strip("pid:[]")
+    boot = pathlib.Path("/proc/sys/kernel/random/boot_id").read_text(encoding="utf-8")[:8]
+    return f".smurf-{process}-{space}x{boot}-{number}.tmp"
 
 
 def can_be_nameless(folder):
@@ -202,13 +210,24 @@ class WritingTest(unittest.TestCase):
         """A killed process may have had any number, including that of this process."""
         for folder in {(self.target / path).parent for path in files}:
             for number in range(2):
-                (folder / f".smurf-$$-{number}.tmp").write_text("left over")
+                (folder / temporary_name("$$", number)).write_text("left over")
         rename = ("for f in $(find target -name '.smurf-*'); do mv \"$f\" "
                   "\"$(echo \"$f\" | sed \"s/[$][$]/$$/\")\"; done; exec \"$@\"")
         done = self.run_job(job, "sh", "-c", rename, "sh")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotEqual(self.texts(self.target)[next(iter(files))],
                             next(iter(files.values())))
+
+    @for_each_job
+    def test_left_overs_of_a_killed_run_are_removed(self, job, files):
+        with subprocess.Popen(["true"]) as ended:
+            ended.wait()
+        kept = {temporary_name(os.getpid()), ".smurf-notes.tmp", f".smurf-{ended.pid}-other-0.tmp"}
+        for folder in {(self.target / path).parent for path in files}:
+            for name in {temporary_name(ended.pid), *kept}:
+                (folder / name).write_text("left over")
+        self.assertEqual(self.run_job(job).returncode, 0)
+        self.assertEqual({path.name for path in self.target.rglob(".smurf-*")}, kept)
 
     @for_each_job
     def test_refused_result(self, job, files):
@@ -222,6 +241,78 @@ class WritingTest(unittest.TestCase):
         self.assertIn("1 error: see smurf-lint", done.stderr)
         self.assertIn("nothing was written", done.stderr)
         self.assertEqual(self.texts(self.target), files)
+
+    @unittest.skipUnless(shutil.which("strace"), "strace is not installed")
+    def test_an_edit_meanwhile_is_kept(self):
+        """An editor saves the file while --fix runs: in place, or as a new file."""
+        other = FIXABLE.replace('name="r"', 'name="saved"')
+        for names, saves_in_place in ((["a.urdf"], True), (["a.urdf", "b.urdf"], False)):
+            with self.subTest(names):
+                self.prepare({name: FIXABLE for name in names})
+                with subprocess.Popen(["strace", "-f", "-qq", "-e", "trace=fsync", "-e",
+                                       "inject=fsync:delay_enter=1500000", TOOLS / "smurf-lint", "--fix", *names],
+                                      cwd=self.target, stderr=subprocess.PIPE, stdout=subprocess.PIPE,
+                                      encoding="utf-8") as run:
+                    time.sleep(0.7)
+                    if saves_in_place:
+                        (self.target / "a.urdf").write_text(other)
+                    else:
+                        (self.target / "new").write_text(other)
+                        (self.target / "new").rename(self.target / "a.urdf")
+                    _, errors = run.communicate()
+                self.assertEqual(run.returncode, 2, errors)
+                self.assertRegex(errors, "cannot write '.*a.urdf': another program has changed it meanwhile")
+                self.assertEqual((self.target / "a.urdf").read_text(), other)
+                for name in names[1:]:
+                    self.assertEqual((self.target / name).read_text(), FIXABLE)
+                self.assertEqual(sorted(path.name for path in self.target.iterdir()), names)
+
+    def test_every_way_to_name_a_place(self):
+        """Each tool writes the same wherever it is run, and however the place is named."""
+        work = self.folder / "work"
+        (work / "inner").mkdir(parents=True)
+        (work / "r.urdf").write_text('<robot name="r"><link name="a"/></robot>\n')
+        (work / "broken.urdf").write_text(FIXABLE)
+        (work / "arm.smurf").write_text("modelname: r\nfiles: [r.urdf]\n")
+        (work / "s.smurfs").write_text("entities:\n- {name: e, type: urdf, file: r.urdf, anchor: world}\n")
+        commands = {
+            "urdf2smurf --in-place {}r.urdf": ["r.smurf"],
+            "urdf2smurf {}r.urdf -o {}.": ["smurf/r.smurf", "urdf/r.urdf"],
+            "urdf2smurf --flat {}r.urdf -o {}flat": ["flat/r.smurf", "flat/r.urdf"],
+            "smurf2urdf {}arm.smurf -o {}out.urdf --srdf {}out.srdf": ["out.urdf", "out.srdf"],
+            "smurfs-flatten {}s.smurfs -o {}out.json": ["out.json"],
+            "smurfs-flatten {}s.smurfs -o {}out.sdf --copy-assets {}assets": ["out.sdf"],
+            "smurf-lint --fix {}broken.urdf": ["broken.urdf"],
+            "smurf-lint --exit-zero -o {}report.json --format json {}r.urdf": ["report.json"],
+            "smurf-lint --baseline {}known.yaml --generate-baseline {}r.urdf": ["known.yaml"],
+            "smurf-diff -o {}diff.json --format json {}r.urdf {}broken.urdf": ["diff.json"],
+        }
+        ways = [(".", ""), (".", "./"), ("inner", "../"), ("..", "work/"), (".", f"{work}/"), ("/", f"{work}/"),
+                (".", "inner/../")]
+        for command, outputs in commands.items():
+            program, *arguments = command.split()
+            for cwd, way in ways:
+                with self.subTest(command=command, cwd=cwd, way=way):
+                    copy = self.folder / "copy"
+                    shutil.rmtree(copy, ignore_errors=True)
+                    shutil.copytree(work, copy)
+                    words = [word.format(way.replace(str(work), str(copy)).replace("work/", "copy/")) for word in arguments]
+                    done = subprocess.run([TOOLS / program, *words], cwd=copy / cwd, capture_output=True, encoding="utf-8",
+                                          check=False)
+                    self.assertIn(done.returncode, (0, 1) if program == "smurf-diff" else (0,), done.stderr)
+                    for name in outputs:
+                        self.assertTrue((copy / name).is_file(), f"{name}: {done.stderr}")
+                    self.assertEqual([path.name for path in copy.rglob(".smurf-*")], [])
+
+    def test_runs_at_once(self):
+        """All end well; the folder has the files of one of them."""
+        command = [TOOLS / "urdf2smurf", self.folder / "in/urdf/arm.urdf", "-o", "out", "--overwrite"]
+        for _ in range(5):
+            shutil.rmtree(self.folder / "out", ignore_errors=True)
+            runs = [subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, encoding="utf-8")
+                    for _ in range(20)]
+            errors = [run.communicate()[1] for run in runs]
+            self.assertEqual([text for run, text in zip(runs, errors) if run.returncode != 0], [])
 
     def test_closed_pipe(self):
         commands = {"smurf2urdf": ["in/smurf/arm.smurf"],

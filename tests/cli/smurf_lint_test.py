@@ -38,6 +38,38 @@ MORE = ("\nsmurf-lint --explain SML3101, or "
         "https://smurf-tools.github.io/smurf/0.1.0/rules/SML3101/\n")
 
 
+class LostFiles(LintTest):
+    """A file without any effect is an error, so that a CI run with the usual options fails."""
+
+    def test_scenes(self):
+        entity = "- {name: a, type: urdf, file: r.urdf}\n"
+        self.write("r.urdf", '<robot name="r"><link name="a"/></robot>')
+        for key, id_ in (("entites", "SML4005"), ("entitys", "SML4005"), ("smurfss", "SML4005")):
+            self.write("s.smurfs", f"{key}:\n{entity}")
+            self.assertIn(f"error[{id_}]", self.expect(1, "s.smurfs").stdout)
+            self.write("s.smurfs", f"entities:\n{entity}{key}:\n{entity}")
+            self.assertNotIn("error", self.run_tool("s.smurfs").stdout)
+
+    def test_sections(self):
+        entry = "- {name: elbow, joint: elbow, type: PID, maxEffort: 1.0, maxSpeed: 1.0}\n"
+        for key, id_ in (("motor", "SML2015"), ("Motors", "SML2016"), ("motros", "SML2016")):
+            self.write_model(motors=f"{key}:\n{entry}")
+            self.assertIn(f"error[{id_}]", self.expect(1, "arm/smurf/arm.smurf").stdout)
+        self.write_model(motors=f"motor:\n{entry}materials: [{{name: m}}]\n")
+        self.assertIn("error[SML2015]", self.expect(1, "arm/smurf/arm.smurf").stdout)
+        self.write_model(motors=f"motors:\n{entry}sensor:\n- {{name: s, type: Joint6DOF, link: base}}\n")
+        self.assertNotIn("error[SML2015]", self.run_tool("arm/smurf/arm.smurf").stdout)
+
+
+class BrokenMeshes(LintTest):
+    def test_a_mesh_of_a_visual_and_a_collision_is_judged_as_both(self):
+        """MuJoCo drops visuals, but not the same mesh in a collision."""
+        self.write("m.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0")
+        shapes = "".join(f'<{kind}><geometry><mesh filename="m.stl"/></geometry></{kind}>' for kind in ("visual", "collision"))
+        self.write("r.urdf", f'<robot name="r"><link name="l">{shapes}</link></robot>')
+        self.assertRegex(self.expect(1, "--target", "mujoco", "r.urdf").stdout, "mujoco +fails to load")
+
+
 class CalmReports(LintTest):
     """The report for people: the worst findings first, and not too many."""
 
@@ -277,7 +309,16 @@ class Fixes(LintTest):
         link = '<link name="{}"/><joint name="j{}" type="fixed"><axis xyz="0 0 1"/><parent link="{}"/><child link="{}"/></joint>'
         self.write("r.urdf", '<robot name="r"><link name="l0"/>' + "".join(
             link.format(f"l{i + 1}", i, f"l{i}", f"l{i + 1}") for i in range(5)) + "</robot>")
-        self.assertIn("fixed 1 finding at 5 places in 1 file\n", self.expect(0, "--fix", "r.urdf").stdout)
+        before = self.read("r.urdf")
+        # It is an info, which only --min-severity shows: nobody would know why the axes are gone.
+        done = self.expect(0, "--fix", "r.urdf")
+        self.assertNotIn("fixed", done.stdout)
+        self.assertNotIn("fixable", done.stdout)
+        self.assertEqual(self.read("r.urdf"), before)
+        self.assertEqual(self.expect(0, "--diff", "r.urdf").stdout, "")
+        self.assertIn("1 fixable with `--fix`", self.expect(0, "--min-severity", "info", "r.urdf").stdout)
+        self.assertIn("fixed 1 finding at 5 places in 1 file\n",
+                      self.expect(0, "--fix", "--min-severity", "info", "r.urdf").stdout)
 
     def test_fix_only(self):
         self.write_model(motors=BROKEN_MOTORS, urdf=URDF.replace('type="continuous"', 'type="Continuous"'))
@@ -344,6 +385,48 @@ class Fixes(LintTest):
         self.write("r.smurf", pose.replace(", j: 1", ""))
         self.run_tool("--fix-only", "--unsafe-fixes", "r.smurf")
         self.assertEqual(self.read("r.smurf"), pose.replace("jj: 90, j: 1", "j: 90"))
+
+    def test_no_suggestion_is_the_thing_itself(self):
+        """What is meant is another thing, also where both are equally near."""
+        joint = ('<joint name="{0}" type="continuous"><parent link="{1}"/><child link="{2}"/>{3}</joint>')
+        mimic = '<mimic joint="{}"/>'
+
+        def robot(wrong, *names):
+            links = "".join(f'<link name="l{i}"/>' for i in range(len(names) + 1))
+            return f'<robot name="r">{links}' + "".join(
+                joint.format(name, f"l{i}", f"l{i + 1}", mimic.format(wrong) if i == 0 else "")
+                for i, name in enumerate(names)) + "</robot>"
+
+        for text, meant in ((robot("right_fingr", "right_finger", "drive"), None),
+                            (robot("Panda_finger_joint2", "panda_finger_joint2", "panda_finger_joint1"), "panda_finger_joint1"),
+                            (robot("finger_joi", "finger_joint", "finger_joing"), "finger_joing")):
+            self.write("r.urdf", text)
+            found = [d for d in json.loads(self.run_tool("--format", "json", "r.urdf").stdout)["diagnostics"]
+                     if d["id"] == "SML1432"]
+            self.assertEqual([d.get("help", "") for d in found], [f"did you mean `{meant}`?" if meant else ""])
+        self.write("r.urdf", robot("b", "a", "b"))
+        motor = "- {{name: {0}, joint: {0}, type: DC, maxEffort: 1, maxSpeed: 1{1}}}\n"
+        self.write("r.smurf", "files: [r.urdf]\nmotors:\n" + motor.format("a", ", mimic_motor: drive") + motor.format("b", ""))
+        self.write("r.urdf", self.read("r.urdf").replace('name="a"', 'name="driver"'))
+        self.write("r.smurf", self.read("r.smurf").replace("name: a, joint: a", "name: driver, joint: driver"))
+        before = self.read("r.smurf")
+        self.run_tool("--fix-only", "--unsafe-fixes", "r.smurf")
+        self.assertEqual(self.read("r.smurf"), before)
+        scene = ("entities:\n- {name: table, type: urdf, file: r.urdf, parent: \"tabel::l0\"}\n"
+                 "- {name: lamp, type: urdf, file: r.urdf, anchor: \"lmap::l0\"}\n")
+        self.write("s.smurfs", scene)
+        self.run_tool("--fix-only", "--unsafe-fixes", "s.smurfs")
+        self.assertEqual(self.read("s.smurfs"), scene)
+        # A ring: from the end of the chain back to its middle.
+        chain = "".join(joint.format(f"j{i}", f"link_{c}", f"link_{d}", "") for i, (c, d) in
+                        enumerate([("a", "b"), ("b", "c"), ("c", "d")]))
+        links = "".join(f'<link name="link_{c}"/>' for c in "abcd")
+        for end in ('<parent link="link_a"/>', '<child link="link_d"/>'):
+            wrong = end.replace("link_", "linkk_").replace("a\"", "c\"").replace("d\"", "b\"")
+            self.write("r.urdf", f'<robot name="r">{links}{chain.replace(end, wrong)}</robot>')
+            self.run_tool("--fix-only", "--unsafe-fixes", "r.urdf")
+            ids = [d["id"] for d in json.loads(self.run_tool("--format", "json", "r.urdf").stdout)["diagnostics"]]
+            self.assertIn("SML1201", ids)
 
     def test_diff_of_many_lines(self):
         """Changes at the ends, adjacent, separate, and more than are compared at once."""
@@ -506,12 +589,12 @@ class FixedJoint(LintTest):
     def test_only_the_axis_is_deleted_safely(self):
         """Authors who fix a joint temporarily want its limits back later."""
         self.write("a.urdf", self.URDF)
-        self.expect(0, "--fix", "a.urdf")
+        self.expect(0, "--fix", "--min-severity", "info", "a.urdf")
         text = (self.folder / "a.urdf").read_text()
         self.assertNotIn("<axis", text)
         self.assertIn("<limit", text)
         self.assertIn("<dynamics", text)
-        self.expect(0, "--fix", "--unsafe-fixes", "a.urdf")
+        self.expect(0, "--fix", "--unsafe-fixes", "--min-severity", "info", "a.urdf")
         self.assertNotIn("<limit", (self.folder / "a.urdf").read_text())
 
 
@@ -548,7 +631,7 @@ class Suggestions(LintTest):
     def test_a_child_is_a_link_without_a_joint(self):
         self.assertEqual(self.help_of("Z_propeller"), ("did you mean `top_propeller`, to which no joint leads?", 1))
         self.assertEqual(self.help_of("mst"), ("did you mean `mast`?", 1))
-        self.assertEqual(self.help_of("bse"), ("did you mean `base`?", 0))  # the joint would lead to its own parent
+        self.assertEqual(self.help_of("bse"), (None, 0))  # the joint would lead to its own parent
 
     def test_of_equally_near_names_none_is_suggested(self):
         self.assertEqual(self.help_of("mast", "FX_propeller"), (None, 0))

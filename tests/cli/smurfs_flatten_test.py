@@ -194,12 +194,31 @@ class Output(FlattenTest):
         done = self.run_tool("outer.smurfs", "--fail-on", "warning")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
 
+    def test_a_form_that_names_files_is_judged_by_what_it_writes(self):
+        links = "".join(f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="base"/><child link="l{i}"/></joint>'
+                        for i in range(100))
+        self.write("large.urdf", '<robot name="r"><link name="base"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" '
+                   f'ixy="0" ixz="0" iyz="0"/></inertial></link>{links}</robot>')
+        self.write("many.smurfs", "entities:\n" + "".join(
+            f"- {{name: e{i}, type: urdf, file: large.urdf, position: [{i}, 0, 0]}}\n" for i in range(50)))
+        limit = "--limit", "scene-bytes=200000"
+        done = self.run_tool("many.smurfs", "--format", "sdf", "--form", "expand", *limit)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("SML5022", done.stderr)
+        done = self.run_tool("many.smurfs", "--format", "sdf", "--form", "reference", *limit)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertLess(len(done.stdout), 200000)
+
     def test_says_what_it_wrote(self):
         wrote = "smurfs-flatten: wrote flat.json: 2 instances of 1 model\n"
         self.assertEqual(self.run_tool("scene.smurfs", "-o", "flat.json").stderr, wrote)
         self.assertEqual(self.run_tool("scene.smurfs", "-o", "flat.json", "--quiet").stderr, "")
         self.assertEqual(self.run_tool("scene.smurfs").stderr, "")
-        self.assertIn("wrote d.dmd and package.xml: 2 instances", self.run_tool("scene.smurfs", "-o", "d.dmd").stderr)
+        told = self.run_tool("scene.smurfs", "-o", "d.dmd").stderr
+        self.assertIn("wrote d.dmd: 2 instances of 1 model\n", told)
+        self.assertIn('package_map().Add("scene", ".")', " ".join(told.split()))
+        # It would widen what later runs may read.
+        self.assertFalse((self.folder / "package.xml").exists())
         self.assertIn("cannot write 'no/flat.json': there is no folder 'no'",
                       self.run_tool("scene.smurfs", "-o", "no/flat.json").stderr)
 
@@ -207,7 +226,8 @@ class Output(FlattenTest):
         self.write("empty.smurfs", "entites:\n- {name: A, file: models/box.urdf}\n")
         done = self.run_tool("empty.smurfs", "-o", "e.sdf", "-q")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
-        self.assertIn("'empty.smurfs' has no `entities`; see --force; nothing was written", done.stderr)
+        self.assertIn("error[SML4005]", done.stderr)
+        self.assertIn("see --force; nothing was written", done.stderr)
         self.assertEqual(self.run_tool("empty.smurfs", "-o", "e.sdf", "--force").returncode, 0)
         for text in ("entities: []", "physics: {gravity: {x: 0, y: 0, z: -1}}"):
             self.write("empty.smurfs", text)

@@ -756,6 +756,40 @@ class Action(StrangerTest):
                                   capture_output=True, text=True, timeout=60, check=False)
             self.assertEqual((done.returncode, done.stdout.splitlines()), (0, [*head, "--", *wanted]), done.stderr)
 
+    def test_a_package_is_an_input(self):
+        """It decides which files a model may name."""
+        self.write("p/package.xml", "<package><name>p</name></package>\n")
+        self.write("p/m.stl", MESH)
+        self.write("p/a.urdf", urdf("package://p/m.stl"))
+        (self.project / "out").symlink_to("p/package.xml")
+        for output in ("out", "p/package.xml"):
+            done = self.expect(2, "smurf-lint", "-o", output, "p/a.urdf")
+            self.assertIn("is an input of this run", done.stderr)
+            self.assertEqual((self.project / "p/package.xml").read_text(), "<package><name>p</name></package>\n")
+
+    def test_try_all_runs_nothing_of_the_checkout(self):
+        """Neither a program in the current folder nor a module, whatever the variables of a shell say."""
+        for name in ("smurf-lint", "smurf2urdf", "smurf-lint.exe"):
+            self.write(name, "#!/bin/sh\ntouch hacked\n")
+            (self.project / name).chmod(0o755)
+        for name in ("encodings.py", "sitecustomize.py", "subprocess.py", "runpy.py"):
+            self.write(name, "open('hacked', 'w')\n")
+        self.write("r.urdf", urdf())
+        self.write("r.smurf", "modelname: r\nfiles: [r.urdf]\n")
+        script = ROOT / "python/smurf/try_all.py"
+        for path in ("", ".", f".{os.pathsep}{self.project.name}"):
+            variables = {**os.environ, "PYTHONPATH": ".", "PYTHONSTARTUP": "sitecustomize.py",
+                         "PATH": os.pathsep.join([path, str(TOOLS), os.environ["PATH"]])}
+            done = subprocess.run([script, "smurf2urdf"], cwd=self.project, env=variables, capture_output=True, text=True,
+                                  check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertFalse((self.project / "hacked").exists())
+        done = subprocess.run([script, "smurf2urdf"], cwd=self.project, env={**os.environ, "PATH": f".{os.pathsep}/usr/bin"},
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("smurf-lint is not on PATH", done.stderr)
+        self.assertFalse((self.project / "hacked").exists())
+
     def test_operands_are_no_options(self):
         self.write("--output=x.urdf", urdf())
         for tool in ("smurf-lint", "smurfs-flatten", "smurf2urdf"):

@@ -71,17 +71,6 @@ class Directives(reader.ReaderTest):
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stderr.count("treats its link `world` as the world"), 3)
 
-    def test_the_package_is_written(self):
-        self.write("s.smurfs", "entities:\n- {name: B, type: primitive, geometry: {type: box}}\n")
-        self.assertEqual(self.directives("s.smurfs"), [])
-        self.assertIn("<name>scene</name>", (self.folder / "package.xml").read_text())
-        self.assertEqual(self.run_tool("s.smurfs", "--format", "dmd", "-o", "out.dmd").returncode, 0)
-        self.write("package.xml", "<package><name>mine</name></package>")
-        done = self.run_tool("s.smurfs", "--format", "dmd", "-o", "other.dmd")
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("another file is there", done.stderr)
-        self.assertFalse((self.folder / "other.dmd").exists())
-
 
 if __name__ == "__main__":
     reader.main()

@@ -3,7 +3,18 @@
 
 #include <doctest/doctest.h>
 
-using smurf::render::line_hashes;
+using smurf::render::LineHashes;
+
+namespace {
+
+std::vector<std::string> line_hashes(std::string_view text) {
+  const LineHashes hashes(text);
+  std::vector<std::string> all;
+  for (std::size_t line = 0; line < hashes.size(); ++line) all.push_back(hashes.of(line));
+  return all;
+}
+
+}  // namespace
 
 TEST_CASE("line hashes are those of GitHub code scanning") {
   using Hashes = std::vector<std::string>;

@@ -111,22 +111,27 @@ TEST_CASE("files: confined to a folder") {
   CHECK(files.read(folder / "out", 99).text == "out");
 }
 
-TEST_CASE("files: confined to the files in a folder, and to those of a name") {
+TEST_CASE("files: confined to the visible files in a folder, and to those of a name") {
   const test::TemporaryFolder folder;
   std::filesystem::create_directories(folder / "home/work/deep");
-  for (const char* name : {"home/a", "home/.b", "home/work/a", "home/work/deep/rules", "rules"}) {
+  std::filesystem::create_directories(folder / "home/.ssh/deep");
+  for (const char* name :
+       {"home/a", "home/.b", "home/work/a", "home/work/.c", "home/.ssh/deep/rules", "rules"}) {
     std::ofstream(folder / name) << name;
   }
   ConfinedFiles files;
   files.allow_files_in(folder / "home");
   CHECK(files.read(folder / "home/a", 99).text == "home/a");
   CHECK(files.list(folder / "home") == Names{"a", "work"});
-  for (const char* name : {"home/.b", "home/work/a", "home/work/deep/rules", "rules"}) {
+  CHECK(files.read(folder / "home/work/a", 99).text == "home/work/a");
+  CHECK(files.list(folder / "home/work") == Names{"a", "deep"});
+  for (const char* name : {"home/.b", "home/work/.c", "home/.ssh/deep/rules", "rules"}) {
+    CAPTURE(name);
     CHECK(files.read(folder / name, 99).status == ReadStatus::denied);
   }
-  CHECK(files.list(folder / "home/work").empty());
+  CHECK(files.list(folder / "home/.ssh").empty());
   files.allow_named("rules", folder / "home");
-  CHECK(files.read(folder / "home/work/deep/rules", 99).status == ReadStatus::ok);
+  CHECK(files.read(folder / "home/.ssh/deep/rules", 99).status == ReadStatus::ok);
   CHECK(files.read(folder / "rules", 99).status == ReadStatus::denied);
 }
 

@@ -75,6 +75,55 @@ TEST_CASE("suggest: the band changes nothing") {
   }
 }
 
+TEST_CASE("suggest: an index changes nothing") {
+  MESSAGE("seed " << test::seed());
+  test::Random random;
+  const auto word = [&](std::size_t most) {
+    std::string text;
+    for (std::size_t size = 1 + random.below(most); size > 0; --size)
+      text += "abA1_"[random.below(5)];
+    return text;
+  };
+  for (int round = 0; round < 30; ++round) {
+    const std::size_t longest = 2 + random.below(11);
+    std::vector<std::string> names;
+    for (int i = 0; i < 150; ++i) names.push_back(word(longest));
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    std::uint64_t steps = 1'000'000'000;  // of one sink, which searches again and again
+    for (int search = 0; search < 60; ++search) {
+      const std::string name =
+          random.below(2) == 0 ? word(longest) : names[random.below(150)] + "a";
+      CAPTURE(name);
+      CHECK(only_nearest(name, known, steps) == only_nearest(name, known));
+    }
+  }
+}
+
+TEST_CASE("suggest: many misspelt names of many take linear time") {
+  const auto steps_for = [](int count) {
+    std::vector<std::string> names;
+    for (int i = 0; i < count; ++i) names.push_back("link_" + std::to_string(i));
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    constexpr std::uint64_t kSteps = 1'000'000'000;
+    std::uint64_t steps = kSteps;
+    for (int i = 0; i < count; ++i) {
+      const auto near = only_nearest("lnk_" + std::to_string(i), known, steps);
+      CHECK((near && *near == names[static_cast<std::size_t>(i)]));
+    }
+    return kSteps - steps;
+  };
+  CHECK(steps_for(20000) < 15 * steps_for(2000));
+}
+
+TEST_CASE("suggest: not the thing itself") {
+  const std::vector<std::string_view> known = {"finger_joint", "finger_joing", "drive"};
+  CHECK(!only_nearest("finger_joi", known));
+  const auto others = without_own("finger_joi", "finger_joint", known);
+  REQUIRE(others);
+  CHECK(only_nearest("finger_joi", *others) == "finger_joing");
+  CHECK(!without_own("finger_joi", "drive", known));
+}
+
 TEST_CASE("suggest: the nearest name") {
   const std::vector<std::string_view> known = {"shoulder", "elbow", "elbow_2", "wrist", "EE"};
   struct Row {
@@ -102,7 +151,7 @@ TEST_CASE("suggest: the nearest name") {
   CHECK(!nearest(std::string(100000, 'a'), known));
 }
 
-TEST_CASE("suggest: one bound for all suggestions of a sink, and a finding that tells of it") {
+TEST_CASE("suggest: one bound for all suggestions of a sink, and a note that tells of it") {
   const std::vector<std::string_view> known = {"elbow", "shoulder"};
   DiagnosticSink sink(10'000, 1000);
   int suggested = 0;
@@ -113,10 +162,12 @@ TEST_CASE("suggest: one bound for all suggestions of a sink, and a finding that 
   CHECK(suggested > 1);
   CHECK(suggested < 100);
   const std::vector<Diagnostic> all = sink.take();
-  REQUIRE(all.size() == 101);
-  CHECK(all.back().rule->id == "SML0002");
-  CHECK(all.back().severity == Severity::info);
-  CHECK(all.back().help_text == "raise the limit with `--limit suggestions=N`");
+  REQUIRE(all.size() == 100);
+  // The first finding without a suggestion tells it.
+  const Diagnostic& last = all[static_cast<std::size_t>(suggested)];
+  REQUIRE(last.notes.size() == 1);
+  CHECK(last.notes[0].starts_with("from here on, no names are suggested"));
+  CHECK(last.notes[0].ends_with("raise the limit with `--limit suggestions=N`"));
 }
 
 TEST_CASE("suggest: nothing for a finding that is left out") {

@@ -48,6 +48,7 @@ class FileSet {
     Written(int folder, std::string name) : file(folder, std::move(name)) {}
     NewFile file;
     std::string shown;
+    std::optional<std::string_view> old_text;  ///< that the replaced file must still have
     bool replaces = false;
     std::string backup;  ///< a hard link to the replaced file
     bool is_placed = false;
@@ -55,7 +56,10 @@ class FileSet {
 
   std::optional<Problem> prepare(const OutputFile& file, bool overwrite);
   std::optional<Problem> prepare_all(bool overwrite);
+  std::optional<Problem> place_all(bool is_final);
   std::optional<Problem> place(Written& written, bool is_last);
+  int take_place(Written& written, bool is_last);
+  static int link_backup(Written& written);
   /// `judged` is the expected path of the folder, without links.
   std::optional<Problem> open_folder(const OutputFile& file, const std::string& judged,
                                      int& folder);
@@ -64,6 +68,7 @@ class FileSet {
 
   const std::vector<OutputFile>& files_;
   MissingFolders missing_;
+  bool overwrites_ = false;
   std::set<std::pair<int, std::string>> names_;            ///< folder and name in lower case
   std::map<std::string, Descriptor> folders_;              ///< open, by path
   std::deque<Written> written_;                            ///< in the order of the files

@@ -121,6 +121,8 @@ void InputFiles::add(const std::string& path) const {
 bool InputFiles::contains(const std::string& path) const {
   sys::Status status{};
   if (sys::stat(path.c_str(), &status) != 0) return false;
+  // It decides which files a model may name.
+  if (path::file_name(places::canonical(path).value_or(path)) == "package.xml") return true;
   const std::lock_guard lock(mutex_);
   return known_.contains({status.st_dev, status.st_ino});
 }

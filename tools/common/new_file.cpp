@@ -45,11 +45,16 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
+std::string temporary_name(int process, std::string_view rest) {
+  static const std::string space = sys::process_space();
+  return ".smurf-" + std::to_string(process) + "-" + space + "-" + std::string(rest) + ".tmp";
+}
+
 int with_free_name(std::string& name, const std::function<int(const std::string& name)>& make) {
   int error = EEXIST;
   static std::atomic<unsigned> next = 0;  // thousands of files may be replaced in one folder
   for (int attempt = 0; attempt < 1000 && error == EEXIST; ++attempt) {
-    name = ".smurf-" + std::to_string(sys::getpid()) + "-" + std::to_string(next++) + ".tmp";
+    name = temporary_name(sys::getpid(), std::to_string(next++));
     error = make(name);
   }
   return error;

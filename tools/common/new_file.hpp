@@ -34,6 +34,9 @@ class Descriptor {
 /// Writes the whole text; 0 or an errno.
 int write_all(int descriptor, std::string_view text);
 
+/// The name of a temporary file, which says which process has made it.
+std::string temporary_name(int process, std::string_view rest);
+
 /// Calls `make` with names for temporary files until it returns something other than EEXIST, and
 /// returns that. Stores the last name in `name`.
 int with_free_name(std::string& name, const std::function<int(const std::string& name)>& make);
@@ -52,6 +55,9 @@ class NewFile {
   /// will be replaced and, as far as allowed, its owner and group; but not the setuid, setgid and
   /// sticky bits, which were given to the old content.
   int write(std::string_view text, const std::optional<sys::Status>& replaced);
+
+  /// After EEXIST: replaces the file that has appeared meanwhile.
+  void replace(const sys::Status& appeared) { replaced_ = appeared; }
 
   /// Returns 0 or an errno; EEXIST when another file has appeared meanwhile. Other names of a
   /// replaced file (hard links) keep the old content.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,8 @@ struct OutputFile {
   std::string path;    ///< relative to it, with names that others chose: links are not followed
   std::string_view text = {};
   std::string written_as = {};  ///< the user's name for both, if it is a single name
+  /// The text that the replaced file must still have; otherwise nothing is written.
+  std::optional<std::string_view> replaces = {};
   /// Makes the text just before it is written, so that memory never holds many large files.
   std::function<FileContent()> read = {};
 };

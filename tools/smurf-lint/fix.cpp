@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,16 @@ std::uint64_t cost_of(const Report& report, const SourceMap& sources) {
 bool has_left_out(const Report& report) {
   return std::any_of(report.diagnostics.begin(), report.diagnostics.end(),
                      [](const Diagnostic& one) { return one.left_out != nullptr; });
+}
+
+/// The sources that the fixes change, by path.
+std::map<std::string_view, SourceId> sources_of(const AppliedFixes& fixes,
+                                                const SourceMap& sources) {
+  std::map<std::string_view, SourceId> found;
+  for (const Edit& edit : fixes.edits) {
+    found.emplace(sources.path(edit.span.source), edit.span.source);
+  }
+  return found;
 }
 
 /// True if a path leads out of its project, so a symbolic link cannot redirect a fix.
@@ -85,8 +96,20 @@ class Changeable {
 
 }  // namespace
 
+namespace {
+
+/// The findings with fixes that are at least so severe.
+std::vector<Diagnostic> fixable(std::span<const Diagnostic> all, Severity least) {
+  std::vector<Diagnostic> found;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(found),
+               [&](const Diagnostic& one) { return !one.fixes.empty() && one.severity >= least; });
+  return found;
+}
+
+}  // namespace
+
 Fixed fix_all(const LintOptions& options, const LintPlan& plan, Session& session, Report report,
-              const std::function<Report()>& check) {
+              Severity least, const std::function<Report()>& check) {
   const Applicability most = options.unsafe_fixes ? Applicability::unsafe : Applicability::safe;
   Fixed fixed;
   fixed.report = std::move(report);
@@ -95,7 +118,8 @@ Fixed fix_all(const LintOptions& options, const LintPlan& plan, Session& session
   Changeable changeable(options, plan);
   for (int round = 0;; ++round) {
     changeable.keep_own(fixed.report.diagnostics, session.sources());
-    AppliedFixes applied = apply_fixes(fixed.report.diagnostics, session.sources(), most);
+    AppliedFixes applied =
+        apply_fixes(fixable(fixed.report.diagnostics, least), session.sources(), most);
     if (applied.texts.empty()) return fixed;
     if (counted == kRounds) {
       fixed.end = FixEnd::no_end;
@@ -110,11 +134,10 @@ Fixed fix_all(const LintOptions& options, const LintPlan& plan, Session& session
     if (!has_left_out(fixed.report)) ++counted;
     fixed.count += applied.count;
     fixed.places += applied.edits.size();
+    const std::map<std::string_view, SourceId> read = sources_of(applied, session.sources());
     for (FixedText& file : applied.texts) {
       const auto [change, is_new] = fixed.changes.try_emplace(file.path);
-      if (is_new) {
-        change->second.before = session.files().read(file.path, options.limits.file_bytes).text;
-      }
+      if (is_new) change->second.before = session.sources().text(read.at(file.path));
       change->second.after = file.text;
       session.set_text(file.path, std::move(file.text));
     }
@@ -134,8 +157,8 @@ bool write_changes(const std::map<std::string, Change>& changes, const LintPlan&
   }
   for (const auto& [path, change] : changes) {
     if (path == plan.standard_input) continue;
-    if (changes.size() == 1) return write_output(kSmurfLint, path, change.after);
     files.push_back(named_by_user(path, change.after));
+    files.back().replaces = change.before;
   }
   return write_files(kSmurfLint, files, true);
 }
@@ -146,10 +169,11 @@ std::string unified_diff(const std::map<std::string, Change>& changes) {
   return text;
 }
 
-std::string fix_remarks(const Fixed* fixed, std::span<const Diagnostic> left) {
+std::string fix_remarks(const Fixed* fixed, std::span<const Diagnostic> left, Severity least) {
   std::size_t safe = 0;
   std::size_t unsafe = 0;
   for (const Diagnostic& diagnostic : left) {
+    if (diagnostic.severity < least) continue;
     for (const Fix& fix : diagnostic.fixes) {
       ++(fix.applicability == Applicability::safe ? safe : unsafe);
     }

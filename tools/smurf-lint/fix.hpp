@@ -36,9 +36,9 @@ struct Fixed {
 /// Applies fixes and checks again until no fixes remain, or the limit is reached. The session gets
 /// the fixed texts, which override those on disk; nothing is written. Fixes of files outside of the
 /// projects of the plan are removed from the report: a model may read an installed package, but
-/// must not cause changes in it.
+/// must not cause changes in it. Only findings that are at least `least` severe are fixed.
 Fixed fix_all(const LintOptions& options, const LintPlan& plan, Session& session, Report report,
-              const std::function<Report()>& check);
+              Severity least, const std::function<Report()>& check);
 
 /// Writes every changed file except standard input: all or none. If one could not be written, or is
 /// a link out of its project, reports this and returns false.
@@ -50,7 +50,8 @@ bool write_changes(const std::map<std::string, Change>& changes, const LintPlan&
 std::string unified_diff(const std::map<std::string, Change>& changes);
 
 /// "fixed 2 findings at 5 places in 2 files" and "3 fixable with --fix ...", one per line; "" if
-/// there are none. `fixed` may be null.
-std::string fix_remarks(const Fixed* fixed, std::span<const Diagnostic> left);
+/// there are none. `fixed` may be null. Less severe findings are not counted, because nobody sees
+/// them.
+std::string fix_remarks(const Fixed* fixed, std::span<const Diagnostic> left, Severity least);
 
 }  // namespace smurf::tools

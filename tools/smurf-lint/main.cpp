@@ -76,6 +76,11 @@ OverviewOptions overview(const LintOptions& options, const Threshold& threshold)
   return {options.min_severity.value_or(least), options.shows_all};
 }
 
+/// The least severity that a report for people shows.
+Severity shown(const LintOptions& options, const Report& report) {
+  return overview(options, merge_run(report.wishes, options).threshold).least;
+}
+
 /// A report, and the session whose sources it refers to.
 struct Checked {
   const Report& report;
@@ -131,9 +136,10 @@ ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked&
   const bool is_changing = options.fix || !options.renames.empty();
   const bool is_taken = is_changing && !plan.standard_input.empty() && options.output.empty();
   const std::string place = is_taken ? "/dev/stderr" : options.output;
-  const ExitCode written = write_reports(options, plan, place, checked,
-                                         remark_on_input(options, plan, checked.report) +
-                                             fix_remarks(fixed, checked.report.diagnostics));
+  const ExitCode written = write_reports(
+      options, plan, place, checked,
+      remark_on_input(options, plan, checked.report) +
+          fix_remarks(fixed, checked.report.diagnostics, shown(options, checked.report)));
   if (written != kDone) return written;
   return judge(checked.report.summary, merge_run(checked.report.wishes, options).threshold);
 }
@@ -164,7 +170,8 @@ ExitCode give_out(const LintOptions& options, const LintPlan& plan, Session& ses
 
 ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session, Report found,
              const std::function<Report()>& check) {
-  const Fixed fixed = fix_all(options, plan, session, std::move(found), check);
+  const Severity least = shown(options, found);
+  const Fixed fixed = fix_all(options, plan, session, std::move(found), least, check);
   if (fixed.end == FixEnd::no_end) {
     complain(kSmurfLint,
              "the fixes undo each other; nothing was changed (this is a bug of smurf-lint)");

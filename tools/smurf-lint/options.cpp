@@ -227,7 +227,8 @@ std::vector<Option> fix_options(LintOptions& options) {
       {.group = "Fixes",
        .name = "fix",
        .help =
-           "Apply the safe fixes, and report the remaining findings. From standard input, the fixed text "
+           "Apply the safe fixes of the findings that are shown (of infos only with --min-severity "
+           "info), and report the remaining findings. From standard input, the fixed text "
            "goes to standard output and the report to standard error.",
        .set = set_flag(options.fix)},
       {.group = "Fixes",

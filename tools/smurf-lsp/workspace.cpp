@@ -2,6 +2,7 @@
 #include "smurf-lsp/workspace.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -243,11 +244,15 @@ std::vector<std::string> Workspace::robots_of_srdfs() const {
   std::vector<std::string> robots;
   for (const auto& [path, document] : documents_) {
     if (path::extension(path) != ".srdf") continue;
+    // What is found becomes an input, with a project of its own.
+    ConfinedFiles files;
+    confine_to_projects(files, std::array{path});
     const std::string own(path::parent(path));
     for (const std::string& folder :
          {own, path::join(own, "../urdf"), path::join(own, "../robots")}) {
-      for (const std::string& name : DiskFiles().list(folder)) {
-        if (path::extension(name) == ".urdf") robots.push_back(path::join(folder, name));
+      for (const std::string& name : files.list(folder)) {
+        const std::string robot = path::join(folder, name);
+        if (path::extension(name) == ".urdf" && files.is_file(robot)) robots.push_back(robot);
       }
     }
   }

@@ -344,7 +344,7 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
   }
   FlattenOptions flattening = flatten_options(options, current);
   flattening.old_scenes = &loaded.old_scenes;
-  flattening.repeats_models = format.repeats_models;
+  flattening.repeats_models = format.repeats_models && form == SceneForm::expand;
   if (form == SceneForm::expand) flattening.repeated_parts = format.repeated_parts;
   if (!check_scene_size(scene, *loaded.sources, flattening, options.common.limits, loaded.found)) {
     return {};
@@ -397,27 +397,14 @@ bool write_losses(const Options& options, std::span<const Diagnostic> findings,
                       render_losses_json(losses, sources, {kTool, kVersion}));
 }
 
-/// Writes the result, and a second file that its reader needs.
-bool write_result(const SceneFormat& format, const Options& options, const std::string& text) {
-  const std::string& output = options.common.output;
-  const auto& [name, content] = format.companion;
-  if (name.empty() || options.compare_dialects || output.empty() || output == "-")
-    return write_output(kTool, output, text);
-  const std::string beside = path::join(path::parent(output), name);
-  if (const std::string link = link_out_of_repository(beside); !link.empty()) {
-    complain(kTool, "cannot write '" + beside + "': " + reason_of_link(link));
-    return false;
-  }
-  const FileContent there = DiskFiles().read(beside, options.common.limits.file_bytes);
-  if (there.status == ReadStatus::ok && there.text == content) {
-    return write_output(kTool, output, text);
-  }
-  if (there.status != ReadStatus::not_found) {
-    complain(kTool, "cannot write '" + beside +
-                        "': another file is there; write to another folder; nothing was written");
-    return false;
-  }
-  return write_files(kTool, {named_by_user(beside, content), named_by_user(output, text)}, true);
+/// What the reader of the written file needs besides it; none if nothing.
+std::vector<std::string> remarks_on(const SceneFormat& format, const std::string& output) {
+  if (format.remark.empty()) return {};
+  constexpr std::string_view kFolder = "FOLDER";
+  std::string remark(format.remark);
+  const std::string folder(path::parent(output));
+  remark.replace(remark.find(kFolder), kFolder.size(), folder.empty() ? "." : folder);
+  return {remark};
 }
 
 /// Whether an unknown key may be a misspelt `entities`. Scenes can be empty on purpose.
@@ -485,16 +472,15 @@ int smurfs_flatten_main(int argc, char** argv) {
   if (!result.is_complete && options.strict) return conversion.refuse("has losses");
   const bool is_written =
       copy_files(kTool, result.copies, conversion.files(), options.common.limits, options.overwrite,
-                 [&] { return write_result(format, options, result.text); });
+                 [&] { return write_output(kTool, options.common.output, result.text); });
   if (!is_written) return kFailed;
   const std::string& output = options.common.output;
   if (output.empty() || output == "-" || options.compare_dialects) return kDone;
-  const std::string_view companion = format.companion.first;
   const bool copies_nothing = !options.assets.empty() && result.copies.empty();
-  conversion.tell_written(output + (companion.empty() ? "" : " and " + std::string(companion)) +
-                          ": " + counted(loaded->scene.instances.size(), "instance") + " of " +
-                          counted(loaded->scene.models.size(), "model") +
-                          (result.has_falling_robots ? "; robots fall, see --ground" : "") +
-                          (copies_nothing ? "; it names no files to copy" : ""));
+  conversion.tell_written(output + ": " + counted(loaded->scene.instances.size(), "instance") +
+                              " of " + counted(loaded->scene.models.size(), "model") +
+                              (result.has_falling_robots ? "; robots fall, see --ground" : "") +
+                              (copies_nothing ? "; it names no files to copy" : ""),
+                          remarks_on(format, output));
   return kDone;
 }

@@ -2,6 +2,8 @@
 // The files of a robot, with their earlier versions.
 import { fromBase64, bytesOf, textOf, toBase64 } from "./bytes.js";
 
+/** Of a robot, whether it comes from a folder, a zip file or an address. */
+export const kMostFiles = 5000;
 const kMostSteps = 200; // most steps that can be undone
 
 export const kindOf = (name) => name.match(/\.(smurfs?|smurfa|zsmurfs?|urdf)$/i)?.[1].toLowerCase();

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads dropped or chosen files, folders and zip files.
 import { sizeOf } from "./bytes.js";
-import { cleaned } from "./files.js";
+import { cleaned, kMostFiles } from "./files.js";
 import { unzip } from "./zip.js";
 
 const kMostBytes = 200e6;
-const kMostFiles = 5000;
 const kLeftOut = /(^|\/)(\.git|\.hg|\.svn|__MACOSX|\.DS_Store)(\/|$)/;
 
 const tooMany = () => new Error(`more than ${kMostFiles.toLocaleString("en")} files; open a smaller folder`);
@@ -47,10 +46,15 @@ export async function contentsOf(found) {
   const read = async (file) => new Uint8Array(await file.arrayBuffer());
   const isZip = found.length === 1 && /\.zip$/i.test(found[0][0]);
   const contents = isZip
-    ? await unzip(await read(found[0][1]), kMostBytes)
+    ? await unzip(await read(found[0][1]), kMostBytes, kMostFiles, (name) => !kLeftOut.test(name))
     : new Map(await Promise.all(found.map(async ([path, file]) => [path, await read(file)])));
   const files = new Map();
-  for (const [path, bytes] of contents) if (!kLeftOut.test(path)) files.set(cleaned(path), bytes);
+  for (const [path, bytes] of contents) {
+    if (kLeftOut.test(path)) continue;
+    const name = cleaned(path);
+    if (files.has(name)) throw new Error(`it has two files named '${name}'`);
+    files.set(name, bytes);
+  }
   if (files.size > kMostFiles) throw tooMany();
   return files;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A robot in an address: "#robot=" and its files as compressed JSON in base64url.
 import { bytesOf, fromBase64, textOf, through, toBase64 } from "./bytes.js";
-import { fromJson, toJson } from "./files.js";
+import { fromJson, kMostFiles, toJson } from "./files.js";
 
 const kBegin = "#robot=";
 const kMostUnpacked = 20e6; // bytes
@@ -22,6 +22,7 @@ export async function fromHash(hash) {
     const packed = fromBase64(hash.slice(kBegin.length).replaceAll("-", "+").replaceAll("_", "/"));
     const text = textOf(await through(new DecompressionStream("deflate-raw"), packed, kMostUnpacked));
     const { files, targets } = JSON.parse(text);
+    if (Object.keys(files).length > kMostFiles) throw new Error("too many files");
     return { files: fromJson(files), targets: [...targets].filter((name) => typeof name === "string") };
   } catch {
     throw new Error("the address is damaged: a part of it may have been cut off");

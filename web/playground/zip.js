@@ -69,8 +69,16 @@ async function contentOf(bytes, view, entry, most) {
   return content;
 }
 
-/** The files by their names in the zip file, at most `most` bytes in total. Skips folders and links. */
-export async function unzip(bytes, most) {
+/** Throws if there are more than `most` files. */
+function checkCount(count, most) {
+  if (count > most) throw new Error(`it has more than ${most.toLocaleString("en")} files`);
+}
+
+/**
+ * The files by their names in the zip file, at most `most` bytes in total. Skips folders, links and names that are not
+ * wanted.
+ */
+export async function unzip(bytes, most, mostFiles = Infinity, isWanted = () => true) {
   const view = viewOf(bytes);
   const files = new Map();
   try {
@@ -80,7 +88,10 @@ export async function unzip(bytes, most) {
     for (let count = view.getUint16(end + 10, true); count > 0; --count) {
       const entry = entryAt(bytes, view, at);
       at = entry.next;
-      if (entry.name.endsWith("/") || entry.isLink) continue;
+      if (entry.name.endsWith("/") || entry.isLink || !isWanted(entry.name)) continue;
+      // Some programs read the first of two files, others the last.
+      if (files.has(entry.name)) throw new Error(`it has two files named '${entry.name}'`);
+      checkCount(files.size + 1, mostFiles);
       const content = await contentOf(bytes, view, entry, left);
       left -= content.length;
       if (left < 0) throw new Error("its files are too large");

@@ -9,12 +9,21 @@ import { Preview } from "./preview";
 
 let client: LanguageClient | undefined;
 
+/** A program on the path; never in the current folder, where Windows looks first: the opened files lie there. */
+function onPath(name: string): string | undefined {
+  const file = process.platform === "win32" ? `${name}.exe` : name;
+  return (process.env.PATH ?? "").split(path.delimiter)
+    .filter((folder) => path.isAbsolute(folder))
+    .map((folder) => path.join(folder, file))
+    .find((program) => fs.existsSync(program));
+}
+
 /** A tool: of the folder in the settings, else that of the extension, else that on the path. */
 function toolPath(context: vscode.ExtensionContext, name: string): string {
   const chosen = vscode.workspace.getConfiguration("smurf").get<string>("server.path");
   if (chosen) return path.join(chosen, name);
   const bundled = path.join(context.extensionPath, "bin", name);
-  return fs.existsSync(bundled) ? bundled : name;
+  return fs.existsSync(bundled) ? bundled : (onPath(name) ?? bundled);
 }
 
 interface Output {

@@ -19,8 +19,8 @@ namespace smurf {
 /// A shared folder is never opened as a whole. Shared are `/`, the folders directly below it unless
 /// they are repositories, home folders, and all folders above a home folder. So a project ends
 /// below the shared folders around it, and a shared current folder allows nothing. Where the input
-/// itself lies in a shared folder, only the files beside it that are not hidden are read. Where a
-/// shared folder is to be searched, only configurations and ignore files in it are read: what is
+/// itself lies in a shared folder, the files beside it and in its subfolders are read, except hidden
+/// ones; around home folders, only those beside it. Where a shared folder is to be searched, only configurations and ignore files in it are read: what is
 /// found must be confined as an input of its own.
 /// The data of the repository (.git, .hg, .svn) are not part of the project, except for
 /// .git/info/exclude.

@@ -41,8 +41,8 @@ struct AppliedAnnotations {
 struct UrdfExport {
   /// Folder the URDF is written to; mesh and texture paths are re-based so that they resolve there.
   std::string output_folder = ".";
-  /// Absolute path that relative paths start from.
-  std::string current_folder = "/";
+  /// Absolute path that relative paths start from; "": the current folder of the process.
+  std::string current_folder = {};
   MeshUri mesh_uri = MeshUri::rebase;
   std::string package_name{}, package_folder{};  ///< for MeshUri::package; the folder is absolute
   AppliedAnnotations apply{};
@@ -101,8 +101,8 @@ enum class SmurfStyle : std::uint8_t {
 struct UrdfImport {
   std::string name{};  ///< of the files
   std::string output_folder = ".";
-  /// Absolute path that relative paths start from.
-  std::string current_folder = "/";
+  /// Absolute path that relative paths start from; "": the current folder of the process.
+  std::string current_folder = {};
   SmurfLayout layout = SmurfLayout::phobos;
   MotorChoice motors = MotorChoice::declared;
   SmurfStyle style = SmurfStyle::mars;

@@ -121,8 +121,8 @@ struct FlattenOptions {
   RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;
   /// Folder that all files of the result are relative to.
   std::string output_folder = ".";
-  /// Absolute path that relative paths start from.
-  std::string current_folder = "/";
+  /// Absolute path that relative paths start from; "": the current folder of the process.
+  std::string current_folder = {};
   /// The contents of the old scenes; null: entities of old scenes have no shapes.
   const OldScenes* old_scenes = nullptr;
 };

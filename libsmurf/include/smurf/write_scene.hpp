@@ -56,8 +56,8 @@ struct SceneFormat {
   std::string_view help;
   /// Omits instances without a pose, which occur only in scenes with errors.
   std::string (*write)(const SceneExport& scene) = nullptr;
-  /// A second file that the reader needs: its name and text.
-  std::pair<std::string_view, std::string_view> companion = {};
+  /// What the reader needs besides the file, for people; FOLDER stands for the folder of the file.
+  std::string_view remark = {};
   bool has_reference_form = false;
   bool has_expanded_form = true;
   bool has_ground = false;         ///< can add a floor to the expanded form

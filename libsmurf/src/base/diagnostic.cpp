@@ -118,13 +118,13 @@ std::optional<std::string_view> DiagnosticSink::suggest(std::string_view name,
 }
 
 std::vector<Diagnostic> DiagnosticSink::take() {
-  if (suggestions_end_) {  // later, because the finding may still be changed
-    Diagnostic& told =
-        report(rules::sml0002_file_too_large, *suggestions_end_,
-               "from here on, no names are suggested: the suggestions so far took more than " +
-                   std::to_string(most_suggestions_) + " comparisons");
-    told.severity = Severity::info;
-    told.help(raise_limit("suggestions"));
+  if (suggestions_end_) {
+    const auto last = std::find_if(diagnostics_.begin(), diagnostics_.end(),
+                                   [&](const auto& one) { return one.span == *suggestions_end_; });
+    if (last != diagnostics_.end()) {
+      last->note("from here on, no names are suggested: the suggestions so far took more than " +
+                 std::to_string(most_suggestions_) + " comparisons; " + raise_limit("suggestions"));
+    }
     suggestions_end_.reset();
   }
   RulesByPlace by_place;

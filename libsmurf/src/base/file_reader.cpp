@@ -102,19 +102,22 @@ struct ConfinedFiles::Allowed {
   using Paths = std::set<std::string, std::less<>>;
   bool everything = false;
   Paths whole;  ///< with all that is in them
-  Paths files_in;
+  Paths files_in;  ///< with what is in them and below, except hidden files and folders
   std::set<std::pair<std::string, std::string>, std::less<>> named;  ///< name and folder
   std::map<std::string, std::string, std::less<>> denied;            ///< denied names
 
   bool holds(std::string_view path) const {
-    if (everything || is_whole(path)) return true;
-    const std::string_view name = path::file_name(path);
-    const std::string_view folder = path::parent(path);
-    if (!name.starts_with('.') && files_in.contains(folder)) {
-      sys::Status status{};
-      return sys::stat(std::string(path).c_str(), &status) != 0 || !S_ISDIR(status.st_mode);
+    if (everything || is_whole(path) || is_visible(path)) return true;
+    return !named.empty() && is_named(path::file_name(path), path::parent(path));
+  }
+
+  /// A path inside of a denied folder may be allowed.
+  bool is_whole(std::string_view whole_path) const {
+    for (std::string_view path = whole_path; path.size() > 1; path = path::parent(path)) {
+      if (whole.contains(path)) return true;
+      if (is_denied(path, whole_path)) return false;
     }
-    return !named.empty() && is_named(name, folder);
+    return false;
   }
 
   /// Whether the path is known to exist, because it contains an allowed path.
@@ -131,11 +134,11 @@ struct ConfinedFiles::Allowed {
   }
 
  private:
-  /// A path inside of a denied folder may be allowed.
-  bool is_whole(std::string_view whole_path) const {
-    for (std::string_view path = whole_path; path.size() > 1; path = path::parent(path)) {
-      if (whole.contains(path)) return true;
-      if (is_denied(path, whole_path)) return false;
+  /// Whether it lies below one of `files_in`, and nothing on the way is hidden.
+  bool is_visible(std::string_view path) const {
+    if (files_in.empty()) return false;
+    for (; path.size() > 1 && !path::file_name(path).starts_with('.'); path = path::parent(path)) {
+      if (files_in.contains(path::parent(path))) return true;
     }
     return false;
   }
@@ -244,9 +247,10 @@ std::vector<std::string> ConfinedFiles::list(const std::string& folder) const {
   const FoundFile found(in_folder(folder));
   const auto real = found.error() == 0 ? found.real_path() : std::nullopt;
   std::vector<std::string> names;
-  const bool is_whole = real && allowed_->holds(*real) && !is_denied(in_folder(folder));
-  if (is_whole || (real && allowed_->files_in.contains(*real))) names = names_in(found);
-  if (!is_whole) std::erase_if(names, [](const std::string& name) { return name[0] == '.'; });
+  const bool is_inside = real && allowed_->holds(*real) && !is_denied(in_folder(folder));
+  if (is_inside || (real && allowed_->files_in.contains(*real))) names = names_in(found);
+  if (!is_inside || !(allowed_->everything || allowed_->is_whole(*real)))
+    std::erase_if(names, [](const std::string& name) { return name[0] == '.'; });
   const std::lock_guard lock(mutex_);
   return lists_.emplace(folder, std::move(names)).first->second;
 }

@@ -3,6 +3,7 @@
 // it does not know the paths of base/system.hpp.
 #pragma once
 
+#include "base/path.hpp"
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -24,6 +25,11 @@ bool is_same(const std::string& path, const std::string& other);
 std::optional<std::string> current_folder(std::error_code& error);
 /// The absolute path, not normalised. "" if there is no current folder.
 std::string absolute(const std::string& path);
+/// The path seen from a folder; "": from the current folder.
+inline std::string absolute_from(const std::string& folder, const std::string& path) {
+  if (!folder.empty()) return path::join(folder, path);
+  return absolute(path.empty() ? "." : path);
+}
 /// The absolute path without links; none if it does not exist.
 std::optional<std::string> canonical(const std::string& path);
 /// The same, but parts that do not exist are kept.

@@ -6,15 +6,19 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace smurf {
 namespace {
 
 // Long names are rarely misspelt beyond recognition; the bound also keeps hostile input cheap.
 constexpr std::size_t kLongestName = 200;
-// A program generated more names than that, and searching for each of them is quadratic.
+// A program generated more names than that, and looking at all of them is quadratic.
 constexpr std::size_t kMostNames = 5000;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -102,7 +106,7 @@ int distance_of(std::string_view a, std::string_view b, int limit, std::uint64_t
 
 /// The search for the nearest of many names.
 struct Search {
-  int best;                       ///< distance of the nearest name so far
+  int best = 0;                   ///< distance of the nearest name so far
   bool is_tied = false;           ///< whether two names have this distance
   bool finds_ties = false;        ///< otherwise equally near names are not compared
   std::string_view nearest = {};  ///< the first of them
@@ -119,30 +123,211 @@ struct Search {
   }
 };
 
+/// Finds names with at most one edit in time that does not depend on the number of names: such
+/// names are equal after one character is removed from each, or from one of them.
+class Index {
+ public:
+  explicit Index(std::span<const std::string_view> known) : names_(known.begin(), known.end()) {
+    signatures_.reserve(known.size());
+    for (std::uint32_t i = 0; i < known.size(); ++i) {
+      signatures_.push_back(characters(known[i]));
+      if (known[i].size() > kLongestName) continue;
+      for (const std::uint64_t hash : shortened(known[i])) places_.emplace_back(hash, i);
+    }
+    std::sort(places_.begin(), places_.end());
+  }
+
+  /// Whether it was made of these names.
+  bool is_of(std::span<const std::string_view> known) const {
+    return std::equal(known.begin(), known.end(), names_.begin(), names_.end(),
+                      [](std::string_view a, std::string_view b) {
+                        return a.data() == b.data() && a.size() == b.size();
+                      });
+  }
+
+  std::uint64_t signature(std::size_t name) const { return signatures_[name]; }
+
+  /// The positions of all names with at most one edit, and perhaps of others, in ascending order.
+  std::vector<std::uint32_t> near(std::string_view name) const {
+    std::vector<std::uint32_t> found;
+    for (const std::uint64_t hash : shortened(name)) {
+      auto place = std::lower_bound(places_.begin(), places_.end(), std::pair(hash, 0U));
+      for (; place != places_.end() && place->first == hash; ++place) {
+        found.push_back(place->second);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  /// The bytes of memory for the names, or more.
+  static std::size_t size_for(std::span<const std::string_view> known) {
+    std::size_t size = 0;
+    for (const std::string_view name : known) size += 64 + 16 * std::min(name.size(), kLongestName);
+    return size;
+  }
+
+ private:
+  /// Hashes of the name, and of the name without each of its characters, ignoring case.
+  static std::vector<std::uint64_t> shortened(std::string_view name) {
+    constexpr std::uint64_t kBase = 0x100000001b3U;
+    std::vector<std::uint64_t> begins{0};  // hashes of the beginnings
+    std::vector<std::uint64_t> powers{1};
+    for (const char c : name) {
+      begins.push_back(begins.back() * kBase + static_cast<unsigned char>(lower(c)) + 1);
+      powers.push_back(powers.back() * kBase);
+    }
+    const std::size_t size = name.size();
+    std::vector<std::uint64_t> hashes{begins[size]};
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::uint64_t rest = begins[size] - begins[i + 1] * powers[size - i - 1];
+      hashes.push_back(begins[i] * powers[size - i - 1] + rest);
+    }
+    return hashes;
+  }
+
+  std::vector<std::string_view> names_;
+  std::vector<std::uint64_t> signatures_;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> places_;  ///< sorted
+};
+
+/// The indexes of the lists in which a sink has searched most recently. A sink is recognised by its
+/// steps, which no other search has.
+class Indexes {
+ public:
+  static Indexes& of_this_thread() {
+    thread_local Indexes indexes;
+    return indexes;
+  }
+
+  /// Null where an index would not pay off yet.
+  const Index* find(std::span<const std::string_view> known, std::uint64_t& steps_left) {
+    constexpr std::size_t kMostMemory = 100'000'000;
+    constexpr int kFewSearches = 4;
+    if (known.size() < kFewNames) return nullptr;
+    if (!is_of(steps_left)) lists_ = {};
+    List* list = std::find_if(lists_.begin(), lists_.end(), [&](const List& one) {
+      return one.begin == known.data() && one.size == known.size();
+    });
+    if (list == lists_.end()) {
+      std::rotate(lists_.begin(), lists_.end() - 1, lists_.end());
+      list = lists_.begin();
+      *list = {known.data(), known.size(), 0, nullptr};
+    }
+    if (list->index && !list->index->is_of(known)) *list = {known.data(), known.size(), 0, nullptr};
+    const bool is_needed = ++list->searches > kFewSearches || known.size() > kMostNames;
+    if (!list->index && is_needed && Index::size_for(known) <= kMostMemory) {
+      list->index = std::make_unique<Index>(known);
+      spend(known.size(), steps_left);
+    }
+    return list->index.get();
+  }
+
+  static constexpr std::size_t kFewNames = 100;
+
+  /// Whether no other search has spent these steps since.
+  bool is_of(const std::uint64_t& steps_left) const {
+    return steps_ == &steps_left && last_ == steps_left;
+  }
+
+  void remember(const std::uint64_t& steps_left) {
+    steps_ = &steps_left;
+    last_ = steps_left;
+  }
+
+ private:
+  struct List {
+    const std::string_view* begin = nullptr;
+    std::size_t size = 0;
+    int searches = 0;
+    std::unique_ptr<const Index> index;
+  };
+  std::array<List, 4> lists_;
+  const std::uint64_t* steps_ = nullptr;
+  std::uint64_t last_ = 0;
+};
+
+/// A search for a name among many.
+class Among {
+ public:
+  Among(std::string_view name, bool finds_ties, std::uint64_t& steps_left)
+      : name_(name), steps_left_(steps_left) {
+    result_.best = farthest_ + 1;
+    result_.finds_ties = finds_ties;
+  }
+
+  /// False if the candidate is the name itself, or no steps remain.
+  bool compare(std::string_view candidate, std::uint64_t signature) {
+    if (candidate == name_) return false;
+    spend(1, steps_left_);
+    if (steps_left_ == 0) return false;
+    if (result_.limit() < 0) return true;         // from here on, search only for the exact name
+    if (differ_only_in_case(name_, candidate)) {  // nearer than all others
+      result_.add(candidate, 0);
+      return true;
+    }
+    const int limit = std::min(result_.limit(), farthest_);
+    if (limit < 1 || fewest_edits(signature_, signature) > limit) return true;
+    const int distance = distance_of(name_, candidate, limit, steps_left_);
+    if (distance <= limit) result_.add(candidate, distance);
+    return true;
+  }
+
+  std::optional<std::string_view> all(std::span<const std::string_view> known) {
+    for (const std::string_view candidate : known) {
+      spend(std::min(candidate.size(), kLongestName), steps_left_);
+      if (!compare(candidate, characters(candidate))) return std::nullopt;
+    }
+    return result();
+  }
+
+  std::optional<std::string_view> indexed(std::span<const std::string_view> known,
+                                          const Index& index) {
+    for (const std::uint32_t i : index.near(name_)) {
+      if (!compare(known[i], index.signature(i))) return std::nullopt;
+    }
+    if (result_.best <= 1 || farthest_ <= 1) return result();
+    const auto size = static_cast<int>(name_.size());
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      spend(1, steps_left_);
+      const int difference = std::abs(static_cast<int>(known[i].size()) - size);
+      const int limit = std::min(result_.limit(), farthest_);
+      if (difference > limit || fewest_edits(signature_, index.signature(i)) > limit) continue;
+      if (!compare(known[i], index.signature(i))) return std::nullopt;
+    }
+    return result();
+  }
+
+ private:
+  std::optional<std::string_view> result() const {
+    if (result_.best > farthest_ || result_.is_tied) return std::nullopt;
+    return result_.nearest;
+  }
+
+  std::string_view name_;
+  std::uint64_t& steps_left_;
+  int farthest_ = std::max(1, static_cast<int>(name_.size()) / 3);
+  std::uint64_t signature_ = characters(name_);
+  Search result_{};
+};
+
 std::optional<std::string_view> search(std::string_view name,
                                        std::span<const std::string_view> known, bool finds_ties,
                                        std::uint64_t& steps_left) {
-  if (name.empty() || name.size() > kLongestName || known.size() > kMostNames) return std::nullopt;
-  const int farthest = std::max(1, static_cast<int>(name.size()) / 3);
-  Search result{.best = farthest + 1, .finds_ties = finds_ties};
-  const std::uint64_t own = character_bits(name);
-  for (const std::string_view candidate : known) {
-    if (candidate == name) return std::nullopt;
-    spend(1, steps_left);
-    if (result.limit() < 0) continue;  // from here on, search only for the exact name
-    spend(std::min(candidate.size(), kLongestName), steps_left);
-    if (steps_left == 0) return std::nullopt;
-    if (differ_only_in_case(name, candidate)) {  // nearer than all others
-      result.add(candidate, 0);
-      continue;
-    }
-    const int limit = std::min(result.limit(), farthest);
-    if (limit < 1 || fewest_edits(own, character_bits(candidate)) > limit) continue;
-    const int distance = distance_of(name, candidate, limit, steps_left);
-    if (distance <= limit) result.add(candidate, distance);
+  if (name.empty() || name.size() > kLongestName) return std::nullopt;
+  Indexes& indexes = Indexes::of_this_thread();
+  const bool is_relevant = known.size() >= Indexes::kFewNames || indexes.is_of(steps_left);
+  const Index* index = indexes.find(known, steps_left);
+  std::optional<std::string_view> found;
+  Among among(name, finds_ties, steps_left);
+  if (index != nullptr) {
+    found = among.indexed(known, *index);
+  } else if (known.size() <= kMostNames) {
+    found = among.all(known);
   }
-  if (result.best > farthest || result.is_tied) return std::nullopt;
-  return result.nearest;
+  if (is_relevant) indexes.remember(steps_left);
+  return found;
 }
 
 }  // namespace
@@ -168,6 +353,19 @@ std::optional<std::string_view> only_nearest(std::string_view name,
                                              std::span<const std::string_view> known) {
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
   return only_nearest(name, known, steps);
+}
+
+std::optional<std::vector<std::string_view>>
+without_own(std::string_view name, std::string_view own, std::span<const std::string_view> known) {
+  const int farthest = std::max(1, static_cast<int>(name.size()) / 3);
+  if (own.empty() || own == name || edit_distance(name, own, farthest) > farthest) {
+    return std::nullopt;
+  }
+  std::vector<std::string_view> others;
+  others.reserve(known.size());
+  std::copy_if(known.begin(), known.end(), std::back_inserter(others),
+               [&](std::string_view one) { return one != own; });
+  return others;
 }
 
 bool differ_only_in_digits(std::string_view a, std::string_view b) {

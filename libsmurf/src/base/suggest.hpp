@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace smurf {
 
@@ -26,6 +27,11 @@ std::optional<std::string_view> only_nearest(std::string_view name,
                                              std::uint64_t& steps_left);
 std::optional<std::string_view> only_nearest(std::string_view name,
                                              std::span<const std::string_view> known);
+
+/// The names without `own`, for a reference of a thing that cannot mean itself. None if `own` is
+/// not near enough to the name to be suggested, or to be one of several equally near names.
+std::optional<std::vector<std::string_view>>
+without_own(std::string_view name, std::string_view own, std::span<const std::string_view> known);
 
 /// Numbered names, such as `finger_1` and `finger_3`, are not misspellings of each other.
 bool differ_only_in_digits(std::string_view a, std::string_view b);

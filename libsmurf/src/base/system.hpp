@@ -109,6 +109,13 @@ std::optional<std::string> place_of(int number);
 /// one, but not the setuid, setgid and sticky bits. 0 or an errno.
 int adopt_owner(int number, const Status& other);
 
+/// Whether there may be a process with this number.
+bool is_running(int process);
+
+/// Letters and digits that name the numbering of processes: containers and machines, which may
+/// share a folder, number their processes independently.
+std::string process_space();
+
 /// Waits until a terminal or pipe that someone made non-blocking accepts more.
 void wait_until_writable(int number);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dirent.h>
 #include <poll.h>
+#include <signal.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -45,6 +46,21 @@ int adopt_owner(int number, const Status& other) {
   [[maybe_unused]] const bool is_kept =
       is_given || ::fchown(number, static_cast<uid_t>(-1), other.st_gid) == 0;
   return ::fchmod(number, other.st_mode & 0777U) == 0 ? 0 : errno;
+}
+
+bool is_running(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
+
+std::string process_space() {
+  std::error_code error;
+  std::string space = std::filesystem::read_symlink("/proc/self/ns/pid", error).string();
+  std::erase_if(space, [](char c) { return c < '0' || c > '9'; });  // of "pid:[4026531836]"
+  char boot[8] = {};
+  const int file = ::open("/proc/sys/kernel/random/boot_id", O_RDONLY | O_CLOEXEC);
+  if (file >= 0) {
+    if (::read(file, boot, sizeof boot) == sizeof boot) space.append("x").append(boot, sizeof boot);
+    ::close(file);
+  }
+  return space.empty() ? "0" : space;
 }
 
 void wait_until_writable(int number) {

@@ -312,6 +312,18 @@ int mkdirat(int folder, const char* name, int /*mode*/) {
 
 int mkdir(const char* path, int mode) { return mkdirat(AT_FDCWD, path, mode); }
 
+bool is_running(int process) {
+  const HANDLE opened =
+      ::OpenProcess(PROCESS_QUERY_LIMITED_INFORMATION, FALSE, static_cast<DWORD>(process));
+  if (opened == nullptr) return ::GetLastError() != ERROR_INVALID_PARAMETER;
+  DWORD code = 0;
+  const bool is_known = ::GetExitCodeProcess(opened, &code) != 0;
+  ::CloseHandle(opened);
+  return !is_known || code == STILL_ACTIVE;
+}
+
+std::string process_space() { return "0"; }
+
 int getpid() { return static_cast<int>(::GetCurrentProcessId()); }
 
 std::vector<std::string> names_in(int folder) {

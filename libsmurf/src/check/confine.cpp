@@ -26,17 +26,31 @@ bool is_around(std::string_view around, std::string_view folder) {
          (around.ends_with('/') || folder.size() == around.size() || folder[around.size()] == '/');
 }
 
-bool is_home(std::string_view folder) {
-  const std::string_view below = sys::without_drive(folder);
-  const std::string_view above = path::parent(below);
-  if (above == "/home" || above == "/Users" || below == "/root") return true;
+/// The user's own home folder, canonical; "" if it is not known.
+const std::string& own_home() {
   static const std::string home = [] {
     const char* variable = sys::home();
     // The standard libraries disagree about empty paths.
     if (variable == nullptr || *variable == '\0') return std::string();
-    return places::weakly_canonical(variable).value_or("");
+    std::string place = places::weakly_canonical(variable).value_or("");
+    return place.size() > 1 && place.starts_with('/') ? place : std::string();
   }();
-  return home.size() > 1 && home.starts_with('/') && is_around(folder, home);
+  return home;
+}
+
+/// Also true for the folders above the user's own home.
+bool is_home(std::string_view folder) {
+  const std::string_view below = sys::without_drive(folder);
+  const std::string_view above = path::parent(below);
+  if (above == "/home" || above == "/Users" || below == "/root") return true;
+  return !own_home().empty() && is_around(folder, own_home());
+}
+
+/// Whether the homes of several users may lie in it.
+bool is_around_homes(std::string_view folder) {
+  const std::string_view below = sys::without_drive(folder);
+  if (below.size() <= 1 || below == "/home" || below == "/Users") return true;
+  return folder != own_home() && !own_home().empty() && is_around(folder, own_home());
 }
 
 /// Whether confine() treats a folder as shared, such as a home folder.
@@ -88,13 +102,28 @@ constexpr std::array<std::string_view, 3> kRuleFiles = {".gitignore", ".smurf-li
 /// The only file in .git that affects the checked files.
 constexpr const char* kGitExclude = "info/exclude";
 
+/// What a model in a shared folder may name: what lies there and below, except hidden files. Where
+/// other users have their homes, only the files beside it.
+void allow_shared(ConfinedFiles& files, const std::string& folder) {
+  const bool is_deep = !is_around_homes(folder);
+  if (is_deep) files.allow_files_in(folder);
+  const auto allow = [&](const std::string& name, places::Entry kind) {
+    const bool is_own = name.starts_with(".smurf-lint");  // configurations and baselines
+    if (kind == places::Entry::file && (is_own || (!is_deep && !name.starts_with('.')))) {
+      files.allow(path::join(folder, name));
+    }
+    return true;
+  };
+  places::for_each_entry(folder, allow);
+}
+
 /// The project around a folder and, above it, the files that configure the check.
 void allow_project(ConfinedFiles& files, const std::string& folder) {
   const std::string project(project_of(folder));
   if (!project.empty()) {
     files.allow(project);
   } else {
-    files.allow_files_in(folder);
+    allow_shared(files, folder);
   }
   std::string at = project.empty() ? folder : std::string(path::parent(project));
   OpenFolder open(at);

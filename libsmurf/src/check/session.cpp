@@ -232,11 +232,6 @@ Report Session::check(const Plan& plan, const CheckSettings& settings) {
 Report Session::check(const std::string& path, const CheckSettings& settings) {
   state_->open(std::span(&path, 1), settings);
   Plan plan;
-  if (!is_readable(path, *state_->files)) {
-    const std::string reason = state_->files->read(path, 0).reason;
-    plan.problems.push_back("cannot read '" + path + "': " + reason);
-    return state_->run(plan, settings);
-  }
   plan.configs.push_back(config_for(path, settings, *state_->files));
   const InputKind kind = input_kind(path);
   const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;
@@ -306,16 +301,18 @@ LoadedScene Session::load_scene(const std::string& path, const CheckSettings& se
 
 Report Session::check(LoadedModel& loaded) {
   const RuleSelection& selection = loaded.with->group().selection;
+  DiagnosticSink found = loaded.found;  // a later check reports them again
   Report report = state_->report(
-      judge(loaded.model, *loaded.sources, selection, loaded.found, *state_->expansions), loaded);
+      judge(loaded.model, *loaded.sources, selection, found, *state_->expansions), loaded);
   report.summary.models = 1;
   return report;
 }
 
 Report Session::check(LoadedScene& loaded) {
   const RuleSelection& selection = loaded.with->group().selection;
+  DiagnosticSink found = loaded.found;  // a later check reports them again
   Report report = state_->report(
-      judge(loaded.scene, *loaded.sources, selection, loaded.found, *state_->expansions), loaded);
+      judge(loaded.scene, *loaded.sources, selection, found, *state_->expansions), loaded);
   report.summary.models = loaded.scene.models.size();
   report.summary.scenes = loaded.scene.scenes.size();
   return report;

@@ -6,6 +6,7 @@
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
 #include "base/quantity.hpp"
 #include "base/rules.hpp"
 #include "convert/annotation_values.hpp"
@@ -79,9 +80,10 @@ class Application {
     }
     if (entry.diffuse_texture) {
       const std::string folder(path::parent(model_.path));
-      const std::string target =
-          path::join(options_.current_folder, path::join(folder, *entry.diffuse_texture));
-      const std::string from = path::join(options_.current_folder, options_.output_folder);
+      const std::string target = places::absolute_from(options_.current_folder,
+                                                       path::join(folder, *entry.diffuse_texture));
+      const std::string from =
+          places::absolute_from(options_.current_folder, options_.output_folder);
       if (!material.texture) {
         set_child(element, "texture", "filename", path::relative(target, from));
       }

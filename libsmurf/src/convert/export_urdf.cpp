@@ -7,6 +7,7 @@
 
 #include "base/edits.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
 #include "base/rules.hpp"
 #include "convert/passes.hpp"
 #include "convert/rebase.hpp"
@@ -79,7 +80,7 @@ std::vector<Edit> rebase_paths(const LinkedModel& model, const std::string& fold
     const bool is_relative = !mesh.filename.empty() && !path::is_absolute(mesh.filename);
     // MARS does not open URIs, and Phobos looks for packages in only one folder.
     if (is_uri ? mesh.path.empty() || !mesh.exists : !is_relative) continue;
-    const std::string target = path::join(current_folder, mesh.path);
+    const std::string target = places::absolute_from(current_folder, mesh.path);
     if (!is_uri && path::join(folder, mesh.filename) == target) continue;  // resolves as written
     edits.push_back({mesh.span, escape_xml(path::relative(target, folder))});
   }

@@ -4,6 +4,7 @@
 // nothing.
 #include "base/edits.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
 #include "base/rules.hpp"
 #include "base/words.hpp"
 #include "convert/import.hpp"
@@ -61,12 +62,14 @@ Folders folders_of(SmurfLayout layout) {
 }  // namespace
 
 std::string import::texture_path(const UrdfImport& options, std::string_view path) {
-  const std::string folder = path::join(path::join(options.current_folder, options.output_folder),
-                                        folders_of(options.layout).main);
+  const std::string folder =
+      path::join(places::absolute_from(options.current_folder, options.output_folder),
+                 folders_of(options.layout).main);
   const auto copy = options.copies.find(std::string(path));
   const bool is_copied = copy != options.copies.end();
-  return path::relative(is_copied ? copy->second : path::join(options.current_folder, path),
-                        folder);
+  return path::relative(
+      is_copied ? copy->second : places::absolute_from(options.current_folder, std::string(path)),
+      folder);
 }
 
 NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const UrdfImport& options,
@@ -79,13 +82,13 @@ NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const U
   }
   const Folders folders = folders_of(options.layout);
   const auto absolute = [&](std::string_view path) {
-    return path::join(path::join(options.current_folder, options.output_folder), path);
+    return path::join(places::absolute_from(options.current_folder, options.output_folder), path);
   };
   result.modelname = model.robot->name.value_or(options.name);
   result.main_path = path::join(folders.main, options.name + ".smurf");
   result.source = path::file_name(model.urdf_path);
   if (options.layout == SmurfLayout::in_place) {
-    const std::string urdf = path::join(options.current_folder, model.urdf_path);
+    const std::string urdf = places::absolute_from(options.current_folder, model.urdf_path);
     result.urdf_entry = path::relative(urdf, absolute(folders.main));
     return result;
   }

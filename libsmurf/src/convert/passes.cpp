@@ -6,6 +6,7 @@
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/places.hpp"
 #include "base/system.hpp"
 #include "base/words.hpp"
 #include "smurf/references.hpp"
@@ -75,13 +76,13 @@ void add_base(const LinkedModel& model, BaseJoint base, XmlEdits& edits) {
 
 void rewrite_paths(const LinkedModel& model, const UrdfExport& options, XmlEdits& edits) {
   if (options.mesh_uri == MeshUri::keep) return;
-  const std::string folder = path::join(options.current_folder, options.output_folder);
+  const std::string folder = places::absolute_from(options.current_folder, options.output_folder);
   for (const MeshReference& mesh : model.meshes) {
     const bool is_relative = is_relative_path(mesh.filename);
     // Paths to missing files are unchanged if they are absolute; relative paths are re-based to the
     // same missing file.
     if (!is_relative && (options.mesh_uri == MeshUri::rebase || !mesh.exists)) continue;
-    const std::string target = path::join(options.current_folder, mesh.path);
+    const std::string target = places::absolute_from(options.current_folder, mesh.path);
     std::string uri = path::relative(target, folder);
     if (options.mesh_uri == MeshUri::absolute) uri = sys::for_others(target);
     if (options.mesh_uri == MeshUri::file) uri = "file://" + target;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/path.hpp"
+#include "base/places.hpp"
 #include "base/unique_names.hpp"
 #include "flatten/old_shapes.hpp"
 #include "flatten/shapes.hpp"
@@ -36,8 +37,9 @@ class Flattener {
   std::string relative(const std::string& path) {
     const auto [known, is_new] = relative_.try_emplace(path);
     if (is_new && !path.empty()) {
-      known->second = path::relative(path::join(options_.current_folder, path),
-                                     path::join(options_.current_folder, options_.output_folder));
+      known->second =
+          path::relative(places::absolute_from(options_.current_folder, path),
+                         places::absolute_from(options_.current_folder, options_.output_folder));
     }
     return known->second;
   }

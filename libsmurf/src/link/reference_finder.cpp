@@ -18,8 +18,7 @@ bool is_naming(const KeySpec& row) {
   return std::any_of(members.begin(), members.end(), is_naming);
 }
 
-bool is_known_key(const SectionSpec& section, std::string_view name) {
-  const std::vector<const KeySpec*> keys = section.keys();
+bool is_known_key(const std::vector<const KeySpec*>& keys, std::string_view name) {
   return std::any_of(keys.begin(), keys.end(),
                      [&](const KeySpec* key) { return key->name == name; });
 }
@@ -189,14 +188,14 @@ void ReferenceFinder::read_members(KeyTable members, yaml::View value) {
   }
 }
 
-void ReferenceFinder::read_entry(const SectionSpec& section, const Rows& rows, yaml::View entry) {
+void ReferenceFinder::read_entry(const Rows& all, const Rows& rows, yaml::View entry) {
   for (const yaml::View value : entry) {
     const std::string_view key = value.key();
     const auto row = std::find_if(rows.begin(), rows.end(),
                                   [&](const KeySpec* one) { return is_same(one->name, key); });
     if (row != rows.end() && !value.is_repeated()) {
       read_key(**row, value, entry);
-    } else if (keeps_all() && (row != rows.end() || !is_known_key(section, value.key()))) {
+    } else if (keeps_all() && (row != rows.end() || !is_known_key(all, value.key()))) {
       read_unknown(value, value.key());
     }
   }
@@ -204,14 +203,15 @@ void ReferenceFinder::read_entry(const SectionSpec& section, const Rows& rows, y
 
 void ReferenceFinder::read_section(const SectionSpec& section, yaml::View value) {
   const Rows rows = section.filtered_keys(is_naming);
+  const Rows all = keeps_all() ? section.keys() : Rows();
   const bool is_list =
       section.form == SectionForm::named ? value.is_mapping() : value.is_sequence();
   if (is_list) {
     for (const yaml::View entry : value) {
-      if (entry.is_mapping()) read_entry(section, rows, entry);
+      if (entry.is_mapping()) read_entry(all, rows, entry);
     }
   } else if (section.form == SectionForm::list_or_mapping && value.is_mapping()) {
-    read_entry(section, rows, value);
+    read_entry(all, rows, value);
   }
 }
 

@@ -57,8 +57,9 @@ class ReferenceFinder {
   bool resolve(Reference& reference);
   bool add_known(NameKinds kinds, std::string_view name, const NamePlace& place);
 
-  using Rows = std::vector<const KeySpec*>;  ///< rows of a section that name something
-  void read_entry(const SectionSpec& section, const Rows& rows, yaml::View entry);
+  using Rows = std::vector<const KeySpec*>;  ///< rows of a section
+  /// `all` is empty unless unknown keys are kept, too.
+  void read_entry(const Rows& all, const Rows& rows, yaml::View entry);
   void read_members(KeyTable members, yaml::View value);
   /// Keys without a row: their words decide whether they name something.
   void read_unknown(yaml::View value, std::string_view word);

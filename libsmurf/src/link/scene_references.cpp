@@ -207,7 +207,7 @@ class ReferenceResolver {
     const std::string lower = path::to_lower(text);
     if (near) {
       suggest(diagnostic, reference, std::string(*near), "did you mean ", "?");
-    } else if (const auto meant = root_of_similar(use, text)) {
+    } else if (const auto meant = root_of_similar(reference, use)) {
       suggest(diagnostic, reference, *meant, "did you mean ", "?");
     } else if (reference.key == "anchor" && (lower == "false" || lower == "no")) {
       diagnostic.help("write `none`; MARS fixes the entity to the world");
@@ -224,11 +224,19 @@ class ReferenceResolver {
   }
 
   /// "table::top" for "tabel", which resembles the name of an entity.
-  std::optional<std::string> root_of_similar(UseIndex use, const std::string& text) {
-    const auto name = sink_.suggest(text, names_.names());
+  std::optional<std::string> root_of_similar(const SceneReference& reference, UseIndex use) {
+    const auto name = similar(reference, *reference.field);
     const auto entity = name ? names_.find(use, std::string(*name), scene_) : std::nullopt;
     const auto root = entity ? root_link(*entity) : std::nullopt;
     return root ? std::optional(std::string(*name) + "::" + *root) : std::nullopt;
+  }
+
+  /// The name that is meant, which is not that of the entity itself.
+  std::optional<std::string_view> similar(const SceneReference& reference, std::string_view name) {
+    const std::string_view own =
+        reference.self ? std::string_view(scene_.instance(*reference.self).name) : "";
+    const auto others = without_own(name, own, names_.names());
+    return sink_.suggest(name, others ? std::span(*others) : std::span(names_.names()));
   }
 
   void suggest(Diagnostic& diagnostic, const SceneReference& reference, const std::string& text,
@@ -247,7 +255,7 @@ class ReferenceResolver {
     Diagnostic& diagnostic = sink_.report(reference.unknown, reference.field.span,
                                           quoted(reference.key) + " names the entity " +
                                               quoted(name) + ", which the scene does not have");
-    if (const auto near = sink_.suggest(name, names_.names())) {
+    if (const auto near = similar(reference, name)) {
       const std::string rest = reference.field->substr(name.size());
       suggest(diagnostic, reference, std::string(*near) + rest, "did you mean ", "?");
     }

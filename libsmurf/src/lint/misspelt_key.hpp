@@ -3,11 +3,15 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
 
 namespace smurf {
+
+/// The keys under which a scene lists entities.
+inline constexpr std::string_view kEntityLists[] = {"entities", "smurfs", "smurfa"};
 
 bool takes_value(const KeySpec& spec, yaml::View value);
 

@@ -7,6 +7,7 @@
 
 #include "ast/urdf_numbers.hpp"
 #include "base/words.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf {
 namespace {
@@ -61,9 +62,10 @@ const urdf::Link* link_without_name(const LinkedModel& model) {
 
 Diagnostic* check_link_of_joint(const LinkedModel& model, const Reference& link,
                                 const std::string& who, const urdf::Link* unnamed,
-                                Findings& findings) {
+                                Findings& findings, const Meanings& meanings) {
   if (unnamed == nullptr) {
-    return check_reference(model, NameKind::link, link.name, link.span, who.c_str(), findings);
+    return check_reference(model, NameKind::link, link.name, link.span, who.c_str(), findings,
+                           meanings);
   }
   const bool has_name = unnamed->name && !unnamed->name->empty();
   findings.add_consequence(has_name ? unnamed->name.span : tag_name(model, unnamed->element));

@@ -22,6 +22,8 @@ enum class NameFault : std::uint8_t {
 };
 NameFault name_fault(std::string_view name);
 
+struct Meanings;
+
 /// Calls `visit` with "link" or "joint" for every name that is written and not empty.
 void for_each_name(const LinkedModel& model,
                    const std::function<void(std::string_view, const Field<std::string>&)>& visit);
@@ -34,7 +36,7 @@ const urdf::Link* link_without_name(const LinkedModel& model);
 /// null.
 Diagnostic* check_link_of_joint(const LinkedModel& model, const Reference& link,
                                 const std::string& who, const urdf::Link* unnamed,
-                                Findings& findings);
+                                Findings& findings, const Meanings& meanings);
 
 /// The name in Isaac and USD: `_` replaces characters other than letters, digits and underscores,
 /// and `a_` is put before a leading digit or underscore.

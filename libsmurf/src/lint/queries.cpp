@@ -77,7 +77,7 @@ bool can_judge(const LinkedModel& model, NameKind kind) {
 
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
                             Span place, const Subject& subject, Findings& findings) {
-  return check_reference(model, kind, name, place, subject, findings, nullptr);
+  return check_reference(model, kind, name, place, subject, findings, Meanings{});
 }
 
 void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,

@@ -92,14 +92,16 @@ struct Guess {
 };
 
 Guess guess_name(std::string_view name, std::span<const std::string_view> all,
-                 const std::function<UnusedNames()>& unused, Findings& findings) {
+                 const Meanings& meanings, Findings& findings) {
   const auto among = [&](std::span<const std::string_view> known) {
-    const auto near = findings.suggest(name, known);
-    return near && !differ_only_in_digits(name, *near) ? *near : std::string_view();
+    const auto others = without_own(name, meanings.own, known);
+    const auto near = findings.suggest(name, others ? std::span(*others) : known);
+    if (!near || differ_only_in_digits(name, *near)) return std::string_view();
+    return meanings.is_impossible && meanings.is_impossible(*near) ? std::string_view() : *near;
   };
   const std::string_view nearest = among(all);
-  if (!unused || findings.doubtful_references().size() > kMostSlips) return {nearest, {}};
-  const UnusedNames likely = unused();
+  if (!meanings.unused || findings.doubtful_references().size() > kMostSlips) return {nearest, {}};
+  const UnusedNames likely = meanings.unused();
   std::string_view meant = among(likely.names);
   if (meant.empty() && ranges::contains(likely.names, likely.own)) meant = likely.own;
   // Another use of the nearest name would be another mistake.
@@ -111,7 +113,7 @@ Guess guess_name(std::string_view name, std::span<const std::string_view> all,
 
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
                             Span place, const Subject& subject, Findings& findings,
-                            const std::function<UnusedNames()>& unused) {
+                            const Meanings& meanings) {
   if (!can_judge(model, kind) || names(model, kind).contains(name)) return nullptr;
   if (is_xacro(name)) return nullptr;  // SML1009
   const std::string kind_name(to_string(kind));
@@ -134,7 +136,7 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
   if (!model.urdf_path.empty() && kind != NameKind::motor && kind != NameKind::sensor) {
     diagnostic.caret += " in `" + model.urdf_path + "`";
   }
-  const Guess guess = guess_name(name, names(model, kind).names(), unused, findings);
+  const Guess guess = guess_name(name, names(model, kind).names(), meanings, findings);
   if (guess.name.empty()) return &diagnostic;
   diagnostic.help("did you mean " + quoted(guess.name) + guess.reason + "?");
   if (guess.has_fix && fits_everywhere(guess.name)) {
@@ -184,14 +186,6 @@ xml::View element_of(const LinkedModel& model, const Reference& reference) {
   return {model.robot->document, xml::ElementId{reference.place}};
 }
 
-void withhold_fix(Diagnostic* diagnostic, std::string_view name) {
-  if (diagnostic == nullptr) return;
-  std::erase_if(diagnostic->fixes, [&](const Fix& fix) {
-    return std::any_of(fix.edits.begin(), fix.edits.end(),
-                       [&](const Edit& edit) { return edit.text == name; });
-  });
-}
-
 std::string_view other_link(xml::View end) {
   const xml::View other = end.parent().child(end.name() == "child" ? "parent" : "child");
   const xml::Attribute* link = other ? other.attribute("link") : nullptr;
@@ -218,12 +212,17 @@ Diagnostic* report_unknown(const LinkedModel& model, const Reference& reference,
                            Findings& findings) {
   const AnnotationPlace place = annotation_place(model, reference);
   const std::string subject = subject_of(place);
-  std::function<UnusedNames()> unused;
+  Meanings meanings;
   if (place.section == "motors" && place.key == "joint") {
-    unused = [&] { return joints_without_motor(model, name_of(place)); };
+    meanings.unused = [&] { return joints_without_motor(model, name_of(place)); };
   }
-  Diagnostic* diagnostic = check_reference(model, reference.kind, reference.name,
-                                           place_of(reference), subject.c_str(), findings, unused);
+  // A motor may mimic another one only.
+  if (place.section == "motors" && reference.kind == NameKind::motor) {
+    meanings.own = name_of(place);
+  }
+  Diagnostic* diagnostic =
+      check_reference(model, reference.kind, reference.name, place_of(reference), subject.c_str(),
+                      findings, meanings);
   if (diagnostic != nullptr) diagnostic->construct += construct_of(model, place);
   return diagnostic;
 }

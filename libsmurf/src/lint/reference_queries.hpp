@@ -18,10 +18,17 @@ struct UnusedNames {
   std::string_view own;  ///< the name of the entry; suggested if it is among them
   std::string reason;    ///< "which no motor drives"
 };
-/// As in lint/queries.hpp, but suggests one of `unused()` if possible; it may be null.
+/// What a name may mean.
+struct Meanings {
+  std::function<UnusedNames()> unused = {};  ///< one of these is suggested if possible
+  std::string_view own = {};                 ///< the thing itself, to which the name cannot refer
+  /// Other names that would be another mistake: a joint that leads to its own parent.
+  std::function<bool(std::string_view name)> is_impossible = {};
+};
+/// As in lint/queries.hpp.
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
                             Span place, const Subject& subject, Findings& findings,
-                            const std::function<UnusedNames()>& unused);
+                            const Meanings& meanings);
 
 /// The place of a name in the annotations.
 struct AnnotationPlace {
@@ -36,10 +43,6 @@ Span place_of(const Reference& reference);
 
 /// Gets the element of a URDF that contains the name; false for annotations.
 xml::View element_of(const LinkedModel& model, const Reference& reference);
-
-/// Removes a fix that would write this name, because it would be another mistake at this place. The
-/// hint is kept, because it may explain the mistake.
-void withhold_fix(Diagnostic* diagnostic, std::string_view name);
 
 /// The link at the other end of the joint with this `<parent>` or `<child>`.
 std::string_view other_link(xml::View end);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "render/line_hash.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdint>
-#include <map>
+#include <numeric>
 
 #include "base/utf8.hpp"
 
@@ -35,13 +35,13 @@ class Hasher {
     finish_line();
     if (at_line_start_) {
       starting_[at_] = hashes_.size();
-      hashes_.emplace_back();
+      hashes_.push_back(0);
     }
     at_line_start_ = unit == '\n';
     roll(unit);
   }
 
-  std::vector<std::string> finish() {
+  std::vector<std::uint64_t> finish() {
     take(kEnd);
     for (std::size_t i = 0; i < kWindow; ++i) {
       finish_line();
@@ -53,11 +53,7 @@ class Hasher {
  private:
   void finish_line() {
     if (starting_[at_] == kNoLine) return;
-    std::array<char, 16> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), hash_, 16).ptr;
-    std::string value(digits.data(), end);
-    const std::size_t occurrence = ++occurrences_[value];
-    hashes_[starting_[at_]] = value + ":" + std::to_string(occurrence);
+    hashes_[starting_[at_]] = hash_;
     starting_[at_] = kNoLine;
   }
 
@@ -74,13 +70,12 @@ class Hasher {
   std::uint64_t hash_ = 0;
   bool at_line_start_ = true;
   bool after_return_ = false;
-  std::map<std::string, std::size_t> occurrences_;
-  std::vector<std::string> hashes_;
+  std::vector<std::uint64_t> hashes_;
 };
 
 }  // namespace
 
-std::vector<std::string> line_hashes(std::string_view text) {
+LineHashes::LineHashes(std::string_view text) {
   Hasher hasher;
   while (!text.empty()) {
     const utf8::CodePoint point = utf8::decode(text);
@@ -93,7 +88,25 @@ std::vector<std::string> line_hashes(std::string_view text) {
     }
     text.remove_prefix(point.size);
   }
-  return hasher.finish();
+  hashes_ = hasher.finish();
+  // Sorted, equal hashes follow each other. A table could be made slow by the lines of a file.
+  std::vector<std::uint32_t> order(hashes_.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
+    return hashes_[a] != hashes_[b] ? hashes_[a] < hashes_[b] : a < b;
+  });
+  occurrences_.resize(hashes_.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_repeated = i > 0 && hashes_[order[i]] == hashes_[order[i - 1]];
+    occurrences_[order[i]] = is_repeated ? occurrences_[order[i - 1]] + 1 : 1;
+  }
+}
+
+std::string LineHashes::of(std::size_t line) const {
+  const std::size_t index = std::min(line, hashes_.size() - 1);
+  std::array<char, 16> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), hashes_[index], 16);
+  return std::string(digits.data(), end.ptr) + ":" + std::to_string(occurrences_[index]);
 }
 
 }  // namespace smurf::render

@@ -189,19 +189,21 @@ class Log {
   }
 
   std::string fingerprint(Span span) {
-    static const std::string kOfNoText = render::line_hashes("").at(0);
+    static const std::string kOfNoText = render::LineHashes("").of(0);
     if (static_cast<std::size_t>(span.source) >= sources_.size()) return kOfNoText;
-    const auto [hashes, is_new] = hashes_.try_emplace(span.source);
-    if (is_new) hashes->second = render::line_hashes(sources_.text(span.source));
-    const std::size_t line = render::region_of(span, sources_).begin.line;
-    return line <= hashes->second.size() ? hashes->second[line - 1] : hashes->second.back();
+    auto hashes = hashes_.find(span.source);
+    if (hashes == hashes_.end()) {
+      const render::LineHashes made(sources_.text(span.source));
+      hashes = hashes_.emplace(span.source, made).first;
+    }
+    return hashes->second.of(render::region_of(span, sources_).begin.line - 1);
   }
 
   const SourceMap& sources_;
   std::span<const Rule* const> rules_;
   const RepositoryPath& in_repository_;
   std::map<std::string_view, std::size_t> rule_index_;
-  std::map<SourceId, std::vector<std::string>> hashes_;
+  std::map<SourceId, render::LineHashes> hashes_;
 };
 
 }  // namespace

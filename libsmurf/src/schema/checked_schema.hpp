@@ -62,11 +62,11 @@ struct SchemaCheck {
   /// Of a list, in its order; of a mapping, in the order of `names` or `patterns`. For
   /// if_then_else, three: kNoSchema where one is absent. For dependencies, kNoSchema where a list
   /// of names is required.
-  std::vector<SchemaIndex> schemas;
-  std::vector<std::string_view> names;  ///< of properties and dependencies, sorted
-  std::vector<Pattern> patterns;
+  std::vector<SchemaIndex> schemas{};
+  std::vector<std::string_view> names{};  ///< of properties and dependencies, sorted
+  std::vector<Pattern> patterns{};
   /// enumeration: the hash of each allowed value, sorted.
-  std::vector<std::pair<std::size_t, yaml::View>> hashes;
+  std::vector<std::pair<std::size_t, yaml::View>> hashes{};
 };
 
 struct Subschema {

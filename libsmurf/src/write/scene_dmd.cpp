@@ -150,9 +150,7 @@ extern constinit const SceneFormat scene_dmd{
     .name = "dmd",
     .help = "Drake model directives",
     .write = [](const SceneExport& scene) { return DirectivesWriter(scene).run(); },
-    .companion =
-        {"package.xml",
-         "<?xml version=\"1.0\"?>\n<package format=\"2\">\n  <name>scene</name>\n</package>\n"},
+    .remark = "Drake finds the models with parser.package_map().Add(\"scene\", \"FOLDER\")",
     .has_reference_form = true,
     .has_expanded_form = false};
 

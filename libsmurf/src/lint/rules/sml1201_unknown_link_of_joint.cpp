@@ -37,6 +37,31 @@ UnusedNames links_without_joint(const LinkedModel& model) {
   return unused;
 }
 
+/// Whether `above` is the other link, or joints lead from it to the other link.
+bool is_above(const LinkedModel& model, std::string_view above, std::string_view name) {
+  const std::optional<LinkIndex> wanted = model.link_index(above);
+  std::optional<LinkIndex> at = model.link_index(name);
+  for (std::size_t i = 0; wanted && at && i <= model.tree.parent_joint.size(); ++i) {
+    if (*at == *wanted) return true;
+    const std::optional<JointIndex> joint = model.tree.parent_joint[to_size(*at)];
+    at = joint ? model.tree.joint_parent[to_size(*joint)] : std::nullopt;
+  }
+  return false;
+}
+
+/// A joint does not lead from a link to itself, or back to a link above.
+Meanings meanings_of(const LinkedModel& model, xml::View end) {
+  const std::string_view other = other_link(end);
+  Meanings meanings;
+  meanings.own = other;
+  meanings.is_impossible = [&model, other,
+                            is_child = end.name() == "child"](std::string_view name) {
+    return is_child ? is_above(model, name, other) : is_above(model, other, name);
+  };
+  if (end.name() == "child") meanings.unused = [&model] { return links_without_joint(model); };
+  return meanings;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   if (findings.doubtful_references().empty()) return;
   const urdf::Link* unnamed = link_without_name(model);
@@ -46,11 +71,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!end || (end.name() != "parent" && end.name() != "child")) continue;
     const std::string subject = subject_of(end.parent());
     Diagnostic* diagnostic =
-        end.name() == "child" && unnamed == nullptr
-            ? check_reference(model, NameKind::link, one.name, one.span, subject.c_str(), findings,
-                              [&] { return links_without_joint(model); })
-            : check_link_of_joint(model, one, subject, unnamed, findings);
-    withhold_fix(diagnostic, other_link(end));
+        check_link_of_joint(model, one, subject, unnamed, findings, meanings_of(model, end));
     if (diagnostic != nullptr && is_driven(end.parent(), driven)) diagnostic->construct = "driven";
     if (diagnostic != nullptr && end.name() == "parent" && one.name == "world") {
       diagnostic->construct += "#drake-world";

@@ -22,10 +22,11 @@ void check(const LinkedModel& model, Findings& findings) {
     const xml::View mimic = element_of(model, one);
     if (!mimic || mimic.name() != "mimic") continue;
     const std::string subject = "the mimic of " + subject_of(mimic.parent());
-    Diagnostic* diagnostic =
-        check_reference(model, NameKind::joint, one.name, one.span, subject.c_str(), findings);
     const xml::Attribute* own = mimic.parent().attribute("name");
-    if (own != nullptr) withhold_fix(diagnostic, own->value());
+    Meanings meanings;
+    if (own != nullptr) meanings.own = own->value();
+    Diagnostic* diagnostic = check_reference(model, NameKind::joint, one.name, one.span,
+                                             subject.c_str(), findings, meanings);
     if (diagnostic == nullptr || !drake_joints.contains(one.name)) continue;
     diagnostic->construct = "drake-joint";
     diagnostic->note(drake::kJointNote);

@@ -4,6 +4,7 @@
 
 #include "base/limits.hpp"
 #include "base/readers.hpp"
+#include "base/uncertain.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1644_mesh_broken_file {
@@ -52,6 +53,7 @@ void report_outside(const std::vector<Span>& places, bool is_standard_input, Fin
                                " meshes were not looked at: they lie outside of the project";
   Diagnostic& diagnostic = findings.report(places.front(), message);
   diagnostic.severity = Severity::warning;
+  mark_uncertain(diagnostic);
   diagnostic.help("add `--allow-outside` to check " +
                   std::string(places.size() == 1 ? "it" : "them") +
                   (is_standard_input ? "; or, if the URDF belongs into another folder, add "
@@ -62,7 +64,9 @@ void report_outside(const std::vector<Span>& places, bool is_standard_input, Fin
 void check(const LinkedModel& model, Findings& findings) {
   std::set<const MeshFile*> seen;
   std::vector<Span> outside;
-  for (const MeshReference& reference : model.meshes) {
+  // A mesh is reported once. Some readers drop visuals.
+  for (const MeshReference* one : collisions_first(model)) {
+    const MeshReference& reference = *one;
     const MeshFile* file = reference.file;
     if (file == nullptr || !seen.insert(file).second) continue;
     const MeshFacts& facts = file->facts;
@@ -97,7 +101,17 @@ void check(const LinkedModel& model, Findings& findings) {
   report_outside(outside, model.urdf_path == kStandardInput, findings);
 }
 
+/// Of a mesh that was not looked at.
+constexpr std::string_view kMayRefuse = "refuses the file if the mesh is damaged";
+constexpr std::string_view kMayLose = "has no such shape if the mesh is damaged";
+
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::refuses, kMayRefuse, "Bullet LoadMeshFromSTL.h", kUncertain},
+    {&readers::ros, Effect::loses, kMayLose, "assimp STLLoader.cpp", kUncertain},
+    {&readers::dart, Effect::refuses, kMayRefuse, kRun, kUncertain},
+    {&readers::mujoco, Effect::refuses, kMayRefuse, kRun, kUncertain},
+    {&readers::gazebo, Effect::loses, kMayLose, kRun, kUncertain},
+    {&readers::phobos, Effect::loses, kMayLose, kRun, kUncertain},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet LoadMeshFromSTL.h"},
     {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
      "assimp STLLoader.cpp"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "ast/key_renames.hpp"
 #include "ast/sections.hpp"
@@ -10,9 +12,17 @@
 namespace smurf::rules::sml2015_section_of_other_readers_file {
 namespace {
 
+/// Whether MARS reads no motor at all, so that the robot does not move.
+bool loses_all_motors(std::string_view meant, const std::vector<TopLevelKey>& all) {
+  return meant == sections::motors.name &&
+         std::none_of(all.begin(), all.end(),
+                      [&](const TopLevelKey& one) { return one.value.key() == meant; });
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   std::map<SourceId, KeyRenames> renames;
-  for (const TopLevelKey& key : top_level_keys(model)) {
+  const std::vector<TopLevelKey> all = top_level_keys(model);
+  for (const TopLevelKey& key : all) {
     const std::string_view name = key.value.key();
     const SectionSpec* section = find_section(name);
     // MARS reads `material` as well.
@@ -21,6 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(key.value.key_span(),
                         "MARS does not read " + quoted(name) + ", only " + quoted(section->name));
+    if (loses_all_motors(section->name, all)) diagnostic.severity = Severity::error;
     KeyRenames& names =
         renames.try_emplace(key.value.span().source, key.value.document().view()).first->second;
     const std::string remedy = names.is_free(section->name) ? "rename it" : "move it there";

@@ -61,6 +61,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!looks_like(section, key.value)) continue;
     Diagnostic& diagnostic = findings.report(key.value.key_span(), "no reader knows a section " +
                                                                        quoted(key.value.key()));
+    // Then the whole file has no effect.
+    if (key.value.document().view().size() == 1) diagnostic.severity = Severity::error;
     sections.offer_rename(diagnostic, key.value, section.name);
   }
 }

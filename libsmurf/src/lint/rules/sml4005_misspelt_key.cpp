@@ -2,6 +2,7 @@
 #include "ast/key_renames.hpp"
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
+#include "base/ranges.hpp"
 #include "link/scene_link.hpp"
 #include "lint/misspelt_key.hpp"
 #include "lint/queries.hpp"
@@ -10,23 +11,31 @@
 namespace smurf::rules::sml4005_misspelt_key_file {
 namespace {
 
-void report(yaml::View value, const KeySpec& meant, KeyRenames& renames, Findings& findings) {
+Diagnostic& report(yaml::View value, const KeySpec& meant, KeyRenames& renames,
+                   Findings& findings) {
   Diagnostic& diagnostic = findings.report(
       value.key_span(), quoted(value.key()) + " is not a key that readers of scenes know");
   diagnostic.help("did you mean " + quoted(meant.name) + "?");
   if (takes_value(meant, value)) renames.offer(diagnostic.fixes, value, meant.name);
+  return diagnostic;
 }
 
-/// The keys of a mapping and of nested mappings with separate tables.
-void check_mapping(yaml::View mapping, std::span<const KeySpec> keys, Findings& findings) {
+/// The keys of a mapping and of nested mappings with separate tables. `is_empty`: a scene in which
+/// readers find no entities.
+void check_mapping(yaml::View mapping, std::span<const KeySpec> keys, bool is_empty,
+                   Findings& findings) {
   KeyRenames renames(mapping);
   for (const yaml::View value : mapping) {
     const KeySpec* spec = find_key({keys}, value.key());
     if (spec == nullptr) {
       const KeySpec* meant = misspelt_key(value, renames, keys);
-      if (meant != nullptr) report(value, *meant, renames, findings);
+      if (meant == nullptr) continue;
+      Diagnostic& diagnostic = report(value, *meant, renames, findings);
+      // Then the whole scene has no effect.
+      if (is_empty && ranges::contains(kEntityLists, meant->name))
+        diagnostic.severity = Severity::error;
     } else if (spec->type == ValueType::mapping && value.is_mapping()) {
-      check_mapping(value, spec->members.keys(), findings);
+      check_mapping(value, spec->members.keys(), false, findings);
     }
   }
 }
@@ -59,7 +68,9 @@ void check(const LinkedScene& scene, Findings& findings) {
   for (const SceneFile& file : scene.scenes) {
     if (!file.document) continue;
     const yaml::View root = file.document->view();
-    if (root && root.is_mapping()) check_mapping(root, scene_keys(), findings);
+    if (root && root.is_mapping()) {
+      check_mapping(root, scene_keys(), file.scene.entities.empty(), findings);
+    }
   }
   for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
     check_entity(scene, file, entity, findings);

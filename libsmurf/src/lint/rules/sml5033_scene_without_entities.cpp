@@ -10,8 +10,6 @@
 namespace smurf::rules::sml5033_scene_without_entities_file {
 namespace {
 
-constexpr std::string_view kLists[] = {"entities", "smurfs", "smurfa"};
-
 /// The probable misspelling of the list: the first key that no reader of scenes knows.
 yaml::View unknown_key(yaml::View root) {
   for (const yaml::View value : root) {
@@ -28,15 +26,16 @@ bool is_reported(yaml::View root) {
     const KeySpec* meant = find_key({scene_keys()}, value.key());
     const bool is_known = meant != nullptr;
     if (!is_known) meant = misspelt_key(value, renames, scene_keys());
-    const bool is_list = meant != nullptr && ranges::contains(kLists, meant->name);
+    const bool is_list = meant != nullptr && ranges::contains(kEntityLists, meant->name);
     return is_list && !(is_known && value.is_sequence() && value.size() == 0);
   });
 }
 
 /// Other scenes may include one that has only lights, physics or an environment.
 bool is_world(yaml::View root) {
-  return std::any_of(root.begin(), root.end(),
-                     [](const yaml::View value) { return !ranges::contains(kLists, value.key()); });
+  return std::any_of(root.begin(), root.end(), [](const yaml::View value) {
+    return !ranges::contains(kEntityLists, value.key());
+  });
 }
 
 void check(const LinkedScene& scene, Findings& findings) {
