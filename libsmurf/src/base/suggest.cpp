@@ -130,7 +130,7 @@ class Index {
   explicit Index(std::span<const std::string_view> known) : names_(known.begin(), known.end()) {
     signatures_.reserve(known.size());
     for (std::uint32_t i = 0; i < known.size(); ++i) {
-      signatures_.push_back(characters(known[i]));
+      signatures_.push_back(character_bits(known[i]));
       if (known[i].size() > kLongestName) continue;
       for (const std::uint64_t hash : shortened(known[i])) places_.emplace_back(hash, i);
     }
@@ -277,7 +277,7 @@ class Among {
   std::optional<std::string_view> all(std::span<const std::string_view> known) {
     for (const std::string_view candidate : known) {
       spend(std::min(candidate.size(), kLongestName), steps_left_);
-      if (!compare(candidate, characters(candidate))) return std::nullopt;
+      if (!compare(candidate, character_bits(candidate))) return std::nullopt;
     }
     return result();
   }
@@ -308,7 +308,7 @@ class Among {
   std::string_view name_;
   std::uint64_t& steps_left_;
   int farthest_ = std::max(1, static_cast<int>(name_.size()) / 3);
-  std::uint64_t signature_ = characters(name_);
+  std::uint64_t signature_ = character_bits(name_);
   Search result_{};
 };
 
