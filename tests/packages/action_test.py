@@ -35,7 +35,8 @@ class Action(unittest.TestCase):
             "PATH": "/usr/bin:/bin", "HOME": str(self.folder / "temporary"), "GITHUB_ACTIONS": "true",
             "GITHUB_ACTION_PATH": str(self.folder / "action"), "RUNNER_TEMP": str(self.folder / "temporary"),
             "GITHUB_PATH": str(self.folder / "path"), "GITHUB_STEP_SUMMARY": str(self.folder / "summary"),
-            "SMURF_RELEASES": self.archive.parent.as_uri()}
+            "SMURF_RELEASES": self.archive.parent.as_uri(),
+            "PYTHONPATH": "."}  # as shells of robots and workflows have it: the checked repository
         for step in self.action["runs"]["steps"]:
             own = {name: re.sub(r"\$\{\{ inputs\.([\w-]+) \}\}", lambda found: values[found[1]], text)
                    for name, text in step.get("env", {}).items()}
