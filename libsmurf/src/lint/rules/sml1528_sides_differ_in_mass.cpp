@@ -8,7 +8,7 @@
 #include "lint/queries.hpp"
 #include "lint/sides.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1528_sides_differ_in_mass_file {
 namespace {
 
 /// The larger of two numbers divided by the smaller.
@@ -90,4 +90,4 @@ extern constinit const Rule sml1528_sides_differ_in_mass{
     .check_model = check,
     .tolerance = {.value = 0.05, .meaning = "how much the two sides may differ, as a fraction"}};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1528_sides_differ_in_mass_file

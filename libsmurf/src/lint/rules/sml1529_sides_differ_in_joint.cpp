@@ -6,7 +6,7 @@
 #include "lint/queries.hpp"
 #include "lint/sides.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1529_sides_differ_in_joint_file {
 namespace {
 
 bool is_near(double a, double b, double tolerance) {
@@ -102,4 +102,4 @@ extern constinit const Rule sml1529_sides_differ_in_joint{
     .check_model = check,
     .tolerance = {.value = 0.05, .meaning = "how much the two sides may differ, as a fraction"}};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1529_sides_differ_in_joint_file

@@ -8,7 +8,7 @@
 #include "lint/queries.hpp"
 #include "lint/sides.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1530_unlike_siblings_file {
 namespace {
 
 /// Mass and principal moments of a link.
@@ -112,4 +112,4 @@ extern constinit const Rule sml1530_unlike_siblings{
     .check_model = check,
     .tolerance = {.value = 1.5, .meaning = "the factor by which one may differ from the others"}};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1530_unlike_siblings_file

@@ -6,7 +6,7 @@
 #include "lint/inertia_slips.hpp"
 #include "lint/queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml1531_inertia_axes_swapped_file {
 namespace {
 
 void check_link(const LinkedModel& model, const urdf::Link& link, Findings& findings) {
@@ -51,4 +51,4 @@ extern constinit const Rule sml1531_inertia_axes_swapped{
     .sources = "The 12 rotors of the legs of a public quadruped.",
     .check_model = check};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml1531_inertia_axes_swapped_file
