@@ -10,8 +10,6 @@
 namespace smurf::xacro {
 namespace {
 
-std::uint32_t offset(std::size_t size) { return static_cast<std::uint32_t>(size); }
-
 /// Appends what a reference such as "lt" or "#x41" means; false if it is unknown.
 bool append_reference(std::string& text, std::string_view name) {
   struct Row {

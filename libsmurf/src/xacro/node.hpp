@@ -13,6 +13,9 @@
 
 namespace smurf::xacro {
 
+/// Of a place in a source, which has at most 4 GB.
+constexpr std::uint32_t offset(std::size_t size) { return static_cast<std::uint32_t>(size); }
+
 /// A part of a text, and where it was written.
 struct Piece {
   std::uint32_t size = 0;

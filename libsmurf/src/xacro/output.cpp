@@ -8,8 +8,6 @@
 namespace smurf::xacro {
 namespace {
 
-std::uint32_t offset(std::size_t size) { return static_cast<std::uint32_t>(size); }
-
 class Writer {
  public:
   Writer(const std::vector<Piece>& pieces, std::string& text, std::vector<Leaf>& leaves)

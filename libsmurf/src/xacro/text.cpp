@@ -11,19 +11,17 @@
 namespace smurf::xacro {
 namespace {
 
-std::uint32_t offset(std::size_t size) { return static_cast<std::uint32_t>(size); }
-
 /// A part of a text: plain, `${...}`, `$(...)` or `$${`.
-struct Token {
+struct TextToken {
   enum class Kind : std::uint8_t { text, expression, substitution, escape, fault };
   Kind kind = Kind::text;
   std::size_t begin = 0, end = 0;
 };
 
 /// The token at `at`.
-Token next_token(std::string_view text, std::size_t at) {
+TextToken next_token(std::string_view text, std::size_t at) {
   if (text[at] != '$') {
-    return {Token::Kind::text, at, std::min(text.find('$', at), text.size())};
+    return {TextToken::Kind::text, at, std::min(text.find('$', at), text.size())};
   }
   std::size_t end = text.find_first_not_of('$', at);
   if (end == std::string_view::npos) end = text.size();
@@ -31,16 +29,17 @@ Token next_token(std::string_view text, std::size_t at) {
   const char bracket = end < text.size() ? text[end] : '\0';
   const bool has_bracket = bracket == '{' || bracket == '(';
   if (dollars > 1) {
-    return {has_bracket ? Token::Kind::escape : Token::Kind::fault, at,
+    return {has_bracket ? TextToken::Kind::escape : TextToken::Kind::fault, at,
             std::min(end + 1, text.size())};
   }
   if (!has_bracket) {
     // "$" is a text at the end, and before anything else.
-    return {Token::Kind::text, at, std::min(text.find('$', at + 1), text.size())};
+    return {TextToken::Kind::text, at, std::min(text.find('$', at + 1), text.size())};
   }
   const std::size_t close = text.find(bracket == '{' ? '}' : ')', end);
-  if (close == std::string_view::npos) return {Token::Kind::fault, at, text.size()};
-  return {bracket == '{' ? Token::Kind::expression : Token::Kind::substitution, at, close + 1};
+  if (close == std::string_view::npos) return {TextToken::Kind::fault, at, text.size()};
+  return {bracket == '{' ? TextToken::Kind::expression : TextToken::Kind::substitution, at,
+          close + 1};
 }
 
 }  // namespace
@@ -119,28 +118,28 @@ Value Expander::evaluate_text(std::string_view text, const Piece& place, Table& 
       place_failure(place, 0);
       return Value::failure();
     }
-    const Token token = next_token(text, at);
+    const TextToken token = next_token(text, at);
     at = token.end;
     const std::string_view written = text.substr(token.begin, token.end - token.begin);
     Piece piece = part_of(place, token.begin, token.end);
     Value value;
     switch (token.kind) {
-    case Token::Kind::text: value = heap_.text(std::string(written)).at(origin(piece)); break;
-    case Token::Kind::escape:
+    case TextToken::Kind::text: value = heap_.text(std::string(written)).at(origin(piece)); break;
+    case TextToken::Kind::escape:
       piece = part_of(place, token.begin + 1, token.end);
       value = heap_.text(std::string(written.substr(1)));
       break;
-    case Token::Kind::fault:
+    case TextToken::Kind::fault:
       evaluator_.fail(rules::sml3302_xacro_syntax,
                       written.starts_with("$$") ? "`$$` is only allowed before `{` or `(`"
                                                 : "this expression is never closed",
                       written.starts_with("${") ? "add the closing `}`" : "");
       place_failure(piece, 0);
       return Value::failure();
-    case Token::Kind::expression:
+    case TextToken::Kind::expression:
       value = evaluate_expression(written.substr(2, written.size() - 3), piece, symbols, piece);
       break;
-    case Token::Kind::substitution: {
+    case TextToken::Kind::substitution: {
       const Value inner = evaluate_text(written.substr(2, written.size() - 3),
                                         part_of(piece, 2, written.size() - 1), symbols, nullptr);
       if (inner.is_failed()) return inner;

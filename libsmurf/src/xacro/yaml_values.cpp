@@ -24,8 +24,6 @@ constexpr std::array kUnits = {Unit{"!radians", 1.0}, Unit{"!degrees", std::numb
                                Unit{"!meters", 1.0},  Unit{"!millimeters", 0.001},
                                Unit{"!foot", 0.3048}, Unit{"!inches", 0.0254}};
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// The tag in front of a value, such as "!degrees"; it is not part of the value's bytes.
 std::string_view tag_before(std::string_view source, Span value) {
   std::size_t end = value.begin;
