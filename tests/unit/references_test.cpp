@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "smurf/companions.hpp"
 #include "smurf/load.hpp"
 #include "smurf/rename.hpp"
 
@@ -283,10 +284,10 @@ TEST_CASE("names in an SRDF") {
   <disable_collisions link1="base" link2="tip" reason="Never"/>
 </robot>)");
   LoadContext context{one.sources, one.files, one.sink, {}, {}};
-  const auto srdf = load_xml("r.srdf", context);
-  REQUIRE(srdf);
+  const Companions companions = load_companions(one.model, context);
+  REQUIRE(companions.files.size() == 1);
   std::vector<std::string> found;
-  for (const Reference& reference : references_of(one.model, *srdf)) {
+  for (const Reference& reference : companion_references(one.model, companions)) {
     found.push_back(std::string(to_string(reference.kind)) + " " + std::string(reference.name));
   }
   CHECK(found == Places{"group all", "link base", "link tip", "joint elbow", "group more",

@@ -17,6 +17,7 @@
 #include "base/system.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/render.hpp"
 
@@ -26,7 +27,8 @@ namespace {
 bool is_sought(std::string_view path) {
   const InputKind kind = input_kind(path);
   if (xacro::is_xacro_file(path)) return false;
-  return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf;
+  return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf ||
+         is_companion_path(path);
 }
 
 using places::Entry;

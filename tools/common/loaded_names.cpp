@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/loaded_names.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/limits.hpp"
-#include "base/path.hpp"
+#include "base/rules.hpp"
 #include "common/input.hpp"
 #include "smurf/load.hpp"
 
 namespace smurf::tools {
 namespace {
 
-bool is_about(const xml::Document& srdf, const LinkedModel& model) {
-  const xml::View root = srdf.view();
-  const xml::Attribute* name = root ? root.attribute("name") : nullptr;
-  return name != nullptr && model.robot->name && name->value() == *model.robot->name;
+/// Whether companions are missing because too many bytes were read again.
+bool lacks_companions(const LoadedModel& loaded, const SourceMap& sources) {
+  const auto& found = loaded.found.diagnostics();
+  return std::any_of(found.begin(), found.end(), [&](const Diagnostic& one) {
+    return one.rule == &rules::sml0002_file_too_large &&
+           is_companion_path(sources.path(one.span.source));
+  });
 }
 
 }  // namespace
@@ -28,8 +32,11 @@ LoadedNames::LoadedNames(const Plan& plan, const CheckSettings& settings, Sessio
   session.announce(paths, settings);
   for (const PlannedFile& file : plan.scenes) load_scene(file.path);
   for (const PlannedFile& file : plan.models) load_model(file.path);
-  for (const PlannedFile& file : plan.strays) {
-    if (!has_read(file.path)) load_model(file.path);
+  for (const bool are_companions : {false, true}) {
+    for (const PlannedFile& file : plan.strays) {
+      const bool is_turn = is_companion_path(file.path) == are_companions;
+      if (is_turn && !has_read(file.path)) load_model(file.path);
+    }
   }
 }
 
@@ -43,7 +50,7 @@ void LoadedNames::release() {
   parts_.clear();
   scenes_.clear();
   models_.clear();
-  srdfs_.clear();
+  companions_.clear();
 }
 
 void LoadedNames::load_scene(const std::string& path) {
@@ -57,10 +64,28 @@ void LoadedNames::load_scene(const std::string& path) {
 
 void LoadedNames::load_model(const std::string& path) {
   LoadedModel& loaded = models_.emplace_back(session_.load_model(path, settings_));
-  Part& part = parts_.emplace_back(Part{.model = &loaded});
+  LoadContext context = session_.context_of(loaded);
+  Companions& companions = companions_.emplace_back();
+  if (is_companion_path(path)) {
+    Accompanied alone = load_accompanied(path, context);
+    loaded.model = std::move(alone.model);
+    companions = std::move(alone.companions);
+  } else {
+    companions = load_companions(loaded.model, context);
+  }
+  Part& part = parts_.emplace_back(Part{.model = &loaded, .companions = &companions});
   note(loaded.model, part);
+  for (const Companion& one : companions.files) {
+    part.read.insert(identity(session_.loaded_sources().path(one.source)));
+  }
+  if (lacks_companions(loaded, session_.loaded_sources())) {
+    problem_ = "the models that share SRDF files have more than " +
+               std::to_string(session_.limits().repeated_bytes) + " bytes of them; " +
+               raise_limit("repeated-bytes");
+  }
   std::vector<Reference> names = references_of(loaded.model);
-  if (loaded.model.robot) add_srdfs(loaded, part, names);
+  const std::vector<Reference> more = companion_references(loaded.model, companions);
+  names.insert(names.end(), more.begin(), more.end());
   names_.push_back(std::move(names));
   read_.insert(part.read.begin(), part.read.end());
 }
@@ -70,49 +95,6 @@ void LoadedNames::note(const LinkedModel& model, Part& part) const {
   for (const ModelFile& file : model.files) {
     part.read.insert(identity(session_.loaded_sources().path(file.source)));
   }
-}
-
-/// Adds the names in SRDF files beside the URDF, or in the folders where packages keep them.
-void LoadedNames::add_srdfs(LoadedModel& loaded, Part& part, std::vector<Reference>& names) {
-  const std::string own(path::parent(loaded.model.urdf_path));
-  for (const char* const folder : {".", "../srdf", "../config"}) {
-    for (const std::string& path : srdfs_in(path::join(own, folder))) {
-      const xml::Document* document = srdf(path, loaded);
-      if (document == nullptr || !is_about(*document, loaded.model)) continue;
-      if (!part.read.insert(identity(path)).second) continue;
-      if (read_.contains(identity(path))) {
-        repeated_bytes_ += session_.loaded_sources().text(document->source).size();
-      }
-      const std::uint64_t most = session_.limits().repeated_bytes;
-      if (repeated_bytes_ > most) {
-        problem_ = "the models that share SRDF files have more than " + std::to_string(most) +
-                   " bytes of them; " + raise_limit("repeated-bytes");
-        return;
-      }
-      part.srdfs.push_back(document);
-      const auto more = references_of(loaded.model, *document);
-      names.insert(names.end(), more.begin(), more.end());
-    }
-  }
-}
-
-const std::vector<std::string>& LoadedNames::srdfs_in(const std::string& folder) {
-  const auto [known, is_new] = folders_of_srdfs_.try_emplace(folder);
-  if (!is_new) return known->second;
-  for (const std::string& name : session_.files().list(folder)) {
-    if (path::extension(name) == ".srdf") known->second.push_back(path::join(folder, name));
-  }
-  return known->second;
-}
-
-/// Reads an SRDF once for all models; null when it cannot be read.
-const xml::Document* LoadedNames::srdf(const std::string& path, LoadedModel& loaded) {
-  const auto [known, is_new] = srdfs_.try_emplace(path);
-  if (is_new) {
-    LoadContext context = session_.context_of(loaded);
-    known->second = load_xml(path, context);
-  }
-  return known->second ? &*known->second : nullptr;
 }
 
 }  // namespace smurf::tools

@@ -377,7 +377,7 @@ Command lint_command(LintOptions& options) {
       "URDF files.";
   command.operands = "[PATH]... [NAME:=VALUE]...";
   command.details =
-      "A PATH is a .smurf, .smurfs, .smurfa or .urdf file, a scene drawn as .svg, an annotation "
+      "A PATH is a .smurf, .smurfs, .smurfa, .urdf or .srdf file, a scene drawn as .svg, an annotation "
       "file (.yml), a folder to search, or '-' for standard input; without one, the current folder "
       "is searched. A .urdf or .yml file is checked as part of every nearby model that lists it, "
       "or alone if no model lists it. For a mesh or texture, the nearby models that use it are "

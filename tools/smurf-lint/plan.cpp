@@ -18,6 +18,7 @@
 #include "common/models_around.hpp"
 #include "common/xacro_roots.hpp"
 #include "smurf-lint/settings.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/format.hpp"
@@ -256,7 +257,8 @@ class Planner {
     for (const std::string& file : found.files) {
       switch (input_kind(file)) {
       case InputKind::scene: add(plan_.scenes, file); break;
-      case InputKind::urdf: add(plan_.strays, file); break;
+      case InputKind::urdf:
+      case InputKind::other: add(plan_.strays, file); break;  // others are companions
       default: add(plan_.models, file); break;
       }
     }
@@ -287,9 +289,10 @@ class Planner {
     case InputKind::resource: add_resource(path); return;
     case InputKind::other: break;
     }
+    if (is_companion_path(path)) return add(plan_.strays, path);
     fail(
         "cannot check '" + path +
-        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro or .yml file; to check a URDF of "
+        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .srdf or .yml file; to check a URDF of "
         "another name: smurf-lint --stdin-filename NAME.urdf - < FILE");
   }
 

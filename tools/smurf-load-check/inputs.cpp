@@ -11,6 +11,7 @@
 #include "common/input.hpp"
 #include "common/output.hpp"
 #include "smurf/archive_files.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/lint.hpp"
 
@@ -83,7 +84,8 @@ class Loader {
       inputs_.has_failed = inputs_.has_failed || !name;
       if (name) files.push_back(*name);
     } else if (std::filesystem::is_directory(path, ignored)) {
-      const Found found = find_inputs(path, options_.limits);
+      Found found = find_inputs(path, options_.limits);
+      std::erase_if(found.files, [](const std::string& one) { return is_companion_path(one); });
       if (is_shared_folder(path)) {
         confine(inputs_.disk, found.files, options_.packages, options_.allow_outside);
       }

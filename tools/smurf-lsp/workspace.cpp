@@ -32,7 +32,7 @@ bool is_checkable(const std::string& path) {
   case InputKind::scene:
   case InputKind::urdf: return true;
   case InputKind::annotation: return !is_config(path);
-  default: return false;
+  default: return is_companion_path(path);
   }
 }
 
@@ -294,9 +294,11 @@ std::vector<FileView> Workspace::views(const std::string& path) {
       continue;
     }
     add_views(part.model->model, path, sources, view, found);
-    for (const xml::Document* srdf : part.srdfs) {
-      if (sources.path(srdf->source) != path) continue;
-      found.push_back({i, srdf->source, &part.model->model, nullptr, nullptr, srdf});
+    for (const Companion& one : part.companions->files) {
+      if (sources.path(one.source) != path) continue;
+      found.push_back({i, one.source, &part.model->model, nullptr,
+                       one.document ? &*one.document : nullptr,
+                       one.srdf ? &one.srdf->document : nullptr});
     }
   }
   std::stable_partition(found.begin(), found.end(),

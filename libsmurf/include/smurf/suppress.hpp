@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "smurf/companions.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/xacro.hpp"
 
@@ -30,6 +31,7 @@ class Suppressions {
   /// Comments of xacro files are read in those files, not in the expansions.
   void add(const LinkedModel& model, const SourceMap& sources, const xacro::Expansions& expansions);
   void add(const LinkedScene& scene, const SourceMap& sources, const xacro::Expansions& expansions);
+  void add(const Companions& companions, const SourceMap& sources);
   /// Adds the comments of another part of the run. Call it after merging its sources.
   void take(Suppressions&& other, const SourceShift& shift);
 

@@ -10,10 +10,19 @@
 #include "base/quoted.hpp"
 #include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
-#include "base/xacro_rules.hpp"
 #include "base/suggest.hpp"
+#include "base/xacro_rules.hpp"
 
 namespace smurf {
+
+namespace rules {
+
+#define SMURF_RULE(name) extern const Rule name;
+#include "base/companion_rules.def"
+#undef SMURF_RULE
+
+}  // namespace rules
+
 namespace {
 
 constexpr std::size_t kMostMessage = 4000;  // bytes; shorter than several quoted names
@@ -22,6 +31,11 @@ constexpr const Rule* kRules[] = {
 #define SMURF_RULE(name) &rules::name,
 #include "base/rules.def"
 #include "base/xacro_rules.def"
+#undef SMURF_RULE
+};
+constexpr const Rule* kCompanionRules[] = {
+#define SMURF_RULE(name) &rules::name,
+#include "base/companion_rules.def"
 #undef SMURF_RULE
 };
 
@@ -155,7 +169,8 @@ std::uint64_t DiagnosticSink::count_of(const Rule& rule) const {
 
 std::span<const Rule* const> all_rules() {
   static const auto sorted = [] {
-    auto all = std::to_array(kRules);
+    std::vector<const Rule*> all(std::begin(kRules), std::end(kRules));
+    all.insert(all.end(), std::begin(kCompanionRules), std::end(kCompanionRules));
     std::sort(all.begin(), all.end(), [](const Rule* a, const Rule* b) { return a->id < b->id; });
     return all;
   }();
@@ -163,7 +178,7 @@ std::span<const Rule* const> all_rules() {
 }
 
 const Rule* find_rule(std::string_view id_or_name) {
-  for (const Rule* rule : kRules) {
+  for (const Rule* rule : all_rules()) {
     if (rule->id == id_or_name || rule->name == id_or_name || has_former(*rule, id_or_name)) {
       return rule;
     }

@@ -7,11 +7,22 @@
 #include "base/uncertain.hpp"
 
 namespace smurf {
+
+namespace readers {
+
+#define SMURF_READER(name) extern const Reader name;
+#include "base/companion_readers.def"
+#undef SMURF_READER
+
+}  // namespace readers
+
 namespace {
 
 constexpr const Reader* kReaders[] = {
 #define SMURF_READER(name) &readers::name,
 #include "base/readers.def"
+
+#include "base/companion_readers.def"
 #undef SMURF_READER
 };
 
@@ -43,6 +54,16 @@ bool is_index(std::string_view segment) {
 
 constexpr Fact kNoAnnotations{.makes = "reads no annotations",
                               .evidence = "it opens the URDF only"};
+
+constexpr Fact kNoCompanions{.makes = "does not read it", .evidence = "it opens the URDF only"};
+
+/// SRDFs, elements `ros2_control`, and parameter files of ROS.
+bool is_about_companions(const Rule& rule) {
+  for (const std::string_view family : {"SML35", "SML36", "SML37", "SML38"}) {
+    if (rule.id.starts_with(family)) return true;
+  }
+  return false;
+}
 
 /// References from annotations, and their keys.
 bool is_about_annotations(const Rule& rule) {
@@ -96,6 +117,7 @@ const Fact* find_fact(const Reader& reader, const Rule& rule, std::string_view p
       if (path.find(fact.where) != std::string_view::npos) return &fact;
     }
   }
+  if (is_about_companions(rule)) return &kNoCompanions;
   const bool is_read = reader.reads_annotations || !is_about_annotations(rule);
   return is_read ? nullptr : &kNoAnnotations;
 }

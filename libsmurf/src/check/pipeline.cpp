@@ -12,6 +12,7 @@
 #include "base/places.hpp"
 #include "base/rules.hpp"
 #include "check/xacro_places.hpp"
+#include "smurf/lint_companions.hpp"
 #include "syntax/yaml_reader.hpp"
 
 namespace smurf {
@@ -128,13 +129,27 @@ std::size_t count_files(const SourceMap& sources, const Desk& desk) {
 Judged judge(const LinkedModel& model, const SourceMap& sources, const RuleSelection& selection,
              DiagnosticSink& sink, const xacro::Expansions& expansions) {
   lint_model(model, selection, sink);
+  lint_companions(model, {}, selection, sink);
   return take(model, sources, sink, expansions);
+}
+
+Judged judge(const Accompanied& robot, const SourceMap& sources, const RuleSelection& selection,
+             DiagnosticSink& sink, const xacro::Expansions& expansions) {
+  lint_model(robot.model, selection, sink);
+  lint_companions(robot.model, robot.companions, selection, sink);
+  Judged judged = take(robot.model, sources, sink, expansions);
+  judged.comments.add(robot.companions, sources);
+  locate(robot.companions, judged.diagnostics);
+  return judged;
 }
 
 Judged judge(const LinkedScene& scene, const SourceMap& sources, const RuleSelection& selection,
              DiagnosticSink& sink, const xacro::Expansions& expansions) {
   lint_scene(scene, selection, sink);
-  for (const LinkedModel& model : scene.models) lint_model(model, selection, sink);
+  for (const LinkedModel& model : scene.models) {
+    lint_model(model, selection, sink);
+    lint_companions(model, {}, selection, sink);
+  }
   return take(scene, sources, sink, expansions);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "check/group.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/suppress.hpp"
 
 namespace smurf {
@@ -25,6 +26,8 @@ struct Judged {
 
 /// Runs the rules. `sink` contains the findings of reading.
 Judged judge(const LinkedModel& model, const SourceMap& sources, const RuleSelection& selection,
+             DiagnosticSink& sink, const xacro::Expansions& expansions);
+Judged judge(const Accompanied& robot, const SourceMap& sources, const RuleSelection& selection,
              DiagnosticSink& sink, const xacro::Expansions& expansions);
 Judged judge(const LinkedScene& scene, const SourceMap& sources, const RuleSelection& selection,
              DiagnosticSink& sink, const xacro::Expansions& expansions);

@@ -226,17 +226,26 @@ class Run {
         outcome.scenes.insert(identity_of(file.path));
       }
     } else {
-      LinkedModel model = load_model(planned.path, context);
+      Accompanied robot = load(planned, context);
+      LinkedModel& model = robot.model;
       const bool is_xacro = xacro::is_xacro_file(planned.path);
       if (is_xacro && is_part(model, outcome.sources, planned.may_be_part)) {
         outcome.read.insert(identity_of(model.path));
         return;
       }
       outcome.parsed.end_loading(outcome.sources, sink);
-      outcome.judged = judge(model, outcome.sources, group.selection, sink, *context.expansions);
+      outcome.judged = judge(robot, outcome.sources, group.selection, sink, *context.expansions);
       if (planned.may_be_part) excuse_arguments(outcome.judged.diagnostics);
-      take_files(std::move(model), outcome);
+      take_companions(robot.companions, outcome);
+      if (!robot.companions.is_alone) take_files(std::move(model), outcome);
     }
+  }
+
+  /// A robot of xacro that no user named may have other arguments, and so other joints and links,
+  /// than the one that its companions are for.
+  static Accompanied load(const PlannedFile& planned, LoadContext& context) {
+    if (planned.may_be_part) return {load_model(planned.path, context), {}};
+    return load_accompanied(planned.path, context);
   }
 
   /// Whether a xacro file is only a part of robots, because it makes no link, or needs values that
@@ -257,6 +266,17 @@ class Run {
     for (Diagnostic& one : found) {
       if (one.rule == &rules::sml3313_xacro_unknown_argument) one.severity = Severity::info;
     }
+  }
+
+  void take_companions(const Companions& companions, Outcome& outcome) const {
+    for (const Companion& one : companions.files) {
+      outcome.read.insert(identity_of(outcome.sources.path(one.source)));
+    }
+    if (!companions.is_alone) return;
+    // The robot with which it was compared was not asked for.
+    std::erase_if(outcome.judged.diagnostics, [&](const Diagnostic& one) {
+      return !is_companion_path(outcome.sources.path(one.span.source));
+    });
   }
 
   void take_files(LinkedModel&& model, Outcome& outcome) const {
@@ -351,7 +371,15 @@ Report run_check(const Plan& plan, const CheckSettings& settings, const Workshop
   Run run(settings, workshop, sources);
   run.configure(plan.configs);
   run.expect(plan.scenes.size() + plan.models.size() + plan.strays.size());
-  for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) run.check_all(*planned);
+  std::vector<PlannedFile> others = plan.strays;
+  const auto first_companion =
+      std::stable_partition(others.begin(), others.end(),
+                            [](const PlannedFile& one) { return !is_companion_path(one.path); });
+  const std::vector<PlannedFile> companions(first_companion, others.end());
+  others.erase(first_companion, others.end());
+  for (const auto* planned : {&plan.scenes, &plan.models, &std::as_const(others), &companions}) {
+    run.check_all(*planned);
+  }
   return run.finish(plan);
 }
 

@@ -143,7 +143,7 @@ void ReferenceFinder::add(const Naming& naming, std::string_view name, const Nam
   keep(reference);
 }
 
-bool ReferenceFinder::add_known(NameKinds kinds, std::string_view name, const NamePlace& place) {
+bool ReferenceFinder::add_if_known(NameKinds kinds, std::string_view name, const NamePlace& place) {
   for (NameKinds left = kinds; !left.empty(); left = left.without(left.first())) {
     if (!find(left.first(), name)) continue;
     add({kinds}, name, place);
@@ -168,7 +168,7 @@ void ReferenceFinder::read_key(const KeySpec& row, yaml::View value, yaml::View 
       if (!member.is_null() && !member.is_repeated()) {
         add(naming, member.key(), place_of_key(member));
       } else if (keeps_all()) {
-        add_known(naming.kinds, member.key(), place_of_key(member));
+        add_if_known(naming.kinds, member.key(), place_of_key(member));
       }
     }
   }
@@ -218,14 +218,14 @@ void ReferenceFinder::read_section(const SectionSpec& section, yaml::View value)
 void ReferenceFinder::read_unknown(yaml::View value, std::string_view word) {
   const NameKinds kinds = kinds_in_word(word);
   if (value.is_scalar()) {
-    if (!kinds.empty()) add_known(kinds, value.text(), place_of_name(value));
+    if (!kinds.empty()) add_if_known(kinds, value.text(), place_of_name(value));
     return;
   }
   // Names in an alias are read at its anchor; an alias may also contain itself.
   if (node_of(value).is_alias()) return;
   for (const yaml::View member : value) {
     const bool is_member = value.is_mapping();
-    if (is_member && !kinds.empty()) add_known(kinds, member.key(), place_of_key(member));
+    if (is_member && !kinds.empty()) add_if_known(kinds, member.key(), place_of_key(member));
     read_unknown(member, is_member && member.key() != "name" ? member.key() : word);
   }
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ast/sections.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/references.hpp"
 
 namespace smurf {
@@ -40,12 +41,18 @@ class ReferenceFinder {
 
   void read_annotations();
   void read_urdf();
-  void read_srdf(const xml::Document& srdf);
+  void read_companion(const Companion& companion);
+  /// Makes the groups of an SRDF known.
+  void add_groups(const srdf::Description& srdf);
   /// Reads the names in a value by its row, including lists and mappings of names.
   void read_key(const KeySpec& row, yaml::View value, yaml::View entry);
   /// Reads joint pose sets in the form of `poses`.
   void read_section(const SectionSpec& section, yaml::View value);
   void add(const Naming& naming, std::string_view name, const NamePlace& place);
+  /// Adds a name of the first of these kinds that has it, if any.
+  bool add_if_known(NameKinds kinds, std::string_view name, const NamePlace& place);
+  /// An element that no reader knows.
+  void read_extension(xml::View element);
   std::vector<Reference> take() { return std::exchange(found_, {}); }
 
   /// The things of this name; none if there are none.
@@ -55,7 +62,6 @@ class ReferenceFinder {
   bool keeps_all() const { return keep_ == Keep::all; }
   void keep(const Reference& reference);
   bool resolve(Reference& reference);
-  bool add_known(NameKinds kinds, std::string_view name, const NamePlace& place);
 
   using Rows = std::vector<const KeySpec*>;  ///< rows of a section
   /// `all` is empty unless unknown keys are kept, too.
@@ -70,7 +76,6 @@ class ReferenceFinder {
   void read_material(xml::View material);
   /// Elements in it that URDF does not define.
   void read_inner(xml::View element);
-  void read_extension(xml::View element);
   void read_attributes(xml::View element);
   void read_text(xml::View element);
   bool read_part(std::string_view text, std::string_view part, NameKinds kinds,

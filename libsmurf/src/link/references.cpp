@@ -166,12 +166,6 @@ std::vector<Reference> references_of(const LinkedModel& model) {
   return finder.take();
 }
 
-std::vector<Reference> references_of(const LinkedModel& model, const xml::Document& srdf) {
-  ReferenceFinder finder(model, ReferenceFinder::Keep::all);
-  finder.read_srdf(srdf);
-  return finder.take();
-}
-
 std::vector<Reference> references_of(const LinkedScene& scene) { return SceneFinder(scene).run(); }
 
 std::vector<Reference> doubtful_references(const LinkedModel& model) {

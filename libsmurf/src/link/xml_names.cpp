@@ -168,13 +168,6 @@ void ReferenceFinder::read_urdf() {
   }
 }
 
-void ReferenceFinder::read_srdf(const xml::Document& srdf) {
-  const xml::View root = srdf.view();
-  if (!root) return;
-  read_groups(root);
-  for (const xml::View element : root) read_extension(element);
-}
-
 void ReferenceFinder::read_groups(xml::View root) {
   std::uint32_t number = 0;
   for (const xml::View element : root) {
@@ -205,7 +198,7 @@ void ReferenceFinder::read_attributes(xml::View element) {
       add(row->names, value, place_of_value(element, one));
     } else if (keeps_all()) {
       const NameKinds kinds = row != nullptr ? row->names.kinds : kinds_of(element, one.name());
-      add_known(kinds, value, place_of_value(element, one));
+      add_if_known(kinds, value, place_of_value(element, one));
     }
   }
 }
@@ -253,8 +246,8 @@ bool ReferenceFinder::read_part(std::string_view text, std::string_view part, Na
   const auto offset = static_cast<std::size_t>(part.data() - text.data());
   const NamePlace at = part.size() == text.size() ? place : part_of(place, offset, part.size());
   const bool is_joint = kinds == NameKind::joint;
-  return add_known(is_joint ? NameKind::joint : NameKind::link, part, at) ||
-         add_known(is_joint ? NameKind::link : NameKind::joint, part, at);
+  return add_if_known(is_joint ? NameKind::joint : NameKind::link, part, at) ||
+         add_if_known(is_joint ? NameKind::link : NameKind::joint, part, at);
 }
 
 /// The name of a collision or visual in sdformat: LINK_collision or LINK_visual, with a

@@ -17,6 +17,7 @@
 #include "link/mujoco_compiler.hpp"
 #include "lint/rigid_bodies.hpp"
 #include "smurf/lint.hpp"
+#include "smurf/lint_companions.hpp"
 
 namespace smurf {
 namespace {
@@ -282,6 +283,14 @@ void locate_in(const LinkedModel& model, BySource& all) {
 void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
   BySource found(diagnostics);
   locate_in(model, found);
+}
+
+void locate(const Companions& companions, std::span<Diagnostic> diagnostics) {
+  BySource found(diagnostics);
+  for (const Companion& one : companions.files) {
+    if (one.srdf) locate_in(one.srdf->document, found);
+    if (one.document) locate_in(one.document, one.source, "in-companion", found);
+  }
 }
 
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {

@@ -302,6 +302,13 @@ void Suppressions::add(const LinkedModel& model, const SourceMap& sources,
   }
 }
 
+void Suppressions::add(const Companions& companions, const SourceMap& sources) {
+  for (const Companion& one : companions.files) {
+    if (one.srdf) add(one.srdf->document, true, sources);
+    if (one.document) add(*one.document, true, sources);
+  }
+}
+
 void Suppressions::add(const LinkedScene& scene, const SourceMap& sources,
                        const xacro::Expansions& expansions) {
   for (const SceneFile& file : scene.scenes) {

@@ -42,7 +42,7 @@ extern constinit const Rule sml1448_transmission_incomplete{
     .name = "transmission-incomplete",
     .severity = Severity::warning,
     .summary = "A transmission lacks its type, joint or actuator.",
-    .why = "The joint has no actuator; ros2_control throws an exception.",
+    .why = "The joint has no actuator.",
     .remedy = "Write `<type>`, `<joint name=\"...\">` and `<actuator name=\"...\">`.",
     .sources = "ros2_control transmission_parser.cpp.",
     .check_model = check,

@@ -16,7 +16,7 @@ extern constinit const Rule sml8004_vendor_extension{
     .name = "vendor-extension",
     .severity = Severity::info,
     .summary = "An extension of the URDF is left out of the export.",
-    .why = "Programs that read the extension, such as ros2_control, do not find it.",
+    .why = "Programs that read the extension do not find it.",
     .remedy = "Export with `--vendor keep`.",
     .facts = kFacts,
     .reported_by = Tool::converters};

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files of ROS that name the joints and links of a robot, found beside its description.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/load.hpp"
+#include "smurf/references.hpp"
+#include "smurf/srdf.hpp"
+#include "smurf/yaml.hpp"
+
+namespace smurf {
+
+/// In the order of the table of kinds.
+enum class CompanionKind : std::uint8_t {
+  srdf,
+  controllers,  ///< of ros2_control
+  joint_limits,
+  kinematics,
+  moveit_controllers,
+  ompl_planning,
+};
+
+/// A kind of companion, and how its files are recognised.
+struct CompanionSpec {
+  CompanionKind kind{};
+  std::string_view title;  ///< for reports: "SRDF", "controllers.yaml"
+  bool is_xml = false;
+  /// Whether a file of this name and text is one. Called before the text is parsed.
+  bool (*is_one)(std::string_view name, std::string_view text) = nullptr;
+};
+std::span<const CompanionSpec> companion_kinds();
+const CompanionSpec& spec_of(CompanionKind kind);
+/// The kind of a file; null if it is not a companion.
+const CompanionSpec* find_companion_kind(std::string_view path, std::string_view text);
+
+/// A file that belongs to a robot.
+struct Companion {
+  CompanionKind kind{};
+  SourceId source{};
+  std::string folder;                      ///< in which it is
+  std::optional<srdf::Description> srdf;   ///< kind srdf
+  std::optional<yaml::Document> document;  ///< the other kinds
+  /// How many names of joints and links in it the robot has, and how many there are. A file in
+  /// which the robot has less than half of the names belongs to another robot.
+  std::size_t known_names = 0, names = 0;
+  bool is_ros2 = false;  ///< its package is built with ament, or it is only of use in ROS 2
+};
+
+/// The companions of one robot, in the order of their paths. Views point into them and into the
+/// SourceMap, so they are moved, not copied.
+struct Companions {
+  std::vector<Companion> files;
+  bool is_alone = false;  ///< the robot was loaded only to check the first of the files
+};
+
+/// A robot and its companions.
+struct Accompanied {
+  LinkedModel model;
+  Companions companions;
+};
+
+/// Whether a path is that of a companion that can be checked alone: an .srdf.
+bool is_companion_path(std::string_view path);
+
+/// Reads the companions of a robot: SRDFs with its name and parameter files, of which it has at
+/// least half of the names, in its package and in packages that depend on it.
+Companions load_companions(const LinkedModel& model, LoadContext& context);
+
+/// Loads a companion with the robot that it belongs to, or any other file as load_model() does,
+/// with its companions.
+Accompanied load_accompanied(const std::string& path, LoadContext& context);
+
+/// All names in companions, those that the robot does not have included.
+std::vector<Reference> companion_references(const LinkedModel& model, const Companions& companions);
+
+}  // namespace smurf

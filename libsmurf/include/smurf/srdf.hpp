@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An SRDF as written: groups, poses, end effectors and pairs of links, each with its place.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "smurf/source.hpp"
+#include "smurf/xml.hpp"
+
+namespace smurf::srdf {
+
+// Texts are without the blanks around them, as srdfdom reads them.
+using Text = Field<std::string>;
+
+/// A child of a group.
+struct Member {
+  enum class Kind : std::uint8_t { link, joint, chain, group };
+  Kind kind = Kind::link;
+  xml::ElementId element = xml::kNoElement;
+  Text name;       ///< of a link, joint or group
+  Text base, tip;  ///< of a chain
+};
+
+struct Group {
+  xml::ElementId element = xml::kNoElement;
+  Text name;
+  std::vector<Member> members;
+};
+
+/// A joint of a group state and its values, separated by blanks.
+struct StateJoint {
+  xml::ElementId element = xml::kNoElement;
+  Text name, value;
+};
+
+struct GroupState {
+  xml::ElementId element = xml::kNoElement;
+  Text name, group;
+  std::vector<StateJoint> joints;
+};
+
+struct EndEffector {
+  xml::ElementId element = xml::kNoElement;
+  Text name, group, parent_link, parent_group;
+};
+
+struct VirtualJoint {
+  xml::ElementId element = xml::kNoElement;
+  Text name, type, parent_frame, child_link;
+};
+
+/// `disable_collisions` or `enable_collisions`.
+struct LinkPair {
+  xml::ElementId element = xml::kNoElement;
+  bool is_enabled = false;
+  Text link1, link2, reason;
+};
+
+struct PassiveJoint {
+  xml::ElementId element = xml::kNoElement;
+  Text name;
+};
+
+struct JointProperty {
+  xml::ElementId element = xml::kNoElement;
+  Text joint, property, value;
+};
+
+/// `disable_default_collisions` or `link_sphere_approximation`.
+struct LinkEntry {
+  xml::ElementId element = xml::kNoElement;
+  Text link;
+};
+
+/// All in the order of the file.
+struct Description {
+  xml::Document document;
+  Text name;
+  std::vector<VirtualJoint> virtual_joints;
+  std::vector<Group> groups;
+  std::vector<GroupState> states;
+  std::vector<EndEffector> end_effectors;
+  std::vector<LinkPair> pairs;
+  std::vector<PassiveJoint> passive_joints;
+  std::vector<JointProperty> properties;
+  std::vector<LinkEntry> links;
+
+  const Group* find_group(std::string_view wanted) const;
+  const VirtualJoint* find_virtual_joint(std::string_view wanted) const;
+};
+
+}  // namespace smurf::srdf

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// MoveIt 2: a robot with its SRDF and its parameter files.
+#include "base/readers.hpp"
+
+namespace smurf::readers {
+
+extern constinit const Reader moveit{.name = "moveit",
+                                     .title = "MoveIt",
+                                     .basis = "MoveIt 2 8fcb5d2 (2026-08) and srdfdom e23af6e "
+                                              "(2024-10) read; as for urdfdom",
+                                     .like = &urdfdom};
+
+}  // namespace smurf::readers

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the companions of a robot name its parts.
+#pragma once
+
+#include <vector>
+
+#include "smurf/companions.hpp"
+#include "smurf/references.hpp"
+
+namespace smurf {
+
+/// The names of joints, links, groups and controllers in one companion, known or not.
+std::vector<Reference> names_in_companion(const LinkedModel& model, const Companion& companion);
+
+}  // namespace smurf

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kinds of companions. A new kind is a row here, its names in companion_names.cpp, and rules.
+#include <algorithm>
+#include <array>
+
+#include "base/path.hpp"
+#include "smurf/companions.hpp"
+#include "smurf/source.hpp"
+
+namespace smurf {
+namespace {
+
+bool holds(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+bool is_srdf(std::string_view name, std::string_view) {
+  return path::to_lower(path::extension(name)) == ".srdf";
+}
+
+bool is_controllers(std::string_view, std::string_view text) {
+  return holds(text, "ros__parameters:") &&
+         (holds(text, "controller_manager:") || holds(text, "command_interfaces:"));
+}
+
+bool is_joint_limits(std::string_view, std::string_view text) {
+  // Values with a tag, such as `!degrees`, are for xacro.
+  return holds(text, "joint_limits:") && !holds(text, ": !") &&
+         (holds(text, "has_velocity_limits:") || holds(text, "has_acceleration_limits:"));
+}
+
+bool is_kinematics(std::string_view, std::string_view text) {
+  return holds(text, "kinematics_solver:");
+}
+
+bool is_moveit_controllers(std::string_view, std::string_view text) {
+  return holds(text, "controller_names:") && holds(text, "action_ns:");
+}
+
+bool is_ompl_planning(std::string_view, std::string_view text) {
+  return holds(text, "planner_configs:");
+}
+
+constexpr std::array kKinds = {
+    CompanionSpec{CompanionKind::srdf, "SRDF", true, is_srdf},
+    CompanionSpec{CompanionKind::controllers, "controllers.yaml", false, is_controllers},
+    CompanionSpec{CompanionKind::joint_limits, "joint_limits.yaml", false, is_joint_limits},
+    CompanionSpec{CompanionKind::kinematics, "kinematics.yaml", false, is_kinematics},
+    CompanionSpec{CompanionKind::moveit_controllers, "moveit_controllers.yaml", false,
+                  is_moveit_controllers},
+    CompanionSpec{CompanionKind::ompl_planning, "ompl_planning.yaml", false, is_ompl_planning},
+};
+
+bool is_yaml(std::string_view path) {
+  const std::string extension = path::to_lower(path::extension(path));
+  return extension == ".yaml" || extension == ".yml";
+}
+
+}  // namespace
+
+std::span<const CompanionSpec> companion_kinds() { return kKinds; }
+
+const CompanionSpec& spec_of(CompanionKind kind) {
+  return *std::find_if(kKinds.begin(), kKinds.end(),
+                       [&](const CompanionSpec& one) { return one.kind == kind; });
+}
+
+const CompanionSpec* find_companion_kind(std::string_view path, std::string_view text) {
+  const bool may_be_yaml = is_yaml(path);
+  for (const CompanionSpec& one : kKinds) {
+    if (!one.is_xml && !may_be_yaml) continue;
+    if (one.is_one(path::file_name(path), text)) return &one;
+  }
+  return nullptr;
+}
+
+}  // namespace smurf

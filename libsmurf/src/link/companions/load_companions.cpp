@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "ast/companions/srdf_reader.hpp"
+#include "base/path.hpp"
+#include "base/rules.hpp"
+#include "link/companions/companion_names.hpp"
+#include "link/companions/places.hpp"
+#include "link/read_file.hpp"
+#include "smurf/companions.hpp"
+#include "syntax/xml_reader.hpp"
+#include "syntax/yaml_reader.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr std::size_t kMostCandidates = 400;  // files that may be companions
+/// Companions of other robots, and lists of parameters of other programs, are larger.
+constexpr std::uint64_t kMostBytesOfYaml = 1U << 20U;
+
+bool has_extension(std::string_view name, std::initializer_list<std::string_view> wanted) {
+  const std::string extension = path::to_lower(path::extension(name));
+  return std::find(wanted.begin(), wanted.end(), extension) != wanted.end();
+}
+
+/// Whether a file with this name may be a companion. Others are not opened: they may be anything.
+bool is_promising(std::string_view name) {
+  if (name.starts_with('.')) return false;
+  if (!has_extension(name, {".yaml", ".yml"})) return true;
+  const std::string lower = path::to_lower(name);
+  constexpr std::string_view kWords[] = {"control",  "limits", "kinematics", "ompl",
+                                         "planning", "moveit", "param"};
+  return std::any_of(std::begin(kWords), std::end(kWords),
+                     [&](std::string_view word) { return lower.find(word) != std::string::npos; });
+}
+
+/// Files with these extensions in the places around a folder, each once.
+std::vector<std::string> candidates(const std::string& folder,
+                                    std::initializer_list<std::string_view> extensions,
+                                    const LoadContext& context) {
+  std::vector<std::string> found;
+  std::set<std::string> seen;
+  for (const std::string& place : companion_places(folder, context.files)) {
+    for (const std::string& name : context.files.list(place)) {
+      if (!has_extension(name, extensions) || !is_promising(name)) continue;
+      std::string path = path::join(place, name);
+      if (!seen.insert(context.files.identity(path)).second) continue;
+      found.push_back(std::move(path));
+      if (found.size() >= kMostCandidates) return found;
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// Whether the package around a file is built with ament, as those of ROS 2 are.
+bool is_in_ros2_package(const std::string& path, const FileReader& files) {
+  std::string folder(path::parent(path));
+  for (int level = 0; level < 4; ++level, folder = path::join(folder, "..")) {
+    const FileContent manifest = files.read(path::join(folder, "package.xml"), kMostBytesOfYaml);
+    if (manifest.status == ReadStatus::ok) return manifest.text.find("ament") != std::string::npos;
+  }
+  return false;
+}
+
+class Loader {
+ public:
+  explicit Loader(LoadContext& context) : context_(context) {}
+
+  /// Reads a file as a companion of this kind; none if it cannot be parsed.
+  std::optional<Companion> read(const std::string& path, const CompanionSpec& spec) {
+    const auto source = read_source(path, {}, rules::sml0001_unreadable_file, context_);
+    if (!source) return std::nullopt;
+    Companion companion;
+    companion.kind = spec.kind;
+    companion.source = *source;
+    companion.folder = path::parent(path::normalize(path));
+    // These exist in ROS 2 only.
+    companion.is_ros2 = spec.kind == CompanionKind::controllers ||
+                        spec.kind == CompanionKind::moveit_controllers ||
+                        is_in_ros2_package(path, context_.files);
+    if (spec.is_xml) {
+      auto document = parse_xml(context_.sources, *source, context_.limits, context_.sink);
+      if (!document) return std::nullopt;
+      companion.srdf = srdf::read(std::move(*document));
+    } else {
+      // It may be a template, which a launch file fills in.
+      DiagnosticSink ignored(context_.limits);
+      companion.document = parse_yaml(context_.sources, *source, context_.limits, ignored);
+      if (!companion.document || ignored.has_errors()) return std::nullopt;
+    }
+    return companion;
+  }
+
+ private:
+  LoadContext& context_;
+};
+
+/// Counts the names of the companion that the model has.
+void count_names(const LinkedModel& model, Companion& companion) {
+  companion.known_names = companion.names = 0;
+  for (const Reference& one : names_in_companion(model, companion)) {
+    const bool is_part = one.kinds.contains(NameKind::link) || one.kinds.contains(NameKind::joint);
+    if (!is_part || one.is_vague) continue;
+    ++companion.names;
+    if (one.is_known()) ++companion.known_names;
+  }
+}
+
+/// A robot belongs to an SRDF if it has two thirds of the names in it, and a robot of another name
+/// if it has nearly all: thousands of robots are called "robot".
+bool belongs_to(const LinkedModel& robot, const Companion& companion) {
+  const srdf::Text& name = companion.srdf->name;
+  if (robot.robot && robot.robot->name && name && *robot.robot->name == *name) {
+    return companion.known_names * 3 >= companion.names * 2;
+  }
+  constexpr std::size_t kFewest = 4;  // fewer may be the same by chance
+  return companion.names >= kFewest && companion.known_names * 10 >= companion.names * 9;
+}
+
+/// Whether one of these files describes a robot of this name.
+bool has_robot(const std::vector<std::string>& paths, std::string_view name,
+               const LoadContext& context) {
+  return std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
+    const FileContent content = context.files.read(path, context.limits.file_bytes);
+    return content.status == ReadStatus::ok && robot_name_in(content.text) == name;
+  });
+}
+
+class Finder {
+ public:
+  Finder(const LinkedModel& model, LoadContext& context)
+      : model_(model), context_(context), loader_(context) {}
+
+  Companions run() {
+    for (const ModelFile& file : model_.files) {
+      own_.insert(context_.files.identity(context_.sources.path(file.source)));
+    }
+    const std::string folder(path::parent(model_.urdf_path));
+    for (const std::string& path : candidates(folder, {".srdf", ".yaml", ".yml"}, context_)) {
+      if (!own_.contains(context_.files.identity(path))) look_at(path);
+    }
+    for (Companion& one : found_.files) count_names(model_, one);
+    std::erase_if(found_.files, [&](const Companion& one) {
+      return one.srdf ? !belongs_to(model_, one) || has_better_robot(one)
+                      : one.known_names * 2 < one.names;
+    });
+    std::set<std::string> folders;  // of the SRDFs of the robot
+    for (const Companion& one : found_.files) {
+      if (one.srdf) folders.insert(one.folder);
+    }
+    // Robots of one family have the same names, so an SRDF decides which of them is meant.
+    std::erase_if(found_.files, [&](const Companion& one) {
+      const bool is_tied = one.srdf || one.kind == CompanionKind::controllers;
+      return !is_tied && !folders.contains(one.folder) && !is_only_robot();
+    });
+    return std::move(found_);
+  }
+
+ private:
+  void look_at(const std::string& path) {
+    const bool is_srdf = path::to_lower(path::extension(path)) == ".srdf";
+    const FileContent content =
+        context_.files.read(path, is_srdf ? context_.limits.srdf_bytes : kMostBytesOfYaml);
+    if (content.status != ReadStatus::ok) return;
+    const CompanionSpec* spec = find_companion_kind(path, content.text);
+    if (spec == nullptr) return;
+    if (is_srdf && !may_be_for(robot_name_in(content.text))) return;
+    if (auto companion = loader_.read(path, *spec)) {
+      found_.files.push_back(std::move(*companion));
+    }
+  }
+
+  /// Whether an SRDF with this robot name may be one of the robot. Other names are mistakes if the
+  /// robot is the only one around.
+  bool may_be_for(std::string_view name) {
+    if (model_.robot->name && name == *model_.robot->name) return true;
+    const auto is_urdf = [](const std::string& path) { return has_extension(path, {".urdf"}); };
+    const std::vector<std::string>& all = robots();
+    return std::count_if(all.begin(), all.end(), is_urdf) == 1 && !has_robot(all, name, context_);
+  }
+
+  const std::vector<std::string>& robots() {
+    if (!robots_) {
+      const std::string folder(path::parent(model_.urdf_path));
+      robots_ = candidates(folder, {".urdf", ".xacro"}, context_);
+    }
+    return *robots_;
+  }
+
+  bool is_only_robot() { return robots().size() <= 1; }
+
+  /// Whether another robot of the same name, such as a variant with a gripper, has more of the
+  /// names in an SRDF.
+  bool has_better_robot(const Companion& companion) {
+    if (companion.known_names == companion.names) return false;
+    std::set<std::string> names;
+    for (const Reference& one : names_in_companion(model_, companion)) {
+      names.insert("\"" + std::string(one.name) + "\"");
+    }
+    const auto score = [&](std::string_view text) {
+      return std::count_if(names.begin(), names.end(), [&](const std::string& name) {
+        return text.find(name) != std::string_view::npos;
+      });
+    };
+    const auto own = score(context_.sources.text(model_.robot->document.source));
+    return std::any_of(robots().begin(), robots().end(), [&](const std::string& path) {
+      const FileContent content = context_.files.read(path, context_.limits.file_bytes);
+      const bool is_same = robot_name_in(content.text) == model_.robot->name.value_or("");
+      return content.status == ReadStatus::ok && is_same && score(content.text) > own;
+    });
+  }
+
+  const LinkedModel& model_;
+  LoadContext& context_;
+  Loader loader_;
+  Companions found_;
+  std::optional<std::vector<std::string>> robots_;  ///< around it, also in xacro
+  std::set<std::string> own_;                       ///< files of the model, by identity
+};
+
+/// The URDF around a companion that has the robot name of an SRDF; "" if there is none.
+std::string find_robot_of(const Companion& companion, const LoadContext& context) {
+  const srdf::Text& name = companion.srdf->name;
+  const std::string folder(path::parent(context.sources.path(companion.source)));
+  const std::vector<std::string> robots = candidates(folder, {".urdf"}, context);
+  const auto found = std::find_if(robots.begin(), robots.end(), [&](const std::string& path) {
+    return name && has_robot({path}, *name, context);
+  });
+  if (found != robots.end()) return *found;
+  return robots.size() == 1 ? robots.front() : std::string();
+}
+
+Accompanied load_companion(const std::string& path, LoadContext& context) {
+  Accompanied loaded;
+  loaded.model.path = path::normalize(path);
+  loaded.companions.is_alone = true;
+  auto companion = Loader(context).read(path, spec_of(CompanionKind::srdf));
+  if (!companion) {
+    loaded.model.is_complete = false;
+    return loaded;
+  }
+  if (const std::string robot = find_robot_of(*companion, context); !robot.empty()) {
+    LinkedModel found = load_model(robot, context);
+    count_names(found, *companion);
+    if (found.robot && belongs_to(found, *companion)) loaded.model = std::move(found);
+  }
+  loaded.companions.files.push_back(std::move(*companion));
+  return loaded;
+}
+
+}  // namespace
+
+bool is_companion_path(std::string_view path) {
+  return path::to_lower(path::extension(path)) == ".srdf";
+}
+
+Companions load_companions(const LinkedModel& model, LoadContext& context) {
+  return model.robot ? Finder(model, context).run() : Companions{};
+}
+
+Accompanied load_accompanied(const std::string& path, LoadContext& context) {
+  if (is_companion_path(path)) return load_companion(path, context);
+  Accompanied loaded{load_model(path, context), {}};
+  loaded.companions = load_companions(loaded.model, context);
+  return loaded;
+}
+
+}  // namespace smurf

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/companions/places.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+
+#include "base/path.hpp"
+#include "base/words.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr int kLevels = 8;                       // from a description up to its package
+constexpr std::size_t kMostFolders = 300;        // in which files are looked for
+constexpr std::size_t kMostNeighbours = 400;     // folders that may be packages
+constexpr std::uint64_t kMostBytes = 1U << 20U;  // of a package.xml
+
+/// Folders of a package without companions.
+bool is_skipped(std::string_view name) {
+  return name.starts_with('.') || !path::extension(name).empty() ||
+         is_one_of(name, {"meshes", "include", "src", "test", "tests", "doc", "docs", "scripts",
+                          "worlds", "textures", "materials", "media", "build", "install", "log"});
+}
+
+class Search {
+ public:
+  explicit Search(const FileReader& files) : files_(files) {}
+
+  std::vector<std::string> run(const std::string& start) {
+    const std::string folder = path::normalize(start.empty() ? "." : start);
+    add(folder);
+    std::string package = folder;
+    int level = 0;
+    while (level < kLevels && !is_package(package)) {
+      package = path::join(package, "..");
+      ++level;
+    }
+    if (level == kLevels) {
+      add_usual(folder);
+    } else {
+      add_package(package);
+      add_related(package);
+    }
+    return std::move(places_);
+  }
+
+ private:
+  bool is_package(const std::string& folder) const {
+    return files_.is_file(path::join(folder, "package.xml"));
+  }
+
+  bool is_full() const { return places_.size() >= kMostFolders; }
+
+  void add(const std::string& folder) {
+    if (!is_full() && seen_.insert(folder).second) places_.push_back(folder);
+  }
+
+  void add_usual(const std::string& folder) {
+    for (const std::string_view name :
+         {"srdf", "config", "../srdf", "../config", "../urdf", "../robots"}) {
+      add(path::join(folder, name));
+    }
+  }
+
+  void add_package(const std::string& package) {
+    add(package);
+    for (const std::string& name : files_.list(package)) {
+      if (is_skipped(name) || is_full()) continue;
+      const std::string folder = path::join(package, name);
+      const std::vector<std::string> inner = files_.list(folder);
+      if (inner.empty()) continue;
+      add(folder);
+      for (const std::string& one : inner) {
+        if (!is_skipped(one) && !files_.is_file(path::join(folder, one))) {
+          add(path::join(folder, one));
+        }
+      }
+    }
+  }
+
+  std::string manifest_of(const std::string& package) const {
+    return files_.read(path::join(package, "package.xml"), kMostBytes).text;
+  }
+
+  static std::string_view name_in(std::string_view manifest) {
+    const std::size_t begin = manifest.find("<name>");
+    const std::size_t end = manifest.find("</name>", begin);
+    if (begin == std::string_view::npos || end == std::string_view::npos) return {};
+    return trimmed(manifest.substr(begin + 6, end - begin - 6));
+  }
+
+  static bool names(std::string_view manifest, std::string_view package) {
+    return !package.empty() &&
+           manifest.find(">" + std::string(package) + "<") != std::string_view::npos;
+  }
+
+  /// The packages beside a package, and those one level above and below.
+  std::vector<std::string> neighbours(const std::string& package) const {
+    std::vector<std::string> found;
+    std::size_t looked_at = 0;
+    const std::string around = path::join(package, "..");
+    for (const std::string& folder : {around, path::join(around, "..")}) {
+      for (const std::string& name : files_.list(folder)) {
+        if (is_skipped(name) || ++looked_at > kMostNeighbours) continue;
+        const std::string one = path::join(folder, name);
+        if (is_package(one)) {
+          found.push_back(one);
+        } else if (folder == around) {
+          for (const std::string& inner : files_.list(one)) {
+            if (is_skipped(inner) || ++looked_at > kMostNeighbours) continue;
+            if (is_package(path::join(one, inner))) found.push_back(path::join(one, inner));
+          }
+        }
+      }
+    }
+    return found;
+  }
+
+  void add_related(const std::string& package) {
+    const std::string own = manifest_of(package);
+    const std::string_view name = name_in(own);
+    for (const std::string& other : neighbours(package)) {
+      if (seen_.contains(other)) continue;
+      const std::string manifest = manifest_of(other);
+      if (name_in(manifest) == name) continue;  // a copy
+      if (names(manifest, name) || names(own, name_in(manifest))) add_package(other);
+    }
+  }
+
+  const FileReader& files_;
+  std::vector<std::string> places_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+std::vector<std::string> companion_places(const std::string& folder, const FileReader& files) {
+  return Search(files).run(folder);
+}
+
+std::string_view robot_name_in(std::string_view text) {
+  for (std::size_t at = text.find("<robot"); at != std::string_view::npos;
+       at = text.find("<robot", at + 1)) {
+    const std::size_t end = text.find('>', at);
+    const std::string_view tag = text.substr(at, end == std::string_view::npos ? end : end - at);
+    if (tag.size() < 8 || !is_blank(tag[6])) continue;
+    for (std::size_t name = tag.find("name"); name != std::string_view::npos;
+         name = tag.find("name", name + 1)) {
+      std::string_view rest = trimmed(tag.substr(name + 4));
+      if (!is_blank(tag[name - 1]) || !rest.starts_with('=')) continue;
+      rest = trimmed(rest.substr(1));
+      if (rest.empty() || (rest.front() != '"' && rest.front() != '\'')) continue;
+      const std::size_t close = rest.find(rest.front(), 1);
+      return close == std::string_view::npos ? std::string_view()
+                                             : trimmed(rest.substr(1, close - 1));
+    }
+  }
+  return {};
+}
+
+}  // namespace smurf

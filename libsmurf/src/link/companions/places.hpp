@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The folders in which the companions of a robot are looked for.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/file_reader.hpp"
+
+namespace smurf {
+
+/// The folders of the ROS package around `folder`, and those of packages in the same repository
+/// that depend on it or that it depends on. Without a package: the folder, and the folders beside
+/// it that robots usually have.
+std::vector<std::string> companion_places(const std::string& folder, const FileReader& files);
+
+/// The `name` of the element `robot`, without parsing the text; "" if there is none.
+std::string_view robot_name_in(std::string_view text);
+
+}  // namespace smurf

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rules about a robot with its companions, and the readers that their facts are about.
+#pragma once
+
+#include "base/readers.hpp"
+#include "lint/queries.hpp"
+#include "smurf/companions.hpp"
+
+namespace smurf {
+
+namespace readers {
+
+#define SMURF_READER(name) extern const Reader name;
+#include "base/companion_readers.def"
+#undef SMURF_READER
+
+}  // namespace readers
+
+namespace rules {
+
+#define SMURF_RULE(name) extern const Rule name;
+#include "base/companion_rules.def"
+#undef SMURF_RULE
+
+}  // namespace rules
+
+/// The check of one rule. The model has no robot if none was found for a companion.
+using CompanionCheck = void (*)(const LinkedModel& model, const Companions& companions,
+                                Findings& findings);
+
+/// By the name of the rule.
+namespace companion_checks {
+
+#define SMURF_RULE(name) extern const CompanionCheck name;
+#include "base/companion_rules.def"
+#undef SMURF_RULE
+
+}  // namespace companion_checks
+
+}  // namespace smurf

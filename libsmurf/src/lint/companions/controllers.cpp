@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources: ros2_control controller_manager.cpp; rclcpp parameter files.
+#include "lint/companions/controllers.hpp"
+
+#include <algorithm>
+
+#include "base/words.hpp"
+
+namespace smurf {
+namespace {
+
+/// The name of a node without its namespace: "/arm/controller" and "controller" are one.
+std::string_view without_namespace(std::string_view key) {
+  const std::size_t slash = key.rfind('/');
+  return slash == std::string_view::npos ? key : key.substr(slash + 1);
+}
+
+struct Node {
+  std::string_view name;
+  yaml::View parameters;
+};
+
+/// The nodes of a file, which may be in mappings of namespaces.
+void collect(yaml::View value, int depth, std::vector<Node>& nodes) {
+  constexpr int kDeepest = 6;
+  if (!value.is_mapping() || depth > kDeepest) return;
+  for (const yaml::View member : value) {
+    if (member.is_repeated() || !member.is_mapping()) continue;
+    if (const yaml::View own = member.find("ros__parameters"); own && own.is_mapping()) {
+      nodes.push_back({without_namespace(member.key()), own});
+    }
+    if (member.key() != "ros__parameters") collect(member, depth + 1, nodes);
+  }
+}
+
+void read_manager(yaml::View manager, const std::vector<Node>& nodes, ControllerFile& file) {
+  for (const yaml::View member : manager) {
+    if (member.is_repeated() || !member.is_mapping()) continue;
+    RosController one{.name = member.key(),
+                      .declared = member,
+                      .type = member.find("type"),
+                      .section = {},
+                      .place = member.key_span()};
+    const auto node = std::find_if(nodes.begin(), nodes.end(),
+                                   [&](const Node& other) { return other.name == one.name; });
+    if (node != nodes.end()) one.section = node->parameters;
+    if (!one.type && one.section) one.type = one.section.find("type");
+    if (one.type && one.type.is_scalar())
+      one.known = find_controller_class(trimmed(one.type.text()));
+    file.controllers.push_back(one);
+  }
+}
+
+}  // namespace
+
+yaml::View RosController::parameter(std::string_view key) const {
+  return section ? section.find(key) : yaml::View();
+}
+
+std::vector<yaml::View> RosController::list(std::string_view key) const {
+  std::vector<yaml::View> items;
+  const yaml::View value = parameter(key);
+  if (!value || !value.is_sequence()) return items;
+  for (const yaml::View item : value) {
+    if (item.is_scalar()) items.push_back(item);
+  }
+  return items;
+}
+
+void for_each_controller_file(const Companions& companions,
+                              const std::function<void(const ControllerFile&)>& visit) {
+  for (const Companion& one : companions.files) {
+    if (one.kind != CompanionKind::controllers || !one.document || !one.document->view()) continue;
+    std::vector<Node> nodes;
+    collect(one.document->view(), 0, nodes);
+    ControllerFile file{&one, {}, {}};
+    for (const Node& node : nodes) {
+      if (node.name != "controller_manager") continue;
+      if (!file.manager) file.manager = node.parameters;
+      read_manager(node.parameters, nodes, file);
+    }
+    visit(file);
+  }
+}
+
+std::string title_of(const RosController& controller) {
+  return "controller " + quoted(controller.name);
+}
+
+bool is_placeholder(std::string_view text) {
+  return text.find("$(") != std::string_view::npos || text.find("${") != std::string_view::npos ||
+         text.find('<') != std::string_view::npos || text.find("{{") != std::string_view::npos;
+}
+
+}  // namespace smurf

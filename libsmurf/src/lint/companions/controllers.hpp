@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The controllers in parameter files of ros2_control, and questions that several rules ask.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lint/companions/check.hpp"
+#include "lint/companions/controller_tables.hpp"
+
+namespace smurf {
+
+/// A controller that a controller_manager may load.
+struct RosController {
+  std::string_view name;
+  yaml::View declared;  ///< its mapping below controller_manager; none if it is not there
+  yaml::View type;      ///< none if it is missing
+  yaml::View section;   ///< the `ros__parameters` of its node; none if there is none
+  Span place;           ///< its name
+  const ControllerClass* known = nullptr;
+
+  /// A parameter of its section, "joints"; none if it is not written.
+  yaml::View parameter(std::string_view key) const;
+  /// The texts of a list; empty if it is not one.
+  std::vector<yaml::View> list(std::string_view key) const;
+};
+
+/// The controllers of one file.
+struct ControllerFile {
+  const Companion* companion = nullptr;
+  std::vector<RosController> controllers;
+  yaml::View manager;  ///< the `ros__parameters` of controller_manager; none if there is none
+};
+
+/// Calls `visit` for every controllers.yaml of the model.
+void for_each_controller_file(const Companions& companions,
+                              const std::function<void(const ControllerFile&)>& visit);
+
+/// "controller `arm_controller`"
+std::string title_of(const RosController& controller);
+
+/// Whether a text is filled in when the file is launched: `$(var prefix)`, `<namespace>`.
+bool is_placeholder(std::string_view text);
+
+}  // namespace smurf

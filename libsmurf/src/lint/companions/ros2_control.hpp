@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The elements `ros2_control` of a robot, and questions that several rules ask about them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lint/companions/check.hpp"
+
+namespace smurf {
+
+/// `command_interface` or `state_interface`.
+struct HardwareInterface {
+  xml::View element;
+  bool is_command = false;
+  std::string_view name;  ///< empty if it is missing
+
+  /// The text of `<param name="...">`; none if it is not written.
+  std::optional<std::string_view> parameter(std::string_view wanted) const;
+  xml::View parameter_element(std::string_view wanted) const;
+};
+
+/// `joint`, `sensor` or `gpio`.
+struct HardwarePart {
+  xml::View element;
+  std::string_view name;
+  std::vector<HardwareInterface> interfaces;
+
+  bool is_joint() const { return element.name() == "joint"; }
+  bool has_command() const;
+  bool has(std::string_view interface, bool is_command) const;
+};
+
+/// One element `ros2_control`.
+struct Hardware {
+  xml::View element;
+  std::string_view name, type;
+  std::vector<HardwarePart> parts;
+
+  const HardwarePart* find_joint(std::string_view wanted) const;
+};
+
+/// In the order of the file.
+std::vector<Hardware> hardware_of(const LinkedModel& model);
+
+/// The text of an attribute without the blanks around it; empty if it is missing.
+std::string_view attribute_text(xml::View element, std::string_view name);
+/// The value of an attribute, or the name of the element if it is missing.
+Span place_of(xml::View element, std::string_view attribute);
+/// "ros2_control `arm`".
+std::string title_of(const Hardware& hardware);
+/// "joint `elbow` of ros2_control `arm`"
+std::string title_of(const HardwarePart& part, const Hardware& hardware);
+
+/// An exception of the parser: no hardware of the robot is loaded.
+constexpr Fact
+no_hardware(std::string_view where = {},
+            std::string_view makes = "throws an exception and loads no hardware at all") {
+  return {&readers::ros2_control, Effect::refuses, makes,
+          "ros2_control hardware_interface/src/component_parser.cpp", where};
+}
+constexpr Fact no_hardware_in_ros(std::string_view where = {}) {
+  return {&readers::ros, Effect::breaks, "ros2_control loads no hardware",
+          "ros2_control hardware_interface/src/component_parser.cpp", where};
+}
+
+}  // namespace smurf

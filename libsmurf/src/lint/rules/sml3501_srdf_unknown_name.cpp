@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+#include <utility>
+
+#include "base/counted.hpp"
+#include "lint/companions/srdf_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+std::string subject_of(xml::View element) {
+  const xml::View parent = element.parent();
+  const bool is_inner = parent && parent.parent();
+  const xml::View named = is_inner ? parent : element;
+  const xml::Attribute* name = named.attribute("name");
+  const bool is_own = name != nullptr && named.name() != "passive_joint";
+  return is_own ? std::string(named.name()) + " " + quoted(name->value())
+                : "`" + std::string(named.name()) + "`";
+}
+
+class Checker {
+ public:
+  Checker(const LinkedModel& model, const srdf::Description& srdf, Findings& findings)
+      : model_(model), srdf_(srdf), findings_(findings) {}
+
+  void check(const Reference& one) {
+    if (one.is_definition) return;
+    const xml::View element(srdf_.document, xml::ElementId{one.place});
+    if (one.kinds == NameKind::group) return check_group(one, element);
+    if (one.is_known() && one.kind == one.kinds.first()) return;
+    const bool is_pair = element.name().ends_with("_collisions");
+    if (is_pair && !seen_.insert({one.name, nullptr}).second) {
+      if (Diagnostic* first = seen_[one.name]) add_to(*first, one);
+      return;
+    }
+    Diagnostic* found = check_reference(model_, one.kinds.first(), one.name, one.span,
+                                        subject_of(element).c_str(), findings_);
+    if (found == nullptr) return;
+    if (is_pair) {
+      found->severity = Severity::warning;
+      seen_[one.name] = found;
+    }
+  }
+
+  void finish() {
+    for (const auto& [found, count] : more_) {
+      found->note("the same name is in " + counted(count, "more pair"));
+    }
+  }
+
+ private:
+  /// One finding and one fix for all pairs with the name.
+  void add_to(Diagnostic& first, const Reference& one) {
+    ++more_[&first];
+    if (first.fixes.empty()) return;
+    const std::string text = first.fixes.front().edits.front().text;
+    first.fixes.front().edits.push_back({one.span, text});
+  }
+
+  void check_group(const Reference& one, xml::View element) {
+    if (srdf_.find_group(one.name) != nullptr) return;
+    std::vector<std::string_view> known;
+    for (const srdf::Group& group : srdf_.groups) {
+      if (group.name) known.push_back(*group.name);
+    }
+    Diagnostic& found =
+        findings_.report(one.span, subject_of(element) + " names the group " + quoted(one.name) +
+                                       ", which this SRDF does not have");
+    if (const auto near = findings_.suggest(one.name, known)) {
+      found.help("did you mean " + quoted(*near) + "?");
+      found.fixes.push_back({Applicability::unsafe, {{one.span, std::string(*near)}}});
+    }
+  }
+
+  const LinkedModel& model_;
+  const srdf::Description& srdf_;
+  Findings& findings_;
+  std::map<std::string_view, Diagnostic*> seen_;  ///< unknown names in pairs of links
+  std::map<Diagnostic*, std::size_t> more_;
+};
+
+void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
+  const std::vector<Reference> references = companion_references(model, companions);
+  for_each_srdf(companions, [&](const srdf::Description& srdf) {
+    Checker checker(model, srdf, findings);
+    for (const Reference& one : references) {
+      if (one.span.source == srdf.document.source) checker.check(one);
+    }
+    checker.finish();
+  });
+}
+
+using enum Effect;
+constexpr Fact kFacts[] = {
+    {&readers::moveit, loses, "ignores the pair, and checks the two links for collisions",
+     "srdfdom model.cpp loadCollisionPairs", "/disable_collisions/"},
+    {&readers::moveit, loses, "ignores the pair", "srdfdom model.cpp loadCollisionPairs",
+     "/enable_collisions/"},
+    {&readers::moveit, breaks, "drops the whole group, with all that names it",
+     "srdfdom model.cpp loadGroups", "/group/group/"},
+    {&readers::moveit, breaks, "drops the member of the group", "srdfdom model.cpp loadGroups",
+     "/group/"},
+    {&readers::moveit, breaks, "drops the joint from the state",
+     "srdfdom model.cpp loadGroupStates", "/group_state/joint/"},
+    {&readers::moveit, breaks, "drops the state", "srdfdom model.cpp loadGroupStates",
+     "/group_state/"},
+    {&readers::moveit, breaks, "drops the end effector", "srdfdom model.cpp loadEndEffectors",
+     "/end_effector/"},
+    {&readers::moveit, breaks, "reports an error and ignores the element", "srdfdom model.cpp"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml3501_srdf_unknown_name{
+    .id = "SML3501",
+    .name = "srdf-unknown-name",
+    .severity = Severity::error,
+    .summary = "An SRDF names a link, joint or group that does not exist.",
+    .remedy = "Correct the name.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3501_srdf_unknown_name = rules::check;
+
+}  // namespace smurf::companion_checks

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ast/companions/srdf_reader.hpp"
+#include "lint/companions/srdf_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check_element(xml::View parent, xml::View element, Findings& findings) {
+  const std::string_view above = parent ? parent.name() : std::string_view();
+  const srdf::ElementSpec* spec = srdf::find_element_spec(above, element.name());
+  if (spec == nullptr) return;
+  std::string missing;
+  for (const std::string_view name : spec->required) {
+    if (element.attribute(name) != nullptr) continue;
+    missing += (missing.empty() ? " has no " : " and no ") + quoted(name);
+  }
+  if (!missing.empty()) {
+    findings.report(element.name_span(), quoted(element.name()) + missing)
+        .help("write the attribute, or delete the element");
+  }
+  for (const xml::View child : element) check_element(element, child, findings);
+}
+
+void check(const LinkedModel&, const Companions& companions, Findings& findings) {
+  for_each_srdf(companions, [&](const srdf::Description& srdf) {
+    const xml::View root = srdf.document.view();
+    if (root) check_element({}, root, findings);
+  });
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::moveit, Effect::breaks, "reports an error and ignores the element",
+     "srdfdom model.cpp"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml3503_srdf_attribute_missing{
+    .id = "SML3503",
+    .name = "srdf-attribute-missing",
+    .severity = Severity::error,
+    .summary = "An element of an SRDF lacks an attribute that it needs.",
+    .remedy = "Write the attribute.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3503_srdf_attribute_missing = rules::check;
+
+}  // namespace smurf::companion_checks

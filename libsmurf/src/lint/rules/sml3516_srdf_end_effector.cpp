@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "lint/companions/srdf_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// Whether a joint of the group moves the link.
+bool moves(const LinkedModel& model, const GroupJoints& joints, std::string_view link) {
+  const auto index = model.link_index(link);
+  const auto joint = index ? model.tree.parent_joint[to_size(*index)] : std::nullopt;
+  return joint && joints.of_robot[to_size(*joint)];
+}
+
+bool is_member(const srdf::Group& group, std::string_view link) {
+  return std::any_of(group.members.begin(), group.members.end(), [&](const srdf::Member& one) {
+    return one.kind == srdf::Member::Kind::link && one.name && *one.name == link;
+  });
+}
+
+void check_parent_group(const LinkedModel& model, const srdf::Description& srdf,
+                        const srdf::EndEffector& one, const srdf::Group& own, Findings& findings) {
+  const srdf::Group* parent = one.parent_group ? srdf.find_group(*one.parent_group) : nullptr;
+  if (parent == nullptr) return;
+  const std::string title = title_of("end effector", one.name);
+  if (parent == &own) {
+    findings.report(one.parent_group.span, title + " has its own group as parent group")
+        .help("write the group of the arm");
+    return;
+  }
+  const GroupJoints joints = joints_of(model, srdf, *parent);
+  if (!one.parent_link || !joints.is_complete) return;
+  if (moves(model, joints, *one.parent_link) || is_member(*parent, *one.parent_link)) return;
+  findings
+      .report(one.parent_link.span, title + " is attached to " + quoted(*one.parent_link) +
+                                        ", which is not in its parent group " +
+                                        quoted(*one.parent_group))
+      .help("write a link of the parent group, or another parent group");
+}
+
+void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
+  if (!model.robot) return;
+  for_each_srdf(companions, [&](const srdf::Description& srdf) {
+    for (const srdf::EndEffector& one : srdf.end_effectors) {
+      const srdf::Group* own = one.group ? srdf.find_group(*one.group) : nullptr;
+      if (own == nullptr || !one.parent_link || model.find_link(*one.parent_link) == nullptr) {
+        continue;
+      }
+      if (moves(model, joints_of(model, srdf, *own), *one.parent_link)) {
+        findings
+            .report(one.parent_link.span, title_of("end effector", one.name) + " is attached to " +
+                                              quoted(*one.parent_link) +
+                                              ", which its own group moves")
+            .help("write the link of the arm that carries the end effector")
+            .severity = Severity::info;
+        continue;
+      }
+      check_parent_group(model, srdf, one, *own, findings);
+    }
+  });
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::moveit, Effect::changes, "attaches the end effector to another group, or to none",
+     "moveit2 robot_model.cpp buildGroupsInfoEndEffectors"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml3516_srdf_end_effector{
+    .id = "SML3516",
+    .name = "srdf-end-effector",
+    .severity = Severity::warning,
+    .summary = "The parent link or the parent group of an end effector does not fit its group.",
+    .remedy = "Write the link of the arm that carries the end effector, and the group of the arm.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3516_srdf_end_effector = rules::check;
+
+}  // namespace smurf::companion_checks

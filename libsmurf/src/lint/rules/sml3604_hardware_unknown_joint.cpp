@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/companions/ros2_control.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, const Companions&, Findings& findings) {
+  for (const Hardware& hardware : hardware_of(model)) {
+    for (const HardwarePart& part : hardware.parts) {
+      if (!part.is_joint() || part.name.empty()) continue;
+      const Span place = place_of(part.element, "name");
+      const urdf::Joint* joint = model.find_joint(part.name);
+      if (joint == nullptr) {
+        const std::string subject = title_of(hardware);
+        check_reference(model, NameKind::joint, part.name, place, subject.c_str(), findings);
+      } else if (joint->type == urdf::JointType::fixed) {
+        Diagnostic& found = findings.report(place, title_of(hardware) + " drives the joint " +
+                                                       quoted(part.name) + ", which is fixed");
+        found.construct = "fixed";
+        found.label(joint->type_name.span, "its type")
+            .help("delete it from `ros2_control`, or make the joint movable");
+      }
+    }
+  }
+}
+
+constexpr Fact kFacts[] = {
+    no_hardware({}, "throws an exception and loads no hardware (from Jazzy on; Humble accepts it, "
+                    "and the hardware fails later)"),
+    no_hardware_in_ros()};
+
+}  // namespace
+
+extern constinit const Rule sml3604_hardware_unknown_joint{
+    .id = "SML3604",
+    .name = "hardware-unknown-joint",
+    .severity = Severity::error,
+    .summary = "A `ros2_control` names a joint that the robot does not have, or that is fixed.",
+    .remedy = "Write the name of a movable joint, or delete the joint there.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3604_hardware_unknown_joint = rules::check;
+
+}  // namespace smurf::companion_checks

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <optional>
+
+#include "base/numbers.hpp"
+#include "base/words.hpp"
+#include "lint/companions/ros2_control.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr double kSlack = 1e-6;  // rad or m: rounding errors
+
+struct Limit {
+  xml::View element;
+  std::optional<double> value;
+};
+
+/// Reads `min` or `max`; reports a text that is not a number.
+Limit read_limit(const HardwareInterface& one, std::string_view name, const std::string& title,
+                 Findings& findings) {
+  const xml::View element = one.parameter_element(name);
+  if (!element) return {};
+  const std::string_view text = trimmed(element.text());
+  const auto value = parse_number(text);
+  if (value || is_one_of(text, {"inf", "-inf", "nan", ".inf", "-.inf"})) return {element, value};
+  const Span place = element.text_span().empty() ? element.name_span() : element.text_span();
+  Diagnostic& found = findings.report(
+      place, quoted(name) + " of the " + quoted(one.name) + " interface of " + title +
+                 (text.empty() ? " is empty" : " is " + quoted(text) + ", not a number"));
+  found.construct = "not-a-number";
+  const bool is_expression = text.starts_with('{') || text.find("pi") != std::string_view::npos;
+  found.help(is_expression ? "write a number; xacro computes it from `${...}`" : "write a number");
+  return {};
+}
+
+void check_range(const HardwareInterface& one, const std::string& title, const urdf::Joint* joint,
+                 const Limit& min, const Limit& max, Findings& findings) {
+  if (min.value && max.value && *min.value > *max.value) {
+    findings
+        .report(min.element.text_span(), "`min` of the " + quoted(one.name) + " interface of " +
+                                             title + " is above its `max`")
+        .label(max.element.text_span(), "its `max`")
+        .help("swap them");
+    return;
+  }
+  if (joint == nullptr || one.name != "position" || !joint->limit) return;
+  const bool has_range =
+      joint->type == urdf::JointType::revolute || joint->type == urdf::JointType::prismatic;
+  if (!has_range || !joint->limit->lower || !joint->limit->upper) return;
+  const double lower = *joint->limit->lower, upper = *joint->limit->upper;
+  const bool is_low = min.value && *min.value < lower - kSlack;
+  const bool is_high = max.value && *max.value > upper + kSlack;
+  if (!is_low && !is_high) return;
+  const xml::View element = is_low ? min.element : max.element;
+  Diagnostic& found = findings.report(element.text_span(),
+                                      title + " allows positions beyond the limits of the joint, " +
+                                          format_rounded(lower) + " to " + format_rounded(upper));
+  found.construct = "wider";
+  found.severity = Severity::info;
+  found.label(joint->name.span, "the joint is defined here")
+      .help("write limits within those of the joint; the narrower ones count");
+}
+
+void check_initial(const HardwareInterface& one, const std::string& title, const Limit& min,
+                   const Limit& max, Findings& findings) {
+  const xml::View element = one.parameter_element("initial_value");
+  if (!element) return;
+  const std::string_view text = trimmed(element.text());
+  const auto value = parse_number(text);
+  const bool is_beyond =
+      value && ((min.value && *value < *min.value) || (max.value && *value > *max.value));
+  const bool has_type = one.element.attribute("data_type") != nullptr;
+  if ((value && !is_beyond) || text.empty() || has_type) return;
+  const Span place = element.text_span().empty() ? element.name_span() : element.text_span();
+  Diagnostic& found =
+      findings.report(place, "the initial value " + quoted(text) + " of the " + quoted(one.name) +
+                                 " interface of " + title +
+                                 (value ? " is beyond its `min` and `max`" : " is not a number"));
+  found.construct = value ? "initial" : "initial-text";
+  found.help(value ? "write a value between them" : "write a number");
+}
+
+void check(const LinkedModel& model, const Companions&, Findings& findings) {
+  for (const Hardware& hardware : hardware_of(model)) {
+    for (const HardwarePart& part : hardware.parts) {
+      if (!part.is_joint()) continue;
+      const urdf::Joint* joint = model.find_joint(part.name);
+      const std::string title = title_of(part, hardware);
+      for (const HardwareInterface& one : part.interfaces) {
+        const Limit min = read_limit(one, "min", title, findings);
+        const Limit max = read_limit(one, "max", title, findings);
+        if (one.is_command) check_range(one, title, joint, min, max, findings);
+        check_initial(one, title, min, max, findings);
+      }
+    }
+  }
+}
+
+constexpr std::string_view kParser = "ros2_control hardware_interface/src/component_parser.cpp";
+constexpr Fact kFacts[] = {
+    {&readers::ros2_control, Effect::loses,
+     "reports it and has no limit there (from Jazzy on; Humble leaves limits to the hardware)",
+     kParser, "#not-a-number"},
+    {&readers::ros2_control, Effect::ignores, "uses the narrower limits", kParser, "#wider"},
+    {&readers::ros2_control, Effect::changes, "leaves the value to the hardware or the simulator",
+     kParser, "#initial"},
+    {&readers::ros2_control, Effect::changes,
+     "clamps commands to a range that contains nothing (from Jazzy on)", kParser},
+    {&readers::ros, Effect::loses, "ros2_control has no limit there", kParser, "#not-a-number"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml3607_hardware_limit{
+    .id = "SML3607",
+    .name = "hardware-limit",
+    .severity = Severity::warning,
+    .summary = "A limit or an initial value of an interface is not a number, or does not fit.",
+    .why = "Commands are not limited as the file says.",
+    .remedy = "Write numbers: `min` below `max`, the initial value between them.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3607_hardware_limit = rules::check;
+
+}  // namespace smurf::companion_checks

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "base/suggest.hpp"
+#include "lint/companions/ros2_control.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::array<std::string_view, 4> kStandard = {"position", "velocity", "effort",
+                                                       "acceleration"};
+
+void check_name(const HardwareInterface& one, const std::string& title, Findings& findings) {
+  if (std::find(kStandard.begin(), kStandard.end(), one.name) != kStandard.end()) return;
+  const auto near = only_nearest(one.name, kStandard);
+  if (!near) return;
+  const Span place = place_of(one.element, "name");
+  Diagnostic& found = findings.report(place, title + " has an interface " + quoted(one.name) +
+                                                 ", which no controller asks for");
+  found.help("did you mean " + quoted(*near) + "?");
+  found.fixes.push_back({Applicability::unsafe, {{place, std::string(*near)}}});
+}
+
+void check_part(const HardwarePart& part, const std::string& title, Findings& findings) {
+  std::set<std::pair<bool, std::string_view>> seen;
+  for (const HardwareInterface& one : part.interfaces) {
+    if (one.name.empty()) continue;
+    if (!seen.insert({one.is_command, one.name}).second) {
+      findings
+          .report(place_of(one.element, "name"), title + " has the " +
+                                                     std::string(one.element.name()) + " " +
+                                                     quoted(one.name) + " twice")
+          .help("delete one of them")
+          .construct = "twice";
+    } else if (part.is_joint()) {
+      check_name(one, title, findings);
+    }
+  }
+  const bool has_state = seen.lower_bound({false, ""}) != seen.lower_bound({true, ""});
+  if (part.is_joint() && part.has_command() && !has_state) {
+    findings
+        .report(place_of(part.element, "name"), title + " is commanded, but has no state interface")
+        .help("add `<state_interface name=\"position\"/>`: most controllers need it")
+        .construct = "no-state";
+  }
+}
+
+void check(const LinkedModel& model, const Companions&, Findings& findings) {
+  for (const Hardware& hardware : hardware_of(model)) {
+    for (const HardwarePart& part : hardware.parts) {
+      check_part(part, title_of(part, hardware), findings);
+    }
+  }
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::ros2_control, Effect::changes, "uses one of them and warns about the other",
+     "ros2_control hardware_interface/src/resource_manager.cpp", "#twice"},
+    {&readers::ros2_control, Effect::changes,
+     "loads the joint; joint_state_broadcaster and most controllers do not see it",
+     "ros2_control hardware_interface/src/resource_manager.cpp", "#no-state"},
+    {&readers::ros2_control, Effect::changes, "exports it under that name",
+     "ros2_control hardware_interface/src/component_parser.cpp"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml3608_hardware_interface{
+    .id = "SML3608",
+    .name = "hardware-interface",
+    .severity = Severity::warning,
+    .summary = "An interface of a joint is misspelt, repeated, or a state interface is missing.",
+    .why = "Controllers that ask for the interface cannot be activated.",
+    .remedy = "Write position, velocity, effort or acceleration, each once.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3608_hardware_interface = rules::check;
+
+}  // namespace smurf::companion_checks

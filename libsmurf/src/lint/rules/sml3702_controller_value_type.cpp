@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cctype>
+#include <string>
+
+#include "base/path.hpp"
+#include "base/words.hpp"
+#include "lint/companions/controllers.hpp"
+
+namespace smurf::rules {
+namespace {
+
+std::string_view type_name(char type) {
+  switch (type) {
+  case 'd': return "double";
+  case 'i': return "integer";
+  case 'b': return "bool";
+  case 's': return "string";
+  case 'D': return "list of doubles";
+  case 'I': return "list of integers";
+  case 'B': return "list of bools";
+  case 'S': return "list of strings";
+  default: return "value";
+  }
+}
+
+/// The type that rclcpp gives to a scalar; 0 for one that it fills in later.
+char type_of(yaml::View value) {
+  if (value.is_null() || is_placeholder(value.text())) return 0;
+  switch (value.type()) {
+  case yaml::ScalarType::integer: return 'i';
+  case yaml::ScalarType::number: return 'd';
+  case yaml::ScalarType::boolean: return 'b';
+  case yaml::ScalarType::null: return 0;
+  case yaml::ScalarType::text: break;
+  }
+  const std::string lower = path::to_lower(value.text());
+  const bool is_plain = value.style() == yaml::Style::plain;
+  return is_plain && is_one_of(lower, {"yes", "no", "on", "off", "y", "n"}) ? 'b' : 's';
+}
+
+void report(yaml::View value, const std::string& subject, char wanted, Findings& findings) {
+  const char got = type_of(value);
+  Diagnostic& found = findings.report(
+      value.span(), subject + " is " + (got == 'i' ? "an " : "a ") + std::string(type_name(got)) +
+                        ", but must be a " + std::string(type_name(wanted)));
+  found.construct = "wrong-type";
+  if (wanted == 'd' && got == 'i') {
+    const std::string text(value.text());
+    found.help("write " + quoted(text + ".0"));
+    const bool is_decimal = text.find_first_not_of("+-0123456789") == std::string::npos;
+    if (is_decimal) found.fixes.push_back({Applicability::safe, {{value.span(), text + ".0"}}});
+  } else if (wanted == 's') {
+    found.help("write it in quotes");
+  } else {
+    found.help("write a " + std::string(type_name(wanted)));
+  }
+}
+
+void check_value(yaml::View value, const std::string& path, const Parameter& parameter,
+                 const RosController& controller, Findings& findings) {
+  const bool is_list = std::isupper(static_cast<unsigned char>(parameter.type)) != 0;
+  const std::string subject = quoted(path) + " of " + title_of(controller);
+  if (value.is_scalar() && is_list) {
+    if (type_of(value) == 0) return;
+    findings.report(value.span(), subject + " must be a " + std::string(type_name(parameter.type)))
+        .help("write `[" + std::string(value.text()) + "]`")
+        .construct = "wrong-type";
+  } else if (value.is_sequence() && !is_list) {
+    findings
+        .report(value.span(),
+                subject + " is a list, but must be a " + std::string(type_name(parameter.type)))
+        .help("write one value")
+        .construct = "wrong-type";
+  } else if (value.is_scalar()) {
+    const char got = type_of(value);
+    if (got != 0 && got != parameter.type) report(value, subject, parameter.type, findings);
+  } else if (value.is_sequence()) {
+    const char wanted = static_cast<char>(std::tolower(static_cast<unsigned char>(parameter.type)));
+    for (const yaml::View item : value) {
+      const char got = item.is_scalar() ? type_of(item) : '\0';
+      if (got == 0 || got == wanted) continue;
+      report(item, "a value in " + subject, wanted, findings);
+      return;  // one finding per list
+    }
+  }
+}
+
+void check_mapping(yaml::View mapping, const std::string& prefix,
+                   const std::vector<Parameter>& known, const RosController& controller,
+                   Findings& findings) {
+  for (const yaml::View member : mapping) {
+    if (member.is_repeated()) continue;
+    const std::string path = prefix + std::string(member.key());
+    if (const Parameter* parameter = find_parameter(known, path)) {
+      check_value(member, path, *parameter, controller, findings);
+    } else if (member.is_mapping()) {
+      check_mapping(member, path + ".", known, controller, findings);
+    }
+  }
+}
+
+void check(const LinkedModel&, const Companions& companions, Findings& findings) {
+  for_each_controller_file(companions, [&](const ControllerFile& file) {
+    for (const RosController& controller : file.controllers) {
+      if (controller.known == nullptr || !controller.section) continue;
+      check_mapping(controller.section, "", parameters_of(*controller.known), controller, findings);
+    }
+  });
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::ros2_control, Effect::breaks,
+     "throws an exception when it loads the controller, and may end",
+     "rclcpp parameter_value.cpp, node_parameters.cpp"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml3702_controller_value_type{
+    .id = "SML3702",
+    .name = "controller-value-type",
+    .severity = Severity::error,
+    .summary = "A parameter of a controller has a value of another type.",
+    .why = "ROS 2 does not convert an integer to a double.",
+    .remedy = "Write a value of the type of the parameter, such as `50.0` for a double.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3702_controller_value_type = rules::check;
+
+}  // namespace smurf::companion_checks

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "base/suggest.hpp"
+#include "base/words.hpp"
+#include "lint/companions/controllers.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check_type(const RosController& controller, Findings& findings) {
+  if (!controller.type) {
+    if (!controller.section) return;  // a setting of controller_manager
+    findings.report(controller.place, title_of(controller) + " has no `type`")
+        .help("write `type: PACKAGE/CLASS`")
+        .construct = "type";
+    return;
+  }
+  if (controller.known != nullptr || !controller.type.is_scalar()) return;
+  const std::vector<std::string_view> known = controller_class_names();
+  const std::string_view type = trimmed(controller.type.text());
+  const auto near = only_nearest(type, known);
+  if (!near || is_placeholder(type)) return;  // of another package
+  Diagnostic& found = findings.report(
+      controller.type.span(), title_of(controller) + " has the unknown type " + quoted(type));
+  found.construct = "type";
+  found.help("did you mean " + quoted(*near) + "?");
+  found.fixes.push_back({Applicability::unsafe, {{controller.type.span(), std::string(*near)}}});
+}
+
+bool is_set(const RosController& controller, std::string_view path) {
+  yaml::View value = controller.section;
+  while (true) {
+    const std::size_t dot = path.find('.');
+    value = value.find(path.substr(0, dot));
+    if (!value) return false;
+    if (dot == std::string_view::npos) break;
+    path.remove_prefix(dot + 1);
+    if (!value.is_mapping()) return false;
+  }
+  if (value.is_sequence()) return value.size() > 0;
+  return value.is_scalar() && !value.text().empty();
+}
+
+/// Parameters may also be in other files; a section shows that they are here.
+void check_required(const RosController& controller, Findings& findings) {
+  if (controller.known == nullptr || !controller.section) return;
+  const std::vector<Parameter> all = parameters_of(*controller.known);
+  // A parameter that no distribution knows may be one of another version, which needs others.
+  for (const yaml::View member : controller.section) {
+    const std::string_view key = member.key();
+    const bool is_known = std::any_of(all.begin(), all.end(), [&](const Parameter& one) {
+      return one.path.substr(0, one.path.find('.')) == key || one.path == key;
+    });
+    if (!is_known && key.find('.') == std::string_view::npos) return;
+  }
+  std::string missing;
+  for (const Parameter& one : all) {
+    const bool is_by_name = one.path.find('*') != std::string_view::npos;
+    const bool is_everywhere = one.distributions == controller.known->distributions;
+    if (!one.is_required || is_by_name || !is_everywhere) continue;
+    if (is_set(controller, one.path)) continue;
+    // The part above may be written with dots.
+    if (one.path.find('.') != std::string_view::npos && controller.section.find(one.path)) continue;
+    missing += (missing.empty() ? "" : ", ") + quoted(one.path);
+  }
+  if (missing.empty()) return;
+  findings.report(controller.place, title_of(controller) + " does not set " + missing)
+      .help("write a value for it below `ros__parameters` of the controller");
+}
+
+void check(const LinkedModel&, const Companions& companions, Findings& findings) {
+  for_each_controller_file(companions, [&](const ControllerFile& file) {
+    for (const RosController& controller : file.controllers) {
+      check_type(controller, findings);
+      check_required(controller, findings);
+    }
+  });
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::ros2_control, Effect::breaks, "reports an error and does not load the controller",
+     "ros2_control controller_manager.cpp load_controller", "#type"},
+    {&readers::ros2_control, Effect::breaks,
+     "reports an error and does not configure the controller",
+     "ros2_controllers *_parameters.yaml"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml3704_controller_incomplete{
+    .id = "SML3704",
+    .name = "controller-incomplete",
+    .severity = Severity::error,
+    .summary = "A controller has no type, or lacks a parameter that it needs.",
+    .remedy = "Write the type or the parameter.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3704_controller_incomplete = rules::check;
+
+}  // namespace smurf::companion_checks

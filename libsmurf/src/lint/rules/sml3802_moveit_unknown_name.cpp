@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/companions/moveit_files.hpp"
+
+namespace smurf::rules {
+namespace {
+
+const Companion* file_of(const Companions& companions, const Reference& one) {
+  for (const Companion& file : companions.files) {
+    if (file.source == one.span.source) return &file;
+  }
+  return nullptr;
+}
+
+void check_group(const Companion& file, const srdf::Description& srdf, const Reference& one,
+                 Findings& findings) {
+  if (srdf.find_group(one.name) != nullptr) return;
+  std::vector<std::string_view> known;
+  for (const srdf::Group& group : srdf.groups) {
+    if (group.name) known.push_back(*group.name);
+  }
+  Diagnostic& found =
+      findings.report(one.span, "the SRDF of the robot has no group " + quoted(one.name));
+  found.construct = spec_of(file.kind).title;
+  if (const auto near = findings.suggest(one.name, known)) {
+    found.help("did you mean " + quoted(*near) + "?");
+    found.fixes.push_back({Applicability::unsafe, {{one.span, std::string(*near)}}});
+  } else {
+    found.help("write the name of a group, or delete the entry");
+  }
+}
+
+/// The SRDF of the robot, if there is one only: a group may be in another one.
+const Companion* only_srdf(const Companions& companions) {
+  const Companion* only = nullptr;
+  for (const Companion& file : companions.files) {
+    if (!file.srdf) continue;
+    if (only != nullptr) return nullptr;
+    only = &file;
+  }
+  return only;
+}
+
+void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
+  const Companion* only = only_srdf(companions);
+  const srdf::Description* srdf = only != nullptr ? &*only->srdf : nullptr;
+  for (const Reference& one : companion_references(model, companions)) {
+    const Companion* file = file_of(companions, one);
+    if (file == nullptr || file->srdf || file->kind == CompanionKind::controllers) continue;
+    if (one.kinds == NameKind::group) {
+      if (srdf != nullptr && file->folder == only->folder) {
+        check_group(*file, *srdf, one, findings);
+      }
+    } else if (one.kinds == NameKind::joint && !one.is_known()) {
+      // SRDFs define virtual joints.
+      if (srdf != nullptr && srdf->find_virtual_joint(one.name) != nullptr) continue;
+      const std::string subject(spec_of(file->kind).title);
+      Diagnostic* found =
+          check_reference(model, NameKind::joint, one.name, one.span, subject.c_str(), findings);
+      if (found != nullptr) found->construct = spec_of(file->kind).title;
+    }
+  }
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::moveit, Effect::breaks, "does not execute trajectories that need the joint",
+     "moveit2 trajectory_execution_manager.cpp", "#moveit_controllers"},
+    {&readers::moveit, Effect::loses, "ignores the entry without a message",
+     "moveit2 robot_model_loader.cpp, planning_context_manager.cpp"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml3802_moveit_unknown_name{
+    .id = "SML3802",
+    .name = "moveit-unknown-name",
+    .severity = Severity::warning,
+    .summary = "A parameter file of MoveIt names a joint or a group that does not exist.",
+    .remedy = "Correct the name.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3802_moveit_unknown_name = rules::check;
+
+}  // namespace smurf::companion_checks

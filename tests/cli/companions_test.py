@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""smurf-lint on the files of ROS beside a robot: which it finds, and what it renames in them."""
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import cli  # noqa: E402
+
+URDF = """<?xml version="1.0"?>
+<robot name="lamp">
+  <link name="base"/>
+  <link name="arm">
+    <inertial>
+      <mass value="0.5"/>
+      <inertia ixx="0.00013" ixy="0" ixz="0" iyy="0.00013" iyz="0" izz="0.00013"/>
+    </inertial>
+  </link>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="10" velocity="2"/>
+  </joint>
+  <ros2_control name="hardware" type="system">
+    <hardware>
+      <plugin>lamp/Hardware</plugin>
+    </hardware>
+    <joint name="shoulder">
+      <command_interface name="position"/>
+      <state_interface name="position"/>
+    </joint>
+  </ros2_control>
+</robot>
+"""
+SRDF = """<robot name="lamp">
+  <group name="arm">
+    <chain base_link="base" tip_link="arm"/>
+  </group>
+  <group_state name="up" group="arm">
+    <joint name="shoulder" value="0.5"/>
+  </group_state>
+</robot>
+"""
+CONTROLLERS = """# the controllers of the lamp
+controller_manager:
+  ros__parameters:
+    update_rate: 100
+    trajectory:
+      type: joint_trajectory_controller/JointTrajectoryController
+trajectory:
+  ros__parameters:
+    joints: ["shoulder"]
+    command_interfaces: [position]
+    state_interfaces: [position]
+    constraints:
+      shoulder: {goal: 0.1}  # shoulder
+"""
+LIMITS = "joint_limits:\n  shoulder:\n    has_velocity_limits: true\n    max_velocity: 1.5\n"
+KINEMATICS = "arm:\n  kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin\n"
+MOVEIT = """moveit_simple_controller_manager:
+  controller_names: [trajectory]
+  trajectory:
+    action_ns: follow_joint_trajectory
+    type: FollowJointTrajectory
+    joints: [shoulder]
+"""
+
+
+def package(name, *needs):
+    lines = "".join(f"  <depend>{need}</depend>\n" for need in needs)
+    return (f'<package format="3">\n  <name>{name}</name>\n{lines}'
+            "  <export><build_type>ament_cmake</build_type></export>\n</package>\n")
+
+
+class Companions(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write("lamp_description/package.xml", package("lamp_description"))
+        self.write("lamp_description/urdf/lamp.urdf", URDF)
+        self.write("lamp_moveit_config/package.xml", package("lamp_moveit_config", "lamp_description"))
+        self.files = {"lamp.srdf": SRDF, "joint_limits.yaml": LIMITS, "kinematics.yaml": KINEMATICS,
+                      "moveit_controllers.yaml": MOVEIT, "ros2_controllers.yaml": CONTROLLERS}
+        for name, text in self.files.items():
+            self.write("lamp_moveit_config/config/" + name, text)
+
+    def companion(self, name):
+        return self.read("lamp_moveit_config/config/" + name)
+
+    def test_a_clean_robot_has_no_findings(self):
+        self.assertIn("no findings", self.expect(0, ".").stdout)
+
+    def test_files_in_a_package_that_depends_on_the_description(self):
+        self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace('"shoulder"', '"sholder"'))
+        self.write("lamp_moveit_config/config/joint_limits.yaml", LIMITS.replace("1.5", "1"))
+        for path in (".", "lamp_description/urdf/lamp.urdf"):
+            done = self.expect(1, path)
+            self.assertIn("SML3501", done.stdout)
+            self.assertIn("SML3801", done.stdout)
+            self.assertIn("did you mean `shoulder`?", done.stdout)
+
+    def test_a_package_that_does_not_depend_on_it_is_another_robot(self):
+        self.write("lamp_moveit_config/package.xml", package("lamp_moveit_config"))
+        self.write("lamp_moveit_config/config/joint_limits.yaml", LIMITS.replace("1.5", "1"))
+        self.assertNotIn("SML3801", self.expect(0, "lamp_description").stdout)
+
+    def test_an_srdf_alone_is_compared_with_its_robot(self):
+        self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace('"shoulder"', '"sholder"'))
+        done = self.expect(1, "lamp_moveit_config/config/lamp.srdf")
+        self.assertIn("joint `sholder`", done.stdout)
+        self.assertIn("1 error", done.stdout)
+
+    def test_an_srdf_without_a_robot_says_so(self):
+        self.write("other.srdf", SRDF.replace("lamp", "other").replace('group="arm"', 'group="amr"'))
+        done = self.expect(1, "--min-severity", "info", "other.srdf")
+        self.assertIn("SML3500", done.stdout)
+        self.assertIn("did you mean `arm`?", done.stdout)
+
+    def test_files_of_another_robot_are_left_alone(self):
+        self.write("lamp_moveit_config/config/joint_limits.yaml",
+                   LIMITS.replace("shoulder", "other_joint").replace("1.5", "1"))
+        self.assertNotIn("other_joint", self.expect(0, ".").stdout)
+
+    def test_templates_are_left_alone(self):
+        self.write("lamp_moveit_config/config/ros2_controllers.yaml", "{{ x }}: [\n" + CONTROLLERS)
+        self.expect(0, ".")
+
+    def test_rename_changes_all_files_and_back(self):
+        self.expect(0, "--rename", "joint:shoulder=hinge", ".")
+        for name, text in self.files.items():
+            self.assertEqual(self.companion(name),
+                             text.replace("shoulder", "hinge").replace("# hinge", "# shoulder"), name)
+        self.expect(0, "--rename", "joint:hinge=shoulder", ".")
+        for name, text in self.files.items():
+            self.assertEqual(self.companion(name), text, name)
+        self.assertEqual(self.read("lamp_description/urdf/lamp.urdf"), URDF)
+
+    def test_rename_of_a_group(self):
+        self.expect(0, "--rename", "group:arm=manipulator", ".")
+        self.assertIn('group="manipulator"', self.companion("lamp.srdf"))
+        self.assertEqual(self.companion("kinematics.yaml"), KINEMATICS.replace("arm:", "manipulator:"))
+
+    def test_targets(self):
+        self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace('tip_link="arm"', 'tip_link="amr"'))
+        done = self.expect(1, "--target", "moveit", ".")
+        self.assertIn("drops the member of the group", done.stdout)
+        self.write("lamp_description/urdf/lamp.urdf", URDF.replace("<plugin>", "<plugn>").replace("</plugin>", "</plugn>"))
+        done = self.expect(1, "--target", "ros2_control", ".")
+        self.assertIn("loads no hardware at all", done.stdout)
+        self.assertIn("fails to load", done.stdout)
+
+
+if __name__ == "__main__":
+    cli.main()
