@@ -11,17 +11,8 @@
 #include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
-#include "base/xacro_rules.hpp"
 
 namespace smurf {
-
-namespace rules {
-
-#define SMURF_RULE(name) extern const Rule name;
-#include "base/companion_rules.def"
-#undef SMURF_RULE
-
-}  // namespace rules
 
 namespace {
 
@@ -30,7 +21,6 @@ constexpr std::size_t kMostMessage = 4000;  // bytes; shorter than several quote
 constexpr const Rule* kRules[] = {
 #define SMURF_RULE(name) &rules::name,
 #include "base/rules.def"
-#include "base/xacro_rules.def"
 #undef SMURF_RULE
 };
 constexpr const Rule* kCompanionRules[] = {

@@ -8,21 +8,11 @@
 
 namespace smurf {
 
-namespace readers {
-
-#define SMURF_READER(name) extern const Reader name;
-#include "base/companion_readers.def"
-#undef SMURF_READER
-
-}  // namespace readers
-
 namespace {
 
 constexpr const Reader* kReaders[] = {
 #define SMURF_READER(name) &readers::name,
 #include "base/readers.def"
-
-#include "base/companion_readers.def"
 #undef SMURF_READER
 };
 

@@ -12,7 +12,6 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
-#include "base/xacro_rules.hpp"
 #include "check/parallel.hpp"
 
 namespace smurf {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

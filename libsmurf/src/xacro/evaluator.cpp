@@ -7,7 +7,7 @@
 #include "base/quoted.hpp"
 #include "base/suggest.hpp"
 #include "base/utf8.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/python_text.hpp"
 
 namespace smurf::xacro {

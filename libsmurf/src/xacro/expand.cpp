@@ -7,7 +7,7 @@
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/words.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "base/quoted.hpp"
 #include "base/utf8.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

@@ -7,7 +7,7 @@
 #include "base/quoted.hpp"
 #include "base/suggest.hpp"
 #include "base/words.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "syntax/xml_reader.hpp"
 #include "xacro/expander.hpp"
 

@@ -5,7 +5,7 @@
 #include "base/limits.hpp"
 #include "base/quoted.hpp"
 #include "base/suggest.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 

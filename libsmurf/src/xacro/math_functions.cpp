@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/exact_math.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/evaluator.hpp"
 
 namespace smurf::xacro {

@@ -7,7 +7,7 @@
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/utf8.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/exact_math.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/evaluator.hpp"
 
 namespace smurf::xacro {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/words.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/parser.hpp"
 
 namespace smurf::xacro {

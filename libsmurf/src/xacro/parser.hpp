@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/syntax.hpp"
 #include "xacro/tokens.hpp"
 

@@ -6,7 +6,7 @@
 #include "base/quoted.hpp"
 #include "base/suggest.hpp"
 #include "base/words.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "base/limits.hpp"
 #include "base/quoted.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 

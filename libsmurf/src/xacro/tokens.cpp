@@ -8,7 +8,7 @@
 #include "base/path.hpp"
 #include "base/utf8.hpp"
 #include "base/words.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/python_text.hpp"
 
 namespace smurf::xacro {

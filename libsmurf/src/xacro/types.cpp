@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/quoted.hpp"
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

@@ -2,7 +2,7 @@
 // MoveIt 2: a robot with its SRDF and its parameter files.
 #include "base/readers.hpp"
 
-namespace smurf::readers {
+namespace smurf::readers::moveit_file {
 
 extern constinit const Reader moveit{.name = "moveit",
                                      .title = "MoveIt",
@@ -10,4 +10,4 @@ extern constinit const Reader moveit{.name = "moveit",
                                               "(2024-10) read; as for urdfdom",
                                      .like = &urdfdom};
 
-}  // namespace smurf::readers
+}  // namespace smurf::readers::moveit_file

@@ -3,26 +3,11 @@
 #pragma once
 
 #include "base/readers.hpp"
+#include "base/rules.hpp"
 #include "lint/queries.hpp"
 #include "smurf/companions.hpp"
 
 namespace smurf {
-
-namespace readers {
-
-#define SMURF_READER(name) extern const Reader name;
-#include "base/companion_readers.def"
-#undef SMURF_READER
-
-}  // namespace readers
-
-namespace rules {
-
-#define SMURF_RULE(name) extern const Rule name;
-#include "base/companion_rules.def"
-#undef SMURF_RULE
-
-}  // namespace rules
 
 /// The check of one rule. The model has no robot if none was found for a companion.
 using CompanionCheck = void (*)(const LinkedModel& model, const Companions& companions,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3303_xacro_computation_file {
 
 extern constinit const Rule sml3303_xacro_computation{
     .id = "SML3303",
@@ -14,4 +14,4 @@ extern constinit const Rule sml3303_xacro_computation{
     .sources = "xacro 2.1.1, run.",
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3303_xacro_computation_file

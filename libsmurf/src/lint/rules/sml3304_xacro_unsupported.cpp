@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3304_xacro_unsupported_file {
 
 extern constinit const Rule sml3304_xacro_unsupported{
     .id = "SML3304",
@@ -14,4 +14,4 @@ extern constinit const Rule sml3304_xacro_unsupported{
     .sources = "xacro 2.1.1, run.",
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3304_xacro_unsupported_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3305_xacro_unknown_macro_file {
 
 extern constinit const Rule sml3305_xacro_unknown_macro{
     .id = "SML3305",
@@ -14,4 +14,4 @@ extern constinit const Rule sml3305_xacro_unknown_macro{
     .sources = "xacro 2.1.1, run.",
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3305_xacro_unknown_macro_file

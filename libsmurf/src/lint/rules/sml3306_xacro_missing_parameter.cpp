@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3306_xacro_missing_parameter_file {
 
 extern constinit const Rule sml3306_xacro_missing_parameter{
     .id = "SML3306",
@@ -13,4 +13,4 @@ extern constinit const Rule sml3306_xacro_missing_parameter{
     .sources = "xacro 2.1.1, run.",
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3306_xacro_missing_parameter_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3311_xacro_cyclic_include_file {
 
 extern constinit const Rule sml3311_xacro_cyclic_include{
     .id = "SML3311",
@@ -13,4 +13,4 @@ extern constinit const Rule sml3311_xacro_cyclic_include{
     .sources = "xacro 2.1.1, run.",
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3311_xacro_cyclic_include_file

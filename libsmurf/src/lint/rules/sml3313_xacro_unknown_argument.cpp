@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3313_xacro_unknown_argument_file {
 
 extern constinit const Rule sml3313_xacro_unknown_argument{
     .id = "SML3313",
@@ -14,4 +14,4 @@ extern constinit const Rule sml3313_xacro_unknown_argument{
     .sources = "xacro 2.1.1, run.",
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3313_xacro_unknown_argument_file

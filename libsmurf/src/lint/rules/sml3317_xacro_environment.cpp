@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3317_xacro_environment_file {
 
 extern constinit const Rule sml3317_xacro_environment{
     .id = "SML3317",
@@ -15,4 +15,4 @@ extern constinit const Rule sml3317_xacro_environment{
     .sources = "xacro 2.1.1, run.",
     .blocks_building = true};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3317_xacro_environment_file

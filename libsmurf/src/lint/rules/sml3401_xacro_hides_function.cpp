@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3401_xacro_hides_function_file {
 
 extern constinit const Rule sml3401_xacro_hides_function{
     .id = "SML3401",
@@ -13,4 +13,4 @@ extern constinit const Rule sml3401_xacro_hides_function{
     .remedy = "Give the property another name.",
     .sources = "xacro 2.1.1, run."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3401_xacro_hides_function_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3402_xacro_unknown_attribute_file {
 
 extern constinit const Rule sml3402_xacro_unknown_attribute{
     .id = "SML3402",
@@ -12,4 +12,4 @@ extern constinit const Rule sml3402_xacro_unknown_attribute{
     .remedy = "Correct the name of the attribute, or delete it.",
     .sources = "xacro 2.1.1, run."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3402_xacro_unknown_attribute_file

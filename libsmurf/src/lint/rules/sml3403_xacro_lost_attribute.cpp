@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3403_xacro_lost_attribute_file {
 
 extern constinit const Rule sml3403_xacro_lost_attribute{
     .id = "SML3403",
@@ -14,4 +14,4 @@ extern constinit const Rule sml3403_xacro_lost_attribute{
     .remedy = "Put `xacro:attribute` directly into the element that gets the attribute.",
     .sources = "xacro 2.1.1, run."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3403_xacro_lost_attribute_file

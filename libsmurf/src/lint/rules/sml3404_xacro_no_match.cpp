@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3404_xacro_no_match_file {
 
 extern constinit const Rule sml3404_xacro_no_match{
     .id = "SML3404",
@@ -12,4 +12,4 @@ extern constinit const Rule sml3404_xacro_no_match{
     .remedy = "Correct the pattern.",
     .sources = "xacro 2.1.1, run."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3404_xacro_no_match_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/xacro_rules.hpp"
+#include "base/rules.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3405_xacro_message_file {
 
 extern constinit const Rule sml3405_xacro_message{
     .id = "SML3405",
@@ -13,4 +13,4 @@ extern constinit const Rule sml3405_xacro_message{
     .remedy = "Do what the message says.",
     .sources = "xacro 2.1.1, run."};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3405_xacro_message_file

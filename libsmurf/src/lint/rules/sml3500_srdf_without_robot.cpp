@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3500_srdf_without_robot_file {
 namespace {
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
@@ -36,10 +36,10 @@ extern constinit const Rule sml3500_srdf_without_robot{
     .remedy = "Check the package of the URDF together with the SRDF.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3500_srdf_without_robot_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3500_srdf_without_robot = rules::check;
+extern constinit const CompanionCheck sml3500_srdf_without_robot = rules::sml3500_srdf_without_robot_file::check;
 
 }  // namespace smurf::companion_checks

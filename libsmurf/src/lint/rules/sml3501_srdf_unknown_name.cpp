@@ -5,7 +5,7 @@
 #include "base/counted.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3501_srdf_unknown_name_file {
 namespace {
 
 std::string subject_of(xml::View element) {
@@ -119,10 +119,10 @@ extern constinit const Rule sml3501_srdf_unknown_name{
     .remedy = "Correct the name.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3501_srdf_unknown_name_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3501_srdf_unknown_name = rules::check;
+extern constinit const CompanionCheck sml3501_srdf_unknown_name = rules::sml3501_srdf_unknown_name_file::check;
 
 }  // namespace smurf::companion_checks

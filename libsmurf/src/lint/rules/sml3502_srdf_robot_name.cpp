@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3502_srdf_robot_name_file {
 namespace {
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
@@ -33,10 +33,10 @@ extern constinit const Rule sml3502_srdf_robot_name{
     .remedy = "Write the name of the URDF.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3502_srdf_robot_name_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3502_srdf_robot_name = rules::check;
+extern constinit const CompanionCheck sml3502_srdf_robot_name = rules::sml3502_srdf_robot_name_file::check;
 
 }  // namespace smurf::companion_checks

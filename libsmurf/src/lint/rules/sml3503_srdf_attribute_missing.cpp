@@ -2,7 +2,7 @@
 #include "ast/companions/srdf_reader.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3503_srdf_attribute_missing_file {
 namespace {
 
 void check_element(xml::View parent, xml::View element, Findings& findings) {
@@ -43,10 +43,10 @@ extern constinit const Rule sml3503_srdf_attribute_missing{
     .remedy = "Write the attribute.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3503_srdf_attribute_missing_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3503_srdf_attribute_missing = rules::check;
+extern constinit const CompanionCheck sml3503_srdf_attribute_missing = rules::sml3503_srdf_attribute_missing_file::check;
 
 }  // namespace smurf::companion_checks

@@ -6,7 +6,7 @@
 #include "base/suggest.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3504_srdf_unknown_element_file {
 namespace {
 
 /// The known name that a name was probably meant to be; none for names that other programs read.
@@ -89,10 +89,10 @@ extern constinit const Rule sml3504_srdf_unknown_element{
     .remedy = "Correct the name, or move the element.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3504_srdf_unknown_element_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3504_srdf_unknown_element = rules::check;
+extern constinit const CompanionCheck sml3504_srdf_unknown_element = rules::sml3504_srdf_unknown_element_file::check;
 
 }  // namespace smurf::companion_checks

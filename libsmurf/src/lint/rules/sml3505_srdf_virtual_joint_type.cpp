@@ -6,7 +6,7 @@
 #include "base/suggest.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3505_srdf_virtual_joint_type_file {
 namespace {
 
 constexpr std::array<std::string_view, 3> kTypes = {"fixed", "floating", "planar"};
@@ -44,10 +44,10 @@ extern constinit const Rule sml3505_srdf_virtual_joint_type{
     .remedy = "Write one of these types.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3505_srdf_virtual_joint_type_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3505_srdf_virtual_joint_type = rules::check;
+extern constinit const CompanionCheck sml3505_srdf_virtual_joint_type = rules::sml3505_srdf_virtual_joint_type_file::check;
 
 }  // namespace smurf::companion_checks

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3506_srdf_virtual_joint_child_file {
 namespace {
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
@@ -40,10 +40,10 @@ extern constinit const Rule sml3506_srdf_virtual_joint_child{
     .remedy = "Write the root link as `child_link`.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3506_srdf_virtual_joint_child_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3506_srdf_virtual_joint_child = rules::check;
+extern constinit const CompanionCheck sml3506_srdf_virtual_joint_child = rules::sml3506_srdf_virtual_joint_child_file::check;
 
 }  // namespace smurf::companion_checks

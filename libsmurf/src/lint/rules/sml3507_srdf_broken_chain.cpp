@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3507_srdf_broken_chain_file {
 namespace {
 
 void check_chain(const LinkedModel& model, const srdf::Description& srdf, const srdf::Group& group,
@@ -63,10 +63,10 @@ extern constinit const Rule sml3507_srdf_broken_chain{
     .remedy = "Write a base link and a tip link below it.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3507_srdf_broken_chain_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3507_srdf_broken_chain = rules::check;
+extern constinit const CompanionCheck sml3507_srdf_broken_chain = rules::sml3507_srdf_broken_chain_file::check;
 
 }  // namespace smurf::companion_checks

@@ -3,7 +3,7 @@
 
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3508_srdf_group_twice_file {
 namespace {
 
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
@@ -37,10 +37,10 @@ extern constinit const Rule sml3508_srdf_group_twice{
     .remedy = "Rename one of them, or put all members into one group.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3508_srdf_group_twice_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3508_srdf_group_twice = rules::check;
+extern constinit const CompanionCheck sml3508_srdf_group_twice = rules::sml3508_srdf_group_twice_file::check;
 
 }  // namespace smurf::companion_checks

@@ -3,7 +3,7 @@
 
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3509_srdf_group_cycle_file {
 namespace {
 
 /// Whether `wanted` is in `group`, at any depth.
@@ -54,10 +54,10 @@ extern constinit const Rule sml3509_srdf_group_cycle{.id = "SML3509",
                                                      .remedy = "Remove one of the groups in it.",
                                                      .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3509_srdf_group_cycle_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3509_srdf_group_cycle = rules::check;
+extern constinit const CompanionCheck sml3509_srdf_group_cycle = rules::sml3509_srdf_group_cycle_file::check;
 
 }  // namespace smurf::companion_checks

@@ -3,7 +3,7 @@
 
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3510_srdf_empty_group_file {
 namespace {
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
@@ -47,10 +47,10 @@ extern constinit const Rule sml3510_srdf_empty_group{
     .remedy = "Write links, joints, chains or groups into it, or delete it.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3510_srdf_empty_group_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3510_srdf_empty_group = rules::check;
+extern constinit const CompanionCheck sml3510_srdf_empty_group = rules::sml3510_srdf_empty_group_file::check;
 
 }  // namespace smurf::companion_checks

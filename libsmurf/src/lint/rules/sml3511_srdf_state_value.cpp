@@ -7,7 +7,7 @@
 #include "base/words.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3511_srdf_state_value_file {
 namespace {
 
 std::optional<std::size_t> variables_of(const LinkedModel& model, const srdf::Description& srdf,
@@ -82,10 +82,10 @@ extern constinit const Rule sml3511_srdf_state_value{
     .remedy = "Write numbers in rad or m: one, or as many as the joint has variables.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3511_srdf_state_value_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3511_srdf_state_value = rules::check;
+extern constinit const CompanionCheck sml3511_srdf_state_value = rules::sml3511_srdf_state_value_file::check;
 
 }  // namespace smurf::companion_checks

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3512_srdf_state_outside_group_file {
 namespace {
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
@@ -37,10 +37,10 @@ extern constinit const Rule sml3512_srdf_state_outside_group{
     .remedy = "Add the joint to the group, or delete it from the state.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3512_srdf_state_outside_group_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3512_srdf_state_outside_group = rules::check;
+extern constinit const CompanionCheck sml3512_srdf_state_outside_group = rules::sml3512_srdf_state_outside_group_file::check;
 
 }  // namespace smurf::companion_checks

@@ -2,7 +2,7 @@
 #include "base/numbers.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3513_srdf_state_beyond_limit_file {
 namespace {
 
 void check_value(const srdf::GroupState& state, const srdf::StateJoint& one,
@@ -53,10 +53,10 @@ extern constinit const Rule sml3513_srdf_state_beyond_limit{
     .tolerance = {1e-3, "rad or m", "how far the position may be beyond a limit"},
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3513_srdf_state_beyond_limit_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3513_srdf_state_beyond_limit = rules::check;
+extern constinit const CompanionCheck sml3513_srdf_state_beyond_limit = rules::sml3513_srdf_state_beyond_limit_file::check;
 
 }  // namespace smurf::companion_checks

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3514_srdf_state_of_follower_file {
 namespace {
 
 void check_joint(const srdf::GroupState& state, const srdf::StateJoint& one,
@@ -48,10 +48,10 @@ extern constinit const Rule sml3514_srdf_state_of_follower{
     .remedy = "Delete the joint from the state.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3514_srdf_state_of_follower_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3514_srdf_state_of_follower = rules::check;
+extern constinit const CompanionCheck sml3514_srdf_state_of_follower = rules::sml3514_srdf_state_of_follower_file::check;
 
 }  // namespace smurf::companion_checks

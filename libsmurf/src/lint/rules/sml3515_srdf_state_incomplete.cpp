@@ -3,7 +3,7 @@
 
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3515_srdf_state_incomplete_file {
 namespace {
 
 bool sets(const srdf::GroupState& state, std::string_view joint) {
@@ -46,10 +46,10 @@ extern constinit const Rule sml3515_srdf_state_incomplete{
     .remedy = "Write a position for each joint of the group.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3515_srdf_state_incomplete_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3515_srdf_state_incomplete = rules::check;
+extern constinit const CompanionCheck sml3515_srdf_state_incomplete = rules::sml3515_srdf_state_incomplete_file::check;
 
 }  // namespace smurf::companion_checks

@@ -3,7 +3,7 @@
 
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3516_srdf_end_effector_file {
 namespace {
 
 /// Whether a joint of the group moves the link.
@@ -76,10 +76,10 @@ extern constinit const Rule sml3516_srdf_end_effector{
     .remedy = "Write the link of the arm that carries the end effector, and the group of the arm.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3516_srdf_end_effector_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3516_srdf_end_effector = rules::check;
+extern constinit const CompanionCheck sml3516_srdf_end_effector = rules::sml3516_srdf_end_effector_file::check;
 
 }  // namespace smurf::companion_checks

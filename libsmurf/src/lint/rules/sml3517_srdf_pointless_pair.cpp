@@ -4,7 +4,7 @@
 
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3517_srdf_pointless_pair_file {
 namespace {
 
 Diagnostic& report(const srdf::Description& srdf, const srdf::LinkPair& pair, std::string message,
@@ -51,10 +51,10 @@ extern constinit const Rule sml3517_srdf_pointless_pair{
     .remedy = "Delete the pair.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3517_srdf_pointless_pair_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3517_srdf_pointless_pair = rules::check;
+extern constinit const CompanionCheck sml3517_srdf_pointless_pair = rules::sml3517_srdf_pointless_pair_file::check;
 
 }  // namespace smurf::companion_checks

@@ -7,7 +7,7 @@
 #include "base/suggest.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3518_srdf_joint_property_file {
 namespace {
 
 constexpr std::array<std::string_view, 2> kProperties = {"motion_model", "angular_distance_weight"};
@@ -58,10 +58,10 @@ extern constinit const Rule sml3518_srdf_joint_property{
         "Write motion_model with holonomic or diff_drive, or angular_distance_weight with a number.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3518_srdf_joint_property_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3518_srdf_joint_property = rules::check;
+extern constinit const CompanionCheck sml3518_srdf_joint_property = rules::sml3518_srdf_joint_property_file::check;
 
 }  // namespace smurf::companion_checks

@@ -3,7 +3,7 @@
 #include "base/words.hpp"
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3601_hardware_incomplete_file {
 namespace {
 
 /// What an element must have, by the name of the element above it.
@@ -98,10 +98,10 @@ extern constinit const Rule sml3601_hardware_incomplete{
     .remedy = "Write the attribute or the plugin.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3601_hardware_incomplete_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3601_hardware_incomplete = rules::check;
+extern constinit const CompanionCheck sml3601_hardware_incomplete = rules::sml3601_hardware_incomplete_file::check;
 
 }  // namespace smurf::companion_checks

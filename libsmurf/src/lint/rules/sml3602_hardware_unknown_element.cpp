@@ -5,7 +5,7 @@
 #include "base/suggest.hpp"
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3602_hardware_unknown_element_file {
 namespace {
 
 /// The children that the parser reads of an element. It ignores others, except in `ros2_control`.
@@ -90,10 +90,10 @@ extern constinit const Rule sml3602_hardware_unknown_element{
     .remedy = "Correct the name of the element, or delete it.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3602_hardware_unknown_element_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3602_hardware_unknown_element = rules::check;
+extern constinit const CompanionCheck sml3602_hardware_unknown_element = rules::sml3602_hardware_unknown_element_file::check;
 
 }  // namespace smurf::companion_checks

@@ -6,7 +6,7 @@
 #include "base/suggest.hpp"
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3603_hardware_type_file {
 namespace {
 
 constexpr std::array<std::string_view, 3> kTypes = {"system", "sensor", "actuator"};
@@ -56,10 +56,10 @@ extern constinit const Rule sml3603_hardware_type{
     .remedy = "Write system, sensor or actuator as type, and give each one its own name.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3603_hardware_type_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3603_hardware_type = rules::check;
+extern constinit const CompanionCheck sml3603_hardware_type = rules::sml3603_hardware_type_file::check;
 
 }  // namespace smurf::companion_checks

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3604_hardware_unknown_joint_file {
 namespace {
 
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
@@ -39,10 +39,10 @@ extern constinit const Rule sml3604_hardware_unknown_joint{
     .remedy = "Write the name of a movable joint, or delete the joint there.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3604_hardware_unknown_joint_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3604_hardware_unknown_joint = rules::check;
+extern constinit const CompanionCheck sml3604_hardware_unknown_joint = rules::sml3604_hardware_unknown_joint_file::check;
 
 }  // namespace smurf::companion_checks

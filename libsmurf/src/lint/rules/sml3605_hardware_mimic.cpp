@@ -2,7 +2,7 @@
 #include "base/path.hpp"
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3605_hardware_mimic_file {
 namespace {
 
 void check_joint(const Hardware& hardware, const HardwarePart& part, const urdf::Joint& joint,
@@ -60,10 +60,10 @@ extern constinit const Rule sml3605_hardware_mimic{
     .remedy = "Delete its command interfaces, and add the joint that it mimics.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3605_hardware_mimic_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3605_hardware_mimic = rules::check;
+extern constinit const CompanionCheck sml3605_hardware_mimic = rules::sml3605_hardware_mimic_file::check;
 
 }  // namespace smurf::companion_checks

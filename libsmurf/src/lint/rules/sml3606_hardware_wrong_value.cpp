@@ -7,7 +7,7 @@
 #include "base/words.hpp"
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3606_hardware_wrong_value_file {
 namespace {
 
 bool is_digits(std::string_view text) {
@@ -80,10 +80,10 @@ extern constinit const Rule sml3606_hardware_wrong_value{
     .remedy = "Write true or false, or a positive whole number.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3606_hardware_wrong_value_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3606_hardware_wrong_value = rules::check;
+extern constinit const CompanionCheck sml3606_hardware_wrong_value = rules::sml3606_hardware_wrong_value_file::check;
 
 }  // namespace smurf::companion_checks

@@ -6,7 +6,7 @@
 #include "base/words.hpp"
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3607_hardware_limit_file {
 namespace {
 
 constexpr double kSlack = 1e-6;  // rad or m: rounding errors
@@ -121,10 +121,10 @@ extern constinit const Rule sml3607_hardware_limit{
     .remedy = "Write numbers: `min` below `max`, the initial value between them.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3607_hardware_limit_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3607_hardware_limit = rules::check;
+extern constinit const CompanionCheck sml3607_hardware_limit = rules::sml3607_hardware_limit_file::check;
 
 }  // namespace smurf::companion_checks

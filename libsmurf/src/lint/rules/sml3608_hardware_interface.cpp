@@ -7,7 +7,7 @@
 #include "base/suggest.hpp"
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3608_hardware_interface_file {
 namespace {
 
 constexpr std::array<std::string_view, 4> kStandard = {"position", "velocity", "effort",
@@ -77,10 +77,10 @@ extern constinit const Rule sml3608_hardware_interface{
     .remedy = "Write position, velocity, effort or acceleration, each once.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3608_hardware_interface_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3608_hardware_interface = rules::check;
+extern constinit const CompanionCheck sml3608_hardware_interface = rules::sml3608_hardware_interface_file::check;
 
 }  // namespace smurf::companion_checks

@@ -2,7 +2,7 @@
 #include "base/counted.hpp"
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3609_hardware_transmission_file {
 namespace {
 
 void check_transmission(const Hardware& hardware, xml::View element, Findings& findings) {
@@ -57,10 +57,10 @@ extern constinit const Rule sml3609_hardware_transmission{
     .remedy = "Add the joint to the same `ros2_control`, or correct the name.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3609_hardware_transmission_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3609_hardware_transmission = rules::check;
+extern constinit const CompanionCheck sml3609_hardware_transmission = rules::sml3609_hardware_transmission_file::check;
 
 }  // namespace smurf::companion_checks

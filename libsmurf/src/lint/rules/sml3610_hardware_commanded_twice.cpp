@@ -4,7 +4,7 @@
 
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3610_hardware_commanded_twice_file {
 namespace {
 
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
@@ -46,10 +46,10 @@ extern constinit const Rule sml3610_hardware_commanded_twice{
     .remedy = "Delete the command interface in one of them.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3610_hardware_commanded_twice_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3610_hardware_commanded_twice = rules::check;
+extern constinit const CompanionCheck sml3610_hardware_commanded_twice = rules::sml3610_hardware_commanded_twice_file::check;
 
 }  // namespace smurf::companion_checks

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3611_hardware_misplaced_file {
 namespace {
 
 void look_into(xml::View element, Findings& findings) {
@@ -42,10 +42,10 @@ extern constinit const Rule sml3611_hardware_misplaced{
     .remedy = "Move it directly into `robot`.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3611_hardware_misplaced_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3611_hardware_misplaced = rules::check;
+extern constinit const CompanionCheck sml3611_hardware_misplaced = rules::sml3611_hardware_misplaced_file::check;
 
 }  // namespace smurf::companion_checks

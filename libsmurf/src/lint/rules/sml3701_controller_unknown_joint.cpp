@@ -3,7 +3,7 @@
 
 #include "lint/companions/controllers.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3701_controller_unknown_joint_file {
 namespace {
 
 bool is_in(Span inner, Span outer) {
@@ -97,10 +97,10 @@ extern constinit const Rule sml3701_controller_unknown_joint{
     .remedy = "Correct the name.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3701_controller_unknown_joint_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3701_controller_unknown_joint = rules::check;
+extern constinit const CompanionCheck sml3701_controller_unknown_joint = rules::sml3701_controller_unknown_joint_file::check;
 
 }  // namespace smurf::companion_checks

@@ -6,7 +6,7 @@
 #include "base/words.hpp"
 #include "lint/companions/controllers.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3702_controller_value_type_file {
 namespace {
 
 std::string_view type_name(char type) {
@@ -125,10 +125,10 @@ extern constinit const Rule sml3702_controller_value_type{
     .remedy = "Write a value of the type of the parameter, such as `50.0` for a double.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3702_controller_value_type_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3702_controller_value_type = rules::check;
+extern constinit const CompanionCheck sml3702_controller_value_type = rules::sml3702_controller_value_type_file::check;
 
 }  // namespace smurf::companion_checks

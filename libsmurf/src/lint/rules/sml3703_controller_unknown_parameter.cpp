@@ -4,7 +4,7 @@
 #include "base/suggest.hpp"
 #include "lint/companions/controllers.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3703_controller_unknown_parameter_file {
 namespace {
 
 /// The names that may be at one level: the parts of known paths behind a prefix.
@@ -72,10 +72,10 @@ extern constinit const Rule sml3703_controller_unknown_parameter{
     .remedy = "Correct the name.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3703_controller_unknown_parameter_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3703_controller_unknown_parameter = rules::check;
+extern constinit const CompanionCheck sml3703_controller_unknown_parameter = rules::sml3703_controller_unknown_parameter_file::check;
 
 }  // namespace smurf::companion_checks

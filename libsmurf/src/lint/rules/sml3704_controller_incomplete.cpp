@@ -5,7 +5,7 @@
 #include "base/words.hpp"
 #include "lint/companions/controllers.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3704_controller_incomplete_file {
 namespace {
 
 void check_type(const RosController& controller, Findings& findings) {
@@ -96,10 +96,10 @@ extern constinit const Rule sml3704_controller_incomplete{
     .remedy = "Write the type or the parameter.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3704_controller_incomplete_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3704_controller_incomplete = rules::check;
+extern constinit const CompanionCheck sml3704_controller_incomplete = rules::sml3704_controller_incomplete_file::check;
 
 }  // namespace smurf::companion_checks

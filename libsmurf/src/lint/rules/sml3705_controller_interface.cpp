@@ -6,7 +6,7 @@
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3705_controller_interface_file {
 namespace {
 
 /// What the hardware of a robot offers: "elbow/position".
@@ -108,10 +108,10 @@ extern constinit const Rule sml3705_controller_interface{
     .remedy = "Add the interface to the joint in `ros2_control`, or delete it from the controller.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3705_controller_interface_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3705_controller_interface = rules::check;
+extern constinit const CompanionCheck sml3705_controller_interface = rules::sml3705_controller_interface_file::check;
 
 }  // namespace smurf::companion_checks

@@ -5,7 +5,7 @@
 
 #include "lint/companions/controllers.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3706_controller_combination_file {
 namespace {
 
 using Names = std::set<std::string_view>;
@@ -123,10 +123,10 @@ extern constinit const Rule sml3706_controller_combination{
     .remedy = "Use position alone or with velocity, velocity alone, or effort alone.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3706_controller_combination_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3706_controller_combination = rules::check;
+extern constinit const CompanionCheck sml3706_controller_combination = rules::sml3706_controller_combination_file::check;
 
 }  // namespace smurf::companion_checks

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/companions/controllers.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3707_controller_update_rate_file {
 namespace {
 
 void check_rate(const RosController& controller, yaml::View rate, std::int64_t manager,
@@ -61,10 +61,10 @@ extern constinit const Rule sml3707_controller_update_rate{
     .remedy = "Write a positive whole number, for a controller a divisor of the manager's rate.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3707_controller_update_rate_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3707_controller_update_rate = rules::check;
+extern constinit const CompanionCheck sml3707_controller_update_rate = rules::sml3707_controller_update_rate_file::check;
 
 }  // namespace smurf::companion_checks

@@ -3,7 +3,7 @@
 
 #include "lint/companions/moveit_files.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3801_moveit_integer_file {
 namespace {
 
 constexpr std::array<std::string_view, 7> kDoubles = {
@@ -44,10 +44,10 @@ extern constinit const Rule sml3801_moveit_integer{
     .remedy = "Write a decimal point: `1.0`.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3801_moveit_integer_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3801_moveit_integer = rules::check;
+extern constinit const CompanionCheck sml3801_moveit_integer = rules::sml3801_moveit_integer_file::check;
 
 }  // namespace smurf::companion_checks

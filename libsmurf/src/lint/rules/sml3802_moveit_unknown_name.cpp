@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/companions/moveit_files.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3802_moveit_unknown_name_file {
 namespace {
 
 const Companion* file_of(const Companions& companions, const Reference& one) {
@@ -78,10 +78,10 @@ extern constinit const Rule sml3802_moveit_unknown_name{
     .remedy = "Correct the name.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3802_moveit_unknown_name_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3802_moveit_unknown_name = rules::check;
+extern constinit const CompanionCheck sml3802_moveit_unknown_name = rules::sml3802_moveit_unknown_name_file::check;
 
 }  // namespace smurf::companion_checks

@@ -4,7 +4,7 @@
 #include "base/numbers.hpp"
 #include "lint/companions/moveit_files.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3803_moveit_limit_file {
 namespace {
 
 constexpr double kSlack = 1e-6;
@@ -95,10 +95,10 @@ extern constinit const Rule sml3803_moveit_limit{
     .remedy = "Write limits within those of the URDF.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3803_moveit_limit_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3803_moveit_limit = rules::check;
+extern constinit const CompanionCheck sml3803_moveit_limit = rules::sml3803_moveit_limit_file::check;
 
 }  // namespace smurf::companion_checks

@@ -6,7 +6,7 @@
 #include "base/suggest.hpp"
 #include "lint/companions/moveit_files.hpp"
 
-namespace smurf::rules {
+namespace smurf::rules::sml3804_moveit_controller_file {
 namespace {
 
 constexpr std::array<std::string_view, 3> kTypes = {"FollowJointTrajectory", "GripperCommand",
@@ -106,10 +106,10 @@ extern constinit const Rule sml3804_moveit_controller{
     .remedy = "Write a section with `type` and `joints` for each controller.",
     .facts = kFacts};
 
-}  // namespace smurf::rules
+}  // namespace smurf::rules::sml3804_moveit_controller_file
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3804_moveit_controller = rules::check;
+extern constinit const CompanionCheck sml3804_moveit_controller = rules::sml3804_moveit_controller_file::check;
 
 }  // namespace smurf::companion_checks
