@@ -13,8 +13,8 @@ SOURCE = ROOT / "libsmurf" / "src"
 PUBLIC = ROOT / "libsmurf" / "include" / "smurf"
 
 # Each stage and the stages it may include besides itself. An include points left only:
-# base < {archive, syntax}; syntax < xacro < link; syntax < {ast, mesh} < link < {lint, flatten, convert} < write; base < render;
-# ast < {schema, config}; link < lint < check; {write, render} < diff.
+# base < {archive, syntax}; syntax < xacro < link; syntax < {ast, mesh} < link < {readers, flatten, convert} < write; base < render;
+# ast < {schema, config}; link < readers < lint < check; {write, render} < diff.
 STAGES = {
     "base": set(),
     "archive": {"base"},
@@ -24,7 +24,8 @@ STAGES = {
     "mesh": {"base", "syntax"},
     "schema": {"base", "syntax", "ast"},
     "link": {"base", "archive", "syntax", "xacro", "ast", "mesh"},
-    "lint": {"base", "ast", "link"},
+    "readers": {"base", "ast", "link"},
+    "lint": {"base", "ast", "link", "readers"},
     "config": {"base", "syntax", "ast"},
     "check": {"base", "syntax", "link", "lint"},
     "flatten": {"base", "syntax", "ast", "link"},
@@ -98,7 +99,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "flatten/shapes.hpp",
     "link/kinematics.hpp",
     "lint/annotation_queries.hpp",
-    "lint/inertia.hpp",
+    "link/inertia.hpp",
     "lint/queries.hpp",
     "render/json_text.hpp",
     "render/printable.hpp",
@@ -112,7 +113,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
 FILES_OF_TABLES = {
     "base/rules.def": ("lint/rules", "smurf::rules"),
     "ast/sections.def": ("ast/sections", "smurf::sections"),
-    "base/readers.def": ("base/readers", "smurf::readers"),
+    "base/readers.def": ("readers", "smurf::readers"),
     "flatten/dialects.def": ("flatten/dialects", "smurf::readings"),
     "write/scene_formats.def": ("write", "smurf"),
 }

@@ -22,9 +22,8 @@ std::string link_to(std::string_view id) {
 }
 
 void write_fact(std::ostream& page, std::string_view rules, const Fact& fact) {
-  page << "| " << link_to(rules) << " | "
-       << (fact.where.empty() ? "" : "`" + std::string(fact.where) + "`") << " | "
-       << to_string(fact.effect) << " | " << fact.makes << " | " << evidence_of(fact) << " |\n";
+  page << "| " << link_to(rules) << " | " << describe(fact.where) << " | " << to_string(fact.effect)
+       << " | " << fact.makes << " | " << evidence_of(fact) << " |\n";
 }
 
 void write_reader(std::ostream& page, const Reader& reader) {
@@ -33,6 +32,9 @@ void write_reader(std::ostream& page, const Reader& reader) {
   page << "\n\nBasis: " << reader.basis << ".";
   if (reader.like != nullptr) {
     page << " Other facts are those of " << reader.like->title << ".";
+  }
+  for (const Reader* release : reader.releases) {
+    page << "\n\n`" << release->name << "`: " << release->basis << ".";
   }
   page << "\n\n| rule | where | effect | what the reader does | source |\n|---|---|---|---|---|\n";
   for (const Rule* rule : all_rules()) {
@@ -51,8 +53,9 @@ std::string readers_page() {
          "What each program does with the defects that the rules find. Made from the facts in the "
          "rows of the rules by `readers_page_test`; do not edit.\n\n"
          "`smurf-lint --target LIST` judges findings by these facts. The first matching fact of a "
-         "reader applies. `where` is a part of the path of the finding, or after `#` the case of its "
-         "rule. Findings in parts of a URDF that the reader ignores are judged first (SML1xxx, "
+         "reader applies. `where` names the place of the finding, then the case of its rule or the "
+         "circumstances that the reader sees, then the versions of the reader. A "
+         "target without a release, such as `ros`, means the oldest one. Findings in parts of a URDF that the reader ignores are judged first (SML1xxx, "
          "except for malformed XML). A misspelt name is judged as both misspelt and missing; the "
          "worse effect applies. The effects, and the severities that they give a finding:\n\n"
          "| effect | the reader ... | severity |\n|---|---|---|\n"

@@ -2,7 +2,10 @@
 // The printed verdicts of targets on a robot with a changed value, name or element.
 #include <doctest/doctest.h>
 
+#include <memory>
+
 #include "readers/answers.hpp"
+#include "support/loaded.hpp"
 
 using namespace smurf;
 
@@ -38,6 +41,60 @@ TEST_CASE("a slip in a name that readers need is judged as what is missing") {
     CHECK(to_string(answer_for("gazebo", slip.original, slip.text)) == to_string(slip.gazebo));
     CHECK(to_string(answer_for("mujoco", slip.original, slip.text)) == to_string(slip.mujoco));
   }
+}
+
+TEST_CASE("the name of a joint does not change what a reader makes of its pose") {
+  for (const char* name : {"elbow", "rotation", "position", "physics", "links"}) {
+    CAPTURE(name);
+    std::string robot(kRobot);
+    robot.replace(robot.find("joint name=\"a\""), 14, "joint name=\"" + std::string(name) + "\"");
+    test::Loaded loaded;
+    loaded.files.add("r.urdf", robot);
+    loaded.files.add("r.smurf", "modelname: r\nfiles: [r.urdf, r.yml]\n");
+    loaded.files.add("r.yml", "poses: [{name: p, joints: {" + std::string(name) + ": abc}}]\n");
+    loaded.load("r.smurf");
+    const std::vector<std::string> found = loaded.briefs();
+    CHECK(std::any_of(found.begin(), found.end(),
+                      [](const std::string& one) { return one.starts_with("SML4001"); }));
+    CHECK(judge_target(*find_target("phobos"), loaded.diagnostics).answer() == Answer::takes);
+    CHECK(judge_target(*find_target("mars"), loaded.diagnostics).answer() == Answer::takes);
+  }
+}
+
+TEST_CASE("a robot of URDF 1.2 loads in the release that knows it, and needs its version") {
+  const auto load = [](const std::string& version, const std::string& limit,
+                       const std::string& shape) {
+    std::string robot(kRobot);
+    const auto replace = [&](std::string_view old_text, const std::string& new_text) {
+      robot.replace(robot.find(old_text), old_text.size(), new_text);
+    };
+    replace("<robot name=\"r\"", "<robot name=\"r\" version=\"" + version + "\"");
+    replace("effort=\"1\"", "effort=\"1\"" + limit);
+    replace("<sphere radius=\"1\"/>", shape);
+    auto loaded = std::make_unique<test::Loaded>();
+    loaded->files.add("r.urdf", robot);
+    loaded->load("r.urdf");
+    return loaded;
+  };
+  const std::string sphere = "<sphere radius=\"1\"/>";
+  const std::string capsule = "<capsule radius=\"1\" length=\"1\"/>";
+  const auto answer = [](const char* target, const test::Loaded& loaded) {
+    return judge_target(*find_target(target), loaded.diagnostics).answer();
+  };
+  const auto robot = load("1.2", " jerk=\"1\"", capsule);
+  CHECK(answer("ros:jazzy", *robot) == Answer::refuses);
+  CHECK(answer("ros:rolling", *robot) == Answer::takes);
+  CHECK(answer("ros", *robot) == Answer::refuses);
+  CHECK(answer("ros:rolling", *load("1.0", "", capsule)) == Answer::loses);
+  const auto fixes = [](const test::Loaded& loaded) {
+    REQUIRE(!loaded.diagnostics.empty());
+    REQUIRE(loaded.diagnostics[0].rule->id == "SML1104");
+    return loaded.diagnostics[0].fixes.size();
+  };
+  CHECK(fixes(*load("1.2", "", sphere)) == 1);
+  CHECK(fixes(*load("1.2", " jerk=\"1\"", sphere)) == 0);  // its meaning would be lost
+  CHECK(fixes(*load("1.1", "", capsule)) == 0);
+  CHECK(fixes(*load("3.0", "", capsule)) == 1);
 }
 
 TEST_CASE("MuJoCo is judged by the hexadecimal numbers and infinities it reads") {

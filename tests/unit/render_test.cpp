@@ -90,6 +90,19 @@ TEST_CASE("targets have a line each, and the first reason below it") {
         "defghi  loads\n");
 }
 
+TEST_CASE("one line says that the verdict of a later release is different") {
+  const Reader old_release{.name = "abc:1"}, same{.name = "abc:2"}, other{.name = "abc:3"};
+  const Reader* const releases[] = {&old_release, &same, &other};
+  const Reader reader{.name = "abc", .title = "Abc", .basis = "1.0", .releases = releases};
+  const auto text = [&](std::size_t refusals) {
+    TargetVerdict verdict{.reader = &reader, .losses = 1};
+    verdict.newer = {{.reader = &same, .losses = 1}, {.reader = &other, .refusals = refusals}};
+    return render_targets(std::vector{verdict}, SourceMap(), {});
+  };
+  CHECK(text(0) == "abc  loads, with losses (1)\n     abc:1 is meant; abc:3: loads\n");
+  CHECK(text(2) == "abc  loads, with losses (1)\n     abc:1 is meant; abc:3: fails to load (2)\n");
+}
+
 TEST_CASE("a verdict may be that it is not known, and says what was let pass") {
   const Reader reader{.name = "abc", .title = "Abc", .basis = "1.0"};
   const auto line = [&](TargetVerdict verdict) {

@@ -81,11 +81,13 @@ Setter append_targets(std::vector<const Reader*>& targets) {
 
 std::string_view target_help() {
   static const std::string help = [] {
-    std::string names;
+    std::string names, releases;
     for (const std::string_view name : target_names()) {
-      names.append(names.empty() ? "" : ", ").append(name);
+      std::string& list = name.find(':') == std::string_view::npos ? names : releases;
+      list.append(list.empty() ? "" : ", ").append(name);
     }
-    return "Judge the files for these readers, and report whether each loads them: " + names + ".";
+    return "Judge the files for these readers, and report whether each loads them: " + names +
+           ". Without a release, the oldest is meant. Releases: " + releases + ".";
   }();
   return help;
 }

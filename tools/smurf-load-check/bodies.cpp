@@ -8,7 +8,7 @@
 
 #include "base/numbers.hpp"
 #include "base/rules.hpp"
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::load_check {

@@ -2,6 +2,7 @@
 // A span means the same on both sides, because the child is a copy of this process.
 #include "smurf-load-check/wire.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -82,10 +83,12 @@ Fix to_fix(const Json& json) {
   return fix;
 }
 
-/// The binding names every member, so a new member does not compile until it is sent.
+/// The binding names every member, so a new member does not compile until it is sent. Findings of
+/// the load check have no cases.
 Json to_json(const Diagnostic& diagnostic) {
-  const auto& [rule, severity, span, message, caret, pointer, named_pointer, construct,
-               consequences, untargeted, labels, notes, help, fixes, left_out] = diagnostic;
+  const auto& [rule, severity, span, message, caret, pointer, named_pointer, cases, consequences,
+               untargeted, labels, notes, help, fixes, left_out] = diagnostic;
+  assert(cases.empty());
   return {{"rule", to_json(rule)},
           {"severity", static_cast<int>(severity)},
           {"span", to_json(span)},
@@ -93,7 +96,6 @@ Json to_json(const Diagnostic& diagnostic) {
           {"caret", caret},
           {"pointer", pointer},
           {"named_pointer", named_pointer},
-          {"construct", construct},
           {"consequences", to_list(consequences)},
           {"untargeted", untargeted ? Json(static_cast<int>(*untargeted)) : Json()},
           {"labels", to_list(labels)},
@@ -110,7 +112,6 @@ Diagnostic to_diagnostic(const Json& json) {
           .caret = json["caret"],
           .pointer = json["pointer"],
           .named_pointer = json["named_pointer"],
-          .construct = json["construct"],
           .consequences = from_list(json["consequences"], to_rule),
           .untargeted = to_severity(json["untargeted"]),
           .labels = from_list(json["labels"], to_label),

@@ -2,8 +2,14 @@
 // Rules, diagnostics and the sink that every stage reports into.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -37,6 +43,91 @@ enum class Effect : std::uint8_t {
 
 struct Reader;
 
+/// What readers distinguish among the findings of a rule: a case of the rule, such as a hexadecimal
+/// number, or a circumstance that a reader sees, such as a link that is fixed to another. Define
+/// each once, as a constant beside the check: its address is its identity.
+struct Circumstance {
+  std::string_view name;  ///< in words, for users: "too large"
+  /// The only reader for which authors write such elements; nothing is reported if it loads them.
+  const Reader* written_for = nullptr;
+};
+
+/// The cases of a finding. Their order does not count.
+class Circumstances {
+ public:
+  void add(const Circumstance& one) {
+    const auto place = std::lower_bound(cases_.begin(), cases_.end(), &one, std::less<>());
+    if (place == cases_.end() || *place != &one) cases_.insert(place, &one);
+  }
+  void add(const Circumstance&&) = delete;  // only constants have an identity
+  bool contains(const Circumstance& one) const {
+    return std::find(cases_.begin(), cases_.end(), &one) != cases_.end();
+  }
+  bool empty() const { return cases_.empty(); }
+  friend bool operator==(const Circumstances&, const Circumstances&) = default;
+  friend bool operator<(const Circumstances& a, const Circumstances& b) {
+    return a.cases_ < b.cases_;
+  }
+
+ private:
+  std::vector<const Circumstance*> cases_;
+};
+
+/// An element, attribute or key that facts name. at() in base/place_names.hpp makes it of a text.
+enum class PlaceName : std::uint8_t {};
+
+/// The version of a reader: 12.7.2.
+struct Version {
+  std::uint16_t major = 0, minor = 0, patch = 0;
+  auto operator<=>(const Version&) const = default;
+};
+
+/// The findings, and the versions of the reader, that a fact is about. All parts must apply.
+struct Where {
+  static constexpr std::size_t kMostNames = 4, kMostCases = 3;
+
+  std::array<PlaceName, kMostNames> place{};  ///< names that follow each other in its path
+  std::array<const Circumstance*, kMostCases> cases{};  ///< the finding has all of these
+  const Circumstance* except = nullptr;                 ///< and not this one
+  Version from{};                                       ///< the first version
+  Version until{};  ///< the first later version without it; 0: none
+
+  /// Only findings with these cases.
+  template <std::same_as<Circumstance>... C>
+  consteval Where when(const C&... more) const {
+    Where out = *this;
+    std::size_t next = 0;
+    while (out.cases.at(next) != nullptr) ++next;
+    ((out.cases.at(next++) = &more), ...);
+    return out;
+  }
+  /// Only findings without this case.
+  consteval Where unless(const Circumstance& one) const {
+    Where out = *this;
+    out.except = &one;
+    return out;
+  }
+  /// Only this version of the reader and later ones.
+  consteval Where since(Version first) const {
+    Where out = *this;
+    out.from = first;
+    return out;
+  }
+  /// Only versions of the reader before this one.
+  consteval Where before(Version first) const {
+    Where out = *this;
+    out.until = first;
+    return out;
+  }
+  constexpr bool needs(const Circumstance& one) const {
+    for (const Circumstance* known : cases) {
+      if (known == &one) return true;
+    }
+    return false;
+  }
+  bool operator==(const Where&) const = default;
+};
+
 /// Evidence for facts that were seen by running the reader, in the version of its row.
 inline constexpr std::string_view kRun = "run";
 
@@ -46,8 +137,7 @@ struct Fact {
   Effect effect = Effect::takes;
   std::string_view makes;     ///< "reads the missing limit as 0"; completes "MuJoCo ..."
   std::string_view evidence;  ///< kRun, or the lines of its source
-  /// Only findings with this in their path, such as "/joint/", "/@xyz/" or "#dae"; see fact_path().
-  std::string_view where = {};
+  Where where = {};           ///< `at("/joint/axis/")`, `when(kHex)`, `since({3, 13})`
 };
 
 /// Which tool reports the findings of a rule.
@@ -133,8 +223,8 @@ struct Diagnostic {
   std::string pointer;  ///< YAML pointer or XPath; filled by locate() when empty
   /// The pointer by names, "/motors/name=elbow/joint": the same after other entries were added.
   std::string named_pointer;
-  /// The case of the rule, when readers distinguish cases: "dae", "hex"; may be empty.
-  std::string construct;
+  /// What readers distinguish: cases of the rule, and circumstances that locate() adds.
+  Circumstances cases;
   /// Other rules that the finding also breaks: to readers, a misspelt `effort` is missing.
   std::vector<const Rule*> consequences;
   /// The severity before targets changed it; none if they did not change it.
@@ -146,7 +236,13 @@ struct Diagnostic {
   /// The rule whose later findings were left out because of a limit; SML0002 means all rules.
   const Rule* left_out = nullptr;
 
-  // Calls can be chained: report(...).label(...).help(...).
+  // Calls can be chained: report(...).when(kHex).label(...).help(...).
+  /// Adds a case that readers distinguish; see Fact::where.
+  Diagnostic& when(const Circumstance& one) {
+    cases.add(one);
+    return *this;
+  }
+  Diagnostic& when(const Circumstance&&) = delete;
   /// Adds a second place, with a short text.
   Diagnostic& label(Span place, std::string text);
   /// Adds a fact without a place.

@@ -21,6 +21,12 @@ struct FamilyFact {
   Fact fact;
 };
 
+/// A version of a reader, or of one that it is built on.
+struct ReaderVersion {
+  const Reader* reader = nullptr;
+  Version version{};
+};
+
 /// A program that reads robots. Facts about it are in the rows of the rules.
 struct Reader {
   std::string_view name;   ///< the value of `--target`: "mujoco"
@@ -34,17 +40,29 @@ struct Reader {
   bool reads_annotations = false;  ///< findings in annotations affect it
   /// Parts of a URDF that it does not look at: findings there do not affect it.
   std::span<const Fact> unread{};
+  /// The version to which facts with a range of versions are compared; that of `version`.
+  Version number{};
+  /// Of a release such as "ros:jazzy": the versions in it, of readers that it is like.
+  std::span<const ReaderVersion> parts{};
+  /// Its releases, oldest first: "ros:humble". Without a release, the oldest is meant.
+  std::span<const Reader* const> releases{};
+  /// Adds to findings in a model the circumstances that facts about this reader need. May be null.
+  void (*see)(const LinkedModel&, std::span<Diagnostic* const>) = nullptr;
+  /// Of findings in parts that it reads, but does not build: only facts of `like` are about them.
+  const Circumstance* drops = nullptr;
 };
 
 /// All readers in the order of the table, including those that are not targets.
 std::span<const Reader* const> all_readers();
-/// Finds a target by name; null for an unknown name.
+/// Finds a target by name, also one of its releases ("ros:jazzy"); null for an unknown name.
 const Reader* find_target(std::string_view name);
 std::vector<std::string_view> target_names();
 
-/// The path of a finding in the form that facts use: its XPath or YAML pointer without predicates
-/// and indices, then its construct: "/robot/link/collision/geometry/mesh/@filename/#dae".
-std::string fact_path(const Diagnostic& diagnostic);
+/// The names of a finding's XPath or YAML pointer that facts know, without predicates, indices and
+/// names that users give: /robot/link/collision/geometry/mesh/@filename. Others are PlaceName{}.
+std::vector<PlaceName> place_of(const Diagnostic& diagnostic);
+/// Whether a path contains the place.
+bool contains(std::span<const PlaceName> path, const Where& where);
 /// The worst effect of a finding and its consequences on the reader; null if it is unknown. For
 /// each rule, the first fact that fits reader and place applies, in this order: facts of the reader
 /// in the row of the rule, facts about the rule's family, facts of Reader::like.
@@ -58,6 +76,8 @@ std::vector<const Fact*> facts_about(const Rule& rule);
 std::string evidence_of(const Fact& fact);
 /// "MuJoCo (visual): discards visuals"
 std::string describe(const Fact& fact);
+/// "mass/@value, too large, before 3.13"; empty for all findings in all versions.
+std::string describe(const Where& where);
 /// The evidence of all facts about a rule, without repetitions, and the rule's own sources.
 std::string sources_of(const Rule& rule);
 
@@ -77,6 +97,8 @@ struct TargetVerdict {
   const Rule* rule = nullptr;
   Span span{};
   std::vector<const Rule*> unknown_rules{};
+  /// Those of the later releases of the reader, if a finding depends on its version.
+  std::vector<TargetVerdict> newer{};
 
   Answer answer() const;
   std::size_t count(Answer answer) const;
@@ -85,6 +107,8 @@ struct TargetVerdict {
   /// Adds the verdict on more files.
   void add(const TargetVerdict& other);
 };
+/// The first later release with another answer; null if there is none.
+const TargetVerdict* find_other_release(const TargetVerdict& verdict);
 /// Judges the findings for one target. Pass all findings, including suppressed ones.
 TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> diagnostics);
 

@@ -6,6 +6,7 @@
 
 #include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
+#include "base/cases.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
@@ -64,7 +65,8 @@ yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unkno
   Diagnostic& diagnostic = sink.report(rules::sml4004_missing_key, place,
                                        "this " + std::string(what) + " has no " + name);
   const bool is_empty = key && !near;
-  diagnostic.construct.append(spec.name).append(is_empty ? "-empty" : "");
+  if (is_empty) diagnostic.when(cases::kEmptyKey);
+  if (spec.name == "files") diagnostic.when(cases::kLacksFiles);
   if (!key) {
     diagnostic.label(place_to_add(mapping, spec.name), "add it after this key");
   }

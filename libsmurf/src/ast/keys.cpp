@@ -9,6 +9,7 @@
 #include "ast/key_renames.hpp"
 #include "ast/notation.hpp"
 #include "ast/wrong_type.hpp"
+#include "base/cases.hpp"
 #include "base/numbers.hpp"
 #include "base/quantity.hpp"
 #include "base/quoted.hpp"
@@ -28,7 +29,7 @@ void offer(Diagnostic& diagnostic, std::string help, Span place, std::string_vie
   diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(text)}}});
 }
 
-Diagnostic& report_type(const KeySpec& spec, std::string_view wanted, yaml::View value,
+Diagnostic& report_type(const KeySpec& spec, const Circumstance& wanted, yaml::View value,
                         std::string_view expected, DiagnosticSink& sink) {
   return report_wrong_type(
       wanted, value,
@@ -37,7 +38,7 @@ Diagnostic& report_type(const KeySpec& spec, std::string_view wanted, yaml::View
 
 void report_not_number(const KeySpec& spec, yaml::View value, std::string_view expected,
                        DiagnosticSink& sink) {
-  Diagnostic& diagnostic = report_type(spec, wanted::kValue, value, expected, sink);
+  Diagnostic& diagnostic = report_type(spec, cases::kValueWanted, value, expected, sink);
   const yaml::ScalarType type = type_without_quotes(value);
   if (type == yaml::ScalarType::integer || type == yaml::ScalarType::number) {
     offer(
@@ -72,13 +73,14 @@ std::string as_mapping(const KeySpec& spec, yaml::View list) {
 }
 
 void report_not_mapping(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
-  Diagnostic& diagnostic = report_type(spec, wanted::kMapping, value, describe(spec.type), sink);
+  Diagnostic& diagnostic =
+      report_type(spec, cases::kMappingWanted, value, describe(spec.type), sink);
   const std::string mapping = as_mapping(spec, value);
   if (!mapping.empty()) {
     diagnostic.help("write `" + mapping + "`");
   } else if (spec.type == ValueType::color && value.is_sequence() && value.size() > 1) {
     // Phobos reads a list of three or four numbers, and no others.
-    diagnostic.construct = std::string(wanted::kMapping) + "-items";
+    diagnostic.when(cases::kHasItems);
   }
 }
 
@@ -145,7 +147,7 @@ bool check_range(const KeySpec& spec, yaml::View value, double number, Diagnosti
   Diagnostic& diagnostic =
       sink.report(rules::sml4003_out_of_range, value.span(),
                   name_of(spec) + " is " + format_number(number) + ", but must be " + bound);
-  if (number < 0) diagnostic.construct = "negative";
+  if (number < 0) diagnostic.when(cases::kNegative);
   return false;
 }
 
@@ -189,7 +191,7 @@ void read_text(const KeySpec& spec, yaml::View value, Target target, DiagnosticS
     }
     text = std::string(value.text());
   } else {
-    Diagnostic& diagnostic = report_type(spec, wanted::kValue, value, "a text", sink);
+    Diagnostic& diagnostic = report_type(spec, cases::kValueWanted, value, "a text", sink);
     if (spec.names.kinds.contains(NameKind::pose) && value.is_sequence()) {
       diagnostic.help("a pose is a named set of joint positions; the place of an entity is written "
                       "as `position` and `rotation`");
@@ -226,7 +228,7 @@ void read_boolean(const KeySpec& spec, yaml::View value, Target target, Diagnost
     boolean = *number == 1;
   }
   if (!boolean) {
-    Diagnostic& diagnostic = report_type(spec, wanted::kValue, value, "true or false", sink);
+    Diagnostic& diagnostic = report_type(spec, cases::kValueWanted, value, "true or false", sink);
     if (is_one_of(value.text(), {"yes", "Yes", "YES", "on", "On", "ON", "y", "Y"})) {
       offer(diagnostic, "write `true`: MARS does not know this word", value.span(), "true");
     } else if (is_one_of(value.text(), {"no", "No", "NO", "off", "Off", "OFF", "n", "N"})) {
@@ -249,7 +251,7 @@ void read_names(const KeySpec& spec, yaml::View value, Target target, Diagnostic
     return store(target, value, std::optional(std::move(names)));
   }
   if (!value.is_sequence()) {
-    report_type(spec, wanted::kNames, value, describe(spec.type), sink);
+    report_type(spec, cases::kNamesWanted, value, describe(spec.type), sink);
     return store<NameList>(target, value, std::nullopt);
   }
   for (const yaml::View item : value) {
@@ -257,7 +259,7 @@ void read_names(const KeySpec& spec, yaml::View value, Target target, Diagnostic
       check_text(spec, item, sink);
       names.push_back({std::string(item.text()), item.span()});
     } else {
-      report_type(spec, wanted::kNames, item, "a list of names", sink);
+      report_type(spec, cases::kNamesWanted, item, "a list of names", sink);
     }
   }
   store(target, value, std::optional(std::move(names)));
@@ -273,7 +275,7 @@ void read_number_list(const KeySpec& spec, yaml::View value, std::size_t count, 
     }
   } else {
     Diagnostic& diagnostic =
-        report_type(spec, wanted::kNumbers, value,
+        report_type(spec, cases::kNumbersWanted, value,
                     count == 0 ? "a list of numbers" : "a list of three numbers", sink);
     if (value.is_sequence()) diagnostic.message += " of " + std::to_string(value.size());
   }
@@ -399,7 +401,7 @@ void read_color(const KeySpec& spec, yaml::View value, Target target, Diagnostic
 
 void check_number_map(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   if (!value.is_mapping()) {
-    report_type(spec, wanted::kMapping, value, describe(spec.type), sink);
+    report_type(spec, cases::kMappingWanted, value, describe(spec.type), sink);
     return;
   }
   for (const yaml::View member : value) {
@@ -416,7 +418,7 @@ void check_number_map(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
 
 void check_mapping(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   if (!value.is_mapping()) {
-    report_type(spec, wanted::kMapping, value, describe(spec.type), sink);
+    report_type(spec, cases::kMappingWanted, value, describe(spec.type), sink);
   } else {
     check_keys(spec.members.keys(), value, spec.name, sink);
   }
@@ -424,7 +426,7 @@ void check_mapping(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) 
 
 void check_list(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   if (!value.is_sequence()) {
-    report_type(spec, wanted::kMapping, value, describe(spec.type), sink);
+    report_type(spec, cases::kMappingWanted, value, describe(spec.type), sink);
     return;
   }
   if (spec.members.size == 0) return;
@@ -433,7 +435,7 @@ void check_list(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
     if (item.is_mapping()) {
       check_keys(spec.members.keys(), item, spec.name, sink);
     } else if (!takes_names || !item.is_scalar() || item.is_null()) {
-      report_type(spec, wanted::kMapping, item, "a list of mappings", sink);
+      report_type(spec, cases::kMappingWanted, item, "a list of mappings", sink);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
 #include "ast/wrong_type.hpp"
+#include "base/cases.hpp"
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "base/rules.hpp"
@@ -45,8 +46,8 @@ class RotationReader {
       rotation_.values[index] = *number;
       return true;
     }
-    report_wrong_type(wanted::kValue, value, "`rotation` must be numbers, not " + describe(value),
-                      sink_);
+    report_wrong_type(cases::kValueWanted, value,
+                      "`rotation` must be numbers, not " + describe(value), sink_);
     return false;
   }
 
@@ -153,7 +154,7 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
         sink.report(rules::sml4001_wrong_type, value.key_span(),
                     "`" + key + "` contains " + describe(value) + " instead of a list of entities");
     const bool is_entity = value.is_mapping() && value.find("file") && value.find("type");
-    diagnostic.construct = is_entity ? "entity-only" : "entity-list";
+    diagnostic.when(cases::kEntityWanted).when(is_entity ? cases::kIsEntity : cases::kIsList);
     diagnostic.help("begin every entity with `- name:`");
     return;
   }
@@ -164,7 +165,7 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
       scene.entities.push_back(read_entity(item, list, sink));
     } else {
       Diagnostic& diagnostic = report_wrong_type(
-          wanted::kEntity, item,
+          cases::kEntityWanted, item,
           "an entry of `" + key + "` must be a mapping, not " + describe(item), sink);
       if (item.is_scalar()) diagnostic.help("write `{name: NAME, file: FILE}`");
     }
@@ -174,7 +175,7 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
 std::optional<Physics> read_physics(yaml::View value, DiagnosticSink& sink) {
   if (!value || value.is_null()) return std::nullopt;
   if (!value.is_mapping()) {
-    report_wrong_type(wanted::kMapping, value,
+    report_wrong_type(cases::kMappingWanted, value,
                       "`physics` must be a mapping, not " + describe(value), sink);
     return std::nullopt;
   }
@@ -190,7 +191,7 @@ std::optional<Physics> read_physics(yaml::View value, DiagnosticSink& sink) {
 void read_environment(yaml::View value, Scene& scene, DiagnosticSink& sink) {
   if (!value || value.is_null()) return;
   if (!value.is_mapping()) {
-    report_wrong_type(wanted::kMapping, value,
+    report_wrong_type(cases::kMappingWanted, value,
                       "`environment` must be a mapping, not " + describe(value), sink);
     return;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ast/wrong_type.hpp"
+#include "base/cases.hpp"
 
 namespace smurf {
 namespace {
@@ -15,7 +16,7 @@ constexpr const SectionSpec* kSections[] = {
 #undef SMURF_SECTION
 };
 
-void report_shape(const SectionSpec& section, std::string_view wanted, yaml::View value,
+void report_shape(const SectionSpec& section, const Circumstance& wanted, yaml::View value,
                   std::string_view expected, DiagnosticSink& sink) {
   report_wrong_type(wanted, value,
                     "the section `" + std::string(section.name) + "` must be " +
@@ -29,7 +30,7 @@ void read_entries(const SectionSpec& section, yaml::View value, std::string_view
     if (entry.is_mapping()) {
       section.read(entry, value.key_span(), out, sink);
     } else {
-      report_shape(section, wanted::kEntry, entry, expected, sink);
+      report_shape(section, cases::kEntryWanted, entry, expected, sink);
     }
   }
 }
@@ -46,7 +47,7 @@ void read_section(const SectionSpec& section, yaml::View value, Annotations& out
   if (section.form == SectionForm::list_or_mapping && value.is_mapping()) {
     return section.read(value, value.key_span(), out, sink);
   }
-  report_shape(section, wanted::kSection, value, expected, sink);
+  report_shape(section, cases::kSectionWanted, value, expected, sink);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/cases.hpp"
 #include "base/counted.hpp"
 #include "base/floating.hpp"
 #include "base/numbers.hpp"
@@ -75,9 +76,9 @@ class NumberReader {
   bool read(std::span<double> out) {
     if (has_residue() || is_comma_separated()) return false;
     const std::vector<Token> tokens = split(text_);
-    miscount_ = tokens.size() > out.size()   ? "#too-many"
-                : tokens.size() < out.size() ? "#too-few"
-                                             : "";
+    miscount_ = tokens.size() > out.size()   ? &cases::kTooMany
+                : tokens.size() < out.size() ? &cases::kTooFew
+                                             : nullptr;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
       const std::optional<double> value = number(tokens[i]);
       if (!value) return false;
@@ -146,18 +147,19 @@ class NumberReader {
     if (bare == "nan" || (bare.starts_with("nan(") && bare.ends_with(')'))) {
       Diagnostic& diagnostic = sink_.report(rules::sml1803_number_nan, place(token),
                                             shown + " is not a number that a reader can use");
-      add_constructs("", bare, diagnostic);
+      add_cases(bare, diagnostic);
     } else if (bare == "inf" || bare == "infinity") {
       Diagnostic& diagnostic = sink_.report(rules::sml1804_number_infinite, place(token),
                                             shown + " is infinite, which urdfdom refuses");
-      add_constructs(lower.starts_with('-') ? "#not-positive" : "", bare, diagnostic);
+      if (lower.starts_with('-')) diagnostic.when(cases::kZeroOrLess);
+      add_cases(bare, diagnostic);
     } else if (is_decimal_comma(text)) {
       report_comma(token, text);
     } else if (bare.starts_with("0x") || has_suffix(bare)) {
-      sink_
-          .report(rules::sml1809_hex_or_suffix, place(token),
-                  shown + " is not a plain decimal number")
-          .construct = kind_of_hex_or_suffix(text) + miscount_;
+      Diagnostic& diagnostic = sink_.report(rules::sml1809_hex_or_suffix, place(token),
+                                            shown + " is not a plain decimal number");
+      add_kind_of_hex(text, diagnostic);
+      if (miscount_ != nullptr) diagnostic.when(*miscount_);
     } else if (std::any_of(text.begin(), text.end(),
                            [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) {
       sink_
@@ -169,7 +171,7 @@ class NumberReader {
       sink_
           .report(rules::sml1810_overflow_underflow, place(token),
                   shown + " is outside the range of a double")
-          .construct = is_underflow(text) ? "underflow" : "overflow";
+          .when(is_underflow(text) ? cases::kUnderflow : cases::kOverflow);
     } else {
       sink_.report(rules::sml1801_not_a_number, place(token), shown + " is not a number");
     }
@@ -177,17 +179,16 @@ class NumberReader {
   }
 
   /// MuJoCo counts the numbers first, and reads only short words in a scale.
-  void add_constructs(std::string constructs, std::string_view word, Diagnostic& diagnostic) const {
-    constructs += miscount_;
-    if (attribute_.name() == "scale" && word.size() > 3) constructs += "#long-word";
-    if (!constructs.empty()) diagnostic.construct = constructs.substr(1);
+  void add_cases(std::string_view word, Diagnostic& diagnostic) const {
+    if (miscount_ != nullptr) diagnostic.when(*miscount_);
+    if (attribute_.name() == "scale" && word.size() > 3) diagnostic.when(cases::kLongWord);
   }
 
   void report_subnormal(Token token, std::string_view text) {
     sink_
         .report(rules::sml1810_overflow_underflow, place(token),
                 quoted(text) + " is so small that a double keeps only some of its digits")
-        .construct = "subnormal";
+        .when(cases::kSubnormal);
   }
 
   /// The first character beyond ASCII, as "U+2212".
@@ -227,10 +228,12 @@ class NumberReader {
     diagnostic.fixes.push_back({Applicability::unsafe, {{place(token), point}}});
   }
 
-  static std::string kind_of_hex_or_suffix(std::string_view text) {
+  static void add_kind_of_hex(std::string_view text, Diagnostic& diagnostic) {
     const std::optional<double> value = parse_hexadecimal(text);
-    if (!value) return path::to_lower(text).find("0x") < 2 ? "hex#broken" : "suffix";
-    return *value > 0 ? "hex" : "hex#not-positive";
+    if (!value && path::to_lower(text).find("0x") >= 2) return;  // a suffix
+    diagnostic.when(cases::kHex);
+    if (!value) diagnostic.when(cases::kBroken);
+    if (value && *value <= 0) diagnostic.when(cases::kZeroOrLess);
   }
 
   /// A number with trailing letters: "1kg", "1.0f", "90deg".
@@ -245,7 +248,7 @@ class NumberReader {
       sink_
           .report(rules::sml1801_not_a_number, attribute_.span(),
                   quoted(attribute_.name()) + " is empty")
-          .construct = "empty";
+          .when(cases::kEmpty);
       return false;
     }
     if (tokens.size() == count) return true;
@@ -298,7 +301,8 @@ class NumberReader {
                                             "a tab or line break between the numbers of `" +
                                                 std::string(attribute_.name()) + "`");
       diagnostic.help("separate them by single spaces");
-      diagnostic.construct = are_blanks_leading(tokens) ? "vector#leading" : "vector";
+      diagnostic.when(cases::kVector);
+      if (are_blanks_leading(tokens)) diagnostic.when(cases::kLeading);
       diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span(), fixed}}});
     }
   }
@@ -306,7 +310,7 @@ class NumberReader {
   const xml::Attribute& attribute_;
   std::string_view text_;
   DiagnosticSink& sink_;
-  std::string miscount_;  ///< "#too-many" or "#too-few" words, as a construct
+  const Circumstance* miscount_ = nullptr;  ///< too many or too few words
 };
 
 }  // namespace
@@ -323,7 +327,7 @@ void report_percent(Span place, std::string_view value, DiagnosticSink& sink) {
   Diagnostic& diagnostic =
       sink.report(rules::sml1012_percent_in_value, place, quoted(value) + " contains `%`");
   diagnostic.note("urdfdom up to 5.0 passes this text to printf, which may crash");
-  mark_uncertain(diagnostic);  // for the elements where a run may end or not
+  diagnostic.when(kUncertain);  // for the elements where a run may end or not
 }
 
 std::optional<double> parse_hexadecimal(std::string_view text) {

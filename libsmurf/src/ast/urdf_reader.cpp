@@ -8,6 +8,7 @@
 #include <set>
 
 #include "ast/urdf_numbers.hpp"
+#include "base/cases.hpp"
 #include "base/numbers.hpp"
 #include "base/quantity.hpp"
 #include "base/quoted.hpp"
@@ -105,7 +106,7 @@ class RobotReader {
         sink_.report(rules::sml1810_overflow_underflow, attribute.value_span(),
                      quoted(attribute.name()) + " is too large: at most " + format_rounded(most) +
                          " can be used in computations");
-    diagnostic.construct = "too-large";
+    diagnostic.when(cases::kTooLarge);
     if (!is_negative) return;
     constexpr std::string_view kShapes[] = {"box", "sphere", "cylinder", "capsule"};
     if (ranges::contains(kShapes, element.name())) {
@@ -365,7 +366,9 @@ std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sin
     // elements of a URDF is none.
     const bool is_sdf = root.name() == "sdf" && root.attribute("version") != nullptr &&
                         (root.child("model") || root.child("world"));
-    diagnostic.construct = is_sdf ? "sdf" : root.name() == "mujoco" ? "mjcf" : "foreign";
+    diagnostic.when(is_sdf                    ? cases::kSdf
+                    : root.name() == "mujoco" ? cases::kMjcf
+                                              : cases::kForeign);
     return std::nullopt;
   }
   report_xacro(document, sink);

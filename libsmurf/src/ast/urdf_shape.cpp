@@ -8,6 +8,7 @@
 
 #include "ast/urdf_reader.hpp"
 #include "ast/urdf_schema.hpp"
+#include "base/cases.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
@@ -154,7 +155,7 @@ class ShapeChecker {
     diagnostic.severity = Severity::error;
     if (is_required) {
       diagnostic.consequences.push_back(&rules::sml1113_required_attribute_missing);
-      diagnostic.construct = owner_of_name(element);
+      add_owner_of_name(element, diagnostic);
     }
     diagnostic.help("did you mean " + quoted(meant) + "?");
     diagnostic.fixes.push_back({Applicability::unsafe,
@@ -164,10 +165,10 @@ class ShapeChecker {
 
   /// For a link without a name, that is the only finding. The material of a visual needs no name if
   /// it has a colour.
-  static std::string owner_of_name(View element) {
-    if (element.name() == "link") return "link";
+  static void add_owner_of_name(View element, Diagnostic& diagnostic) {
+    if (element.name() == "link") diagnostic.when(cases::kLinkTag);
     const bool is_look = element.name() == "material" && element.parent().name() == "visual";
-    return is_look && !element.child("color") ? "colourless" : "";
+    if (is_look && !element.child("color")) diagnostic.when(cases::kColourless);
   }
 
   /// Whether an attribute is missing. Shows the text or child that may contain its value.
@@ -186,7 +187,7 @@ class ShapeChecker {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1113_required_attribute_missing, element.name_span(),
                      "the element " + quoted(element.name()) + missing);
-    diagnostic.construct = owner_of_name(element);
+    add_owner_of_name(element, diagnostic);
     for (const xml::Attribute* attribute : instead) {
       diagnostic.label(attribute->name_span(), "no attribute of URDF");
     }
@@ -240,7 +241,7 @@ class ShapeChecker {
     diagnostic.severity = Severity::error;
     if (is_required) {
       diagnostic.consequences.push_back(&rules::sml1113_required_attribute_missing);
-      diagnostic.construct = owner_of_name(parent);
+      add_owner_of_name(parent, diagnostic);
     }
     diagnostic.note("URDF readers silently ignore it");
     diagnostic.help("write `<" + std::string(parent.name()) + " " + name + "=\"...\"/>`");
@@ -293,7 +294,8 @@ class ShapeChecker {
         sink_.report(rules::sml1114_tag_case, child.name_span(),
                      "the element " + quoted(child.name()) + " must be written " + quoted(name));
     diagnostic.note("URDF readers silently ignore it, with all its contents");
-    diagnostic.construct = name;
+    if (name == "link") diagnostic.when(cases::kLinkTag);
+    if (name == "joint") diagnostic.when(cases::kJointTag);
     // Our own reader accepts the wrong case, so that other rules still find the element.
     const auto missing =
         std::find_if(std::begin(kMissing), std::end(kMissing), [&](const Missing& one) {

@@ -17,26 +17,27 @@ bool is_quoted_value(yaml::View value) {
   return type != yaml::ScalarType::text && type != yaml::ScalarType::null;
 }
 
-std::string_view kind_of(yaml::View value) {
-  if (value.is_null()) return "nothing";
-  if (value.is_mapping()) return "mapping";
+const Circumstance& kind_of(yaml::View value) {
+  if (value.is_null()) return cases::kIsNothing;
+  if (value.is_mapping()) return cases::kIsMapping;
   if (value.is_sequence()) {
-    return value.size() == 0 ? "empty" : value.size() == 1 ? "single" : "list";
+    return value.size() == 0   ? cases::kIsEmptyList
+           : value.size() == 1 ? cases::kIsSingle
+                               : cases::kIsList;
   }
-  if (value.text().empty()) return "blank";
-  return is_quoted_value(value) ? "quoted" : "text";
+  if (value.text().empty()) return cases::kIsBlank;
+  return is_quoted_value(value) ? cases::kIsQuoted : cases::kIsText;
 }
 
 }  // namespace
 
-Diagnostic& report_wrong_type(std::string_view wanted, yaml::View value, std::string message,
+Diagnostic& report_wrong_type(const Circumstance& wanted, yaml::View value, std::string message,
                               DiagnosticSink& sink) {
   Diagnostic& diagnostic =
       sink.report(rules::sml4001_wrong_type, value.place(), std::move(message));
-  const bool has_null = wanted == wanted::kNumbers && value.is_sequence() &&
+  const bool has_null = &wanted == &cases::kNumbersWanted && value.is_sequence() &&
                         ranges::any_of(value, [](yaml::View item) { return item.is_null(); });
-  diagnostic.construct.append(wanted).append("-").append(has_null ? "null" : kind_of(value));
-  return diagnostic;
+  return diagnostic.when(wanted).when(has_null ? cases::kHasNull : kind_of(value));
 }
 
 }  // namespace smurf

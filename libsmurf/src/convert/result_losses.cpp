@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 #include "base/words.hpp"
@@ -103,7 +104,7 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
   if (finding.severity != Severity::error) return std::nullopt;
   if (!model.robot) {
     const bool is_other_file =
-        finding.rule == &rules::sml2001_missing_file && finding.construct != "urdf";
+        finding.rule == &rules::sml2001_missing_file && !finding.cases.contains(cases::kTheUrdf);
     return is_other_file ? std::nullopt : std::optional<std::string>("its URDF cannot be read");
   }
   const SourceId source = finding.span.source;

@@ -10,6 +10,7 @@
 #include "ast/model_reader.hpp"
 #include "ast/sections.hpp"
 #include "ast/urdf_reader.hpp"
+#include "base/cases.hpp"
 #include "base/limits.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
@@ -189,7 +190,7 @@ class ModelLoader {
         // Phobos skips the entry after its URDF.
         const bool is_behind = read.size() == 1 && &entry == &(*model_.main.files)[1];
         if (!is_behind && path::to_lower(path::extension(path)) == ".urdf") {
-          diagnostic.construct = "urdf";
+          diagnostic.when(cases::kTheUrdf);
         }
         continue;
       }

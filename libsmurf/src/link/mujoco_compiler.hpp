@@ -9,12 +9,6 @@ namespace smurf {
 /// MuJoCo refuses an STL file of more triangles (stl_decoder.cc:70).
 inline constexpr std::size_t kMostStlTrianglesOfMujoco = 200000;
 
-/// A construct of findings on paths of meshes, where the file tells MuJoCo to look elsewhere.
-inline constexpr std::string_view kElsewhere = "#elsewhere";
-
-/// The construct of findings on inertias when the file tells MuJoCo to balance inertias.
-inline constexpr std::string_view kBalanced = "#balanced";
-
 /// The element; empty if there is none.
 xml::View mujoco_compiler(const LinkedModel& model);
 

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "archive/zip.hpp"
+#include "base/cases.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
@@ -37,22 +38,22 @@ class NamedFiles {
   template <class View>
   void check(View node) {
     const Spanned<std::string> heights = text_of(node, "t_srcname");
-    if (!heights.value.empty()) return check_file(heights, "heightmap", "heights");
+    if (!heights.value.empty()) return check_file(heights, "heightmap", &cases::kHeights);
     const Spanned<std::string> mesh = text_of(node, "filename");
     if (mesh.value == "PRIMITIVE") return;
-    check_file(mesh, "mesh", text_of(node, "physicmode").value == "mesh" ? "mesh" : "seen");
+    check_file(mesh, "mesh", text_of(node, "physicmode").value == "mesh" ? nullptr : &cases::kSeen);
   }
 
  private:
   void check_file(const Spanned<std::string>& file, std::string_view what,
-                  std::string_view construct) {
+                  const Circumstance* one) {
     if (file.value.empty()) return;
     const std::string path = path::join(folder_, file.value);
     if (!seen_.insert(path).second || context_.files.is_file(path)) return;
     Diagnostic& diagnostic =
         context_.sink.report(rules::sml5034_old_scene_file_missing, file.span,
                              std::string(what) + " file not found: " + quoted(file.value));
-    diagnostic.construct = construct;
+    if (one != nullptr) diagnostic.when(*one);
     if (path != file.value) diagnostic.caret = "resolved to " + quoted(path);
   }
 

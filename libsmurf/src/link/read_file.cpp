@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "base/cases.hpp"
 #include "base/edits.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
@@ -53,8 +54,7 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
   if (!is_named) reference = {context.sources.add_unreadable(path::normalize(path)), 0, 0};
   Diagnostic& diagnostic = context.sink.report(
       reported, reference, "cannot read `" + path::normalize(path) + "`: " + content.reason);
-  const std::string extension = path::to_lower(path::extension(path));
-  if (extension.size() > 1) diagnostic.construct = extension.substr(1);
+  if (path::to_lower(path::extension(path)) == ".urdf") diagnostic.when(cases::kTheUrdf);
   if (is_too_large) {
     diagnostic.message += "; at most " + std::to_string(context.limits.file_bytes) + " are read";
     diagnostic.help(raise_limit("file-bytes"));

@@ -8,6 +8,7 @@
 #include "ast/key_renames.hpp"
 #include "ast/known_words.hpp"
 #include "ast/scene_reader.hpp"
+#include "base/cases.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
@@ -345,7 +346,7 @@ class SceneExpander {
                                path.empty() ? "this entity has no `file`"
                                             : "this entity has no `type`, and `" + path +
                                                   "` has no extension that determines it");
-      if (type == "smurfs") diagnostic.construct = "scene";
+      if (type == "smurfs") diagnostic.when(cases::kOfScene);
       diagnostic.help("name the .smurf, .urdf or .smurfs of the entity");
       if (path.empty()) suggest_file(use, entity, diagnostic);
       return false;
@@ -375,7 +376,7 @@ class SceneExpander {
                                  ", which `" + std::string(path::file_name(path)) + "` is not");
     const std::string extension = path::to_lower(path::extension(path));
     if (extension == ".urdf" || extension == ".smurf") {
-      diagnostic.construct = "of-another-kind";
+      diagnostic.when(cases::kOfAnotherKind);
       diagnostic.help("write `type: " + extension.substr(1) + "`");
     }
     return false;

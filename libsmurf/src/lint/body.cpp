@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "link/inertia.hpp"
 #include "lint/geometry_queries.hpp"
-#include "lint/inertia.hpp"
 
 namespace smurf {
 namespace {
@@ -97,9 +97,9 @@ double excess_over(const Body& body, const Extent& extent) {
   for (std::size_t i = 0; i < 3; ++i) {
     const double half = (extent.high[i] - extent.low[i]) / 2;
     // The middle allows the largest inertia.
-    const double square =
-        is_inside ? (extent.high[i] - body.center[i]) * (body.center[i] - extent.low[i])
-                  : half * half;
+    const double square = is_inside
+                              ? (extent.high[i] - body.center[i]) * (body.center[i] - extent.low[i])
+                              : half * half;
     worst = std::max(worst, body.second_moments[i] / (body.mass * square));
   }
   return worst;

@@ -6,12 +6,12 @@
 #include <limits>
 #include <optional>
 
-#include "ast/drake_language.hpp"
 #include "ast/urdf_numbers.hpp"
 #include "base/numbers.hpp"
 #include "base/quoted.hpp"
 #include "base/suggest.hpp"
 #include "base/words.hpp"
+#include "readers/drake_language.hpp"
 #include "smurf/pose.hpp"
 
 namespace smurf::drake {
@@ -37,7 +37,7 @@ std::optional<Vector3> vector_in(xml::View element, std::string_view attribute) 
 }
 
 void report_unread(xml::View element, std::string message, Findings& findings) {
-  findings.report(element.name_span(), std::move(message)).construct = kUnread;
+  findings.report(element.name_span(), std::move(message)).when(kUnread);
 }
 
 double length_of(const Vector3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }

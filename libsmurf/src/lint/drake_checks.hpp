@@ -7,8 +7,8 @@
 
 namespace smurf::drake {
 
-/// The construct of elements that Drake ignores while it loads the file.
-inline constexpr std::string_view kUnread = "unread";
+/// Elements that Drake ignores while it loads the file.
+inline constexpr Circumstance kUnread{"unread"};
 
 /// Reports faults that the table of Drake's language does not cover.
 void check_meaning(xml::View element, const Names& names, Findings& findings);

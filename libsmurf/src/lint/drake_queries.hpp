@@ -8,12 +8,15 @@
 #include <string_view>
 #include <vector>
 
+#include "base/readers.hpp"
 #include "smurf/linked.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf::drake {
 
-/// A note for findings about a joint that is missing to other readers.
+/// Findings about a joint that is missing to other readers.
+inline constexpr Circumstance kDrakeJoint{"joint of Drake", &readers::drake};
+/// A note for them.
 inline constexpr const char* kJointNote =
     "it is a `drake:joint`, which only Drake reads: check the file with `--target drake`";
 

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "base/numbers.hpp"
+#include "link/inertia.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"
-#include "lint/inertia.hpp"
 #include "lint/inertia_slips.hpp"
 #include "lint/queries.hpp"
 #include "smurf/lint.hpp"
@@ -42,8 +42,8 @@ Replacement of_shapes(const urdf::Link& link, const Solid& solid, const InertiaS
   const Quaternion& q = urdf::to_pose(link.inertial->origin).orientation;
   return {rotated(tensor, {q.w, -q.x, -q.y, -q.z}), mass,
           std::string(is_box ? "the box around its shapes" : "its shapes") + ", filled with " +
-              format_rounded(mass, 4) + " kg, which is " +
-              format_rounded(mass / solid.volume, 3) + " kg/m3"};
+              format_rounded(mass, 4) + " kg, which is " + format_rounded(mass / solid.volume, 3) +
+              " kg/m3"};
 }
 
 std::optional<Replacement> nearest(const urdf::Inertial& inertial) {
@@ -96,10 +96,8 @@ void replace_fix(const LinkedModel& model, const urdf::Link& link, const Inertia
 }  // namespace
 
 std::optional<InertiaSource> parse_inertia_source(std::string_view text) {
-  constexpr std::pair<std::string_view, From> kWords[] = {{"mass", From::mass},
-                                                          {"mesh", From::mesh},
-                                                          {"box", From::box},
-                                                          {"nearest", From::nearest}};
+  constexpr std::pair<std::string_view, From> kWords[] = {
+      {"mass", From::mass}, {"mesh", From::mesh}, {"box", From::box}, {"nearest", From::nearest}};
   for (const auto& [word, from] : kWords) {
     if (text == word) return InertiaSource{from, 0};
   }

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "link/inertia.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"
-#include "lint/inertia.hpp"
 
 namespace smurf {
 namespace {

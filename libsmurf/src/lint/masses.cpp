@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "link/inertia.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"
-#include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 #include "smurf/lint.hpp"
 

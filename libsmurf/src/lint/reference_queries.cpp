@@ -9,6 +9,7 @@
 
 #include "ast/sections.hpp"
 #include "ast/urdf_numbers.hpp"
+#include "base/cases.hpp"
 #include "base/edits.hpp"
 #include "base/ranges.hpp"
 #include "base/suggest.hpp"
@@ -64,24 +65,25 @@ UnusedNames joints_without_motor(const LinkedModel& model, std::string_view moto
   return unused;
 }
 
-/// The effect of an unknown name on readers depends on the entry.
-std::string_view construct_of(const LinkedModel& model, const AnnotationPlace& place) {
+/// What the entry with an unknown name is to readers; null if that makes no difference.
+const Circumstance* case_of(const LinkedModel& model, const AnnotationPlace& place) {
   if (place.section == "collision" && place.key == "link") {
     const yaml::View name = place.entry.find("name");
     const bool is_known = name && names(model, NameKind::collision).contains(name.text());
-    return is_known ? "known-collision" : "";
+    return is_known ? &cases::kKnownCollision : nullptr;
   }
   if (place.section == "motors" && place.key == "joint") {
-    return is_first(place.entry) ? "" : "later-motor";
+    return is_first(place.entry) ? nullptr : &cases::kLaterMotor;
   }
-  if (place.section != "sensors" || place.key != "link") return {};
+  if (place.section != "sensors" || place.key != "link") return nullptr;
   const yaml::View type = place.entry.find("type");
   const std::string_view name = type && type.is_scalar() ? type.text() : std::string_view();
   if (is_one_of(name, {"Joint6DOF", "CameraSensor", "RaySensor", "RotatingRaySensor",
                        "MultiLevelLaserRangeFinder", "ScanningSonar"})) {
-    return "on-its-link";
+    return &cases::kOnItsLink;
   }
-  return is_one_of(name, {"NodeIMU", "IMU", "NodeContact", "NodeContactForce"}) ? "" : "of-others";
+  const bool is_of_links = is_one_of(name, {"NodeIMU", "IMU", "NodeContact", "NodeContactForce"});
+  return is_of_links ? nullptr : &cases::kOfOthers;
 }
 
 /// The name that a misspelt name probably means; empty if there is none.
@@ -223,7 +225,8 @@ Diagnostic* report_unknown(const LinkedModel& model, const Reference& reference,
   Diagnostic* diagnostic =
       check_reference(model, reference.kind, reference.name, place_of(reference), subject.c_str(),
                       findings, meanings);
-  if (diagnostic != nullptr) diagnostic->construct += construct_of(model, place);
+  const Circumstance* one = case_of(model, place);
+  if (diagnostic != nullptr && one != nullptr) diagnostic->when(*one);
   return diagnostic;
 }
 

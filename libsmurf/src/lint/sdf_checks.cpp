@@ -5,13 +5,13 @@
 
 #include <utility>
 
-#include "ast/sdf_language.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/ranges.hpp"
 #include "base/uncertain.hpp"
 #include "base/words.hpp"
-#include "lint/sdf_values.hpp"
+#include "readers/sdf_language.hpp"
+#include "readers/sdf_values.hpp"
 
 namespace smurf::sdf {
 namespace {
@@ -111,8 +111,7 @@ class Checker {
     if (part.value != '\0' && !is_readable(part, child.text(), child)) {
       const bool is_empty = trimmed_text(child.text()).empty();
       report_(place_of(child),
-              quoted(child.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"),
-              kElement);
+              quoted(child.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"));
       return;
     }
     if (!part.kind.empty()) element(child, part.kind);
@@ -125,14 +124,12 @@ class Checker {
       const xml::Attribute* attribute = element.attribute(part->name);
       if (attribute == nullptr) {
         if (!part->is_required) continue;
-        report_(element.name_span(), quoted(element.name()) + " has no " + quoted(part->name),
-                kElement);
+        report_(element.name_span(), quoted(element.name()) + " has no " + quoted(part->name));
         is_good = false;
       } else if (!is_readable(*part, attribute->value(), element)) {
         report_(place_of(element, part->name),
                 quoted(part->name) +
-                    (attribute->value().empty() ? " is empty" : " cannot be read by Gazebo"),
-                kElement);
+                    (attribute->value().empty() ? " is empty" : " cannot be read by Gazebo"));
         is_good = false;
       }
     }
@@ -143,7 +140,7 @@ class Checker {
   template <class Words>
   void word(Span place, std::string_view word, const Words& known, std::string_view what) {
     if (ranges::contains(known, word)) return;
-    report_(place, "Gazebo does not know the " + std::string(what) + " " + quoted(word), kElement);
+    report_(place, "Gazebo does not know the " + std::string(what) + " " + quoted(word));
   }
   template <class Words>
   void text(xml::View parent, std::string_view name, const Words& known, std::string_view what) {
@@ -200,14 +197,14 @@ class Checker {
     word(place_of(joint, "type"), lower, kJoints, "type of joint");
     for (const char* end : {"parent", "child"}) {
       if (joint.child(end)) continue;
-      report_(joint.name_span(), "`joint` has no " + quoted(end), kElement);
+      report_(joint.name_span(), "`joint` has no " + quoted(end));
     }
     for (const char* name : {"axis", "axis2"}) {
       const xml::View axis = joint.child(name);
       const xml::View xyz = axis ? axis.child("xyz") : xml::View();
       const auto vector = xyz ? read_vector(xyz.text()) : std::nullopt;
       if (vector && *vector == std::array<double, 3>{}) {
-        report_(place_of(xyz), "the axis has no direction", kElement);
+        report_(place_of(xyz), "the axis has no direction");
       }
     }
   }
@@ -216,7 +213,7 @@ class Checker {
     for (const char* part : {"uri", "name"}) {
       const xml::View child = script.child(part);
       if (child) continue;  // an empty one is reported as a value
-      report_(script.name_span(), "`script` has no " + quoted(part), kElement);
+      report_(script.name_span(), "`script` has no " + quoted(part));
     }
   }
 
@@ -236,12 +233,11 @@ void check_children(xml::View element, std::string_view kind, const Report& repo
 void check_include(xml::View include, const Report& report) {
   const xml::View uri = include.child("uri");
   if (!uri) {
-    report(include.name_span(), "`include` has no `uri`", kElement);
+    report(include.name_span(), "`include` has no `uri`");
   } else if (uri.text().empty()) {
-    report(uri.name_span(), "`uri` is empty", kEmptyInclude);
+    report(uri.name_span(), "`uri` is empty").when(kEmptyInclude);
   } else {
-    report(place_of(uri), "Gazebo needs the model " + quoted(trimmed(uri.text())),
-           kUncertain.substr(1));
+    report(place_of(uri), "Gazebo needs the model " + quoted(trimmed(uri.text()))).when(kUncertain);
   }
 }
 
@@ -250,8 +246,7 @@ void check_reserved(xml::View element, const Report& report) {
   const bool is_reserved =
       name == "world" || (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"));
   if (!is_reserved) return;
-  report(place_of(element, "name"), "sdformat (Gazebo) reserves the name " + quoted(name),
-         kElement);
+  report(place_of(element, "name"), "sdformat (Gazebo) reserves the name " + quoted(name));
 }
 
 Span place_of(xml::View element) {

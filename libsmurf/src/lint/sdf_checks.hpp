@@ -6,15 +6,16 @@
 #include <string>
 #include <string_view>
 
+#include "smurf/diagnostic.hpp"
 #include "smurf/source.hpp"
 #include "smurf/xml.hpp"
 
 namespace smurf::sdf {
 
-/// Called with the place of a fault, what is wrong, and the construct of the finding.
-using Report = std::function<void(Span place, std::string message, std::string_view construct)>;
+/// Called with the place of a fault and what is wrong; returns the finding.
+using Report = std::function<Diagnostic&(Span place, std::string message)>;
 
-inline constexpr std::string_view kElement = "sdf", kEmptyInclude = "empty-include";
+inline constexpr Circumstance kEmptyInclude{"empty include"};
 
 /// Reports the faults of an element of this kind and of everything in it.
 void check_element(xml::View element, std::string_view kind, const Report& report);

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "ast/sdf_language.hpp"
 #include "base/quoted.hpp"
-#include "lint/rigid_bodies.hpp"
-#include "lint/sdf_values.hpp"
+#include "readers/rigid_bodies.hpp"
+#include "readers/sdf_language.hpp"
+#include "readers/sdf_values.hpp"
 
 namespace smurf::sdf {
 namespace {
@@ -58,8 +58,7 @@ class Scope {
     const auto known = frames_.find(name);
     if (known != frames_.end()) {
       report_(place_of(element, "name"),
-              "a " + std::string(known->second.kind) + " is called " + quoted(name) + ", too",
-              kElement);
+              "a " + std::string(known->second.kind) + " is called " + quoted(name) + ", too");
       return;
     }
     const std::string_view kind = element.name();
@@ -78,7 +77,7 @@ class Scope {
 
   void refer(Span place, std::string_view name) {
     if (name.empty() || is_known(name)) return;
-    report_(place, "Gazebo finds no link, joint or frame " + quoted(name), kElement);
+    report_(place, "Gazebo finds no link, joint or frame " + quoted(name));
   }
 
   void refer(xml::View element) {
@@ -99,15 +98,15 @@ class Scope {
     const std::string_view above = trimmed_text(parent.text()), below = trimmed_text(child.text());
     if (above != "world") refer(place_of(parent), above);
     if (below == "world") {
-      report_(place_of(child), "Gazebo refuses `world` as a child", kElement);
+      report_(place_of(child), "Gazebo refuses `world` as a child");
     } else {
       refer(place_of(child), below);
     }
     const std::string_view name = value_of(joint, "name");
     if (above == name || below == name) {
-      report_(joint.name_span(), "the joint names itself", kElement);
+      report_(joint.name_span(), "the joint names itself");
     } else if (!below.empty() && link_of(above) == link_of(below)) {
-      report_(place_of(child), "the parent and the child are one link", kElement);
+      report_(place_of(child), "the parent and the child are one link");
     }
   }
 
@@ -132,7 +131,7 @@ class Scope {
       if (frame == frames_.end() || frame->second.base.empty()) return;
       name = frame->second.base;
       if (name != start) continue;
-      report_(place_of(element, "name"), "the frame hangs on itself", kElement);
+      report_(place_of(element, "name"), "the frame hangs on itself");
       return;
     }
   }
@@ -169,7 +168,7 @@ void check_inertia(xml::View link, const Report& report) {
                              {product("ixy"), product("ixz"), product("iyz")})) {
     return;
   }
-  report(inertial.name_span(), "no body has such an inertial", kElement);
+  report(inertial.name_span(), "no body has such an inertial");
 }
 
 /// Shapes, sensors and lights of one link have names of their own.
@@ -181,7 +180,7 @@ void check_parts(const std::vector<xml::View>& parts, const Report& report) {
                               kind == "collision" || kind == "particle_emitter";
     if (!has_own_name || name.empty() || seen.try_emplace({kind, name}).second) continue;
     report(place_of(part, "name"),
-           "a second " + std::string(kind) + " " + quoted(name) + " of one link", kElement);
+           "a second " + std::string(kind) + " " + quoted(name) + " of one link");
   }
 }
 
@@ -197,7 +196,7 @@ void check_model(xml::View model, const Report& report) {
   scope.check(children);
   const std::string_view is_static = text_of(model, "static");
   if (!scope.has_links() && is_static != "true" && is_static != "1") {
-    report(model.name_span(), "the model has no link", kElement);
+    report(model.name_span(), "the model has no link");
   }
   for (const xml::View child : children) {
     if (child.name() == "link") check_link(child, report);
@@ -239,8 +238,7 @@ class Extensions {
     if (part && part->value != '\0' && !is_readable(*part, element.text(), element)) {
       const bool is_empty = trimmed_text(element.text()).empty();
       report_(place_of(element),
-              quoted(element.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"),
-              kElement);
+              quoted(element.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"));
     } else if (part && !part->kind.empty()) {
       check_element(element, part->kind, report_);
     }
@@ -252,8 +250,7 @@ class Extensions {
       element(child, "model");
       added_.push_back(child);
       if (child.name() == "pose" && !value_of(child, "relative_to").empty()) {
-        report_(place_of(child, "relative_to"), "the pose of a model is relative to nothing",
-                kElement);
+        report_(place_of(child, "relative_to"), "the pose of a model is relative to nothing");
       }
       if (child.name() == "link") check_link(child, report_);
       if (child.name() == "model") check_model(child, report_);

@@ -67,7 +67,9 @@ bool has_run(std::string_view name, const RuleSelection& selection, FileSelectio
     return !rule.needs_target ||
            std::all_of(readers.begin(), readers.end(), [&](const Reader* reader) {
              return !reader->is_target || !has_facts(*reader, rule) ||
-                    std::find(targets.begin(), targets.end(), reader) != targets.end();
+                    std::any_of(targets.begin(), targets.end(), [&](const Reader* target) {
+                      return target == reader || target->like == reader;
+                    });
            });
   };
   const auto rules = rules_matching(name);

@@ -21,12 +21,13 @@ Severity milder(Severity severity) {
   return severity == Severity::error ? Severity::warning : Severity::info;
 }
 
-/// An element that its author wrote for this reader: its construct contains the reader's name, such
-/// as "#drake-joint".
+/// An element that its author wrote for this reader, which loads it.
 bool is_meant(const Fact& fact) {
-  if (fact.effect != Effect::takes || !fact.where.starts_with('#')) return false;
-  const std::string_view construct = fact.where.substr(1);
-  return construct.starts_with(std::string(fact.reader->name) + "-");
+  return fact.effect == Effect::takes &&
+         std::any_of(fact.where.cases.begin(), fact.where.cases.end(),
+                     [&](const Circumstance* one) {
+                       return one != nullptr && one->written_for == fact.reader;
+                     });
 }
 
 /// The effects of a finding on the targets.

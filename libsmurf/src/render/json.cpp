@@ -33,7 +33,7 @@ Json to_json(const Fix& fix, const SourceMap& sources) {
 
 Json to_json(const Fact& fact) {
   return {{"reader", text(fact.reader->name)},
-          {"where", text(fact.where)},
+          {"where", describe(fact.where)},
           {"effect", text(to_string(fact.effect))},
           {"makes", text(fact.makes)},
           {"evidence", evidence_of(fact)}};
@@ -47,6 +47,9 @@ Json to_json(const TargetVerdict& target, const SourceMap& sources) {
                {"ignored", target.ignored},
                {"in_baseline", target.in_baseline}};
   for (const Rule* rule : target.unknown_rules) json["unknown_rules"].push_back(text(rule->id));
+  for (const TargetVerdict& later : target.newer) {
+    json["later_releases"][std::string(later.reader->name)] = text(to_string(later.answer()));
+  }
   if (target.fact == nullptr) return json;
   Json first = {{"id", text(target.rule->id)},
                 {"effect", text(to_string(target.fact->effect))},

@@ -88,10 +88,10 @@ class Overview {
   /// part of it.
   using Harm = std::pair<std::size_t, std::size_t>;
 
-  /// Depends on the place of a finding only for few rules, so the first place of each construct
+  /// Depends on the place of a finding only for few rules, so the first place of each set of cases
   /// stands for all.
   Harm harm_of(const Diagnostic& finding) {
-    const auto [place, is_new] = harms_.try_emplace({finding.rule, finding.construct}, Harm{0, 0});
+    const auto [place, is_new] = harms_.try_emplace({finding.rule, finding.cases}, Harm{0, 0});
     if (!is_new) return place->second;
     for (const Reader* reader : all_readers()) {
       const Fact* fact = reader->is_target ? find_fact(*reader, finding) : nullptr;
@@ -211,7 +211,7 @@ class Overview {
   render::Painter paint_;
   std::vector<Section> sections_;
   std::map<std::pair<const Rule*, std::string_view>, Repeated> repeated_;
-  std::map<std::pair<const Rule*, std::string_view>, Harm> harms_;  ///< by construct
+  std::map<std::pair<const Rule*, Circumstances>, Harm> harms_;
   bool has_titles_ = false;
   std::size_t lines_ = 0;
   std::string out_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/cases.hpp"
 #include "base/rules.hpp"
 #include "base/uncertain.hpp"
 #include "base/utf8.hpp"
@@ -83,9 +84,9 @@ bool check_text(const SourceMap& sources, SourceId id, TextFormat format, Diagno
                                              " is not allowed in a text file");
     diagnostic.help("delete it");
     // Readers of XML stop only at a NUL.
-    if (format == TextFormat::xml && is_padded(text.substr(control))) mark_uncertain(diagnostic);
+    if (format == TextFormat::xml && is_padded(text.substr(control))) diagnostic.when(kUncertain);
     if (format == TextFormat::yaml || text.find('\0') != std::string_view::npos) return false;
-    diagnostic.construct = "in-urdf";
+    diagnostic.when(cases::kInUrdf);
   }
   if (const std::optional<std::size_t> at = utf8::find_invalid(text)) {
     const auto begin = static_cast<std::uint32_t>(*at);

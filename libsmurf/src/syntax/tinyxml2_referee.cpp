@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/cases.hpp"
 #include "syntax/xml_lenient.hpp"
 #include "syntax/xml_references.hpp"
 
@@ -72,7 +73,7 @@ void report_tinyxml_error(const tinyxml2::XMLDocument& parsed, const SourceMap& 
   const auto line = static_cast<std::uint32_t>(std::max(parsed.ErrorLineNum(), 1));
   const Span place = sources.line_span(id, std::min(line, sources.line_count(id)));
   report_malformed(place, std::string("tinyxml2 cannot read this line: ") + parsed.ErrorName(),
-                   "fault", sink);
+                   cases::kFault, sink);
 }
 
 }  // namespace
@@ -86,7 +87,7 @@ bool read_by_tinyxml2(xml::Document& document, const SourceMap& sources, Diagnos
     return false;
   }
   if (!Decoder(document, sources).decode(*parsed.RootElement())) {
-    report_malformed({document.source, 0, 0}, "tinyxml2 reads a different structure", "fault",
+    report_malformed({document.source, 0, 0}, "tinyxml2 reads a different structure", cases::kFault,
                      sink);
     return false;
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/cases.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/uncertain.hpp"
@@ -29,24 +30,30 @@ std::optional<std::size_t> end_of_value_with_less_than(std::string_view text, st
   return is_closed ? std::optional(end) : std::nullopt;
 }
 
-Diagnostic& report_malformed(Span place, std::string message, const char* construct,
+Diagnostic& report_malformed(Span place, std::string message, const Circumstance& fault,
                              DiagnosticSink& sink) {
   Diagnostic& diagnostic = sink.report(rules::sml1001_xml_malformed, place, std::move(message));
-  diagnostic.construct = construct;
+  diagnostic.when(fault);
   return diagnostic;
 }
 
-void report_no_element(Span place, std::string_view text, const char* construct,
+void report_no_element(Span place, std::string_view text, const Circumstance& fault,
                        DiagnosticSink& sink) {
   constexpr std::string_view kMergeMark = "<<<<<<<";
   if (text.starts_with(kMergeMark)) {
     place.end = place.begin + static_cast<std::uint32_t>(kMergeMark.size());
-    report_malformed(place, "a merge conflict left its markers here", construct, sink)
+    report_malformed(place, "a merge conflict left its markers here", fault, sink)
         .help("keep one of the two versions, and delete the markers");
     return;
   }
-  report_malformed(place, "`<` does not begin an element here", construct, sink)
+  report_malformed(place, "`<` does not begin an element here", fault, sink)
       .help("write `&lt;` for the character itself");
+}
+
+void report_second_declaration(Span place, DiagnosticSink& sink) {
+  sink.report(rules::sml1005_xml_junk_before_prolog, place, "a second XML declaration")
+      .when(cases::kSecond)
+      .fixes.push_back({Applicability::safe, {{place, ""}}});
 }
 
 void report_second_root(Span place, std::string_view name, Span first, DiagnosticSink& sink) {
@@ -55,7 +62,7 @@ void report_second_root(Span place, std::string_view name, Span first, Diagnosti
                   "a second root element " + quoted(name) + " begins after the first has ended");
   diagnostic.label(first, "the root element");
   // Such an element was a part of the first one, which is not whole without it.
-  if (is_one_of(name, {"link", "joint"})) mark_uncertain(diagnostic);
+  if (is_one_of(name, {"link", "joint"})) diagnostic.when(kUncertain);
 }
 
 void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink) {
@@ -87,7 +94,7 @@ void report_unknown_entity(Span place, std::string_view entity, DiagnosticSink& 
 void report_bare_ampersand(Span place, std::string_view text, DiagnosticSink& sink) {
   Diagnostic& diagnostic = sink.report(rules::sml1003_xml_bare_ampersand, place,
                                        "`&` does not begin a character reference");
-  if (is_broken_character(text)) diagnostic.construct = "character";
+  if (is_broken_character(text)) diagnostic.when(cases::kCharacter);
   diagnostic.fixes.push_back({Applicability::safe, {{place, "&amp;"}}});
 }
 

@@ -19,12 +19,13 @@ std::optional<std::size_t> end_of_bare_value(std::string_view text, std::size_t 
 std::optional<std::size_t> end_of_value_with_less_than(std::string_view text, std::size_t begin,
                                                        char quote);
 
-/// The construct says what readers make of the fault; see the facts of SML1001.
-Diagnostic& report_malformed(Span place, std::string message, const char* construct,
+/// `fault` is a case of SML1001: what readers make of it.
+Diagnostic& report_malformed(Span place, std::string message, const Circumstance& fault,
                              DiagnosticSink& sink);
 /// `text` begins with a `<` that begins no element.
-void report_no_element(Span place, std::string_view text, const char* construct,
+void report_no_element(Span place, std::string_view text, const Circumstance& fault,
                        DiagnosticSink& sink);
+void report_second_declaration(Span place, DiagnosticSink& sink);
 void report_second_root(Span place, std::string_view name, Span first, DiagnosticSink& sink);
 /// Nothing separates the attribute from the one before it.
 void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink);

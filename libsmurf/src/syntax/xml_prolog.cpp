@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/cases.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/utf8.hpp"
@@ -26,7 +27,7 @@ void check_position(std::string_view text, SourceId id, std::size_t begin, Diagn
   const Span junk{id, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(declaration)};
   Diagnostic& diagnostic = sink.report(rules::sml1005_xml_junk_before_prolog, junk,
                                        "the XML declaration is not the first thing in the file");
-  if (trimmed(text.substr(begin, declaration - begin)).empty()) diagnostic.construct = "blanks";
+  if (trimmed(text.substr(begin, declaration - begin)).empty()) diagnostic.when(cases::kBlanks);
   diagnostic.help("delete everything before it");
   diagnostic.fixes.push_back({Applicability::safe, {{junk, ""}}});
 }
@@ -57,7 +58,7 @@ void check_encoding(std::string_view text, SourceId id, std::size_t begin, Diagn
   if (!is_wide && is_ascii) return;  // the same bytes in every encoding that extends ASCII
   Diagnostic& diagnostic = sink.report(rules::sml1008_xml_encoding, place,
                                        "the file is UTF-8, but declares `" + written + "`");
-  if (is_wide) diagnostic.construct = "wide";
+  if (is_wide) diagnostic.when(cases::kWide);
   diagnostic.help("write `UTF-8`");
   diagnostic.fixes.push_back(
       {is_wide ? Applicability::safe : Applicability::unsafe, {{place, "UTF-8"}}});
@@ -72,7 +73,7 @@ bool check_declarations(Span doctype, std::string_view subset, DiagnosticSink& s
       sink.report(rules::sml1013_dtd_or_xinclude, doctype,
                   "urdfdom finds no robot after the declarations of this document type");
   diagnostic.severity = Severity::error;
-  diagnostic.construct = "declarations";
+  diagnostic.when(cases::kDeclarations);
   diagnostic.note("neither does sdformat, which uses urdfdom; MuJoCo reads the robot");
   diagnostic.help("delete the document type, and write out what it declares");
   for (std::size_t at = subset.find('<'); at != std::string_view::npos;) {
@@ -130,7 +131,7 @@ std::optional<std::uint32_t> read_doctype(std::string_view text, Span start, Dia
     close = text.find('>', std::min(text.find(']', subset), text.size()));
   }
   if (close == std::string_view::npos) {
-    report_malformed(start, "this document type is never closed", "fault", sink);
+    report_malformed(start, "this document type is never closed", cases::kFault, sink);
     return std::nullopt;
   }
   if (first_close < close &&

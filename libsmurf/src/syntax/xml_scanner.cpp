@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/cases.hpp"
 #include "base/limits.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
@@ -62,9 +63,10 @@ class XmlScanner {
     at_ = at;
   }
 
-  Diagnostic& malformed(Span place, std::string message, const char* construct = "fault") {
+  Diagnostic& malformed(Span place, std::string message,
+                        const Circumstance& fault = cases::kFault) {
     well_formed_ = false;
-    return report_malformed(place, std::move(message), construct, sink_);
+    return report_malformed(place, std::move(message), fault, sink_);
   }
   bool is_behind() const { return tree_.depth() == 0 && !tree_.elements().empty(); }
 
@@ -93,10 +95,10 @@ class XmlScanner {
     declaration();
   }
 
-  void skip_section(std::string_view end, std::string_view message, const char* construct) {
+  void skip_section(std::string_view end, std::string_view message, const Circumstance& fault) {
     const std::size_t found = text_.find(end, at_ + 2);
     if (found == std::string_view::npos) {
-      malformed(span(at_, at_ + 2), std::string(message), construct);
+      malformed(span(at_, at_ + 2), std::string(message), fault);
       return;
     }
     at_ = static_cast<std::uint32_t>(found + end.size());
@@ -104,7 +106,7 @@ class XmlScanner {
 
   void character_section() {
     const std::uint32_t begin = at_;
-    skip_section("]]>", "this CDATA section is never closed", "fault");
+    skip_section("]]>", "this CDATA section is never closed", cases::kFault);
     if (!well_formed_) return;
     if (tree_.depth() == 0) {
       outside_of_root(span(begin, at_));
@@ -119,7 +121,7 @@ class XmlScanner {
     const std::size_t found = text_.find("-->", begin + 4);
     if (found == std::string_view::npos) {
       malformed(span(begin, begin + 4), "this comment is never closed",
-                is_behind() ? "comment-behind" : "fault");
+                is_behind() ? cases::kCommentBehind : cases::kFault);
       return;
     }
     at_ = static_cast<std::uint32_t>(found + 3);
@@ -155,19 +157,16 @@ class XmlScanner {
     is_prolog_ = false;
     at_ = static_cast<std::uint32_t>(close + 1);
     if (tree_.depth() > 0) tree_.add_declaration();
-    report_malformed(span(begin, begin + 2), "`<!` does not begin a comment here", "declaration",
-                     sink_);
+    report_malformed(span(begin, begin + 2), "`<!` does not begin a comment here",
+                     cases::kDeclaration, sink_);
   }
 
   void instruction() {
     const std::uint32_t begin = at_;
     const bool is_declaration = looking_at("<?xml ");
-    skip_section("?>", "this processing instruction is never closed", "instruction");
+    skip_section("?>", "this processing instruction is never closed", cases::kInstruction);
     if (well_formed_ && is_prolog_ && is_declaration && has_declaration_) {
-      Diagnostic& diagnostic = sink_.report(rules::sml1005_xml_junk_before_prolog, span(begin, at_),
-                                            "a second XML declaration");
-      diagnostic.construct = "second";
-      diagnostic.fixes.push_back({Applicability::safe, {{span(begin, at_), ""}}});
+      report_second_declaration(span(begin, at_), sink_);
     }
     has_declaration_ = has_declaration_ || is_declaration;
     if (!well_formed_) return;
@@ -183,7 +182,7 @@ class XmlScanner {
     if (const auto place = find_unsound(text_.substr(begin, at_ - begin))) {
       const auto at = static_cast<std::uint32_t>(begin + *place);
       malformed(span(at, at + 1), "this is not an attribute of the XML declaration",
-                "instruction-attribute")
+                cases::kInstructionAttribute)
           .help("write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`");
       return;
     }
@@ -200,7 +199,7 @@ class XmlScanner {
     if (at_ >= size() || text_[at_] != '>') {
       const bool has_attribute = at_ < size() && !name.empty() && is(text_[at_], name_start);
       malformed(span(begin, std::max(at_, begin + 2)), "this end tag is not closed by `>`",
-                has_attribute ? "end-tag-attribute" : "fault");
+                has_attribute ? cases::kEndTagAttribute : cases::kFault);
       return;
     }
     ++at_;
@@ -219,11 +218,11 @@ class XmlScanner {
 
   /// After the root, all URDF readers stop at an end tag with a name; tinyxml2 refuses `</>`.
   void end_tag_outside(Span tag, Span name) {
-    Diagnostic& diagnostic = malformed(tag, "the end tag " + quoted(name) + " closes nothing");
-    well_formed_ = !tree_.elements().empty() && !name.empty();
-    if (!well_formed_) return;
-    diagnostic.construct = "end-tag-behind";
-    at_ = size();
+    const bool is_end = !tree_.elements().empty() && !name.empty();
+    malformed(tag, "the end tag " + quoted(name) + " closes nothing",
+              is_end ? cases::kEndTagBehind : cases::kFault);
+    well_formed_ = is_end;
+    if (is_end) at_ = size();
   }
 
   void suspect_end(Diagnostic& diagnostic) const {
@@ -262,7 +261,7 @@ class XmlScanner {
       const bool is_blank = at_ < size() && is(text_[at_], blank);
       well_formed_ = false;
       report_no_element(span(begin, begin + 1), text_.substr(begin),
-                        is_blank ? "blank-tag" : "no-tag", sink_);
+                        is_blank ? cases::kBlankTag : cases::kNoTag, sink_);
       return;
     }
     if (tree_.depth() == 0 && !tree_.elements().empty()) {
@@ -320,7 +319,7 @@ class XmlScanner {
     if (name.empty()) {
       malformed(span(at_, at_ + 1),
                 "this character is not allowed in the start tag of " + quoted(element.name_span()),
-                looking_at("\f") || looking_at("\v") ? "control" : "fault");
+                looking_at("\f") || looking_at("\v") ? cases::kControl : cases::kFault);
       return false;
     }
     skip_space();
@@ -355,7 +354,7 @@ class XmlScanner {
       const bool is_typographic =
           begin < size() && static_cast<unsigned char>(text_[begin]) >= 0x80;
       malformed(name, "the value of the attribute " + quoted(name) + " has no quotes",
-                is_typographic ? "typographic-quotes" : "fault");
+                is_typographic ? cases::kTypographicQuotes : cases::kFault);
       return false;
     }
     at_ = static_cast<std::uint32_t>(*end);
@@ -448,7 +447,7 @@ class XmlScanner {
   void outside_of_root(Span text) {
     const bool is_before = tree_.elements().empty();
     malformed(text, is_before ? "text before the root element" : "text after the root element",
-              is_before && has_declaration_ ? "text-behind-declaration" : "fault");
+              is_before && has_declaration_ ? cases::kTextBehindDeclaration : cases::kFault);
   }
 
   void character_data() {

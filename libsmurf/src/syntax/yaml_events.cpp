@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "syntax/yaml_events.hpp"
 
+#include "base/cases.hpp"
 #include "base/rules.hpp"
 #include "syntax/yaml_spans.hpp"
 
@@ -38,7 +39,7 @@ void YamlEvents::OnScalar(const YAML::Mark& mark, const std::string&, YAML::anch
     sink_
         .report(rules::sml0010_yaml_syntax, builder_.span(extent.begin, extent.begin + 1),
                 "this quote is never closed")
-        .construct = "quote";
+        .when(cases::kQuote);
   }
   const std::string_view bytes = text_.substr(extent.begin, extent.end - extent.begin);
   const std::string_view inner = extent.style == yaml::Style::plain || bytes.size() < 2
@@ -100,7 +101,7 @@ void YamlEvents::check_colon() {
   sink_
       .report(rules::sml0010_yaml_syntax, {key.source, key.begin, key.begin + 1},
               "this line does not fit the lines above it: without a `:`, it is not a key")
-      .construct = "line";
+      .when(cases::kLine);
 }
 
 void YamlEvents::open(yaml::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor,

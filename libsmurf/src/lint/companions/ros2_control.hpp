@@ -57,12 +57,12 @@ std::string title_of(const HardwarePart& part, const Hardware& hardware);
 
 /// An exception of the parser: no hardware of the robot is loaded.
 constexpr Fact
-no_hardware(std::string_view where = {},
+no_hardware(Where where = {},
             std::string_view makes = "throws an exception and loads no hardware at all") {
   return {&readers::ros2_control, Effect::refuses, makes,
           "ros2_control hardware_interface/src/component_parser.cpp", where};
 }
-constexpr Fact no_hardware_in_ros(std::string_view where = {}) {
+constexpr Fact no_hardware_in_ros(Where where = {}) {
   return {&readers::ros, Effect::breaks, "ros2_control loads no hardware",
           "ros2_control hardware_interface/src/component_parser.cpp", where};
 }

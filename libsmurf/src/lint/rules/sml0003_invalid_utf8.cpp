@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -7,10 +8,10 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses bytes that are not UTF-8, or shows other characters",
-     "urdf-loader, run", "/robot/"},
+     "urdf-loader, run", at("robot")},
     {&readers::mars, Effect::changes, "passes the bytes on", "yaml-cpp 0.7, run"},
     {&readers::phobos, Effect::loses, "logs the error and continues without the annotations", kRun,
-     "#in-annotations"},
+     when(cases::kInAnnotations)},
     {&readers::phobos, Effect::refuses, "refuses the file", "PyYAML 6.0, run"},
 };
 

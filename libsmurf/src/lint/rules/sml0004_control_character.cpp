@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 #include "base/uncertain.hpp"
@@ -8,14 +9,14 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::takes, "keeps the byte inside names and values",
-     "urdfdom, sdformat, DART, MuJoCo, run", "#in-urdf"},
+     "urdfdom, sdformat, DART, MuJoCo, run", when(cases::kInUrdf)},
     {&readers::urdf, Effect::refuses, "refuses the file, or stops reading at the NUL",
-     "urdfdom, sdformat, DART, MuJoCo, run", kUncertain},
+     "urdfdom, sdformat, DART, MuJoCo, run", when(kUncertain)},
     {&readers::urdf, Effect::refuses, "refuses the file, or stops reading there", "urdfdom, run"},
     {&readers::mars, Effect::changes, "keeps the byte inside names and values",
      "yaml-cpp 0.7, run"},
     {&readers::phobos, Effect::loses, "logs the error and continues without the annotations", kRun,
-     "#in-annotations"},
+     when(cases::kInAnnotations)},
     {&readers::phobos, Effect::refuses, "refuses the file", "PyYAML 6.0 and expat, run"},
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -8,16 +9,16 @@ namespace {
 constexpr std::string_view kLastLine = "reads a last line without `:` as a key without a value";
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, kLastLine, "yaml-cpp 0.7, run", "#line"},
+    {&readers::mars, Effect::changes, kLastLine, "yaml-cpp 0.7, run", when(cases::kLine)},
     {&readers::mars, Effect::changes, "closes the quote at the end of the file",
-     "yaml-cpp 0.7, run", "#quote#main"},
-    {&readers::mars2, Effect::changes, kLastLine, "yaml-cpp 0.7, run", "#line"},
-    {&readers::envire, Effect::changes, kLastLine, "yaml-cpp 0.7, run", "#line"},
+     "yaml-cpp 0.7, run", when(cases::kQuote, cases::kInMain)},
+    {&readers::mars2, Effect::changes, kLastLine, "yaml-cpp 0.7, run", when(cases::kLine)},
+    {&readers::envire, Effect::changes, kLastLine, "yaml-cpp 0.7, run", when(cases::kLine)},
     {&readers::mars, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
     {&readers::mars2, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
     {&readers::envire, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#main"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#scene"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, when(cases::kInMain)},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, when(cases::kInScene)},
     {&readers::phobos, Effect::loses, "logs the error and continues without the annotations",
      "Phobos smurfrobot.py"},
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -9,8 +10,8 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses, "reads the first document only", "configmaps, run"},
     {&readers::mars2, Effect::loses, "reads the first document only", "configmaps, run"},
     {&readers::envire, Effect::loses, "reads the first document only", "configmaps, run"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#main"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#scene"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, when(cases::kInMain)},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, when(cases::kInScene)},
     {&readers::phobos, Effect::loses, "refuses the file and continues without the annotations",
      "PyYAML safe_load"},
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -10,24 +11,24 @@ constexpr std::string_view kRefuses = "refuses the file";
 constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, run"},
     {&readers::urdf, Effect::takes, "skips the declaration", "urdfdom, sdformat, MuJoCo, run",
-     "#declaration"},
+     when(cases::kDeclaration)},
     {&readers::urdf, Effect::takes, "stops reading there", "urdfdom, sdformat, MuJoCo, run",
-     "#end-tag-behind"},
+     when(cases::kEndTagBehind)},
     // TinyXML, which urdfdom uses, and tinyxml2 read on after different faults. What they make of
     // the rest is not known: there is no fact for those readers.
     {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, sdformat, MuJoCo, run",
-     "#fault"},
-    {&readers::gazebo, Effect::refuses, kRefuses, kRun, "#no-tag"},
-    {&readers::gazebo, Effect::refuses, kRefuses, kRun, "#comment-behind"},
-    {&readers::gazebo, Effect::refuses, kRefuses, kRun, "#instruction"},
-    {&readers::gazebo, Effect::refuses, kRefuses, kRun, "#text-behind-declaration"},
-    {&readers::mujoco, Effect::refuses, kRefuses, kRun, "#no-tag"},
-    {&readers::mujoco, Effect::refuses, kRefuses, kRun, "#comment-behind"},
-    {&readers::mujoco, Effect::refuses, kRefuses, kRun, "#instruction"},
-    {&readers::mujoco, Effect::refuses, kRefuses, kRun, "#typographic-quotes"},
-    {&readers::urdfdom, Effect::refuses, kRefuses, kRun, "#text-behind-declaration"},
-    {&readers::ros, Effect::refuses, kRefuses, "urdfdom 3.0.1, run", "#end-tag-attribute"},
-    {&readers::dart, Effect::refuses, kRefuses, kRun, "#end-tag-attribute"},
+     when(cases::kFault)},
+    {&readers::gazebo, Effect::refuses, kRefuses, kRun, when(cases::kNoTag)},
+    {&readers::gazebo, Effect::refuses, kRefuses, kRun, when(cases::kCommentBehind)},
+    {&readers::gazebo, Effect::refuses, kRefuses, kRun, when(cases::kInstruction)},
+    {&readers::gazebo, Effect::refuses, kRefuses, kRun, when(cases::kTextBehindDeclaration)},
+    {&readers::mujoco, Effect::refuses, kRefuses, kRun, when(cases::kNoTag)},
+    {&readers::mujoco, Effect::refuses, kRefuses, kRun, when(cases::kCommentBehind)},
+    {&readers::mujoco, Effect::refuses, kRefuses, kRun, when(cases::kInstruction)},
+    {&readers::mujoco, Effect::refuses, kRefuses, kRun, when(cases::kTypographicQuotes)},
+    {&readers::urdfdom, Effect::refuses, kRefuses, kRun, when(cases::kTextBehindDeclaration)},
+    {&readers::ros, Effect::refuses, kRefuses, "urdfdom 3.0.1, run", when(cases::kEndTagAttribute)},
+    {&readers::dart, Effect::refuses, kRefuses, kRun, when(cases::kEndTagAttribute)},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -6,9 +7,9 @@ namespace smurf::rules::sml1003_xml_bare_ampersand_file {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::gazebo, Effect::takes, "continues", kRun, "#character"},
-    {&readers::urdfdom, Effect::refuses, "refuses the file", kRun, "#character"},
-    {&readers::dart, Effect::refuses, "refuses the file", kRun, "#character"},
+    {&readers::gazebo, Effect::takes, "continues", kRun, when(cases::kCharacter)},
+    {&readers::urdfdom, Effect::refuses, "refuses the file", kRun, when(cases::kCharacter)},
+    {&readers::dart, Effect::refuses, "refuses the file", kRun, when(cases::kCharacter)},
     {&readers::urdf, Effect::takes, "continues", "urdfdom, sdformat, MuJoCo and Bullet, run"},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
 };

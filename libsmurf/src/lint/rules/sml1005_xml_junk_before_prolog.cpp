@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -7,9 +8,9 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::takes, "reads the first declaration only",
-     "urdfdom, sdformat, DART, MuJoCo, run", "#second"},
-    {&readers::urdfdom, Effect::takes, "skips blanks", kRun, "#blanks"},
-    {&readers::mujoco, Effect::takes, "skips blanks", kRun, "#blanks"},
+     "urdfdom, sdformat, DART, MuJoCo, run", when(cases::kSecond)},
+    {&readers::urdfdom, Effect::takes, "skips blanks", kRun, when(cases::kBlanks)},
+    {&readers::mujoco, Effect::takes, "skips blanks", kRun, when(cases::kBlanks)},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
 };
 

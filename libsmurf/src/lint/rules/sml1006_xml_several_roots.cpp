@@ -10,7 +10,7 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
     {&readers::urdf, Effect::refuses,
      "reads the first root element only, and refuses a robot without its other links",
-     "urdfdom, sdformat, DART, MuJoCo, run", kUncertain},
+     "urdfdom, sdformat, DART, MuJoCo, run", when(kUncertain)},
     {&readers::urdf, Effect::changes, "reads the first root element only",
      "tinyxml2 FirstChildElement; urdfdom, run"},
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -6,8 +7,8 @@ namespace smurf::rules::sml1008_xml_encoding_file {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::takes, "reads UTF-8 anyway", kRun, "#wide"},
-    {&readers::mujoco, Effect::takes, "reads UTF-8 anyway", kRun, "#wide"},
+    {&readers::urdfdom, Effect::takes, "reads UTF-8 anyway", kRun, when(cases::kWide)},
+    {&readers::mujoco, Effect::takes, "reads UTF-8 anyway", kRun, when(cases::kWide)},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "base/rules.hpp"
+#include "base/uncertain.hpp"
 
 namespace smurf::rules::sml1012_percent_in_value_file {
 namespace {
@@ -11,28 +12,32 @@ constexpr std::string_view kPrintfRun =
     "urdfdom link.cpp:93 and others, run; fixed in 5.1 (pull request 243)";
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@reference/"},
-    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@filename/"},
-    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@type/"},
-    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@joint/"},
-    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@link/"},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, at("@reference")},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, at("@filename")},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, at("@type")},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, at("@joint")},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, at("@link")},
     // Whether it does depends on what stands in memory: it differs between robots.
-    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/cylinder/@radius/#uncertain"},
-    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/cylinder/@length/#uncertain"},
-    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/mass/"},
-    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/sphere/"},
-    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/color/"},
-    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@name/"},
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun,
+     at("cylinder/@radius").when(kUncertain).before({5, 1})},
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun,
+     at("cylinder/@length").when(kUncertain).before({5, 1})},
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, at("mass").before({5, 1})},
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, at("sphere").before({5, 1})},
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, at("color").before({5, 1})},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, at("@name")},
     {&readers::urdfdom, Effect::refuses, "refuses the number, and with it the file", kRun,
-     "/joint/"},
-    urdfdom_drops_shapes("/link/", kRun),
-    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun},
-    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@reference/"},
-    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@filename/"},
-    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@type/"},
-    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@joint/"},
-    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@link/"},
-    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@name/"},
+     at("joint")},
+    urdfdom_drops_shapes(at("link"), kRun),
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, before({5, 1})},
+    {&readers::urdfdom, Effect::loses, "drops the material with a message",
+     "urdfdom link.cpp:86-94", at("material")},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, at("@reference")},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, at("@filename")},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, at("@type")},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, at("@joint")},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, at("@link")},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, at("@name")},
     {&readers::mujoco, Effect::refuses, "refuses the number", kRun},
     {&readers::phobos, Effect::takes, "keeps the text", kRun},
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -7,8 +8,8 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::refuses, "finds no robot after the declarations", kRun,
-     "#declarations"},
-    {&readers::mujoco, Effect::takes, "skips the declarations", kRun, "#declarations"},
+     when(cases::kDeclarations)},
+    {&readers::mujoco, Effect::takes, "skips the declarations", kRun, when(cases::kDeclarations)},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -9,15 +10,15 @@ constexpr std::string_view kRefuses = "refuses a root other than `robot`";
 constexpr std::string_view kEvidence = "urdfdom model.cpp:106, run";
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::refuses, kRefuses, kEvidence, "#foreign"},
-    {&readers::urdfdom, Effect::refuses, kRefuses, kEvidence, "#mjcf"},
-    {&readers::ros, Effect::refuses, kRefuses, kEvidence, "#sdf"},
-    {&readers::dart, Effect::refuses, kRefuses, kEvidence, "#sdf"},
-    {&readers::mujoco, Effect::refuses, kRefuses, kRun, "#sdf"},
+    {&readers::urdf, Effect::refuses, kRefuses, kEvidence, when(cases::kForeign)},
+    {&readers::urdfdom, Effect::refuses, kRefuses, kEvidence, when(cases::kMjcf)},
+    {&readers::ros, Effect::refuses, kRefuses, kEvidence, when(cases::kSdf)},
+    {&readers::dart, Effect::refuses, kRefuses, kEvidence, when(cases::kSdf)},
+    {&readers::mujoco, Effect::refuses, kRefuses, kRun, when(cases::kSdf)},
     {&readers::mujoco, Effect::takes, "compares the name without case", "MuJoCo xml.cc:293, run",
-     "/Robot/"},
+     at("Robot")},
     {&readers::mujoco, Effect::takes, "compares the name without case", "MuJoCo xml.cc:293, run",
-     "/ROBOT/"},
+     at("ROBOT")},
 };
 
 }  // namespace

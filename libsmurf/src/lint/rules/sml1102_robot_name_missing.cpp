@@ -8,6 +8,8 @@
 namespace smurf::rules::sml1102_robot_name_missing_file {
 namespace {
 
+constexpr Circumstance kEmpty{"empty"};
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   const Field<std::string>& name = model.robot->name;
@@ -16,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!name.written && is_slip(model, model.robot->document.root, "name", findings)) return;
   Diagnostic& diagnostic =
       findings.report(tag, name.written ? "the robot has an empty name" : "the robot has no name");
-  if (name.written) diagnostic.construct = "empty";
+  if (name.written) diagnostic.when(kEmpty);
   const std::string stem(path::stem(model.urdf_path));
   if (stem.empty()) return;
   const Edit edit =
@@ -27,12 +29,12 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::takes, "accepts an empty name", kRun, "#empty"},
+    {&readers::urdfdom, Effect::takes, "accepts an empty name", kRun, when(kEmpty)},
     {&readers::urdfdom, Effect::refuses, "refuses a robot without a name",
      "urdfdom model.cpp:115, run"},
     {&readers::pybullet, Effect::refuses, "refuses a robot without a name",
      "Bullet UrdfParser.cpp, run"},
-    {&readers::gazebo, Effect::refuses, "refuses an empty name", kRun, "#empty"},
+    {&readers::gazebo, Effect::refuses, "refuses an empty name", kRun, when(kEmpty)},
     {&readers::mujoco, Effect::takes, "needs no name", kRun},
     {&readers::drake, Effect::refuses, "refuses a robot without a name, unless the caller names it",
      "Drake detail_urdf_parser.cc:1452"},

@@ -9,6 +9,9 @@
 namespace smurf::rules::sml1105_feature_needs_newer_version_file {
 namespace {
 
+// Authors declare the version of URDF that has the attribute for urdfdom.
+constexpr Circumstance kDeclared{"the version has it", &readers::urdfdom};
+
 constexpr std::string_view kRotation = "quat_xyzw";
 constexpr std::string_view kLimits[] = {"acceleration", "deceleration", "jerk"};
 
@@ -21,14 +24,20 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!is_limit && !is_same(name, kRotation)) continue;
     Diagnostic& diagnostic =
         findings.report(attribute.name_span(), quoted(name) + " is ignored by readers of URDF 1.0");
+    const std::string version = model.robot->version.value_or("");
+    if (version == "1.2" || (version == "1.1" && !is_limit)) diagnostic.when(kDeclared);
     // The robot without such a limit is the same; without the rotation it is another one.
     if (is_limit) diagnostic.severity = Severity::info;
   }
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "reads the rotation", "urdfdom 5.1.0, read",
+     at("@quat_xyzw").when(kDeclared).since({5, 1})},
+    {&readers::urdfdom, Effect::takes, "reads the attribute", "urdfdom 6.0.0, read",
+     when(kDeclared).since({6, 0})},
     {&readers::urdf, Effect::changes, "ignores the rotation, so the frame is not turned",
-     "urdfdom, sdformat, MuJoCo, Bullet, run", "/@quat_xyzw/"},
+     "urdfdom, sdformat, MuJoCo, Bullet, run", at("@quat_xyzw")},
     {&readers::urdf, Effect::ignores, "ignores the attribute", "urdfdom, MuJoCo, run"},
 };
 

@@ -6,11 +6,11 @@ namespace smurf::rules::sml1109_duplicate_singleton_file {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::phobos, Effect::changes, "uses one of them", kRun, "/joint/axis/"},
-    {&readers::phobos, Effect::changes, "uses one of them", kRun, "/joint/parent/"},
-    {&readers::phobos, Effect::changes, "uses one of them", kRun, "/joint/child/"},
-    {&readers::phobos, Effect::changes, "uses one of them", kRun, "/joint/mimic/"},
-    {&readers::phobos, Effect::changes, "uses one of them", kRun, "/inertial/mass/"},
+    {&readers::phobos, Effect::changes, "uses one of them", kRun, at("joint/axis")},
+    {&readers::phobos, Effect::changes, "uses one of them", kRun, at("joint/parent")},
+    {&readers::phobos, Effect::changes, "uses one of them", kRun, at("joint/child")},
+    {&readers::phobos, Effect::changes, "uses one of them", kRun, at("joint/mimic")},
+    {&readers::phobos, Effect::changes, "uses one of them", kRun, at("inertial/mass")},
     {&readers::phobos, Effect::refuses, "stops with an assertion", kRun},
     {&readers::urdf, Effect::changes, "uses the first one", "urdfdom, Bullet, run"},
     {&readers::mujoco, Effect::refuses, "refuses a repeated element", kRun},

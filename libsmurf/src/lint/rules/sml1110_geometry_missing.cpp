@@ -6,9 +6,12 @@
 #include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1110_geometry_missing_file {
 namespace {
+
+constexpr Circumstance kDrakeShape{"shape of Drake", &readers::drake};
 
 bool is_shape_of(const urdf::ElementSpec& spec, std::string_view name) {
   return ranges::find(spec.children, name, &urdf::ChildSpec::name) != spec.children.end() ||
@@ -53,19 +56,20 @@ void check(const LinkedModel& model, Findings& findings) {
                             (!is_written ? " has no geometry"
                              : is_empty  ? " has an empty geometry"
                                          : " has a geometry without a shape"));
-    if (has_drake_shape(model, use.geometry)) diagnostic.construct = "drake-shape";
+    if (has_drake_shape(model, use.geometry)) diagnostic.when(kDrakeShape);
   });
 }
 
 constexpr Fact kFacts[] = {
     urdfdom_drops_shapes(),
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
-    {&readers::mujoco, Effect::refuses, "refuses a visual without geometry", kRun, "#visuals-kept"},
+    {&readers::mujoco, Effect::refuses, "refuses a visual without geometry", kRun,
+     when(kVisualsKept)},
     {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
-     "/visual/"},
+     at("visual")},
     {&readers::mujoco, Effect::refuses, "refuses a collision without geometry", kRun},
     {&readers::drake, Effect::takes, "knows the shape", "Drake detail_urdf_geometry.cc:337-346",
-     "#drake-shape"},
+     when(kDrakeShape)},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc:315-352"},
     {&readers::phobos, Effect::loses, "keeps a shape without geometry", kRun},
 };

@@ -5,6 +5,8 @@
 namespace smurf::rules::sml1111_geometry_several_shapes_file {
 namespace {
 
+constexpr Circumstance kSame{"same"};
+
 void check_geometry(const LinkedModel& model, const urdf::Geometry& geometry, Findings& findings) {
   if (geometry.element == xml::kNoElement) return;
   const xml::View element(model.robot->document, geometry.element);
@@ -14,7 +16,7 @@ void check_geometry(const LinkedModel& model, const urdf::Geometry& geometry, Fi
     if (first) {
       Diagnostic& diagnostic = findings.report(child.name_span(), "a second shape in one geometry");
       diagnostic.label(first.name_span(), "the first one");
-      if (first.name() == child.name()) diagnostic.construct = "same";
+      if (first.name() == child.name()) diagnostic.when(kSame);
       return;
     }
     first = child;
@@ -29,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::changes, "uses the first shape", "urdfdom, Bullet, run"},
     {&readers::phobos, Effect::refuses, "stops with an AssertionError", "Phobos a613e31, run"},
-    {&readers::mujoco, Effect::refuses, "refuses a repeated element", kRun, "#same"},
+    {&readers::mujoco, Effect::refuses, "refuses a repeated element", kRun, when(kSame)},
     {&readers::mujoco, Effect::changes,
      "uses the box, else the cylinder, else the sphere, else the mesh", "MuJoCo xml_urdf.cc, run"},
     {&readers::drake, Effect::changes,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -8,13 +9,13 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses,
      "ignores the element, and then misses the link that joints name", "urdfdom, MuJoCo, run",
-     "#link"},
+     when(cases::kLinkTag)},
     {&readers::urdf, Effect::refuses, "ignores the joint, and then finds several roots",
-     "urdfdom, run", "#joint"},
+     "urdfdom, run", when(cases::kJointTag)},
     {&readers::urdf, Effect::loses, "ignores the element, with all its contents",
      "urdfdom, MuJoCo, run"},
     {&readers::mujoco, Effect::changes, "ignores the joint, and welds its child to the world", kRun,
-     "#joint"},
+     when(cases::kJointTag)},
 };
 
 }  // namespace

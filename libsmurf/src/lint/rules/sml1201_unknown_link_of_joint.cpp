@@ -8,6 +8,9 @@
 namespace smurf::rules::sml1201_unknown_link_of_joint_file {
 namespace {
 
+constexpr Circumstance kDrakeWorld{"world of Drake", &readers::drake};
+constexpr Circumstance kDriven{"driven"};
+
 using Names = std::set<std::string_view>;
 
 Names joints_with_motor(const LinkedModel& model) {
@@ -72,9 +75,9 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::string subject = subject_of(end.parent());
     Diagnostic* diagnostic =
         check_link_of_joint(model, one, subject, unnamed, findings, meanings_of(model, end));
-    if (diagnostic != nullptr && is_driven(end.parent(), driven)) diagnostic->construct = "driven";
+    if (diagnostic != nullptr && is_driven(end.parent(), driven)) diagnostic->when(kDriven);
     if (diagnostic != nullptr && end.name() == "parent" && one.name == "world") {
-      diagnostic->construct += "#drake-world";
+      diagnostic->when(kDrakeWorld);
       diagnostic->note(
           "only Drake has a link `world` without a declaration; check files for Drake with "
           "`--target drake`");
@@ -85,12 +88,12 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "stops with an UnboundLocalError at the motor of the joint",
-     "Phobos io/smurfrobot.py:211-215, run", "/parent/@link/#driven"},
-    {&readers::phobos, Effect::breaks, "keeps a joint without a parent", kRun, "/parent/"},
+     "Phobos io/smurfrobot.py:211-215, run", at("parent/@link").when(kDriven)},
+    {&readers::phobos, Effect::breaks, "keeps a joint without a parent", kRun, at("parent")},
     {&readers::urdf, Effect::refuses, "refuses the file",
      "urdfdom model.h:128; MuJoCo, Bullet, run"},
     {&readers::drake, Effect::takes, "has an implicit link `world`",
-     "Drake detail_urdf_parser.cc:518", "#drake-world"},
+     "Drake detail_urdf_parser.cc:518", when(kDrakeWorld)},
 };
 constexpr std::string_view kFormer[] = {"SML1202", "parent-link-unknown", "child-link-unknown"};
 

@@ -33,7 +33,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.help("connect it by a joint, or delete it");
     diagnostic.label(name_place(model, first), "the first root link");
     if (!led_to_by_drake.contains(*root.name)) continue;
-    diagnostic.construct = "drake-joint";
+    diagnostic.when(drake::kDrakeJoint);
     diagnostic.note(drake::kJointNote);
   }
 }
@@ -45,7 +45,7 @@ constexpr Fact kFacts[] = {
      "BulletUrdfImporter.cpp:316, run"},
     {&readers::mujoco, Effect::changes, "welds every root to the world", kRun},
     {&readers::drake, Effect::takes, "knows the joint that leads to the link",
-     "Drake detail_urdf_parser.cc:1484-1491", "#drake-joint"},
+     "Drake detail_urdf_parser.cc:1484-1491", when(drake::kDrakeJoint)},
     {&readers::drake, Effect::takes, "accepts several trees", "Drake detail_urdf_parser.cc"},
 };
 

@@ -8,6 +8,10 @@
 namespace smurf::rules::sml1206_link_with_two_parents_file {
 namespace {
 
+constexpr Circumstance kFixed{"fixed"};
+constexpr Circumstance kMergedTwice{"merged twice"};
+constexpr Circumstance kRing{"ring"};
+
 /// True when the link is the other one or a descendant of it.
 bool is_below(const LinkedModel& model, LinkIndex link, LinkIndex other) {
   for (std::size_t step = 0; step <= model.robot->joints.size() && link != other; ++step) {
@@ -64,10 +68,10 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(joints[i].child.span,
                         title(model.link(*child)) + " is already the child of " + title(other));
-    if (other.type == urdf::JointType::fixed) diagnostic.construct = "fixed";
-    if (is_below(model, *model.tree.joint_parent[i], *child)) diagnostic.construct += "#ring";
+    if (other.type == urdf::JointType::fixed) diagnostic.when(kFixed);
+    if (is_below(model, *model.tree.joint_parent[i], *child)) diagnostic.when(kRing);
     if (!merged) merged.emplace(model);
-    if (merged->contains(*child)) diagnostic.construct += "#merged-twice";
+    if (merged->contains(*child)) diagnostic.when(kMergedTwice);
     diagnostic.caret = "a second parent";
     diagnostic.help("keep one of the two joints; URDF has no closed chains");
     diagnostic.label(other.child.span, "the first joint to this link");
@@ -78,10 +82,11 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes,
      "does not notice, and keeps the joint whose name is last in alphabetical order", kRun},
     {&readers::pybullet, Effect::changes, "keeps the last parent", "Bullet UrdfParser.cpp, run"},
-    {&readers::gazebo, Effect::crashes, "crashes", kRun, "#ring"},
-    {&readers::gazebo, Effect::changes, "merges the link into both parents", kRun, "#merged-twice"},
+    {&readers::gazebo, Effect::crashes, "crashes", kRun, when(kRing)},
+    {&readers::gazebo, Effect::changes, "merges the link into both parents", kRun,
+     when(kMergedTwice)},
     {&readers::gazebo, Effect::refuses, "reports a duplicate link", kRun},
-    {&readers::dart, Effect::crashes, "never terminates", kRun, "#ring"},
+    {&readers::dart, Effect::crashes, "never terminates", kRun, when(kRing)},
     {&readers::dart, Effect::changes, "builds the link twice, or never terminates", kRun},
     {&readers::mujoco, Effect::refuses, "refuses several parents", kRun},
     {&readers::drake, Effect::refuses, "refuses the model when it is finalised",

@@ -10,6 +10,9 @@
 namespace smurf::rules::sml1207_self_joint_file {
 namespace {
 
+constexpr Circumstance kApart{"apart"};
+constexpr Circumstance kOnlyRoot{"only root"};
+
 /// The names of roots and of children. Collected once, because every joint of a file may connect a
 /// link to itself.
 class Tree {
@@ -52,8 +55,8 @@ void check(const LinkedModel& model, Findings& findings) {
                         title(joint) + " connects the link " + quoted(*joint.child) + " to itself");
     diagnostic.label(joint.parent.span, "the same link as parent");
     if (!tree) tree.emplace(model);
-    if (tree->is_apart(*joint.child)) diagnostic.construct = "apart";
-    if (tree->is_only_root(*joint.child)) diagnostic.construct = "only-root";
+    if (tree->is_apart(*joint.child)) diagnostic.when(kApart);
+    if (tree->is_only_root(*joint.child)) diagnostic.when(kOnlyRoot);
     // The link that it should lead to is a root then, which is not reported for itself.
     if (tree->has_other_roots(*joint.child)) {
       diagnostic.consequences.push_back(&rules::sml1204_several_roots);
@@ -63,19 +66,19 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::refuses, "finds no root link, and refuses the file", kRun,
-     "#only-root"},
+     when(kOnlyRoot)},
     {&readers::gazebo, Effect::refuses, "finds no root link, and refuses the file", kRun,
-     "#only-root"},
+     when(kOnlyRoot)},
     {&readers::dart, Effect::refuses, "finds no root link, and refuses the file", kRun,
-     "#only-root"},
+     when(kOnlyRoot)},
     {&readers::urdfdom, Effect::changes, "accepts it; programs that walk the tree never terminate",
      "urdfdom issue 154; check_urdf 3.0.1, run"},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::mars, Effect::loses, "does not reach the link from the root", "urdfdom model.h",
-     "#apart"},
+     when(kApart)},
     {&readers::mars, Effect::crashes, "never terminates", "MARS 71a5c45, run"},
-    {&readers::gazebo, Effect::loses, "does not reach the link from the root", kRun, "#apart"},
-    {&readers::dart, Effect::loses, "does not reach the link from the root", kRun, "#apart"},
+    {&readers::gazebo, Effect::loses, "does not reach the link from the root", kRun, when(kApart)},
+    {&readers::dart, Effect::loses, "does not reach the link from the root", kRun, when(kApart)},
     {&readers::gazebo, Effect::crashes, "crashes", kRun},
     {&readers::dart, Effect::crashes, "never terminates", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},

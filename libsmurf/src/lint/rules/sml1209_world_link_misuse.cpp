@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1209_world_link_misuse_file {
 namespace {
+
+constexpr Circumstance kMoving{"moving"};
 
 void check(const LinkedModel& model, Findings& findings) {
   const auto index = model.link_names.find("world");
@@ -14,11 +17,11 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(joint.child.span, title(joint) + " leads to the link `world`");
     diagnostic.label(link.name.span, "Gazebo, Drake and MuJoCo treat this as the world");
-    if (joint.is_movable()) diagnostic.construct = "moving";
+    if (joint.is_movable()) diagnostic.when(kMoving);
     return;
   }
   if (model.robot->links.size() == 1) {
-    findings.report(link.name.span, "the link `world` is the only link").construct = "alone";
+    findings.report(link.name.span, "the link `world` is the only link").when(kAlone);
     return;
   }
   if (!link.inertial && link.collisions.empty()) return;
@@ -33,11 +36,13 @@ constexpr std::string_view kDrops =
     "treats it as the world itself, and drops its inertial and collisions";
 
 constexpr Fact kFacts[] = {
-    {&readers::gazebo, Effect::refuses, "refuses a joint that moves the world", kRun, "#moving"},
+    {&readers::gazebo, Effect::refuses, "refuses a joint that moves the world", kRun,
+     when(kMoving)},
     {&readers::gazebo, Effect::refuses, "treats it as the world: a model without links", kRun,
-     "#alone"},
+     when(kAlone)},
     {&readers::gazebo, Effect::loses, kDrops, "sdformat parser_urdf.cc:3397, run"},
-    {&readers::mujoco, Effect::refuses, "refuses a joint that moves the world", kRun, "#moving"},
+    {&readers::mujoco, Effect::refuses, "refuses a joint that moves the world", kRun,
+     when(kMoving)},
     {&readers::mujoco, Effect::loses, kDrops, kRun},
     {&readers::drake, Effect::loses,
      "treats it as the world itself: drops its inertial and collisions, or refuses a joint that "

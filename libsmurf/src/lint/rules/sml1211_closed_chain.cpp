@@ -21,9 +21,9 @@ constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::ignores, "ignores it and loads an open chain",
      "urdfdom, MuJoCo and Bullet, run"},
     {&readers::gazebo, Effect::takes, "reads a joint inside `gazebo`",
-     "sdformat parser_urdf.cc:1273", "/gazebo/"},
+     "sdformat parser_urdf.cc:1273", at("gazebo")},
     {&readers::drake, Effect::refuses, "refuses `loop_joint`", "Drake detail_urdf_parser.cc:1522",
-     "/loop_joint/"},
+     at("loop_joint")},
 };
 
 }  // namespace

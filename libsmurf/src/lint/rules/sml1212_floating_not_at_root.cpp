@@ -2,10 +2,12 @@
 #include "base/readers.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1212_floating_not_at_root_file {
 namespace {
+
+constexpr Circumstance kFixedToRoot{"fixed to root"};
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
@@ -22,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.label(name_place(model, model.joint(*above)), "leads to the parent");
     if (fixed.empty()) fixed = fixed_to_root(model);
     if (fixed[to_size(*parent)] && fuses_fixed_links(model)) {
-      diagnostic.construct = "fixed-to-root";
+      diagnostic.when(kFixedToRoot);
     }
   }
 }
@@ -33,7 +35,7 @@ constexpr Fact kFacts[] = {
      "Bullet URDF2Bullet.cpp:491-497"},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
     {&readers::mujoco, Effect::takes, "makes one body of the root and what is fixed to it", kRun,
-     "#fixed-to-root"},
+     when(kFixedToRoot)},
     {&readers::mujoco, Effect::refuses, "refuses the file: bodies float in the world only", kRun},
     {&readers::urdfdom, Effect::takes, "accepts a floating joint anywhere", kRun},
     {&readers::phobos, Effect::takes, "accepts a floating joint anywhere", kRun},

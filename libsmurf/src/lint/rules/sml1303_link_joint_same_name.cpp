@@ -5,10 +5,12 @@
 #include "base/readers.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1303_link_joint_same_name_file {
 namespace {
+
+constexpr Circumstance kMerged{"merged"};
 
 /// The links and joints that remain after sdformat has merged and dropped links.
 class KeptNames {
@@ -47,12 +49,12 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic* diagnostic = habit.report("such names", findings);
   if (diagnostic == nullptr) return;
   diagnostic->label(link_name, "the link");
-  if (!is_clash) diagnostic->construct = "merged";
+  if (!is_clash) diagnostic->when(kMerged);
 }
 
 constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::takes,
-     "merges or drops the link, so that one of the names disappears", kRun, "#merged"},
+     "merges or drops the link, so that one of the names disappears", kRun, when(kMerged)},
     {&readers::gazebo, Effect::refuses, "reports errors E2 and E24; the model cannot be used",
      kRun},
 };

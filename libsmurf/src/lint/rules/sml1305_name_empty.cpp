@@ -5,6 +5,8 @@
 namespace smurf::rules::sml1305_name_empty_file {
 namespace {
 
+constexpr Circumstance kFixed{"fixed"};
+
 void check(const LinkedModel& model, Findings& findings) {
   for_each_link(model, [&](const urdf::Link& link) {
     if (link.name && link.name->empty()) {
@@ -15,20 +17,20 @@ void check(const LinkedModel& model, Findings& findings) {
     if (joint.name && joint.name->empty()) {
       Diagnostic& diagnostic =
           findings.report(tag_name(model, joint.element), "a joint has an empty name");
-      if (joint.type == urdf::JointType::fixed) diagnostic.construct = "fixed";
+      if (joint.type == urdf::JointType::fixed) diagnostic.when(kFixed);
     }
   });
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::takes, "accepts a joint without a name", kRun, "/joint/"},
+    {&readers::urdfdom, Effect::takes, "accepts a joint without a name", kRun, at("joint")},
     {&readers::urdfdom, Effect::refuses, "reports two roots and refuses the file", kRun},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::takes, "merges the two into one link without a joint", kRun,
-     "/joint/#fixed"},
-    {&readers::gazebo, Effect::refuses, "refuses a joint without a name", kRun, "/joint/"},
-    {&readers::mujoco, Effect::takes, "accepts a joint without a name", kRun, "/joint/"},
+     at("joint").when(kFixed)},
+    {&readers::gazebo, Effect::refuses, "refuses a joint without a name", kRun, at("joint")},
+    {&readers::mujoco, Effect::takes, "accepts a joint without a name", kRun, at("joint")},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
 };
 

@@ -3,9 +3,12 @@
 #include "base/readers.hpp"
 #include "base/words.hpp"
 #include "lint/name_queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1306_reference_whitespace_file {
 namespace {
+
+constexpr Circumstance kNothingElse{"nothing else"};
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_name(model, [&](std::string_view kind, const Field<std::string>& name) {
@@ -14,7 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(name.span, "a space is part of the name " + quoted(*name));
     const std::string_view meant = trimmed(*name);
     if (meant.empty()) {
-      diagnostic.construct = "nothing-else";
+      diagnostic.when(kNothingElse);
       return;
     }
     const NameTable& others = kind == "link" ? model.link_names : model.joint_names;
@@ -30,13 +33,13 @@ constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses,
      "finds no link with that name, because the space is part of it", "urdfdom, run"},
     {&readers::urdfdom, Effect::changes,
-     "does not look for the leading joint, so the joint moves freely", kRun, "/mimic/"},
-    {&readers::urdfdom, Effect::takes, "keeps the space in the name", kRun, "/joint/@name/"},
+     "does not look for the leading joint, so the joint moves freely", kRun, at("mimic")},
+    {&readers::urdfdom, Effect::takes, "keeps the space in the name", kRun, at("joint/@name")},
     {&readers::gazebo, Effect::takes, "merges the two into one link without a joint", kRun,
-     "/joint/@name/#nothing-else#in-fixed/"},
+     at("joint/@name").when(kNothingElse, kInFixed)},
     {&readers::gazebo, Effect::refuses, "refuses a joint without a name", kRun,
-     "/joint/@name/#nothing-else"},
-    {&readers::mujoco, Effect::takes, "keeps the space in the name", kRun, "/joint/@name/"},
+     at("joint/@name").when(kNothingElse)},
+    {&readers::mujoco, Effect::takes, "keeps the space in the name", kRun, at("joint/@name")},
 };
 
 }  // namespace

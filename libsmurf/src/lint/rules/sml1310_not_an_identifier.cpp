@@ -7,6 +7,8 @@
 namespace smurf::rules::sml1310_not_an_identifier_file {
 namespace {
 
+constexpr Circumstance kSpace{"space"};
+
 /// One finding per file, at the first such name, because a naming scheme is one decision.
 void check(const LinkedModel& model, Findings& findings) {
   // SML1311 reports names that become equal.
@@ -27,7 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   if (Diagnostic* diagnostic = with_blank.report("such names", findings)) {
     diagnostic->severity = Severity::warning;
-    diagnostic->construct = "space";
+    diagnostic->when(kSpace);
     diagnostic->note("Gazebo derives names of topics from it, which must not contain spaces");
   }
   if (Diagnostic* diagnostic = others.report("such names", findings)) {
@@ -37,7 +39,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::loses, "refuses the topics whose names it derives from such names",
-     "gz-transport TopicUtils (IsValidTopic)", "#space"},
+     "gz-transport TopicUtils (IsValidTopic)", when(kSpace)},
 };
 
 }  // namespace

@@ -7,6 +7,9 @@
 namespace smurf::rules::sml1401_type_missing_or_unknown_file {
 namespace {
 
+constexpr Circumstance kLimited{"limited"};
+constexpr Circumstance kSpherical{"spherical"};
+
 constexpr std::string_view kTypes[] = {"revolute", "continuous", "prismatic",
                                        "fixed",    "floating",   "planar"};
 
@@ -25,10 +28,10 @@ void check(const LinkedModel& model, Findings& findings) {
     }
     Diagnostic& diagnostic =
         findings.report(joint.type_name.span, quoted(*joint.type_name) + " is not a joint type");
-    diagnostic.construct = *joint.type_name;
-    if (is_limited(joint)) diagnostic.construct += "#limited";
+    if (is_limited(joint)) diagnostic.when(kLimited);
     diagnostic.help("use revolute, continuous, prismatic, fixed, floating or planar");
     if (*joint.type_name == "spherical") {
+      diagnostic.when(kSpherical);
       diagnostic.note("only Bullet and MuJoCo know this type");
     }
     if (const auto near = only_nearest(*joint.type_name, kTypes)) {
@@ -48,11 +51,11 @@ constexpr Fact kFacts[] = {
      "MARS smurf.cpp:988-998, run"},
     {&readers::phobos, Effect::takes, "loads it and keeps the type as text", "Phobos a613e31, run"},
     {&readers::pybullet, Effect::takes, "supports spherical joints", "Bullet UrdfParser.cpp, run",
-     "#spherical"},
+     when(kSpherical)},
     {&readers::mujoco, Effect::refuses, "refuses a ball joint whose range does not begin at 0",
-     kRun, "#spherical#limited"},
+     kRun, when(kSpherical, kLimited)},
     {&readers::mujoco, Effect::takes, "makes it a ball joint", "MuJoCo xml_urdf.cc, run",
-     "#spherical"},
+     when(kSpherical)},
 };
 
 }  // namespace

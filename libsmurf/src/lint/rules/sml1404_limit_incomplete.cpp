@@ -5,13 +5,15 @@
 namespace smurf::rules::sml1404_limit_incomplete_file {
 namespace {
 
+constexpr Circumstance kEffort{"effort"};
+
 void check_value(const LinkedModel& model, const urdf::Joint& joint, bool is_written,
                  const char* name, Findings& findings) {
   if (is_written || is_slip(model, joint.limit->element, name, findings)) return;
-  findings
-      .report(tag_name(model, joint.limit->element),
-              "the limit of " + title(joint) + " has no " + quoted(name))
-      .construct = name;
+  Diagnostic& diagnostic =
+      findings.report(tag_name(model, joint.limit->element),
+                      "the limit of " + title(joint) + " has no " + quoted(name));
+  if (name == std::string_view("effort")) diagnostic.when(kEffort);
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -25,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::refuses, "refuses the file", kRun},
     {&readers::pybullet, Effect::changes, "reads 0: the joint has no force",
-     "Bullet UrdfParser.cpp, run", "#effort"},
+     "Bullet UrdfParser.cpp, run", when(kEffort)},
     {&readers::pybullet, Effect::changes, "reads 0", "Bullet UrdfParser.cpp, run"},
     {&readers::mujoco, Effect::takes, "needs neither effort nor velocity", kRun},
     {&readers::drake, Effect::changes, "reads infinity", "Drake detail_urdf_parser.cc"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
@@ -27,7 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
           .report((is_lower ? lower : upper).span,
                   title(joint) + " cannot be at 0, and the middle of its limits is too far away "
                                  "for computations")
-          .construct = "overflow";
+          .when(cases::kOverflow);
       return;
     }
     if (joint.type == urdf::JointType::continuous || !lower || !upper) return;
@@ -40,7 +41,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::dart, Effect::crashes,
      "starts in the middle of the limits, and ends the process with an assertion", kRun,
-     "#overflow"},
+     when(cases::kOverflow)},
 };
 
 }  // namespace

@@ -24,11 +24,11 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
     {&readers::ros, Effect::changes, "MoveIt uses the absolute value", "MoveIt robot_model.cpp:874",
-     "/@velocity/"},
-    {&readers::mujoco, Effect::changes, "uses the absolute value", kRun, "/@effort/"},
+     at("@velocity")},
+    {&readers::mujoco, Effect::changes, "uses the absolute value", kRun, at("@effort")},
     {&readers::mujoco, Effect::takes, "has no velocity limits", kRun},
     {&readers::drake, Effect::refuses, "refuses the file when a transmission drives the joint",
-     "Drake detail_urdf_parser.cc:930-1001", "/@effort/"},
+     "Drake detail_urdf_parser.cc:930-1001", at("@effort")},
     {&readers::drake, Effect::refuses, "throws an exception", "Drake joint.h:435"},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };

@@ -9,6 +9,8 @@
 namespace smurf::rules::sml1422_axis_not_unit_file {
 namespace {
 
+constexpr Circumstance kPrismatic{"prismatic"};
+
 void check(const LinkedModel& model, Findings& findings) {
   const double tolerance =
       findings.tolerance();  // an axis that is shorter by rounding to three digits is not a defect
@@ -27,7 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                              format_rounded(length) + ", not 1");
     diagnostic.note("Bullet moves this joint " + format_rounded(length) +
                     " times as far as commanded");
-    if (joint.type == urdf::JointType::prismatic) diagnostic.construct += "#prismatic";
+    if (joint.type == urdf::JointType::prismatic) diagnostic.when(kPrismatic);
     diagnostic.help("write " + quoted(unit));
     diagnostic.fixes.push_back({Applicability::unsafe, {{joint.axis.span, unit}}});
   });
@@ -37,7 +39,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes,
      "does not normalise it: the joint moves too far or not far enough", "btMultiBody.cpp:237"},
     {&readers::ros, Effect::changes, "MoveIt does not normalise the axis of a prismatic joint",
-     "MoveIt robot_model.cpp", "#prismatic"},
+     "MoveIt robot_model.cpp", when(kPrismatic)},
 };
 
 }  // namespace

@@ -6,6 +6,8 @@
 namespace smurf::rules::sml1426_dynamics_negative_file {
 namespace {
 
+constexpr Circumstance kOneAxis{"one axis"};
+
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.dynamics) return;
@@ -15,14 +17,14 @@ void check(const LinkedModel& model, Findings& findings) {
           value->span,
           std::string(value == &joint.dynamics->damping ? "the damping" : "the friction") + " of " +
               title(joint) + " is " + format_number(**value));
-      if (joint.has_one_axis()) diagnostic.construct = "one-axis";
+      if (joint.has_one_axis()) diagnostic.when(kOneAxis);
     }
   });
 }
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
-    {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun, "#one-axis"},
+    {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun, when(kOneAxis)},
     {&readers::dart, Effect::ignores, "reads the dynamics of joints with one axis only", kRun},
     {&readers::drake, Effect::refuses, "refuses negative damping", "Drake revolute_joint.h:125"},
     {&readers::mujoco, Effect::changes, "reads the number", kRun},

@@ -28,7 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic* diagnostic = check_reference(model, NameKind::joint, one.name, one.span,
                                              subject.c_str(), findings, meanings);
     if (diagnostic == nullptr || !drake_joints.contains(one.name)) continue;
-    diagnostic->construct = "drake-joint";
+    diagnostic->when(drake::kDrakeJoint);
     diagnostic->note(drake::kJointNote);
   }
 }
@@ -41,7 +41,7 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfParser.cpp has no code for it"},
     {&readers::mujoco, Effect::changes, "leaves the joint free", kRun},
     {&readers::drake, Effect::takes, "knows the joint", "Drake detail_urdf_parser.cc:1484-1500",
-     "#drake-joint"},
+     when(drake::kDrakeJoint)},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:791-880"},
 };
 

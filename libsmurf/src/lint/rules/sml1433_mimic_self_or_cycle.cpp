@@ -5,6 +5,8 @@
 namespace smurf::rules::sml1433_mimic_self_or_cycle_file {
 namespace {
 
+constexpr Circumstance kCycle{"cycle"};
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   const auto count = static_cast<std::uint32_t>(model.robot->joints.size());
@@ -18,11 +20,10 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!at || seen_from[*at] != start || !mimic_leader(model, *at)) continue;
     const urdf::Joint& joint = model.robot->joints[*at];
     const bool is_itself = *joint.mimic->joint == joint.name.value_or("");
-    findings
-        .report(joint.mimic->joint.span,
-                title(joint) +
-                    (is_itself ? " mimics itself" : " mimics itself through other joints"))
-        .construct = is_itself ? "itself" : "cycle";
+    Diagnostic& diagnostic = findings.report(
+        joint.mimic->joint.span,
+        title(joint) + (is_itself ? " mimics itself" : " mimics itself through other joints"));
+    if (!is_itself) diagnostic.when(kCycle);
   }
 }
 
@@ -32,10 +33,10 @@ constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses, "MoveIt drops every mimic of the robot",
      "MoveIt robot_model.cpp:426"},
     {&readers::mujoco, Effect::changes, "builds contradicting constraints from a cycle", kRun,
-     "#cycle"},
+     when(kCycle)},
     {&readers::mujoco, Effect::refuses, "refuses a joint that mimics itself", kRun},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:791-880"},
-    {&readers::gazebo, Effect::takes, "leaves mimic out before sdformat 14", kRun},
+    {&readers::gazebo, Effect::takes, "leaves mimic out", kRun, before({14, 0})},
     {&readers::dart, Effect::changes, "keeps a joint that follows itself", kRun},
 };
 

@@ -54,7 +54,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                      " m away; are millimetres meant?");
   }
   if (Diagnostic* diagnostic = habit.report("such origins", findings)) {
-    if (is_doubtful) mark_uncertain(*diagnostic);
+    if (is_doubtful) diagnostic->when(kUncertain);
     diagnostic->help(format_rounded(first) + " mm are " + format_rounded(first / 1000) + " m");
   }
 }
@@ -62,7 +62,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::refuses,
      "reports error E18 if rounding makes the inertia of merged links impossible", kRun,
-     kUncertain},
+     when(kUncertain)},
 };
 
 }  // namespace

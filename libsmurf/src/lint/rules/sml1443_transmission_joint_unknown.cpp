@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic* diagnostic =
         check_reference(model, NameKind::joint, one.name, one.span, "a transmission", findings);
     if (diagnostic == nullptr || !drake_joints.contains(one.name)) continue;
-    diagnostic->construct = "drake-joint";
+    diagnostic->when(drake::kDrakeJoint);
     diagnostic->note(drake::kJointNote);
   }
 }
@@ -24,7 +24,7 @@ constexpr Fact kFacts[] = {
      "ros_control finds no joint for its actuator and does not start the controller",
      "ros_control, read"},
     {&readers::drake, Effect::takes, "knows the joint", "Drake detail_urdf_parser.cc:1484-1491",
-     "#drake-joint"},
+     when(drake::kDrakeJoint)},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:968"},
 };
 

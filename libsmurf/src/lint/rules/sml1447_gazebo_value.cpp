@@ -3,15 +3,19 @@
 #include <string>
 #include <utility>
 
+#include "base/cases.hpp"
 #include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "base/uncertain.hpp"
 #include "lint/queries.hpp"
 #include "lint/sdf_scope.hpp"
-#include "lint/sdf_values.hpp"
+#include "readers/sdf_values.hpp"
 
 namespace smurf::rules::sml1447_gazebo_value_file {
 namespace {
+
+constexpr Circumstance kNumber{"number"};
+constexpr Circumstance kSlip{"slip"};
 
 constexpr std::string_view kWhole = "maxContacts";
 /// Elements that sdformat reads with std::stod (kWhole: std::stoi), which throws.
@@ -29,14 +33,13 @@ constexpr std::string_view kNumbers[] = {"mu1",
                                          "fudgeFactor",
                                          "laserRetro",
                                          kWhole};
-void report(const xml::View element, const char* construct, Findings& findings) {
+Diagnostic& report(const xml::View element, Findings& findings) {
   const xml::Attribute* value = element.attribute("value");
   const Span place = value != nullptr ? value->span() : element.text_span();
   const bool is_empty = place.empty();
-  findings
-      .report(is_empty ? element.name_span() : place,
-              quoted(element.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"))
-      .construct = construct;
+  return findings.report(is_empty ? element.name_span() : place,
+                         quoted(element.name()) +
+                             (is_empty ? " is empty" : " cannot be read by Gazebo"));
 }
 
 /// A value that sdformat translates, wherever the element belongs.
@@ -48,11 +51,14 @@ void check_value(const xml::View element, const urdf::Link* link, Findings& find
     const auto number = sdf::leading_number(text);
     const bool is_read =
         name == kWhole ? sdf::leading_integer(text, 10).has_value() : number.has_value();
-    if (!is_read) return report(element, "number", findings);
+    if (!is_read) {
+      report(element, findings).when(kNumber);
+      return;
+    }
     const bool is_friction = name.starts_with("mu");
-    if (is_friction && has_collisions && *number < 0) report(element, "friction", findings);
+    if (is_friction && has_collisions && *number < 0) report(element, findings);
   } else if (name == "fdir1" && has_collisions && !sdf::trimmed_text(text).empty()) {
-    if (!sdf::read_vector(text)) report(element, "friction", findings);
+    if (!sdf::read_vector(text)) report(element, findings);
   }
 }
 
@@ -73,7 +79,7 @@ void check_name(const xml::View element, Findings& findings) {
   if (!meant) return;
   Diagnostic& diagnostic =
       findings.report(element.name_span(), "Gazebo knows no element " + quoted(name));
-  diagnostic.construct = "slip";
+  diagnostic.when(kSlip);
   diagnostic.help("did you mean " + quoted(*meant) + "?");
 }
 
@@ -93,19 +99,19 @@ void check(const LinkedModel& model, Findings& findings) {
     }
   }
   if (!has_extensions) return;
-  sdf::check_extensions(model, [&](Span place, std::string message, std::string_view construct) {
-    findings.report(place, std::move(message)).construct = construct;
+  sdf::check_extensions(model, [&](Span place, std::string message) -> Diagnostic& {
+    return findings.report(place, std::move(message));
   });
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun, "#number"},
+    {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun, when(kNumber)},
     {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun,
-     "#empty-include"},
+     when(sdf::kEmptyInclude)},
     {&readers::gazebo, Effect::loses, "warns, and leaves out what the element means", kRun,
-     "#slip"},
+     when(kSlip)},
     {&readers::gazebo, Effect::refuses,
-     "refuses the file unless it finds such a model in its own paths", kRun, kUncertain},
+     "refuses the file unless it finds such a model in its own paths", kRun, when(kUncertain)},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
 };
 

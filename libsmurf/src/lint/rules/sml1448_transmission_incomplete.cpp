@@ -5,6 +5,8 @@
 namespace smurf::rules::sml1448_transmission_incomplete_file {
 namespace {
 
+constexpr Circumstance kNotSimple{"not simple"};
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   for (const xml::ElementId id : model.robot->extensions) {
@@ -23,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const xml::View type = transmission.child("type");
     const bool is_simple =
         !type || type.text().find("SimpleTransmission") != std::string_view::npos;
-    if (!is_simple) diagnostic.construct = "not-simple";
+    if (!is_simple) diagnostic.when(kNotSimple);
   }
 }
 
@@ -31,7 +33,7 @@ constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses, "ros_control skips it and does not load the actuator",
      "ros_control transmission_interface/src/transmission_parser.cpp"},
     {&readers::drake, Effect::loses, "makes actuators only for simple transmissions",
-     "Drake detail_urdf_parser.cc:930-936", "#not-simple"},
+     "Drake detail_urdf_parser.cc:930-936", when(kNotSimple)},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:915-964"},
 };
 

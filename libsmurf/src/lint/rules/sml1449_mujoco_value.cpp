@@ -181,7 +181,7 @@ void check_memory(const xml::View size, Findings& findings) {
       findings.report(at->span(), "the memory that MuJoCo reserves may be too small for the model, "
                                   "or too large for the machine");
   diagnostic.severity = Severity::info;
-  mark_uncertain(diagnostic);
+  diagnostic.when(kUncertain);
 }
 
 void check_settings(const xml::View mujoco, Findings& findings) {
@@ -244,7 +244,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses,
-     "reserves as much memory; its WebAssembly build ends the process", kRun, kUncertain},
+     "reserves as much memory; its WebAssembly build ends the process", kRun, when(kUncertain)},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "ast/drake_language.hpp"
 #include "ast/urdf_numbers.hpp"
 #include "base/ranges.hpp"
 #include "base/readers.hpp"
@@ -9,6 +8,7 @@
 #include "base/words.hpp"
 #include "lint/drake_checks.hpp"
 #include "lint/queries.hpp"
+#include "readers/drake_language.hpp"
 
 namespace smurf::rules::sml1450_drake_element_file {
 namespace {
@@ -79,7 +79,7 @@ class Checker {
     Diagnostic& diagnostic =
         findings_.report(element.name_span(), quoted(element.name()) + " has no effect here");
     diagnostic.note(std::move(note));
-    diagnostic.construct = drake::kUnread;
+    diagnostic.when(drake::kUnread);
     return diagnostic;
   }
 
@@ -214,32 +214,33 @@ void check(const LinkedModel& model, Findings& findings) {
 /// Evidence that Drake ignores an element.
 constexpr std::string_view kUnreadSource = "Drake detail_urdf_parser.cc, detail_urdf_geometry.cc";
 
-constexpr Fact refused(std::string_view where, std::string_view evidence) {
+constexpr Fact refused(Where where, std::string_view evidence) {
   return {&readers::drake, Effect::refuses, "refuses the file", evidence, where};
 }
 
 constexpr Fact kFacts[] = {
     {&readers::drake, Effect::loses, "does not read it, and loads the file", kUnreadSource,
-     "#unread"},
-    refused("/drake:joint/", "Drake detail_urdf_parser.cc:341-380, 401-510, 531-789"),
-    refused("/drake:collision_filter_group/",
+     when(drake::kUnread)},
+    refused(at("drake:joint"), "Drake detail_urdf_parser.cc:341-380, 401-510, 531-789"),
+    refused(at("drake:collision_filter_group"),
             "Drake detail_common.cc:340-413; detail_collision_filter_group_resolver.cc:33-124"),
-    refused("/drake:linear_bushing_rpy/",
+    refused(at("drake:linear_bushing_rpy"),
             "Drake detail_urdf_parser.cc:1088-1143; linear_bushing_roll_pitch_yaw.cc:43-46"),
-    refused("/drake:linear_spring_damper/", "Drake detail_urdf_parser.cc:1145-1237"),
-    refused("/drake:ball_constraint/",
+    refused(at("drake:linear_spring_damper"), "Drake detail_urdf_parser.cc:1145-1237"),
+    refused(at("drake:ball_constraint"),
             "Drake detail_urdf_parser.cc:1239-1294; multibody_plant.cc:676-683"),
-    refused("/drake:distance_constraint/", "Drake detail_urdf_parser.cc:1296-1377"),
-    refused("/drake:tendon_constraint/",
+    refused(at("drake:distance_constraint"), "Drake detail_urdf_parser.cc:1296-1377"),
+    refused(at("drake:tendon_constraint"),
             "Drake detail_urdf_parser.cc:1379-1441; multibody_plant.cc:760-808"),
-    refused("/drake:proximity_properties/",
+    refused(at("drake:proximity_properties"),
             "Drake detail_urdf_geometry.cc:712-774; detail_common.cc:63-157"),
-    refused("/drake_compliance/", "Drake detail_urdf_geometry.cc:584-645"),
-    refused("/transmission/", "Drake detail_urdf_parser.cc:1005-1062"),
-    refused("/geometry/", "Drake detail_urdf_geometry.cc:248-280; shape_specification.cc:101-182"),
-    refused("/material/", "Drake detail_urdf_geometry.cc:118-138"),
-    refused("/visual/", "Drake detail_urdf_geometry.cc:446-540"),
-    refused("", "Drake detail_urdf_parser.cc:259-284, 382-399, 1065-1084"),
+    refused(at("drake_compliance"), "Drake detail_urdf_geometry.cc:584-645"),
+    refused(at("transmission"), "Drake detail_urdf_parser.cc:1005-1062"),
+    refused(at("geometry"),
+            "Drake detail_urdf_geometry.cc:248-280; shape_specification.cc:101-182"),
+    refused(at("material"), "Drake detail_urdf_geometry.cc:118-138"),
+    refused(at("visual"), "Drake detail_urdf_geometry.cc:446-540"),
+    refused({}, "Drake detail_urdf_parser.cc:259-284, 382-399, 1065-1084"),
 };
 
 }  // namespace

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ast/drake_language.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
+#include "readers/drake_language.hpp"
 
 namespace smurf::rules::sml1451_drake_language_file {
 namespace {
+
+constexpr Circumstance kDrakeElement{"element of Drake", &readers::drake};
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
@@ -17,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
   }
   if (count == 0) return;
   Diagnostic& diagnostic = findings.report(first, "only Drake reads this element");
-  diagnostic.construct = "drake-element";
+  diagnostic.when(kDrakeElement);
   if (count > 1) {
     diagnostic.note(std::to_string(count - 1) + " more in this file");
   }
@@ -27,7 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::ignores, "ignores the elements of Drake", "urdfdom, sdformat, run"},
     {&readers::drake, Effect::takes, "reads its own elements", "Drake detail_urdf_parser.cc",
-     "#drake-element"},
+     when(kDrakeElement)},
 };
 
 }  // namespace

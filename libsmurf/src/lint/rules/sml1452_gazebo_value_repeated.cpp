@@ -7,7 +7,7 @@
 #include "base/readers.hpp"
 #include "base/words.hpp"
 #include "lint/queries.hpp"
-#include "lint/sdf_values.hpp"
+#include "readers/sdf_values.hpp"
 
 namespace smurf::rules::sml1452_gazebo_value_repeated_file {
 namespace {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1501_moving_link_without_inertial_file {
 namespace {
+
+constexpr Circumstance kWithoutCollision{"without collision"};
 
 bool is_shape_only(const LinkedModel& model) {
   for (const urdf::Link& link : model.robot->links) {
@@ -22,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!above || !model.joint(*above).is_movable() || has_fixed_mass(model, link)) continue;
     Diagnostic& diagnostic = findings.report(name_place(model, model.link(link)),
                                              title(model.link(link)) + " moves and has no mass");
-    if (massless[to_size(link)]) diagnostic.construct = "without-collision";
+    if (massless[to_size(link)]) diagnostic.when(kWithoutCollision);
     diagnostic.label(name_place(model, model.joint(*above)), "moved by this joint");
   }
 }
@@ -37,7 +39,7 @@ constexpr Fact kFacts[] = {
      "sdformat parser_urdf.cc:2669-2779, run"},
     {&readers::dart, Effect::changes, "gives the link 1 kg and an inertia of 1 kg m2", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without mass or collision", kRun,
-     "#without-collision"},
+     when(kWithoutCollision)},
     {&readers::mujoco, Effect::changes, "gives the collisions the density of water", kRun},
     {&readers::drake, Effect::changes, "computes with a mass matrix that is singular",
      "Drake, read"},

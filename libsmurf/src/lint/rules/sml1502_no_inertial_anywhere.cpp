@@ -3,10 +3,12 @@
 
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1502_no_inertial_anywhere_file {
 namespace {
+
+constexpr Circumstance kMasslessBody{"massless body"};
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.robot->links.empty()) return;
@@ -23,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
   diagnostic.label(name_place(model, *movable), "moving links need a mass");
   const std::vector<bool> massless = massless_bodies(model);
   if (std::find(massless.begin(), massless.end(), true) != massless.end()) {
-    diagnostic.construct = "massless-body";
+    diagnostic.when(kMasslessBody);
   }
   diagnostic.note("Gazebo loads no link, Bullet gives each link 1 kg");
 }
@@ -35,7 +37,7 @@ constexpr Fact kFacts[] = {
      kRun},
     {&readers::dart, Effect::changes, "gives each link 1 kg and 1 kg m2", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without mass or collision", kRun,
-     "#massless-body"},
+     when(kMasslessBody)},
     {&readers::mujoco, Effect::changes, "gives the collisions the density of water", kRun},
 };
 

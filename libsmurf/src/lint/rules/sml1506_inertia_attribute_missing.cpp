@@ -2,7 +2,7 @@
 #include "base/path.hpp"
 #include "base/readers.hpp"
 #include "base/suggest.hpp"
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1506_inertia_attribute_missing_file {

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1507_inertia_lower_triangle_file {

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/circumstances.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1508_mass_zero_file {
 namespace {
+
+constexpr Circumstance kMasslessBody{"massless body"};
+constexpr Circumstance kMerged{"merged"};
+constexpr Circumstance kRoot{"root"};
 
 constexpr double kDropped = 1e-6;  // kg; sdformat drops bodies up to this
 
@@ -30,9 +35,9 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is 0");
     diagnostic.help("write the mass, or remove the `inertial` of a link that is only a frame");
-    if (is_massless_body) diagnostic.construct = "massless-body";
-    if (has_mass) diagnostic.construct += "#merged";
-    if (!has_mass && (is_root(model, link) || is_empty)) diagnostic.construct += "#root";
+    if (is_massless_body) diagnostic.when(kMasslessBody);
+    if (has_mass) diagnostic.when(kMerged);
+    if (!has_mass && (is_root(model, link) || is_empty)) diagnostic.when(kRoot);
     // Authors set mass and inertia of frames to zero on purpose, for Bullet.
     const auto moments = principal_moments(*link.inertial);
     const bool is_zero = moments && (*moments)[2] == 0;
@@ -47,16 +52,18 @@ constexpr Fact kFacts[] = {
      "MARS smurf.cpp:719"},
     {&readers::pybullet, Effect::changes, "fixes a base without mass to the world",
      "URDF2Bullet.cpp:382"},
-    {&readers::gazebo, Effect::takes, "does not look at the mass of the world", kRun, "#of-world"},
-    {&readers::gazebo, Effect::takes, "adds it to the body that it is fixed to", kRun, "#merged"},
+    {&readers::gazebo, Effect::takes, "does not look at the mass of the world", kRun,
+     when(kOfWorld)},
+    {&readers::gazebo, Effect::takes, "adds it to the body that it is fixed to", kRun,
+     when(kMerged)},
     {&readers::gazebo, Effect::refuses,
-     "drops the root with everything below it: a model without links", kRun, "#root"},
+     "drops the root with everything below it: a model without links", kRun, when(kRoot)},
     {&readers::gazebo, Effect::loses, "drops the link with everything below it",
      "sdformat parser_urdf.cc:2669-2779, run"},
     {&readers::dart, Effect::changes, "warns and goes on with a mass matrix that is singular",
      kRun},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without mass", kRun,
-     "#massless-body"},
+     when(kMasslessBody)},
     {&readers::mujoco, Effect::takes, "adds it to the body it is fixed to",
      "MuJoCo (fusestatic), run"},
     {&readers::drake, Effect::changes,

@@ -2,7 +2,8 @@
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/circumstances.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1509_mass_negative_file {
 namespace {
@@ -17,9 +18,9 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is " +
                                                       format_number(*link.inertial->mass) + " kg");
-    if (alone[at]) diagnostic.construct = "alone";
+    if (alone[at]) diagnostic.when(kAlone);
     if (sound.empty()) sound = sound_together(model);
-    if (sound[at]) diagnostic.construct += "#sound-together";
+    if (sound[at]) diagnostic.when(kSoundTogether);
   });
 }
 
@@ -29,10 +30,10 @@ constexpr Fact kFacts[] = {
      "ODE dMassCheck, run"},
     {&readers::pybullet, Effect::takes, "keeps the number", kRun},
     {&readers::gazebo, Effect::changes,
-     "adds it to the body that it is fixed to, or drops the link", kRun, "#sound-together"},
+     "adds it to the body that it is fixed to, or drops the link", kRun, when(kSoundTogether)},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "warns and goes on", kRun},
-    {&readers::mujoco, Effect::refuses, "refuses the mass", kRun, "#alone"},
+    {&readers::mujoco, Effect::refuses, "refuses the mass", kRun, when(kAlone)},
     {&readers::mujoco, Effect::changes, "adds it to the body that it is fixed to", kRun},
     {&readers::drake, Effect::changes, "replaces the body by a sphere of water of 1 kg",
      "Drake detail_common.cc:446-515"},

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/circumstances.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1510_mass_tiny_file {
 namespace {
+
+constexpr Circumstance kNotRootTooSmall{"mass below 1e-15 kg"};
+constexpr Circumstance kMomentTooSmall{"moment below 1e-14 kg m2"};
+constexpr Circumstance kNotRoot{"not the root"};
+constexpr Circumstance kRoot{"root"};
 
 bool is_world(const urdf::Link& link) { return link.name.value_or("") == "world"; }
 
@@ -37,30 +43,30 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto moments = principal_moments(*link.inertial);
     const bool is_too_small = moments && (*moments)[0] > 0 && (*moments)[0] < kMujocoMoment;
     if (is_frame) {
-      diagnostic.construct = is_too_small ? "fixed#inertia-below-1e-14" : "fixed";
+      if (is_too_small) diagnostic.when(kMomentTooSmall);
       diagnostic.severity = Severity::info;
       return;
     }
     if (is_dropped) {
       diagnostic.note("sdformat (Gazebo) up to 12 drops such a link and all below it");
     }
-    diagnostic.construct = is_dropped ? "mass" : "merged";
-    if (is_dropped && (is_root(model, link) || is_empty)) diagnostic.construct = "root";
-    if (is_alone && mass < kMujocoMinimum) diagnostic.construct += "#below-1e-15";
-    if (is_too_small) diagnostic.construct += "#inertia-below-1e-14";
+    if (is_dropped) diagnostic.when(is_root(model, link) || is_empty ? kRoot : kNotRoot);
+    if (is_alone && mass < kMujocoMinimum) diagnostic.when(kNotRootTooSmall);
+    if (is_too_small) diagnostic.when(kMomentTooSmall);
   });
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::gazebo, Effect::takes, "does not look at the mass of the world", kRun, "#of-world"},
+    {&readers::gazebo, Effect::takes, "does not look at the mass of the world", kRun,
+     when(kOfWorld)},
     {&readers::gazebo, Effect::refuses,
-     "drops the root with everything below it: a model without links", kRun, "#root"},
+     "drops the root with everything below it: a model without links", kRun, when(kRoot)},
     {&readers::gazebo, Effect::loses, "drops the link with everything below it",
-     "sdformat, run (issue 199)", "#mass"},
+     "sdformat, run (issue 199)", when(kNotRoot)},
     {&readers::mujoco, Effect::refuses, "refuses a mass below 1e-15 kg", "MuJoCo mjtype.h:27",
-     "#below-1e-15"},
+     when(kNotRootTooSmall)},
     {&readers::mujoco, Effect::refuses, "refuses a principal moment below 1e-14 kg m2",
-     "MuJoCo user_util.cc:862, run", "#inertia-below-1e-14"},
+     "MuJoCo user_util.cc:862, run", when(kMomentTooSmall)},
 };
 
 }  // namespace

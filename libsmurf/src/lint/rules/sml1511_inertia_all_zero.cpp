@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/circumstances.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1511_inertia_all_zero_file {
 namespace {
+
+constexpr Circumstance kMoving{"moving"};
 
 /// The first entry that urdfdom cannot read. It leaves all six at 0 then.
 std::optional<Span> find_unread(const urdf::Inertial& inertial) {
@@ -37,7 +40,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (is_carried[at]) {
       diagnostic.severity = Severity::info;
     } else {
-      diagnostic.construct = alone[at] ? "moving#alone" : "moving";
+      diagnostic.when(kMoving);
+      if (alone[at]) diagnostic.when(kAlone);
     }
   });
 }
@@ -50,12 +54,13 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::ignores, "computes the inertia from the collisions",
      "BulletUrdfImporter.cpp:374-411"},
     {&readers::dart, Effect::changes, "goes on with a mass matrix that is singular", kRun,
-     "#moving"},
+     when(kMoving)},
     kGazeboAddsZeros,
-    {&readers::mujoco, Effect::refuses, "refuses a moving body without inertia", kRun, "#alone"},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body without inertia", kRun,
+     when(kAlone)},
     {&readers::mujoco, Effect::takes, "adds it to the body that it is fixed to", kRun},
     {&readers::drake, Effect::changes, "computes with a mass matrix that is singular",
-     "Drake, read", "#moving"},
+     "Drake, read", when(kMoving)},
 };
 
 }  // namespace

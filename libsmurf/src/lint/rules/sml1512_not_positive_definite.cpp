@@ -5,10 +5,11 @@
 #include "ast/urdf_numbers.hpp"
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/inertia_slips.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/circumstances.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1512_not_positive_definite_file {
 namespace {
@@ -43,8 +44,9 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is not physically possible");
+    diagnostic.when(kNotPositiveDefinite);
     if (sound.empty()) sound = sound_together(model);
-    if (sound[at]) diagnostic.construct = "sound-together";
+    if (sound[at]) diagnostic.when(kSoundTogether);
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4);
     diagnostic.note("the principal moments of a body must be positive");
@@ -61,7 +63,7 @@ constexpr Fact kFacts[] = {
      "computes the inertia from the collisions, unless told otherwise",
      "BulletUrdfImporter.cpp:374-411"},
     {&readers::gazebo, Effect::takes,
-     "merges the link into the body it is fixed to, or drops the link", kRun, "#sound-together"},
+     "merges the link into the body it is fixed to, or drops the link", kRun, when(kSoundTogether)},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "computes with it anyway", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the inertia", "MuJoCo user_util.cc:862, run"},

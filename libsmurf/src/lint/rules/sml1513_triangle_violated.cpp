@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
+#include "link/inertia.hpp"
 #include "link/mujoco_compiler.hpp"
-#include "lint/inertia.hpp"
 #include "lint/inertia_slips.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/circumstances.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1513_triangle_violated_file {
 namespace {
@@ -24,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is not physically possible");
     if (sound.empty()) sound = sound_together(model);
-    if (sound[at]) diagnostic.construct = "sound-together";
+    if (sound[at]) diagnostic.when(kSoundTogether);
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4) + ": " +
                        format_rounded(high, 4) + " > " + format_rounded(low, 4) + " + " +
@@ -41,11 +42,11 @@ constexpr Fact kFacts[] = {
      "computes the inertia from the collisions, unless told otherwise",
      "BulletUrdfImporter.cpp:374-411"},
     {&readers::gazebo, Effect::takes,
-     "merges the link into the body it is fixed to, or drops the link", kRun, "#sound-together"},
+     "merges the link into the body it is fixed to, or drops the link", kRun, when(kSoundTogether)},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "computes with it anyway", kRun},
     {&readers::mujoco, Effect::changes, "balances the moments, because the file tells it to", kRun,
-     kBalanced},
+     when(kBalanced)},
     {&readers::mujoco, Effect::refuses, "refuses the inertia",
      "MuJoCo user_objects.cc:2762-2770, run"},
     {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",

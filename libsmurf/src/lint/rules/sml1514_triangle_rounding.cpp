@@ -5,21 +5,26 @@
 #include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "base/uncertain.hpp"
+#include "link/inertia.hpp"
 #include "link/mujoco_compiler.hpp"
-#include "lint/inertia.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/circumstances.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1514_triangle_rounding_file {
 namespace {
 
+constexpr Circumstance kBeyondDrake{"beyond the tolerance of Drake"};
+constexpr Circumstance kLost{"lost"};
+constexpr Circumstance kBeyondSdformat{"beyond the tolerance of sdformat"};
+
 constexpr double kEpsilon = 2.220446049250313e-16;
 
-/// The readers whose tolerances the excess exceeds, as a construct; empty when there are none.
-std::string beyond(double excess, double trace) {
-  if (excess > 16 * kEpsilon * std::max(1.0, trace / 2)) return "mujoco#sdformat#drake";
-  if (excess > 10 * kEpsilon * trace / 2) return "mujoco#sdformat";
-  return "mujoco";
+/// Marks the readers whose tolerances the excess exceeds.
+void mark(double excess, double trace, Diagnostic& diagnostic) {
+  const bool is_far = excess > 16 * kEpsilon * std::max(1.0, trace / 2);
+  if (is_far) diagnostic.when(kBeyondDrake);
+  if (is_far || excess > 10 * kEpsilon * trace / 2) diagnostic.when(kBeyondSdformat);
 }
 
 /// The entry to lower when the tensor is diagonal, as a plate's usually is.
@@ -56,7 +61,8 @@ void check_heavy(const LinkedModel& model, Findings& findings) {
     findings
         .report(inertia_place(model, *link.inertial),
                 "the inertia of " + title(link) + " is lost in rounding beside its mass")
-        .construct = "lost" + std::string(kUncertain);
+        .when(kLost)
+        .when(kUncertain);
   });
 }
 
@@ -81,9 +87,9 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.caret = "too large by " + format_rounded(100 * excess, 2) + " %";
     diagnostic.note("MuJoCo refuses the file");
     const auto& [low, middle, high] = *moments;
-    diagnostic.construct = beyond(high - (low + middle), low + middle + high);
+    mark(high - (low + middle), low + middle + high, diagnostic);
     if (sound.empty()) sound = sound_together(model);
-    if (sound[at]) diagnostic.construct += "#sound-together";
+    if (sound[at]) diagnostic.when(kSoundTogether);
     const Field<double>* entry = largest_of_diagonal(*link.inertial);
     if (entry == nullptr) return;
     const std::string lowered = format_number(((*moments)[0] + (*moments)[1]) * (1 - kMargin));
@@ -94,19 +100,19 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::takes,
-     "merges the link into the body it is fixed to, or drops the link", kRun, "#sound-together"},
+     "merges the link into the body it is fixed to, or drops the link", kRun, when(kSoundTogether)},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia",
-     "gz-math MassMatrix3.hh, run", "#sdformat"},
+     "gz-math MassMatrix3.hh, run", when(kBeyondSdformat)},
     {&readers::gazebo, Effect::refuses,
      "adds it to the body that it is fixed to, and may report error E18, an invalid inertia", kRun,
-     "#lost#uncertain"},
-    {&readers::mujoco, Effect::takes, "keeps the moments", kRun, "#lost"},
+     when(kLost, kUncertain)},
+    {&readers::mujoco, Effect::takes, "keeps the moments", kRun, when(kLost)},
     {&readers::mujoco, Effect::changes, "balances the moments, because the file tells it to", kRun,
-     kBalanced},
+     when(kBalanced)},
     {&readers::mujoco, Effect::refuses, "refuses the inertia: it has no tolerance",
      "MuJoCo user_objects.cc:2762-2770, run"},
     {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",
-     "Drake rotational_inertia.cc:184-216", "#drake"},
+     "Drake rotational_inertia.cc:184-216", when(kBeyondDrake)},
 };
 
 }  // namespace

@@ -2,10 +2,11 @@
 #include <array>
 
 #include "ast/urdf_numbers.hpp"
+#include "base/cases.hpp"
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "base/words.hpp"
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1515_inertia_below_mujoco_file {
@@ -76,7 +77,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses,
-     "reads a hexadecimal number, and refuses the inertia that it makes", kRun, "#hex"},
+     "reads a hexadecimal number, and refuses the inertia that it makes", kRun, when(cases::kHex)},
     {&readers::mujoco, Effect::refuses, "refuses a principal moment below 1e-14 kg m2",
      "MuJoCo user_util.cc:862, run"},
 };

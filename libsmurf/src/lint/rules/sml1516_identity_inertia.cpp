@@ -3,7 +3,7 @@
 
 #include "base/counted.hpp"
 #include "base/numbers.hpp"
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1516_identity_inertia_file {

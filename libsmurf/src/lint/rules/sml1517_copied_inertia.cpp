@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1517_copied_inertia_file {

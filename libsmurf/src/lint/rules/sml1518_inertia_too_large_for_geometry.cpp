@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "link/inertia.hpp"
 #include "lint/axis_order.hpp"
 #include "lint/body.hpp"
-#include "lint/inertia.hpp"
 #include "lint/likely_cause.hpp"
 #include "lint/queries.hpp"
 

@@ -51,19 +51,19 @@ void report(const LinkedModel& model, const urdf::Link& link, const Extent& exte
   const double mass = *link.inertial->mass;
   const Span shape = place_of_size(model, *largest.geometry);
   const std::string text =
-      is_heavy ? format_rounded(mass / extent.volume(), 2) +
-                     " kg/m3 even if it fills their bounding box"
-               : format_rounded(mass / largest.volume, 2) + " kg/m3 in one of them";
+      is_heavy
+          ? format_rounded(mass / extent.volume(), 2) + " kg/m3 even if it fills their bounding box"
+          : format_rounded(mass / largest.volume, 2) + " kg/m3 in one of them";
   if (cause.culprit == Culprit::shape) {
-    Diagnostic& diagnostic = findings.report(
-        shape, "the shape of " + title(link) + " does not have the size of its inertial");
+    Diagnostic& diagnostic = findings.report(shape, "the shape of " + title(link) +
+                                                        " does not have the size of its inertial");
     diagnostic.label(link.inertial->mass.span, text);
     diagnostic.help(cause.question);
     return;
   }
-  Diagnostic& diagnostic = findings.report(
-      link.inertial->mass.span, "the mass of " + title(link) + " is too " +
-                                    (is_heavy ? "large" : "small") + " for its shapes");
+  Diagnostic& diagnostic = findings.report(link.inertial->mass.span,
+                                           "the mass of " + title(link) + " is too " +
+                                               (is_heavy ? "large" : "small") + " for its shapes");
   diagnostic.caret = text;
   if (!is_heavy) diagnostic.label(shape, "is this in metres?");
   const bool is_about_mass =

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "link/inertia.hpp"
 #include "lint/body.hpp"
-#include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1523_radius_of_gyration_file {

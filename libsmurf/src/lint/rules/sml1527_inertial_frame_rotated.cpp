@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/counted.hpp"
 #include "base/readers.hpp"
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1527_inertial_frame_rotated_file {

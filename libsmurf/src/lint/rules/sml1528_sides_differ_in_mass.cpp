@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "link/inertia.hpp"
 #include "lint/body.hpp"
-#include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 #include "lint/sides.hpp"
 
@@ -27,10 +27,10 @@ void report(const LinkedModel& model, const urdf::Link& left, const urdf::Link& 
   const urdf::Inertial& other = *right.inertial;
   const double mass = factor_of(*one.mass, *other.mass);
   if (mass > same) {
-    Diagnostic& diagnostic = findings.report(
-        other.mass.span, title(left) + " and " + title(right) + " differ in mass: " +
-                             format_rounded(*one.mass, 4) + " and " +
-                             format_rounded(*other.mass, 4) + " kg");
+    Diagnostic& diagnostic =
+        findings.report(other.mass.span, title(left) + " and " + title(right) +
+                                             " differ in mass: " + format_rounded(*one.mass, 4) +
+                                             " and " + format_rounded(*other.mass, 4) + " kg");
     diagnostic.label(one.mass.span, "the other side");
     if (mass > kWrong) diagnostic.severity = Severity::warning;
     return;
@@ -40,11 +40,11 @@ void report(const LinkedModel& model, const urdf::Link& left, const urdf::Link& 
   constexpr double kClose = 0.005;  // m
   if (offset > std::max(kClose, findings.tolerance() * distance_of(one))) {
     findings
-        .report(tag_name(model, other.element),
-                "the centres of mass of " + title(left) + " and " + title(right) +
-                    " are not equally far from their frames: " +
-                    format_rounded(distance_of(one), 3) + " and " +
-                    format_rounded(distance_of(other), 3) + " m")
+        .report(
+            tag_name(model, other.element),
+            "the centres of mass of " + title(left) + " and " + title(right) +
+                " are not equally far from their frames: " + format_rounded(distance_of(one), 3) +
+                " and " + format_rounded(distance_of(other), 3) + " m")
         .label(tag_name(model, one.element), "the other side");
     return;
   }
@@ -54,10 +54,9 @@ void report(const LinkedModel& model, const urdf::Link& left, const urdf::Link& 
   double worst = 1;  // the smallest moment of a thin part is little more than noise
   for (std::size_t i = 1; i < 3; ++i) worst = std::max(worst, factor_of((*a)[i], (*b)[i]));
   if (worst <= 1 + 2 * findings.tolerance()) return;
-  Diagnostic& diagnostic =
-      findings.report(inertia_place(model, other), "the inertias of " + title(left) + " and " +
-                                                       title(right) + " differ by a factor of " +
-                                                       format_rounded(worst, 3));
+  Diagnostic& diagnostic = findings.report(
+      inertia_place(model, other), "the inertias of " + title(left) + " and " + title(right) +
+                                       " differ by a factor of " + format_rounded(worst, 3));
   diagnostic.label(inertia_place(model, one), "the other side");
   if (worst > kWrong) diagnostic.severity = Severity::warning;
 }

@@ -43,9 +43,9 @@ struct Differences {
 
 void report(const urdf::Joint& left, const urdf::Joint& right, Findings& findings) {
   if (left.type != right.type) {
-    Diagnostic& diagnostic = findings.report(
-        right.type_name.span, title(left) + " is " + *left.type_name + ", but " + title(right) +
-                                  " is " + *right.type_name);
+    Diagnostic& diagnostic =
+        findings.report(right.type_name.span, title(left) + " is " + *left.type_name + ", but " +
+                                                  title(right) + " is " + *right.type_name);
     diagnostic.label(left.type_name.span, "the other side");
     if (left.is_movable() && right.is_movable()) diagnostic.severity = Severity::warning;
     return;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/numbers.hpp"
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 #include "lint/queries.hpp"
 #include "lint/sides.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "link/inertia.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/axis_order.hpp"
-#include "lint/inertia.hpp"
 #include "lint/inertia_slips.hpp"
 #include "lint/queries.hpp"
 
@@ -16,19 +16,17 @@ void check_link(const LinkedModel& model, const urdf::Link& link, Findings& find
   const Tensor tensor = rotated(tensor_of(*link.inertial), X.orientation);
   const Tensor shape = unit_inertia(*solid_of(model, link));
   const double mass = *link.inertial->mass;
-  Diagnostic& diagnostic =
-      findings.report(inertia_place(model, *link.inertial),
-                      "the inertia of " + title(link) + " fits its shape when " +
-                          std::string(order->words));
+  Diagnostic& diagnostic = findings.report(inertia_place(model, *link.inertial),
+                                           "the inertia of " + title(link) +
+                                               " fits its shape when " + std::string(order->words));
   diagnostic.caret = "about x, y, z: " + format_rounded(tensor[0], 3) + ", " +
                      format_rounded(tensor[1], 3) + ", " + format_rounded(tensor[2], 3);
-  diagnostic.note("a full shape with this mass has " + format_rounded(mass * shape[0], 3) +
-                  ", " + format_rounded(mass * shape[1], 3) + ", " +
-                  format_rounded(mass * shape[2], 3));
+  diagnostic.note("a full shape with this mass has " + format_rounded(mass * shape[0], 3) + ", " +
+                  format_rounded(mass * shape[1], 3) + ", " + format_rounded(mass * shape[2], 3));
   if (X.orientation != Quaternion{} || !is_diagonal(*link.inertial)) return;
   const auto& axes = order->axes;
-  if (auto fix = fix_of(*link.inertial,
-                        {tensor[axes[0]], tensor[axes[1]], tensor[axes[2]], 0, 0, 0})) {
+  if (auto fix =
+          fix_of(*link.inertial, {tensor[axes[0]], tensor[axes[1]], tensor[axes[2]], 0, 0, 0})) {
     diagnostic.help("swap the moments");
     diagnostic.fixes.push_back(std::move(*fix));
   }

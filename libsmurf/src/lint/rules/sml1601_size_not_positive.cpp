@@ -6,12 +6,14 @@
 namespace smurf::rules::sml1601_size_not_positive_file {
 namespace {
 
+constexpr Circumstance kZero{"zero"};
+
 void check_extent(const Field<double>& extent, std::string_view what, Findings& findings) {
   if (!extent || *extent > 0) return;
   Diagnostic& diagnostic =
       findings.report(extent.span, "the " + std::string(what) + " is " + format_number(*extent) +
                                        ", but must be positive");
-  if (*extent == 0) diagnostic.construct = "zero";
+  if (*extent == 0) diagnostic.when(kZero);
 }
 
 void check_shape(const urdf::Shape& shape, Findings& findings) {
@@ -40,7 +42,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::dart, Effect::takes, "knows no such shape", kRun, "/capsule/"},
+    {&readers::dart, Effect::takes, "knows no such shape", kRun, at("capsule")},
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
     {&readers::mars, Effect::breaks,
      "stops loading here, so all later objects, the pose and the anchor are missing",
@@ -48,7 +50,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a size that is not positive", kRun},
     {&readers::drake, Effect::takes, "accepts a sphere of radius 0",
-     "Drake shape_specification.cc:284", "/sphere/@radius/#zero"},
+     "Drake shape_specification.cc:284", at("sphere/@radius").when(kZero)},
     {&readers::drake, Effect::refuses, "refuses a size that is not positive",
      "Drake shape_specification.h"},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},

@@ -8,6 +8,9 @@
 namespace smurf::rules::sml1602_shape_nonstandard_file {
 namespace {
 
+// Authors declare the version of URDF that has capsules for urdfdom.
+constexpr Circumstance kDeclared{"the version has it", &readers::urdfdom};
+
 constexpr std::string_view kStandard[] = {"box", "sphere", "cylinder", "mesh"};
 
 void check_geometry(const LinkedModel& model, const urdf::Link& link,
@@ -19,8 +22,12 @@ void check_geometry(const LinkedModel& model, const urdf::Link& link,
   // A shape that no reader knows is reported as an unknown element.
   const std::string_view known[] = {"capsule", "plane", "cdf", "ellipsoid"};
   if (std::none_of(std::begin(known), std::end(known), is_name)) return;
-  findings.report(shape.name_span(), quoted(shape.name()) + " is not a shape of URDF 1.0")
-      .note("urdfdom before 5.1 drops it and everything after it from " + title(link));
+  Diagnostic& diagnostic =
+      findings.report(shape.name_span(), quoted(shape.name()) + " is not a shape of URDF 1.0");
+  diagnostic.note("urdfdom before 5.1 drops it and everything after it from " + title(link));
+  if (is_name("capsule") && is_one_of(model.robot->version.value_or(""), {"1.1", "1.2"})) {
+    diagnostic.when(kDeclared);
+  }
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -30,15 +37,17 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "knows capsules", "urdfdom 5.1.0, read",
+     when(kDeclared).since({5, 1})},
     urdfdom_drops_shapes({}, "urdfdom link.cpp:224, run"),
-    {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", "/capsule/"},
-    {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", "/plane/"},
-    {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", "/cdf/"},
+    {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", at("capsule")},
+    {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", at("plane")},
+    {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", at("cdf")},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
-    {&readers::mujoco, Effect::takes, "supports capsules", kRun, "/capsule/"},
+    {&readers::mujoco, Effect::takes, "supports capsules", kRun, at("capsule")},
     {&readers::mujoco, Effect::refuses, "refuses the shape", kRun},
     {&readers::drake, Effect::takes, "supports capsules", "Drake detail_urdf_geometry.cc:318-346",
-     "/capsule/"},
+     at("capsule")},
     {&readers::drake, Effect::refuses, "refuses the shape",
      "Drake detail_urdf_geometry.cc:318-346"},
 };

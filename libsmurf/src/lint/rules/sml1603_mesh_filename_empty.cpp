@@ -17,11 +17,11 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     urdfdom_drops_shapes(),
-    {&readers::gazebo, Effect::takes, "needs no texture", kRun, "/texture/"},
+    {&readers::gazebo, Effect::takes, "needs no texture", kRun, at("texture")},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
-     "/mesh/"},
+     at("mesh")},
     {&readers::phobos, Effect::loses, "keeps a mesh without a file", kRun},
 };
 

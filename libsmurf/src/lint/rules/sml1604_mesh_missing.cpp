@@ -8,9 +8,15 @@
 #include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
 #include "lint/mesh_queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1604_mesh_missing_file {
 namespace {
+
+constexpr Circumstance kFoundByMars{"found by mars"};
+constexpr Circumstance kMesh{"mesh"};
+constexpr Circumstance kPackage{"package"};
+constexpr Circumstance kTexture{"texture"};
 
 /// Whether a folder on the way to the URDF has this name, as far as the path is written.
 bool lies_in(const LinkedModel& model, std::string_view name) {
@@ -30,7 +36,7 @@ void report_package(const std::vector<const MeshReference*>& uses, std::string_v
                          ? "the folder " + quoted(package) + " above the URDF does not contain it"
                          : "in no folder above the URDF";
   diagnostic.severity = Severity::warning;
-  diagnostic.construct = "package";
+  diagnostic.when(kPackage);
   if (uses.size() > 1) {
     diagnostic.note("the URDF names " + std::to_string(uses.size()) + " files of it");
   }
@@ -60,7 +66,7 @@ void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_
   Diagnostic& diagnostic =
       findings.report(mesh.span, std::string(mesh.is_texture ? "texture" : "mesh") +
                                      " file not found: " + quoted(mesh.filename));
-  diagnostic.construct = mesh.is_texture ? "texture" : "mesh";
+  diagnostic.when(mesh.is_texture ? kTexture : kMesh);
   if (mesh.path.empty()) {
     diagnostic.caret = "in no folder above the URDF";
   } else if (mesh.path != mesh.filename) {
@@ -73,14 +79,14 @@ void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_
                     (lost_beside == 1 ? " is" : " are") + " missing, too");
   }
   if (path_fault(mesh) == PathFault::found_by_mars_only) {
-    diagnostic.construct += "#found-by-mars";
+    diagnostic.when(kFoundByMars);
     diagnostic.note("MARS, from the .smurf, finds " + quoted(mesh.mars_path));
     diagnostic.help(mesh.mars_path.ends_with(".bobj")
                         ? "add the mesh itself; only MARS reads .bobj"
                         : "keep the URDF and the .smurf in folders side by side");
   }
   if (!mesh.meant.empty()) suggest(mesh, model, diagnostic);
-  if (is_uri_without_host(mesh.filename)) mark_uncertain(diagnostic);
+  if (is_uri_without_host(mesh.filename)) diagnostic.when(kUncertain);
   if (mesh.is_texture) diagnostic.severity = Severity::warning;
 }
 
@@ -117,33 +123,37 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::loses, "looks for the package in other folders",
-     "package folders depend on the machine", "#package"},
+     "package folders depend on the machine", when(kPackage)},
     {&readers::mars, Effect::takes, "finds it from the folder of the .smurf",
-     "MARS smurf.cpp:1080-1113", "#found-by-mars"},
+     "MARS smurf.cpp:1080-1113", when(kFoundByMars)},
     kMarsWithoutCollision,
-    mars_without_mesh("/visual/"),
-    {&readers::phobos, Effect::refuses, "stops with an IOError", "Phobos a613e31, run", "#texture"},
+    mars_without_mesh(at("visual")),
+    {&readers::phobos, Effect::refuses, "stops with an IOError", "Phobos a613e31, run",
+     when(kTexture)},
     {&readers::phobos, Effect::refuses,
      "looks in the folder above urdf/ only, and stops with an exception", "Phobos a613e31, run",
-     "#package"},
-    {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun, "#mesh"},
+     when(kPackage)},
+    {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun, when(kMesh)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",
-     "Bullet UrdfFindMeshFile.h, run", "#mesh"},
+     "Bullet UrdfFindMeshFile.h, run", when(kMesh)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",
-     "Bullet UrdfFindMeshFile.h, run", "#package"},
-    ros_without_mesh("#mesh"),
-    gazebo_without_mesh("#mesh"),
+     "Bullet UrdfFindMeshFile.h, run", when(kPackage)},
+    ros_without_mesh(when(kMesh)),
+    gazebo_without_mesh(when(kMesh)),
     {&readers::dart, Effect::refuses, "reads it as a URI, and refuses the file if it is missing",
-     kRun, kUncertain},
-    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#mesh"},
-    {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun, "#package"},
+     kRun, when(kUncertain)},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
+     when(kMesh)},
+    {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun,
+     when(kPackage)},
     {&readers::mujoco, Effect::takes, "looks in the folder that its element `compiler` names", kRun,
-     kElsewhere},
+     when(kElsewhere)},
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun,
-     "#mesh"},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc", "#mesh"},
+     when(kMesh)},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc",
-     "#texture"},
+     when(kMesh)},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc",
+     when(kTexture)},
 };
 
 }  // namespace

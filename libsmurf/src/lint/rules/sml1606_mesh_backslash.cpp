@@ -7,6 +7,8 @@
 namespace smurf::rules::sml1606_mesh_backslash_file {
 namespace {
 
+constexpr Circumstance kExists{"exists"};
+
 void check(const LinkedModel& model, Findings& findings) {
   for (const PathUses& path : paths_with(model, PathFault::backslash)) {
     const MeshReference& first = path.first();
@@ -18,7 +20,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (first.similar.empty()) {
       diagnostic.note("there is no file of that name either");
     } else {
-      diagnostic.construct = "exists";
+      diagnostic.when(kExists);
       diagnostic.fixes.push_back(rewrite(path, slashes, Applicability::safe));
     }
     if (first.is_texture) diagnostic.severity = Severity::warning;
@@ -29,7 +31,7 @@ constexpr Fact kFacts[] = {
     ros_without_mesh(),
     gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
-    {&readers::mujoco, Effect::takes, "treats it as a slash", kRun, "#exists"},
+    {&readers::mujoco, Effect::takes, "treats it as a slash", kRun, when(kExists)},
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
 };

@@ -8,6 +8,8 @@
 namespace smurf::rules::sml1607_mesh_absolute_file {
 namespace {
 
+constexpr Circumstance kExists{"exists"};
+
 void check(const LinkedModel& model, Findings& findings) {
   std::map<std::string_view, std::vector<const PathUses*>> by_folder;
   const std::vector<PathUses> paths = paths_with(model, PathFault::absolute);
@@ -20,7 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                                              " exists on one machine only");
     const bool do_all_exist = std::all_of(
         files.begin(), files.end(), [](const PathUses* path) { return path->first().exists; });
-    if (do_all_exist) diagnostic.construct = "exists";
+    if (do_all_exist) diagnostic.when(kExists);
     if (!first.exists) diagnostic.caret = "not found here";
     if (first.exists || first.is_texture) diagnostic.severity = Severity::warning;
     if (files.size() > 1) {
@@ -33,16 +35,16 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
      "puts the folder of the model before it, finds nothing, and ends with an exception",
-     "MARS misc.cpp:112-131", "/collision/"},
+     "MARS misc.cpp:112-131", at("collision")},
     {&readers::pybullet, Effect::refuses, "where the file is missing, refuses the whole robot",
      "Bullet UrdfFindMeshFile.h, run"},
-    {&readers::ros, Effect::takes, "opens the file", "urdfdom stores it unchecked", "#exists"},
+    {&readers::ros, Effect::takes, "opens the file", "urdfdom stores it unchecked", when(kExists)},
     {&readers::ros, Effect::loses,
      "where the file is missing, RViz and MoveIt show the link without it",
      "urdfdom stores it unchecked"},
     {&readers::gazebo, Effect::loses, "where the file is missing, leaves the shape out",
      "sdformat parser_urdf.cc:2416-2431"},
-    {&readers::dart, Effect::takes, "opens the file", kRun, "#exists"},
+    {&readers::dart, Effect::takes, "opens the file", kRun, when(kExists)},
     {&readers::dart, Effect::refuses,
      "where the file is missing, cannot load the shape, and refuses the file", kRun},
     {&readers::mujoco, Effect::refuses,

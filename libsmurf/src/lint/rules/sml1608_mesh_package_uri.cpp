@@ -26,7 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
      "treats it as a relative path, finds no file, and ends with an uncaught exception",
-     "MARS smurf.cpp:1066-1137, misc.cpp:108-131, NodePhysics.cpp:626-634", "/collision/"},
+     "MARS smurf.cpp:1066-1137, misc.cpp:108-131, NodePhysics.cpp:626-634", at("collision")},
     {&readers::mars, Effect::loses, "treats it as a relative path, and shows the link without it",
      "MARS smurf.cpp:1066-1137, misc.cpp:108-131"},
 };

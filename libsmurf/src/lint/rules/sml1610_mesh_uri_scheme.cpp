@@ -6,6 +6,8 @@
 namespace smurf::rules::sml1610_mesh_uri_scheme_file {
 namespace {
 
+constexpr Circumstance kModel{"model"};
+
 bool has_foreign_scheme(std::string_view path) {
   return path.find("://") != std::string_view::npos && !path.starts_with("package://");
 }
@@ -21,17 +23,17 @@ void check(const LinkedModel& model, Findings& findings) {
               "the path " + quoted(mesh.filename) + " has a scheme that MuJoCo and MARS refuse");
   }
   Diagnostic* diagnostic = habit.report("such paths", findings);
-  if (diagnostic != nullptr && has_model_scheme) diagnostic->construct = "model";
+  if (diagnostic != nullptr && has_model_scheme) diagnostic->when(kModel);
 }
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses,
      "treats the scheme as a part of the path, and shows the link without it",
-     "MARS smurf.cpp:1080-1113, run", "/visual/"},
+     "MARS smurf.cpp:1080-1113, run", at("visual")},
     {&readers::mars, Effect::refuses, "treats the scheme as a part of the path",
      "MARS misc.cpp:112-131"},
     {&readers::dart, Effect::refuses, "has no retriever for the scheme, and refuses the file", kRun,
-     "#model"},
+     when(kModel)},
     {&readers::dart, Effect::refuses,
      "finds no file, or no retriever for the scheme, and refuses the model", kRun},
     {&readers::mujoco, Effect::refuses, "treats the scheme as a part of the path", kRun},

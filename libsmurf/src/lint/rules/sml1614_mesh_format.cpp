@@ -9,6 +9,8 @@
 namespace smurf::rules::sml1614_mesh_format_file {
 namespace {
 
+constexpr Circumstance kBobj{"bobj"};
+
 constexpr std::string_view kLoaded[] = {".stl", ".obj", ".dae", ".bobj", ".gltf", ".glb",
                                         ".ply", ".vtk", ".msh", ".mesh", ".fbx",  ".3ds",
                                         ".wrl", ".cdf", ".usd", ".usda", ".usdc"};
@@ -29,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                                   : "a mesh of format " + quoted(extension);
     if (extension == ".bobj") {
       Diagnostic& diagnostic = findings.report(reference.span, subject + " is read by MARS only");
-      diagnostic.construct = "bobj";
+      diagnostic.when(kBobj);
       diagnostic.help("name the .obj or .stl; MARS takes the .bobj beside it");
     } else {
       findings.report(reference.span, subject + " is read by no URDF reader known here");
@@ -38,7 +40,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::takes, "reads it", "MARS gui_helper_functions.cpp", "#bobj"},
+    {&readers::mars, Effect::takes, "reads it", "MARS gui_helper_functions.cpp", when(kBobj)},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
 };
 

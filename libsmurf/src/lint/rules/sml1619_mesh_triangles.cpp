@@ -6,6 +6,8 @@
 namespace smurf::rules::sml1619_mesh_triangles_file {
 namespace {
 
+constexpr Circumstance kStl{"stl"};
+
 constexpr std::uint64_t kMany = 10000;
 constexpr std::uint64_t kVeryMany = 50000;
 constexpr std::uint64_t kManyOfVisual = 100000;
@@ -27,7 +29,7 @@ void report_refused(const LinkedModel& model, Findings& findings) {
         mesh.reference.span,
         "the collision mesh has " + std::to_string(mesh.facts.triangles) + " triangles");
     diagnostic.severity = Severity::error;
-    diagnostic.construct = "stl";
+    diagnostic.when(kStl);
   }
 }
 
@@ -58,7 +60,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses an STL of more than 200000 triangles",
-     "MuJoCo stl_decoder.cc:70", "#stl"},
+     "MuJoCo stl_decoder.cc:70", when(kStl)},
 };
 
 constexpr std::string_view kFormer[] = {"SML1620", "collision-triangles", "visual-triangles"};

@@ -10,6 +10,9 @@
 namespace smurf::rules::sml1627_scale_zero_file {
 namespace {
 
+constexpr Circumstance kTiny{"tiny"};
+constexpr Circumstance kZero{"zero"};
+
 double volume_of(const Vector3& edges) { return std::fabs(edges[0] * edges[1] * edges[2]); }
 
 /// The volume of the mesh at most, in the unit of the file: that of its box where the surface is
@@ -27,14 +30,14 @@ void check_mesh(const LinkedModel& model, const urdf::Mesh& mesh, Findings& find
   const double factor = volume_of(*mesh.scale);
   if (ranges::contains(*mesh.scale, 0)) {
     findings.report(mesh.scale.span, "the mesh is flat in one direction: its scale has a 0")
-        .construct = "zero";
+        .when(kZero);
     return;
   }
   const auto volume = unscaled_volume(model, mesh);
   if (!volume || *volume * factor >= kSmallest) return;
   Diagnostic& diagnostic = findings.report(
       mesh.scale.span, "its scale leaves a mesh of " + format_rounded(*volume * factor, 3) + " m3");
-  diagnostic.construct = "tiny";
+  diagnostic.when(kTiny);
   diagnostic.severity = Severity::warning;
 }
 
@@ -48,14 +51,14 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks,
      "stops loading here, so all later objects, the pose and the anchor are missing",
-     "MARS NodePhysics.cpp:626-634", "#zero"},
-    {&readers::dart, Effect::takes, "keeps the scale", kRun, "#tiny"},
+     "MARS NodePhysics.cpp:626-634", when(kZero)},
+    {&readers::dart, Effect::takes, "keeps the scale", kRun, when(kTiny)},
     {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun},
-    {&readers::mujoco, Effect::refuses, "refuses a mesh of less than 1e-15 m3", kRun, "#tiny"},
+    {&readers::mujoco, Effect::refuses, "refuses a mesh of less than 1e-15 m3", kRun, when(kTiny)},
     {&readers::mujoco, Effect::refuses, "refuses a scale of 0", kRun},
     {&readers::drake, Effect::refuses, "refuses a scale below 1e-8", "Drake shape_specification.h",
-     "#zero"},
-    {&readers::urdfdom, Effect::takes, "keeps the scale", kRun, "#tiny"},
+     when(kZero)},
+    {&readers::urdfdom, Effect::takes, "keeps the scale", kRun, when(kTiny)},
     {&readers::urdfdom, Effect::changes, "keeps a shape without volume", kRun},
 };
 

@@ -10,6 +10,9 @@
 namespace smurf::rules::sml1644_mesh_broken_file {
 namespace {
 
+constexpr Circumstance kEmptyCollada{"empty COLLADA"};
+constexpr Circumstance kEmptyObj{"empty OBJ"};
+
 /// The name that smurf-lint gives to a URDF from standard input.
 constexpr std::string_view kStandardInput = "stdin.urdf";
 
@@ -53,7 +56,7 @@ void report_outside(const std::vector<Span>& places, bool is_standard_input, Fin
                                " meshes were not looked at: they lie outside of the project";
   Diagnostic& diagnostic = findings.report(places.front(), message);
   diagnostic.severity = Severity::warning;
-  mark_uncertain(diagnostic);
+  diagnostic.when(kUncertain);
   diagnostic.help("add `--allow-outside` to check " +
                   std::string(places.size() == 1 ? "it" : "them") +
                   (is_standard_input ? "; or, if the URDF belongs into another folder, add "
@@ -92,10 +95,9 @@ void check(const LinkedModel& model, Findings& findings) {
              findings);
     } else if (facts.format != MeshFormat::unknown && facts.format != MeshFormat::lfs_pointer &&
                !facts.defect && facts.unread.empty() && facts.triangles == 0) {
-      report(reference, "it contains no triangle", findings).construct =
-          facts.format == MeshFormat::collada ? "empty-collada"
-          : facts.format == MeshFormat::obj   ? "empty-obj"
-                                              : "";
+      Diagnostic& diagnostic = report(reference, "it contains no triangle", findings);
+      if (facts.format == MeshFormat::collada) diagnostic.when(kEmptyCollada);
+      if (facts.format == MeshFormat::obj) diagnostic.when(kEmptyObj);
     }
   }
   report_outside(outside, model.urdf_path == kStandardInput, findings);
@@ -106,17 +108,17 @@ constexpr std::string_view kMayRefuse = "refuses the file if the mesh is damaged
 constexpr std::string_view kMayLose = "has no such shape if the mesh is damaged";
 
 constexpr Fact kFacts[] = {
-    {&readers::pybullet, Effect::refuses, kMayRefuse, "Bullet LoadMeshFromSTL.h", kUncertain},
-    {&readers::ros, Effect::loses, kMayLose, "assimp STLLoader.cpp", kUncertain},
-    {&readers::dart, Effect::refuses, kMayRefuse, kRun, kUncertain},
-    {&readers::mujoco, Effect::refuses, kMayRefuse, kRun, kUncertain},
-    {&readers::gazebo, Effect::loses, kMayLose, kRun, kUncertain},
-    {&readers::phobos, Effect::loses, kMayLose, kRun, kUncertain},
+    {&readers::pybullet, Effect::refuses, kMayRefuse, "Bullet LoadMeshFromSTL.h", when(kUncertain)},
+    {&readers::ros, Effect::loses, kMayLose, "assimp STLLoader.cpp", when(kUncertain)},
+    {&readers::dart, Effect::refuses, kMayRefuse, kRun, when(kUncertain)},
+    {&readers::mujoco, Effect::refuses, kMayRefuse, kRun, when(kUncertain)},
+    {&readers::gazebo, Effect::loses, kMayLose, kRun, when(kUncertain)},
+    {&readers::phobos, Effect::loses, kMayLose, kRun, when(kUncertain)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet LoadMeshFromSTL.h"},
     {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
      "assimp STLLoader.cpp"},
-    {&readers::dart, Effect::loses, "makes a shape without triangles", kRun, "#empty-collada"},
-    {&readers::mujoco, Effect::changes, "makes the hull of the points", kRun, "#empty-obj"},
+    {&readers::dart, Effect::loses, "makes a shape without triangles", kRun, when(kEmptyCollada)},
+    {&readers::mujoco, Effect::changes, "makes the hull of the points", kRun, when(kEmptyObj)},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file",
      "assimp STLLoader.cpp"},
     {&readers::mujoco, Effect::refuses, "refuses the file", "MuJoCo stl_decoder.cc"},

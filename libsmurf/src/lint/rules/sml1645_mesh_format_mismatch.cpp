@@ -6,6 +6,8 @@
 namespace smurf::rules::sml1645_mesh_format_mismatch_file {
 namespace {
 
+constexpr Circumstance kObj{".obj"};
+
 void check(const LinkedModel& model, Findings& findings) {
   for (const OpenedMesh& mesh : opened_meshes(model)) {
     if (!has_other_format(mesh.reference)) continue;
@@ -16,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
         "the content of this " + quoted(extension) + " file is " +
             (found == MeshFormat::unknown ? "no mesh format known here"
                                           : std::string(to_string(mesh.facts.format))));
-    diagnostic.construct = extension.empty() ? extension : extension.substr(1);
+    if (extension == ".obj") diagnostic.when(kObj);
     if (found != MeshFormat::unknown) diagnostic.help("give the file the extension of its format");
   }
 }
@@ -25,7 +27,7 @@ constexpr Fact kFacts[] = {
     ros_without_mesh(),
     gazebo_without_mesh(),
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
-    {&readers::dart, Effect::loses, "finds no triangle in it", kRun, "#obj"},
+    {&readers::dart, Effect::loses, "finds no triangle in it", kRun, when(kObj)},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
 };

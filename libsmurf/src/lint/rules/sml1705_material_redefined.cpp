@@ -8,6 +8,8 @@
 namespace smurf::rules::sml1705_material_redefined_file {
 namespace {
 
+constexpr Circumstance kRounding{"rounding"};
+
 /// True when both are given and differ.
 template <class T>
 bool is_other(const Field<T>& here, const Field<T>& first) {
@@ -52,7 +54,7 @@ void check(const LinkedModel& model, Findings& findings) {
     } else {
       diagnostic.label(before, "the first one");
     }
-    if (is_rounding(material, first)) diagnostic.construct = "rounding";
+    if (is_rounding(material, first)) diagnostic.when(kRounding);
   });
 }
 
@@ -61,7 +63,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::takes, "gives each visual its own", kRun},
     {&readers::mujoco, Effect::takes, "gives each visual its own", kRun},
     {&readers::drake, Effect::takes, "treats colours that differ by less than 1e-10 as equal",
-     "Drake detail_urdf_geometry.cc:76-80", "#rounding"},
+     "Drake detail_urdf_geometry.cc:76-80", when(kRounding)},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc:64-102"},
 };
 

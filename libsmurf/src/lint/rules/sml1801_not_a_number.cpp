@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -8,17 +9,15 @@ namespace {
 constexpr std::string_view kAbsent = "reads an empty number as absent";
 
 constexpr Fact kFacts[] = {
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/limit/@lower/#empty"},
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/limit/@upper/#empty"},
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/limit/@effort/#empty"},
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/dynamics/@damping/#empty"},
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/dynamics/@friction/#empty"},
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/mimic/@multiplier/#empty"},
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/mimic/@offset/#empty"},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, at("limit/@lower").when(cases::kEmpty)},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, at("limit/@upper").when(cases::kEmpty)},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, at("limit/@effort").when(cases::kEmpty)},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, at("dynamics/@").when(cases::kEmpty)},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, at("mimic/@").when(cases::kEmpty)},
     {&readers::mujoco, Effect::takes, "reads an empty vector as absent", kRun,
-     "/origin/@xyz/#empty"},
+     at("origin/@xyz").when(cases::kEmpty)},
     {&readers::mujoco, Effect::takes, "reads an empty vector as absent", kRun,
-     "/origin/@rpy/#empty"},
+     at("origin/@rpy").when(cases::kEmpty)},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -6,9 +7,9 @@ namespace smurf::rules::sml1802_number_whitespace_file {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::takes, "skips leading white space", kRun, "#leading"},
+    {&readers::urdfdom, Effect::takes, "skips leading white space", kRun, when(cases::kLeading)},
     {&readers::pybullet, Effect::changes, "reads a vector of zeros and warns",
-     "Bullet UrdfParser.cpp:49-78, run", "#vector"},
+     "Bullet UrdfParser.cpp:49-78, run", when(cases::kVector)},
     {&readers::pybullet, Effect::takes, "skips white space", "Bullet UrdfParser.cpp (atof), run"},
     {&readers::mujoco, Effect::takes, "skips white space", kRun},
     {&readers::drake, Effect::takes, "skips white space", "Drake detail_tinyxml.h:60-73"},

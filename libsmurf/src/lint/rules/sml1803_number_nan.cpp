@@ -1,29 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1803_number_nan_file {
 namespace {
-
-constexpr std::string_view kCarried = "#carried";  // see locate()
 
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "computes with it until nothing has a position",
      "Bullet UrdfParser.cpp (atof), run"},
     {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
-    {&readers::mujoco, Effect::refuses, "refuses more numbers than it expects", kRun, "#too-many"},
-    {&readers::mujoco, Effect::refuses, "refuses fewer numbers than it expects", kRun, "#too-few"},
-    {&readers::mujoco, Effect::refuses, "cannot read such a word as a scale", kRun, "#long-word"},
+    {&readers::mujoco, Effect::refuses, "refuses more numbers than it expects", kRun,
+     when(cases::kTooMany)},
+    {&readers::mujoco, Effect::refuses, "refuses fewer numbers than it expects", kRun,
+     when(cases::kTooFew)},
+    {&readers::mujoco, Effect::refuses, "cannot read such a word as a scale", kRun,
+     when(cases::kLongWord)},
     {&readers::mujoco, Effect::changes, "computes with it where the body does not move by itself",
-     kRun, kCarried},
+     kRun, when(kCarried)},
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
-     "/inertial/origin/@rpy/"},
-    {&readers::mujoco, Effect::refuses, "refuses a moving body of such a mass", kRun, "/mass/"},
+     at("inertial/origin/@rpy")},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body of such a mass", kRun, at("mass")},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without inertia", kRun,
-     "#alone/inertia/"},
-    {&readers::mujoco, Effect::refuses, "refuses the size", kRun, "/sphere/"},
-    {&readers::mujoco, Effect::refuses, "refuses the size", kRun, "/cylinder/"},
-    {&readers::mujoco, Effect::refuses, "refuses the size", kRun, "/box/"},
+     at("inertia").when(kAlone)},
+    {&readers::mujoco, Effect::refuses, "refuses the size", kRun, at("sphere")},
+    {&readers::mujoco, Effect::refuses, "refuses the size", kRun, at("cylinder")},
+    {&readers::mujoco, Effect::refuses, "refuses the size", kRun, at("box")},
     {&readers::mujoco, Effect::changes, "reads it, and computes with it", kRun},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };

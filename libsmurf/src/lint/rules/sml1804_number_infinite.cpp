@@ -1,30 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1804_number_infinite_file {
 namespace {
 
 constexpr std::string_view kNotPositive = "refuses a size that is not positive";
 
-constexpr std::string_view kCarried = "#carried";  // see locate()
-
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::takes, "reads infinity", "Bullet UrdfParser.cpp (atof), run"},
-    {&readers::mujoco, Effect::refuses, "refuses more numbers than it expects", kRun, "#too-many"},
-    {&readers::mujoco, Effect::refuses, "refuses fewer numbers than it expects", kRun, "#too-few"},
-    {&readers::mujoco, Effect::refuses, "cannot read such a word as a scale", kRun, "#long-word"},
+    {&readers::mujoco, Effect::refuses, "refuses more numbers than it expects", kRun,
+     when(cases::kTooMany)},
+    {&readers::mujoco, Effect::refuses, "refuses fewer numbers than it expects", kRun,
+     when(cases::kTooFew)},
+    {&readers::mujoco, Effect::refuses, "cannot read such a word as a scale", kRun,
+     when(cases::kLongWord)},
     {&readers::mujoco, Effect::changes, "computes with it where the body does not move by itself",
-     kRun, kCarried},
+     kRun, when(kCarried)},
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
-     "/inertial/origin/@rpy/"},
+     at("inertial/origin/@rpy")},
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
-     "/inertia/"},
-    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@size/#not-positive"},
-    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@radius/#not-positive"},
-    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@length/#not-positive"},
+     at("inertia")},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, at("@size").when(cases::kZeroOrLess)},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, at("@radius").when(cases::kZeroOrLess)},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, at("@length").when(cases::kZeroOrLess)},
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such a mass", kRun,
-     "/mass/@value/#not-positive"},
+     at("mass/@value").when(cases::kZeroOrLess)},
     {&readers::mujoco, Effect::changes, "reads infinity", kRun},
     {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},

@@ -6,19 +6,19 @@ namespace smurf::rules::sml1807_vector_count_file {
 namespace {
 
 constexpr Fact kFacts[] = {
-    urdfdom_drops_shapes("/@scale/"),
+    urdfdom_drops_shapes(at("@scale")),
     {&readers::urdfdom, Effect::changes, "reads a colour of three numbers as black",
-     "urdfdom color.h:88, run", "/@rgba/"},
+     "urdfdom color.h:88, run", at("@rgba")},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run",
-     "/@scale/"},
+     at("@scale")},
     {&readers::pybullet, Effect::changes, "uses one number for all axes", "Bullet, read",
-     "/@scale/"},
+     at("@scale")},
     {&readers::pybullet, Effect::refuses, "refuses an axis that is not a vector",
-     "Bullet UrdfParser.cpp, run", "/axis/"},
+     "Bullet UrdfParser.cpp, run", at("axis")},
     {&readers::pybullet, Effect::changes, "cuts the vector, or reads zeros and warns",
      "Bullet UrdfParser.cpp:49-78, run"},
-    {&readers::drake, Effect::changes, "uses one number for all axes", "Drake, read", "/@scale/"},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake, read", "/@rgba/"},
+    {&readers::drake, Effect::changes, "uses one number for all axes", "Drake, read", at("@scale")},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake, read", at("@rgba")},
 };
 constexpr std::string_view kFormer[] = {"SML1626", "SML1706", "scale-malformed", "rgba-count"};
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1809_hex_or_suffix_file {
 namespace {
@@ -10,18 +12,24 @@ constexpr std::string_view kNotPositive =
 
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "reads a hexadecimal number",
-     "Bullet UrdfParser.cpp (atof), run", "#hex"},
+     "Bullet UrdfParser.cpp (atof), run", when(cases::kHex)},
     {&readers::pybullet, Effect::changes, "reads the leading digits",
      "Bullet UrdfParser.cpp (atof), run"},
-    {&readers::mujoco, Effect::refuses, "refuses more numbers than it expects", kRun, "#too-many"},
-    {&readers::mujoco, Effect::refuses, "refuses fewer numbers than it expects", kRun, "#too-few"},
+    {&readers::mujoco, Effect::refuses, "refuses more numbers than it expects", kRun,
+     when(cases::kTooMany)},
+    {&readers::mujoco, Effect::refuses, "refuses fewer numbers than it expects", kRun,
+     when(cases::kTooFew)},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without mass", kRun,
-     "/mass/@value/#hex#not-positive#alone"},
-    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@size/#hex#not-positive"},
-    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@radius/#hex#not-positive"},
-    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@length/#hex#not-positive"},
-    {&readers::mujoco, Effect::refuses, "refuses the number", kRun, "#hex#broken"},
-    {&readers::mujoco, Effect::changes, "reads a hexadecimal number", kRun, "#hex"},
+     at("mass/@value").when(cases::kHex, cases::kZeroOrLess, kAlone)},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun,
+     at("@size").when(cases::kHex, cases::kZeroOrLess)},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun,
+     at("@radius").when(cases::kHex, cases::kZeroOrLess)},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun,
+     at("@length").when(cases::kHex, cases::kZeroOrLess)},
+    {&readers::mujoco, Effect::refuses, "refuses the number", kRun,
+     when(cases::kHex, cases::kBroken)},
+    {&readers::mujoco, Effect::changes, "reads a hexadecimal number", kRun, when(cases::kHex)},
     {&readers::drake, Effect::changes, "reads the leading digits", "Drake detail_tinyxml.h:60-73"},
 };
 

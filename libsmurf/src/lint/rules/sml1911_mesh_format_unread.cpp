@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iterator>
 #include <map>
+#include <tuple>
 
 #include "base/path.hpp"
 #include "base/ranges.hpp"
@@ -10,42 +13,61 @@
 namespace smurf::rules::sml1911_mesh_format_unread_file {
 namespace {
 
-/// "dae" for the file name "base.DAE", "other-step" for a format that no fact is about, and
-/// "stl#mixed-case" for "base.Stl"; empty when there is none.
-std::string format_of(std::string_view filename) {
-  constexpr std::string_view kKnown[] = {"obj", "stl", "msh",  "dae", "vtk",
-                                         "cdf", "glb", "gltf", "bobj"};
-  constexpr std::string_view kOfMujoco[] = {"obj", "stl", "msh"};
+constexpr Circumstance kMixedCase{"mixed case"};
+constexpr Circumstance kObj{"obj"}, kStl{"stl"}, kMsh{"msh"}, kDae{"dae"}, kVtk{"vtk"}, kCdf{"cdf"},
+    kGlb{"glb"}, kGltf{"gltf"}, kBobj{"bobj"};
+/// Those of which MuJoCo recognises only extensions in one case come first.
+constexpr const Circumstance* kKnown[] = {&kObj, &kStl, &kMsh,  &kDae, &kVtk,
+                                          &kCdf, &kGlb, &kGltf, &kBobj};
+constexpr std::size_t kOfMujoco = 3;
+
+/// The format of a mesh, by its extension.
+struct Format {
+  std::string extension;                ///< in lower case; empty if there is none
+  const Circumstance* known = nullptr;  ///< if facts are about it
+  bool is_mixed = false;                ///< "base.Stl"
+
+  friend bool operator<(const Format& a, const Format& b) {
+    return std::tie(a.extension, a.is_mixed) < std::tie(b.extension, b.is_mixed);
+  }
+};
+
+Format format_of(std::string_view filename) {
   const std::string_view written = path::extension(filename);
-  if (written.size() < 2) return trimmed(filename).empty() ? "" : "no-format";
-  const std::string extension(written.substr(1)), lower = path::to_lower(extension);
-  if (!ranges::contains(kKnown, lower)) return "other-" + lower;
-  const bool is_upper = ranges::any_of(extension, [](char c) { return c >= 'a' && c <= 'z'; });
-  const bool is_mixed = extension != lower && is_upper;
-  return is_mixed && ranges::contains(kOfMujoco, lower) ? lower + "#mixed-case" : lower;
+  if (written.size() < 2) return {};
+  const std::string extension(written.substr(1));
+  Format format{path::to_lower(extension)};
+  const auto known =
+      std::find_if(std::begin(kKnown), std::end(kKnown),
+                   [&](const Circumstance* one) { return one->name == format.extension; });
+  if (known == std::end(kKnown)) return format;
+  format.known = *known;
+  const bool has_lower = ranges::any_of(extension, [](char c) { return c >= 'a' && c <= 'z'; });
+  format.is_mixed = known - std::begin(kKnown) < static_cast<std::ptrdiff_t>(kOfMujoco) &&
+                    has_lower && extension != format.extension;
+  return format;
 }
 
-std::string message(const std::string& what, std::string_view format) {
-  if (format == "no-format") return "the mesh of a " + what + " has no extension";
-  if (format.starts_with("other-")) format.remove_prefix(format.find('-') + 1);
-  return "the mesh of a " + what + " is a ." + std::string(format.substr(0, format.find('#'))) +
-         " file";
+std::string message(const std::string& what, const Format& format) {
+  if (format.extension.empty()) return "the mesh of a " + what + " has no extension";
+  return "the mesh of a " + what + " is a ." + format.extension + " file";
 }
 
 void check(const LinkedModel& model, Findings& findings) {
   // One finding per format, because a robot has dozens of meshes.
-  std::map<std::pair<GeometryRole, std::string>, std::vector<Span>> uses;
+  std::map<std::pair<GeometryRole, Format>, std::vector<Span>> uses;
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (use.mesh() == nullptr || !use.mesh()->filename) return;
-    std::string format = format_of(*use.mesh()->filename);
-    if (format.empty()) return;
-    uses[{use.role, std::move(format)}].push_back(use.mesh()->filename.span);
+    const std::string& filename = *use.mesh()->filename;
+    if (trimmed(filename).empty()) return;
+    uses[{use.role, format_of(filename)}].push_back(use.mesh()->filename.span);
   });
   for (const auto& [key, places] : uses) {
     const auto& [role, format] = key;
     const std::string what = std::string(to_string(role));
     Diagnostic& diagnostic = findings.report(places.front(), message(what, format));
-    diagnostic.construct = format;
+    if (format.known != nullptr) diagnostic.when(*format.known);
+    if (format.is_mixed) diagnostic.when(kMixedCase);
     if (places.size() > 1) {
       diagnostic.note("the same applies to those of " + std::to_string(places.size() - 1) +
                       " more " + what + (places.size() > 2 ? "s" : ""));
@@ -54,35 +76,38 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", "#obj"},
-    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", "#dae"},
-    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", "#stl"},
-    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", "#vtk"},
-    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", "#cdf"},
+    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", when(kObj)},
+    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", when(kDae)},
+    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", when(kStl)},
+    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", when(kVtk)},
+    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", when(kCdf)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",
      "Bullet UrdfFindMeshFile.h, run"},
     {&readers::ros, Effect::loses, "has no loader for it: RViz and MoveIt show the link without it",
-     "assimp 5.2", "#bobj"},
+     "assimp 5.2", when(kBobj)},
     {&readers::gazebo, Effect::loses, "has no loader for it", "sdformat stores it unchecked",
-     "#bobj"},
-    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#bobj"},
-    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#glb"},
-    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#msh"},
+     when(kBobj)},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
+     when(kBobj)},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
+     when(kGlb)},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
+     when(kMsh)},
     {&readers::mujoco, Effect::refuses,
      "recognises an extension only when it is all lower case or all upper case", kRun,
-     "#mixed-case"},
-    {&readers::mujoco, Effect::takes, "reads it", kRun, "#obj"},
-    {&readers::mujoco, Effect::takes, "reads it", kRun, "#stl"},
-    {&readers::mujoco, Effect::takes, "reads it", kRun, "#msh"},
+     when(kMixedCase)},
+    {&readers::mujoco, Effect::takes, "reads it", kRun, when(kObj)},
+    {&readers::mujoco, Effect::takes, "reads it", kRun, when(kStl)},
+    {&readers::mujoco, Effect::takes, "reads it", kRun, when(kMsh)},
     {&readers::mujoco, Effect::refuses, "has no decoder for it, and refuses the model", kRun},
     {&readers::drake, Effect::takes, "reads it", "Drake make_convex_hull_mesh_impl.cc:279-291",
-     "#obj"},
+     when(kObj)},
     {&readers::drake, Effect::takes, "reads it", "Drake make_convex_hull_mesh_impl.cc:279-291",
-     "#vtk"},
+     when(kVtk)},
     {&readers::drake, Effect::takes, "reads it", "Drake make_convex_hull_mesh_impl.cc:279-291",
-     "#gltf"},
+     when(kGltf)},
     {&readers::drake, Effect::refuses, "throws when it needs the hull of the mesh",
-     "Drake make_convex_hull_mesh_impl.cc:279-291", "/collision/"},
+     "Drake make_convex_hull_mesh_impl.cc:279-291", at("collision")},
 };
 
 }  // namespace

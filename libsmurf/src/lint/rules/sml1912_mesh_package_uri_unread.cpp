@@ -4,6 +4,7 @@
 #include "base/readers.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1912_mesh_package_uri_unread_file {
 namespace {
@@ -31,7 +32,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
      "treats `package://` as a part of the path, and ends with an exception",
-     "MARS misc.cpp:112-131", "/collision/"},
+     "MARS misc.cpp:112-131", at("collision")},
     {&readers::mars, Effect::loses,
      "treats `package://` as a part of the path, and shows the link without it",
      "MARS misc.cpp:112-131"},
@@ -39,7 +40,7 @@ constexpr Fact kFacts[] = {
      "uses the folder above urdf/ for every package, and stops when the file is not there",
      "Phobos xml.py:89-98, run"},
     {&readers::mujoco, Effect::takes, "looks in the folder that its element `compiler` names", kRun,
-     kElsewhere},
+     when(kElsewhere)},
     {&readers::mujoco, Effect::refuses, "treats `package://` as a part of the path", kRun},
     {&readers::dart, Effect::refuses, "finds only packages whose folders it was given", kRun},
 };

@@ -5,10 +5,13 @@
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
-#include "lint/rigid_bodies.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1916_link_without_inertial_file {
 namespace {
+
+constexpr Circumstance kMasslessBody{"massless body"};
+constexpr Circumstance kRoot{"root"};
 
 /// Reported as a whole (SML1502).
 bool is_without_mass(const LinkedModel& model) {
@@ -64,11 +67,11 @@ void check(const LinkedModel& model, Findings& findings) {
   const urdf::Link& shown = is_root_lost ? model.link(model.tree.roots.front()) : *links.front();
   Diagnostic& diagnostic =
       findings.report(name_place(model, shown), title(shown) + " has no inertial");
-  if (is_root_lost) diagnostic.construct = "root";
+  if (is_root_lost) diagnostic.when(kRoot);
   // SML1501 reports single links only when some other link has an inertial.
   const std::vector<bool> massless = massless_bodies(model);
   if (std::find(massless.begin(), massless.end(), true) != massless.end()) {
-    diagnostic.construct += "#massless-body";
+    diagnostic.when(kMasslessBody);
   }
   if (links.size() > 1) {
     diagnostic.note(counted(links.size() - 1, "more link has none", "more links have none"));
@@ -81,11 +84,11 @@ constexpr std::string_view kDropsRoot =
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "gives each such link 1 kg and 1 kg m2",
      "Bullet UrdfParser.cpp:1051-1059"},
-    {&readers::gazebo, Effect::refuses, kDropsRoot, kRun, "#root"},
-    {&readers::gazebo, Effect::refuses, kDropsRoot, kRun, "/inertial/"},
+    {&readers::gazebo, Effect::refuses, kDropsRoot, kRun, when(kRoot)},
+    {&readers::gazebo, Effect::refuses, kDropsRoot, kRun, at("inertial")},
     {&readers::dart, Effect::changes, "gives each such link 1 kg and 1 kg m2", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without mass or collision", kRun,
-     "#massless-body"},
+     when(kMasslessBody)},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -6,7 +7,7 @@ namespace smurf::rules::sml2001_missing_file_file {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::refuses, "cannot read the URDF", "any reader", "#urdf"},
+    {&readers::urdf, Effect::refuses, "cannot read the URDF", "any reader", when(cases::kTheUrdf)},
     {&readers::mars, Effect::crashes, "ends with an uncaught exception",
      "smurf_parser SMURFParser.cpp:45-77, run"},
     {&readers::phobos, Effect::refuses, "stops with an exception",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/path.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
@@ -17,14 +18,14 @@ void check(const LinkedModel& model, Findings& findings) {
     if (expected.empty() || extension == expected) continue;
     Diagnostic& diagnostic =
         findings.report(file.span, "MARS does not read files that end in " + quoted(extension));
-    diagnostic.construct = expected.substr(1);
+    if (expected == ".urdf") diagnostic.when(cases::kTheUrdf);
     diagnostic.help("rename the file so that it ends in " + quoted(expected));
   }
 }
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes, "finds no URDF and dereferences a null pointer",
-     "smurf_parser SMURFParser.cpp:49-52, run", "#urdf"},
+     "smurf_parser SMURFParser.cpp:49-52, run", when(cases::kTheUrdf)},
     {&readers::mars, Effect::loses, "ignores the file", "smurf_parser SMURFParser.cpp:49-52, run"},
 };
 

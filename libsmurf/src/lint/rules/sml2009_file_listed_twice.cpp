@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -9,7 +10,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
      "merges it twice: every motor, sensor and light exists twice, under one name",
      "smurf_parser SMURFParser.cpp:43-69, run"},
-    {&readers::phobos, Effect::refuses, "accepts one URDF only", kRun, "#urdf"},
+    {&readers::phobos, Effect::refuses, "accepts one URDF only", kRun, when(cases::kTheUrdf)},
     {&readers::phobos, Effect::takes, "reads the second one over the first", kRun},
 };
 

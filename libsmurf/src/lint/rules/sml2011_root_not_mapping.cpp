@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -8,8 +9,8 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes, "ends with an uncaught exception",
      "smurf_parser SMURFParser.cpp:45-77, run"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#main"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#scene"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, when(cases::kInMain)},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, when(cases::kInScene)},
     {&readers::phobos, Effect::loses, "logs the error and goes on without the file", kRun},
 };
 

@@ -24,7 +24,7 @@ constexpr Fact kFacts[] = {
      "envire_smurf_loader Model.cpp:94-97"},
     {&readers::envire, Effect::changes, "names the loaded model by it",
      "rock-cpp/smurf Robot.cpp:33-39"},
-    {&readers::phobos, Effect::takes, "uses it unchanged", kRun, "/modelname/"},
+    {&readers::phobos, Effect::takes, "uses it unchanged", kRun, at("modelname")},
     {&readers::phobos, Effect::refuses, "stops with a KeyError", "Phobos io/smurfrobot.py:166"},
 };
 

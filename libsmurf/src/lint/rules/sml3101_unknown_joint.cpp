@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "lint/reference_queries.hpp"
 
@@ -11,11 +12,11 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks, "drives nothing, and crashes when a value is set",
-     "MARS smurf.cpp:264, SimMotor.cpp:786-806", "/motors/"},
-    {&readers::phobos, Effect::ignores, "ignores the entry", "Phobos, run", "/joint/name/"},
-    {&readers::phobos, Effect::ignores, "ignores the entry", "Phobos, run", "/joints/name/"},
+     "MARS smurf.cpp:264, SimMotor.cpp:786-806", at("motors")},
+    {&readers::phobos, Effect::ignores, "ignores the entry", "Phobos, run", at("joint/name")},
+    {&readers::phobos, Effect::ignores, "ignores the entry", "Phobos, run", at("joints/name")},
     {&readers::phobos, Effect::loses, "drops the motor, and logs another one", kRun,
-     "#later-motor"},
+     when(cases::kLaterMotor)},
     {&readers::phobos, Effect::refuses,
      "stops with an UnboundLocalError at the first motor, and elsewhere with an assertion",
      "Phobos io/smurfrobot.py:211-215, run"},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 #include "lint/reference_queries.hpp"
@@ -28,17 +29,20 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
      "dereferences a null pointer for a Joint6DOF, and ends with an assertion for a camera",
-     "MARS smurf.cpp:277-283, CameraSensor.cpp:74-75, run", "/sensors/link/#on-its-link"},
-    {&readers::mars, Effect::loses, "finds no such link", kRun, "/sensors/"},
-    {&readers::phobos, Effect::ignores, "does not look for it", kRun, "/sensors/link/#of-others"},
+     "MARS smurf.cpp:277-283, CameraSensor.cpp:74-75, run",
+     at("sensors/link").when(cases::kOnItsLink)},
+    {&readers::mars, Effect::loses, "finds no such link", kRun, at("sensors")},
+    {&readers::phobos, Effect::ignores, "does not look for it", kRun,
+     at("sensors/link").when(cases::kOfOthers)},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run",
-     "/sensors/"},
-    {&readers::phobos, Effect::ignores, "keeps the link of the URDF", kRun, "#known-collision"},
-    {&readers::phobos, Effect::ignores, "keeps the link of the URDF", kRun, "/visuals/"},
-    {&readers::phobos, Effect::loses, "leaves the entry out", kRun, "/link/name/"},
-    {&readers::phobos, Effect::loses, "leaves the entry out", kRun, "/links/name/"},
-    {&readers::phobos, Effect::refuses, "stops with an assertion", kRun, "/collision/link/"},
-    {&readers::phobos, Effect::refuses, "stops with an assertion", kRun, "/collisions/link/"},
+     at("sensors")},
+    {&readers::phobos, Effect::ignores, "keeps the link of the URDF", kRun,
+     when(cases::kKnownCollision)},
+    {&readers::phobos, Effect::ignores, "keeps the link of the URDF", kRun, at("visuals")},
+    {&readers::phobos, Effect::loses, "leaves the entry out", kRun, at("link/name")},
+    {&readers::phobos, Effect::loses, "leaves the entry out", kRun, at("links/name")},
+    {&readers::phobos, Effect::refuses, "stops with an assertion", kRun, at("collision/link")},
+    {&readers::phobos, Effect::refuses, "stops with an assertion", kRun, at("collisions/link")},
 };
 
 }  // namespace

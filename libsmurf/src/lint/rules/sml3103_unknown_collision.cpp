@@ -21,7 +21,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses,
      "the bitmask and contact parameters have no effect, and a contact sensor has no targets",
      "MARS smurf.cpp:302-305, 427-449"},
-    {&readers::phobos, Effect::takes, "expects the names of links", kRun, "/sensors/"},
+    {&readers::phobos, Effect::takes, "expects the names of links", kRun, at("sensors")},
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun},
 };
 

@@ -43,7 +43,7 @@ constexpr Fact kFacts[] = {
      "creates both, but a name refers to the last one only: controllers, poses and mimicking "
      "motors never reach the first; entries that change the URDF are applied one after the other",
      "MARS smurf.cpp:262, 326"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "/motors/"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, at("motors")},
     {&readers::phobos, Effect::changes,
      "keeps the last sensor and both poses, and applies other entries one after the other", kRun},
 };

@@ -40,6 +40,7 @@ extern constinit const Rule sml3500_srdf_without_robot{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3500_srdf_without_robot = rules::sml3500_srdf_without_robot_file::check;
+extern constinit const CompanionCheck sml3500_srdf_without_robot =
+    rules::sml3500_srdf_without_robot_file::check;
 
 }  // namespace smurf::companion_checks

@@ -123,6 +123,7 @@ extern constinit const Rule sml3501_srdf_unknown_name{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3501_srdf_unknown_name = rules::sml3501_srdf_unknown_name_file::check;
+extern constinit const CompanionCheck sml3501_srdf_unknown_name =
+    rules::sml3501_srdf_unknown_name_file::check;
 
 }  // namespace smurf::companion_checks

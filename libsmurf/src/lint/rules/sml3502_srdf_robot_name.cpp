@@ -37,6 +37,7 @@ extern constinit const Rule sml3502_srdf_robot_name{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3502_srdf_robot_name = rules::sml3502_srdf_robot_name_file::check;
+extern constinit const CompanionCheck sml3502_srdf_robot_name =
+    rules::sml3502_srdf_robot_name_file::check;
 
 }  // namespace smurf::companion_checks

@@ -47,6 +47,7 @@ extern constinit const Rule sml3503_srdf_attribute_missing{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3503_srdf_attribute_missing = rules::sml3503_srdf_attribute_missing_file::check;
+extern constinit const CompanionCheck sml3503_srdf_attribute_missing =
+    rules::sml3503_srdf_attribute_missing_file::check;
 
 }  // namespace smurf::companion_checks

@@ -93,6 +93,7 @@ extern constinit const Rule sml3504_srdf_unknown_element{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3504_srdf_unknown_element = rules::sml3504_srdf_unknown_element_file::check;
+extern constinit const CompanionCheck sml3504_srdf_unknown_element =
+    rules::sml3504_srdf_unknown_element_file::check;
 
 }  // namespace smurf::companion_checks

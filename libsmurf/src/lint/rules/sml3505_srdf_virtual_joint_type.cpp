@@ -48,6 +48,7 @@ extern constinit const Rule sml3505_srdf_virtual_joint_type{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3505_srdf_virtual_joint_type = rules::sml3505_srdf_virtual_joint_type_file::check;
+extern constinit const CompanionCheck sml3505_srdf_virtual_joint_type =
+    rules::sml3505_srdf_virtual_joint_type_file::check;
 
 }  // namespace smurf::companion_checks

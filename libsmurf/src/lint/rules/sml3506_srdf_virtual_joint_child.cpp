@@ -44,6 +44,7 @@ extern constinit const Rule sml3506_srdf_virtual_joint_child{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3506_srdf_virtual_joint_child = rules::sml3506_srdf_virtual_joint_child_file::check;
+extern constinit const CompanionCheck sml3506_srdf_virtual_joint_child =
+    rules::sml3506_srdf_virtual_joint_child_file::check;
 
 }  // namespace smurf::companion_checks

@@ -4,6 +4,8 @@
 namespace smurf::rules::sml3507_srdf_broken_chain_file {
 namespace {
 
+constexpr Circumstance kSwapped{"swapped"};
+
 void check_chain(const LinkedModel& model, const srdf::Description& srdf, const srdf::Group& group,
                  const srdf::Member& chain, Findings& findings) {
   if (!chain.base || !chain.tip) return;
@@ -26,7 +28,7 @@ void check_chain(const LinkedModel& model, const srdf::Description& srdf, const 
                                        " has its ends the wrong way round: " + quoted(*chain.base) +
                                        " is below " + quoted(*chain.tip));
   swapped.severity = Severity::warning;
-  swapped.construct = "swapped";
+  swapped.when(kSwapped);
   swapped.help("swap base_link and tip_link");
   swapped.fixes.push_back(
       {Applicability::unsafe, {{chain.base.span, *chain.tip}, {chain.tip.span, *chain.base}}});
@@ -48,7 +50,7 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
 constexpr Fact kFacts[] = {
     {&readers::moveit, Effect::changes,
      "takes the joints between them, but no solver finds a pose of the tip",
-     "srdfdom model.cpp loadGroups; moveit2 robot_model.cpp addJointModelGroup", "#swapped"},
+     "srdfdom model.cpp loadGroups; moveit2 robot_model.cpp addJointModelGroup", when(kSwapped)},
     {&readers::moveit, Effect::breaks, "reports an error and drops the chain from the group",
      "srdfdom model.cpp loadGroups"},
 };
@@ -67,6 +69,7 @@ extern constinit const Rule sml3507_srdf_broken_chain{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3507_srdf_broken_chain = rules::sml3507_srdf_broken_chain_file::check;
+extern constinit const CompanionCheck sml3507_srdf_broken_chain =
+    rules::sml3507_srdf_broken_chain_file::check;
 
 }  // namespace smurf::companion_checks

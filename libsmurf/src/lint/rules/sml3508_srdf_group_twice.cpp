@@ -41,6 +41,7 @@ extern constinit const Rule sml3508_srdf_group_twice{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3508_srdf_group_twice = rules::sml3508_srdf_group_twice_file::check;
+extern constinit const CompanionCheck sml3508_srdf_group_twice =
+    rules::sml3508_srdf_group_twice_file::check;
 
 }  // namespace smurf::companion_checks

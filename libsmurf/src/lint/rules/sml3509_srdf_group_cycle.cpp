@@ -58,6 +58,7 @@ extern constinit const Rule sml3509_srdf_group_cycle{.id = "SML3509",
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3509_srdf_group_cycle = rules::sml3509_srdf_group_cycle_file::check;
+extern constinit const CompanionCheck sml3509_srdf_group_cycle =
+    rules::sml3509_srdf_group_cycle_file::check;
 
 }  // namespace smurf::companion_checks

@@ -51,6 +51,7 @@ extern constinit const Rule sml3510_srdf_empty_group{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3510_srdf_empty_group = rules::sml3510_srdf_empty_group_file::check;
+extern constinit const CompanionCheck sml3510_srdf_empty_group =
+    rules::sml3510_srdf_empty_group_file::check;
 
 }  // namespace smurf::companion_checks

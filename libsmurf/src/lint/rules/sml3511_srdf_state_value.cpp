@@ -10,6 +10,9 @@
 namespace smurf::rules::sml3511_srdf_state_value_file {
 namespace {
 
+constexpr Circumstance kEmpty{"empty"};
+constexpr Circumstance kNotANumber{"not a number"};
+
 std::optional<std::size_t> variables_of(const LinkedModel& model, const srdf::Description& srdf,
                                         std::string_view joint) {
   if (const urdf::Joint* one = model.find_joint(joint)) {
@@ -32,7 +35,7 @@ void check_value(const LinkedModel& model, const srdf::Description& srdf,
     Diagnostic& found =
         findings.report(place, "the value " + quoted(word) + " of " +
                                    title_of("joint", joint.name) + " is not a number");
-    found.construct = "not-a-number";
+    found.when(kNotANumber);
     if (word.find(',') != std::string_view::npos) found.help("write a point, not a comma");
     if (word.find(',') == std::string_view::npos) found.help("write a number in rad or m");
     return;
@@ -40,7 +43,7 @@ void check_value(const LinkedModel& model, const srdf::Description& srdf,
   if (count == 0) {
     findings.report(place, title_of("joint", joint.name) + " has an empty value")
         .help("write a number in rad or m")
-        .construct = "empty";
+        .when(kEmpty);
     return;
   }
   const auto wanted = joint.name ? variables_of(model, srdf, *joint.name) : std::nullopt;
@@ -63,9 +66,9 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
 
 constexpr Fact kFacts[] = {
     {&readers::moveit, Effect::changes, "reads it as 0 without a message",
-     "srdfdom model.cpp loadGroupStates", "#not-a-number"},
+     "srdfdom model.cpp loadGroupStates", when(kNotANumber)},
     {&readers::moveit, Effect::changes, "uses an uninitialised number",
-     "srdfdom model.cpp loadGroupStates", "#empty"},
+     "srdfdom model.cpp loadGroupStates", when(kEmpty)},
     {&readers::moveit, Effect::breaks, "reports an error and ignores the joint in the state",
      "moveit2 robot_model.cpp addJointModelGroup"},
 };
@@ -86,6 +89,7 @@ extern constinit const Rule sml3511_srdf_state_value{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3511_srdf_state_value = rules::sml3511_srdf_state_value_file::check;
+extern constinit const CompanionCheck sml3511_srdf_state_value =
+    rules::sml3511_srdf_state_value_file::check;
 
 }  // namespace smurf::companion_checks

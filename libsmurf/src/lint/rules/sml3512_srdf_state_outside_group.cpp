@@ -41,6 +41,7 @@ extern constinit const Rule sml3512_srdf_state_outside_group{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3512_srdf_state_outside_group = rules::sml3512_srdf_state_outside_group_file::check;
+extern constinit const CompanionCheck sml3512_srdf_state_outside_group =
+    rules::sml3512_srdf_state_outside_group_file::check;
 
 }  // namespace smurf::companion_checks

@@ -57,6 +57,7 @@ extern constinit const Rule sml3513_srdf_state_beyond_limit{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3513_srdf_state_beyond_limit = rules::sml3513_srdf_state_beyond_limit_file::check;
+extern constinit const CompanionCheck sml3513_srdf_state_beyond_limit =
+    rules::sml3513_srdf_state_beyond_limit_file::check;
 
 }  // namespace smurf::companion_checks

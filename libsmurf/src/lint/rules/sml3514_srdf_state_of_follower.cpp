@@ -4,18 +4,21 @@
 namespace smurf::rules::sml3514_srdf_state_of_follower_file {
 namespace {
 
+constexpr Circumstance kFixed{"fixed"};
+constexpr Circumstance kMimic{"mimic"};
+
 void check_joint(const srdf::GroupState& state, const srdf::StateJoint& one,
                  const urdf::Joint& joint, Findings& findings) {
   const std::string subject =
       title_of("state", state.name) + " sets the joint " + quoted(*one.name);
   if (joint.type == urdf::JointType::fixed) {
     Diagnostic& found = findings.report(one.name.span, subject + ", which is fixed");
-    found.construct = "fixed";
+    found.when(kFixed);
     found.label(joint.name.span, "the joint is defined here").help("delete it from the state");
   } else if (joint.mimic && joint.mimic->joint) {
     Diagnostic& found =
         findings.report(one.name.span, subject + ", which follows " + quoted(*joint.mimic->joint));
-    found.construct = "mimic";
+    found.when(kMimic);
     found.label(joint.name.span, "the joint is defined here").help("delete it from the state");
   }
 }
@@ -33,9 +36,9 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
 
 constexpr Fact kFacts[] = {
     {&readers::moveit, Effect::breaks, "reports an error and ignores the joint in the state",
-     "moveit2 robot_model.cpp addJointModelGroup", "#fixed"},
+     "moveit2 robot_model.cpp addJointModelGroup", when(kFixed)},
     {&readers::moveit, Effect::changes, "uses the position of the joint that it follows",
-     "moveit2 robot_state.cpp updateMimicJoint", "#mimic"},
+     "moveit2 robot_state.cpp updateMimicJoint", when(kMimic)},
 };
 
 }  // namespace
@@ -52,6 +55,7 @@ extern constinit const Rule sml3514_srdf_state_of_follower{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3514_srdf_state_of_follower = rules::sml3514_srdf_state_of_follower_file::check;
+extern constinit const CompanionCheck sml3514_srdf_state_of_follower =
+    rules::sml3514_srdf_state_of_follower_file::check;
 
 }  // namespace smurf::companion_checks

@@ -50,6 +50,7 @@ extern constinit const Rule sml3515_srdf_state_incomplete{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3515_srdf_state_incomplete = rules::sml3515_srdf_state_incomplete_file::check;
+extern constinit const CompanionCheck sml3515_srdf_state_incomplete =
+    rules::sml3515_srdf_state_incomplete_file::check;
 
 }  // namespace smurf::companion_checks

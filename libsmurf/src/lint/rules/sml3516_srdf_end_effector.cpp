@@ -80,6 +80,7 @@ extern constinit const Rule sml3516_srdf_end_effector{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3516_srdf_end_effector = rules::sml3516_srdf_end_effector_file::check;
+extern constinit const CompanionCheck sml3516_srdf_end_effector =
+    rules::sml3516_srdf_end_effector_file::check;
 
 }  // namespace smurf::companion_checks

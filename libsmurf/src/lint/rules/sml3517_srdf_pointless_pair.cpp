@@ -55,6 +55,7 @@ extern constinit const Rule sml3517_srdf_pointless_pair{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3517_srdf_pointless_pair = rules::sml3517_srdf_pointless_pair_file::check;
+extern constinit const CompanionCheck sml3517_srdf_pointless_pair =
+    rules::sml3517_srdf_pointless_pair_file::check;
 
 }  // namespace smurf::companion_checks

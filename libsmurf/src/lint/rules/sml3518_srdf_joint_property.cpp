@@ -62,6 +62,7 @@ extern constinit const Rule sml3518_srdf_joint_property{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3518_srdf_joint_property = rules::sml3518_srdf_joint_property_file::check;
+extern constinit const CompanionCheck sml3518_srdf_joint_property =
+    rules::sml3518_srdf_joint_property_file::check;
 
 }  // namespace smurf::companion_checks

@@ -102,6 +102,7 @@ extern constinit const Rule sml3601_hardware_incomplete{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3601_hardware_incomplete = rules::sml3601_hardware_incomplete_file::check;
+extern constinit const CompanionCheck sml3601_hardware_incomplete =
+    rules::sml3601_hardware_incomplete_file::check;
 
 }  // namespace smurf::companion_checks

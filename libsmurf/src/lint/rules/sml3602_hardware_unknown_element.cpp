@@ -8,6 +8,8 @@
 namespace smurf::rules::sml3602_hardware_unknown_element_file {
 namespace {
 
+constexpr Circumstance kInner{"inner"};
+
 /// The children that the parser reads of an element. It ignores others, except in `ros2_control`.
 struct Children {
   std::string_view parent;
@@ -49,7 +51,7 @@ void check_children(xml::View element, Findings& findings) {
         findings.report(child.name_span(), "ros2_control does not read " + quoted(child.name()) +
                                                " in " + quoted(element.name()));
     found.severity = Severity::warning;
-    found.construct = "inner";
+    found.when(kInner);
     found.help("did you mean " + quoted(*near) + "?");
   }
 }
@@ -72,13 +74,13 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
   }
 }
 
-constexpr Fact kFacts[] = {{&readers::ros2_control, Effect::loses, "ignores it without a message",
-                            "ros2_control hardware_interface/src/component_parser.cpp", "#inner"},
-                           no_hardware(),
-                           {&readers::ros, Effect::loses,
-                            "ros2_control ignores it without a message",
-                            "ros2_control hardware_interface/src/component_parser.cpp", "#inner"},
-                           no_hardware_in_ros()};
+constexpr Fact kFacts[] = {
+    {&readers::ros2_control, Effect::loses, "ignores it without a message",
+     "ros2_control hardware_interface/src/component_parser.cpp", when(kInner)},
+    no_hardware(),
+    {&readers::ros, Effect::loses, "ros2_control ignores it without a message",
+     "ros2_control hardware_interface/src/component_parser.cpp", when(kInner)},
+    no_hardware_in_ros()};
 
 }  // namespace
 
@@ -94,6 +96,7 @@ extern constinit const Rule sml3602_hardware_unknown_element{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3602_hardware_unknown_element = rules::sml3602_hardware_unknown_element_file::check;
+extern constinit const CompanionCheck sml3602_hardware_unknown_element =
+    rules::sml3602_hardware_unknown_element_file::check;
 
 }  // namespace smurf::companion_checks

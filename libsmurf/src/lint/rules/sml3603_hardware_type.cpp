@@ -9,6 +9,8 @@
 namespace smurf::rules::sml3603_hardware_type_file {
 namespace {
 
+constexpr Circumstance kTwice{"twice"};
+
 constexpr std::array<std::string_view, 3> kTypes = {"system", "sensor", "actuator"};
 
 void check_type(const Hardware& one, Findings& findings) {
@@ -34,13 +36,13 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
     findings.report(place, "there is a ros2_control " + quoted(one.name) + " already")
         .label(first->second, "the first one is here")
         .help("rename one of them")
-        .construct = "twice";
+        .when(kTwice);
   }
 }
 
 constexpr Fact kFacts[] = {
     {&readers::ros2_control, Effect::refuses, "reports an error and loads no hardware after it",
-     "ros2_control hardware_interface/src/resource_manager.cpp", "#twice"},
+     "ros2_control hardware_interface/src/resource_manager.cpp", when(kTwice)},
     {&readers::ros2_control, Effect::refuses,
      "makes no component for it, misses its interfaces and clears all hardware",
      "ros2_control hardware_interface/src/resource_manager.cpp validate_storage"},
@@ -60,6 +62,7 @@ extern constinit const Rule sml3603_hardware_type{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3603_hardware_type = rules::sml3603_hardware_type_file::check;
+extern constinit const CompanionCheck sml3603_hardware_type =
+    rules::sml3603_hardware_type_file::check;
 
 }  // namespace smurf::companion_checks

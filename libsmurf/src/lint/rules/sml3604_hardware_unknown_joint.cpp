@@ -16,7 +16,6 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
       } else if (joint->type == urdf::JointType::fixed) {
         Diagnostic& found = findings.report(place, title_of(hardware) + " drives the joint " +
                                                        quoted(part.name) + ", which is fixed");
-        found.construct = "fixed";
         found.label(joint->type_name.span, "its type")
             .help("delete it from `ros2_control`, or make the joint movable");
       }
@@ -43,6 +42,7 @@ extern constinit const Rule sml3604_hardware_unknown_joint{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3604_hardware_unknown_joint = rules::sml3604_hardware_unknown_joint_file::check;
+extern constinit const CompanionCheck sml3604_hardware_unknown_joint =
+    rules::sml3604_hardware_unknown_joint_file::check;
 
 }  // namespace smurf::companion_checks

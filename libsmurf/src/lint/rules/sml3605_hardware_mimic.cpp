@@ -64,6 +64,7 @@ extern constinit const Rule sml3605_hardware_mimic{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3605_hardware_mimic = rules::sml3605_hardware_mimic_file::check;
+extern constinit const CompanionCheck sml3605_hardware_mimic =
+    rules::sml3605_hardware_mimic_file::check;
 
 }  // namespace smurf::companion_checks

@@ -10,6 +10,8 @@
 namespace smurf::rules::sml3606_hardware_wrong_value_file {
 namespace {
 
+constexpr Circumstance kSinceJazzy{"since jazzy"};
+
 bool is_digits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return std::isdigit(static_cast<unsigned char>(c));
@@ -26,22 +28,20 @@ struct Value {
   std::string_view parent, element, attribute;
   bool (*is_good)(std::string_view);
   std::string_view wanted;
-  std::string_view construct;
+  bool is_since_jazzy;
 };
 constexpr Value kValues[] = {
-    {"robot", "ros2_control", "is_async", is_bool, "true or false", "since-jazzy"},
-    {"robot", "ros2_control", "rw_rate", is_rate, "a positive whole number", "since-jazzy"},
-    {"robot", "ros2_control", "thread_priority", is_positive, "a positive whole number",
-     "since-jazzy"},
-    {"properties", "async", "thread_priority", is_positive, "a positive whole number",
-     "since-jazzy"},
-    {"properties", "async", "print_warnings", is_bool, "true or false", "since-jazzy"},
-    {"ros2_control", "joint", "mimic", is_bool, "true or false", "since-jazzy"},
-    {"", "limits", "enable", is_bool, "true or false", "since-jazzy"},
-    {"transmission", "joint", "read_only", is_bool, "true or false", "since-jazzy"},
-    {"transmission", "actuator", "read_only", is_bool, "true or false", "since-jazzy"},
-    {"", "command_interface", "size", is_positive, "a positive whole number", ""},
-    {"", "state_interface", "size", is_positive, "a positive whole number", ""},
+    {"robot", "ros2_control", "is_async", is_bool, "true or false", true},
+    {"robot", "ros2_control", "rw_rate", is_rate, "a positive whole number", true},
+    {"robot", "ros2_control", "thread_priority", is_positive, "a positive whole number", true},
+    {"properties", "async", "thread_priority", is_positive, "a positive whole number", true},
+    {"properties", "async", "print_warnings", is_bool, "true or false", true},
+    {"ros2_control", "joint", "mimic", is_bool, "true or false", true},
+    {"", "limits", "enable", is_bool, "true or false", true},
+    {"transmission", "joint", "read_only", is_bool, "true or false", true},
+    {"transmission", "actuator", "read_only", is_bool, "true or false", true},
+    {"", "command_interface", "size", is_positive, "a positive whole number", false},
+    {"", "state_interface", "size", is_positive, "a positive whole number", false},
 };
 
 void check_element(xml::View element, Findings& findings) {
@@ -55,7 +55,7 @@ void check_element(xml::View element, Findings& findings) {
     Diagnostic& found = findings.report(place_of(element, row.attribute),
                                         quoted(row.attribute) + " of " + quoted(element.name()) +
                                             " is " + quoted(text));
-    found.construct = row.construct;
+    if (row.is_since_jazzy) found.when(kSinceJazzy);
     found.help("write " + std::string(row.wanted));
   }
   for (const xml::View child : element) check_element(child, findings);
@@ -66,8 +66,9 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    no_hardware("#since-jazzy", "throws an exception and loads no hardware (from Jazzy on; Humble "
-                                "reads it as false, or not at all)"),
+    no_hardware(when(kSinceJazzy),
+                "throws an exception and loads no hardware (from Jazzy on; Humble "
+                "reads it as false, or not at all)"),
     no_hardware(), no_hardware_in_ros()};
 
 }  // namespace
@@ -84,6 +85,7 @@ extern constinit const Rule sml3606_hardware_wrong_value{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3606_hardware_wrong_value = rules::sml3606_hardware_wrong_value_file::check;
+extern constinit const CompanionCheck sml3606_hardware_wrong_value =
+    rules::sml3606_hardware_wrong_value_file::check;
 
 }  // namespace smurf::companion_checks

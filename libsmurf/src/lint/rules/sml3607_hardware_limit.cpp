@@ -9,6 +9,10 @@
 namespace smurf::rules::sml3607_hardware_limit_file {
 namespace {
 
+constexpr Circumstance kInitial{"initial"};
+constexpr Circumstance kNotANumber{"not a number"};
+constexpr Circumstance kWider{"wider"};
+
 constexpr double kSlack = 1e-6;  // rad or m: rounding errors
 
 struct Limit {
@@ -28,7 +32,7 @@ Limit read_limit(const HardwareInterface& one, std::string_view name, const std:
   Diagnostic& found = findings.report(
       place, quoted(name) + " of the " + quoted(one.name) + " interface of " + title +
                  (text.empty() ? " is empty" : " is " + quoted(text) + ", not a number"));
-  found.construct = "not-a-number";
+  found.when(kNotANumber);
   const bool is_expression = text.starts_with('{') || text.find("pi") != std::string_view::npos;
   found.help(is_expression ? "write a number; xacro computes it from `${...}`" : "write a number");
   return {};
@@ -56,7 +60,7 @@ void check_range(const HardwareInterface& one, const std::string& title, const u
   Diagnostic& found = findings.report(element.text_span(),
                                       title + " allows positions beyond the limits of the joint, " +
                                           format_rounded(lower) + " to " + format_rounded(upper));
-  found.construct = "wider";
+  found.when(kWider);
   found.severity = Severity::info;
   found.label(joint->name.span, "the joint is defined here")
       .help("write limits within those of the joint; the narrower ones count");
@@ -77,7 +81,7 @@ void check_initial(const HardwareInterface& one, const std::string& title, const
       findings.report(place, "the initial value " + quoted(text) + " of the " + quoted(one.name) +
                                  " interface of " + title +
                                  (value ? " is beyond its `min` and `max`" : " is not a number"));
-  found.construct = value ? "initial" : "initial-text";
+  found.when(kInitial);
   found.help(value ? "write a value between them" : "write a number");
 }
 
@@ -101,13 +105,13 @@ constexpr std::string_view kParser = "ros2_control hardware_interface/src/compon
 constexpr Fact kFacts[] = {
     {&readers::ros2_control, Effect::loses,
      "reports it and has no limit there (from Jazzy on; Humble leaves limits to the hardware)",
-     kParser, "#not-a-number"},
-    {&readers::ros2_control, Effect::ignores, "uses the narrower limits", kParser, "#wider"},
+     kParser, when(kNotANumber)},
+    {&readers::ros2_control, Effect::ignores, "uses the narrower limits", kParser, when(kWider)},
     {&readers::ros2_control, Effect::changes, "leaves the value to the hardware or the simulator",
-     kParser, "#initial"},
+     kParser, when(kInitial)},
     {&readers::ros2_control, Effect::changes,
      "clamps commands to a range that contains nothing (from Jazzy on)", kParser},
-    {&readers::ros, Effect::loses, "ros2_control has no limit there", kParser, "#not-a-number"},
+    {&readers::ros, Effect::loses, "ros2_control has no limit there", kParser, when(kNotANumber)},
 };
 
 }  // namespace
@@ -125,6 +129,7 @@ extern constinit const Rule sml3607_hardware_limit{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3607_hardware_limit = rules::sml3607_hardware_limit_file::check;
+extern constinit const CompanionCheck sml3607_hardware_limit =
+    rules::sml3607_hardware_limit_file::check;
 
 }  // namespace smurf::companion_checks

@@ -10,6 +10,9 @@
 namespace smurf::rules::sml3608_hardware_interface_file {
 namespace {
 
+constexpr Circumstance kNoState{"no state"};
+constexpr Circumstance kTwice{"twice"};
+
 constexpr std::array<std::string_view, 4> kStandard = {"position", "velocity", "effort",
                                                        "acceleration"};
 
@@ -34,7 +37,7 @@ void check_part(const HardwarePart& part, const std::string& title, Findings& fi
                                                      std::string(one.element.name()) + " " +
                                                      quoted(one.name) + " twice")
           .help("delete one of them")
-          .construct = "twice";
+          .when(kTwice);
     } else if (part.is_joint()) {
       check_name(one, title, findings);
     }
@@ -44,7 +47,7 @@ void check_part(const HardwarePart& part, const std::string& title, Findings& fi
     findings
         .report(place_of(part.element, "name"), title + " is commanded, but has no state interface")
         .help("add `<state_interface name=\"position\"/>`: most controllers need it")
-        .construct = "no-state";
+        .when(kNoState);
   }
 }
 
@@ -58,10 +61,10 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::ros2_control, Effect::changes, "uses one of them and warns about the other",
-     "ros2_control hardware_interface/src/resource_manager.cpp", "#twice"},
+     "ros2_control hardware_interface/src/resource_manager.cpp", when(kTwice)},
     {&readers::ros2_control, Effect::changes,
      "loads the joint; joint_state_broadcaster and most controllers do not see it",
-     "ros2_control hardware_interface/src/resource_manager.cpp", "#no-state"},
+     "ros2_control hardware_interface/src/resource_manager.cpp", when(kNoState)},
     {&readers::ros2_control, Effect::changes, "exports it under that name",
      "ros2_control hardware_interface/src/component_parser.cpp"},
 };
@@ -81,6 +84,7 @@ extern constinit const Rule sml3608_hardware_interface{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3608_hardware_interface = rules::sml3608_hardware_interface_file::check;
+extern constinit const CompanionCheck sml3608_hardware_interface =
+    rules::sml3608_hardware_interface_file::check;
 
 }  // namespace smurf::companion_checks

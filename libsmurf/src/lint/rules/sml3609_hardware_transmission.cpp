@@ -33,8 +33,7 @@ void check_transmission(const Hardware& hardware, xml::View element, Findings& f
   findings
       .report(element.name_span(),
               title + " has " + counted(joints, "joint") + ", but an actuator has exactly one")
-      .help("write one joint")
-      .construct = "actuator";
+      .help("write one joint");
 }
 
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
@@ -61,6 +60,7 @@ extern constinit const Rule sml3609_hardware_transmission{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3609_hardware_transmission = rules::sml3609_hardware_transmission_file::check;
+extern constinit const CompanionCheck sml3609_hardware_transmission =
+    rules::sml3609_hardware_transmission_file::check;
 
 }  // namespace smurf::companion_checks

@@ -50,6 +50,7 @@ extern constinit const Rule sml3610_hardware_commanded_twice{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3610_hardware_commanded_twice = rules::sml3610_hardware_commanded_twice_file::check;
+extern constinit const CompanionCheck sml3610_hardware_commanded_twice =
+    rules::sml3610_hardware_commanded_twice_file::check;
 
 }  // namespace smurf::companion_checks

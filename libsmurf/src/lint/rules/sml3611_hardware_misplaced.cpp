@@ -46,6 +46,7 @@ extern constinit const Rule sml3611_hardware_misplaced{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3611_hardware_misplaced = rules::sml3611_hardware_misplaced_file::check;
+extern constinit const CompanionCheck sml3611_hardware_misplaced =
+    rules::sml3611_hardware_misplaced_file::check;
 
 }  // namespace smurf::companion_checks

@@ -6,6 +6,8 @@
 namespace smurf::rules::sml3701_controller_unknown_joint_file {
 namespace {
 
+constexpr Circumstance kSettings{"settings"};
+
 bool is_in(Span inner, Span outer) {
   return inner.source == outer.source && outer.begin <= inner.begin && inner.end <= outer.end;
 }
@@ -47,7 +49,7 @@ void check_reference_of(const LinkedModel& model, const RosController& controlle
         findings.report(one.span, title_of(controller) + " has settings for the joint " +
                                       quoted(one.name) + ", which is not one of its joints");
     found.severity = Severity::warning;
-    found.construct = "settings";
+    found.when(kSettings);
     std::vector<std::string_view> known;
     for (const yaml::View item : controller.list("joints")) known.push_back(item.text());
     if (const auto near = findings.suggest(one.name, known)) {
@@ -81,7 +83,7 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
 
 constexpr Fact kFacts[] = {
     {&readers::ros2_control, Effect::loses, "ignores the settings without a message",
-     "ros2_controllers joint_trajectory_controller_parameters.yaml", "#settings"},
+     "ros2_controllers joint_trajectory_controller_parameters.yaml", when(kSettings)},
     {&readers::ros2_control, Effect::breaks,
      "reports an error and does not activate the controller",
      "ros2_control hardware_interface/src/resource_manager.cpp"},
@@ -101,6 +103,7 @@ extern constinit const Rule sml3701_controller_unknown_joint{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3701_controller_unknown_joint = rules::sml3701_controller_unknown_joint_file::check;
+extern constinit const CompanionCheck sml3701_controller_unknown_joint =
+    rules::sml3701_controller_unknown_joint_file::check;
 
 }  // namespace smurf::companion_checks

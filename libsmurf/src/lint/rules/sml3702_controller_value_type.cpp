@@ -43,7 +43,6 @@ void report(yaml::View value, const std::string& subject, char wanted, Findings&
   Diagnostic& found = findings.report(
       value.span(), subject + " is " + (got == 'i' ? "an " : "a ") + std::string(type_name(got)) +
                         ", but must be a " + std::string(type_name(wanted)));
-  found.construct = "wrong-type";
   if (wanted == 'd' && got == 'i') {
     const std::string text(value.text());
     found.help("write " + quoted(text + ".0"));
@@ -63,14 +62,12 @@ void check_value(yaml::View value, const std::string& path, const Parameter& par
   if (value.is_scalar() && is_list) {
     if (type_of(value) == 0) return;
     findings.report(value.span(), subject + " must be a " + std::string(type_name(parameter.type)))
-        .help("write `[" + std::string(value.text()) + "]`")
-        .construct = "wrong-type";
+        .help("write `[" + std::string(value.text()) + "]`");
   } else if (value.is_sequence() && !is_list) {
     findings
         .report(value.span(),
                 subject + " is a list, but must be a " + std::string(type_name(parameter.type)))
-        .help("write one value")
-        .construct = "wrong-type";
+        .help("write one value");
   } else if (value.is_scalar()) {
     const char got = type_of(value);
     if (got != 0 && got != parameter.type) report(value, subject, parameter.type, findings);
@@ -129,6 +126,7 @@ extern constinit const Rule sml3702_controller_value_type{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3702_controller_value_type = rules::sml3702_controller_value_type_file::check;
+extern constinit const CompanionCheck sml3702_controller_value_type =
+    rules::sml3702_controller_value_type_file::check;
 
 }  // namespace smurf::companion_checks

@@ -76,6 +76,7 @@ extern constinit const Rule sml3703_controller_unknown_parameter{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3703_controller_unknown_parameter = rules::sml3703_controller_unknown_parameter_file::check;
+extern constinit const CompanionCheck sml3703_controller_unknown_parameter =
+    rules::sml3703_controller_unknown_parameter_file::check;
 
 }  // namespace smurf::companion_checks

@@ -8,12 +8,14 @@
 namespace smurf::rules::sml3704_controller_incomplete_file {
 namespace {
 
+constexpr Circumstance kType{"type"};
+
 void check_type(const RosController& controller, Findings& findings) {
   if (!controller.type) {
     if (!controller.section) return;  // a setting of controller_manager
     findings.report(controller.place, title_of(controller) + " has no `type`")
         .help("write `type: PACKAGE/CLASS`")
-        .construct = "type";
+        .when(kType);
     return;
   }
   if (controller.known != nullptr || !controller.type.is_scalar()) return;
@@ -23,7 +25,7 @@ void check_type(const RosController& controller, Findings& findings) {
   if (!near || is_placeholder(type)) return;  // of another package
   Diagnostic& found = findings.report(
       controller.type.span(), title_of(controller) + " has the unknown type " + quoted(type));
-  found.construct = "type";
+  found.when(kType);
   found.help("did you mean " + quoted(*near) + "?");
   found.fixes.push_back({Applicability::unsafe, {{controller.type.span(), std::string(*near)}}});
 }
@@ -80,7 +82,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 
 constexpr Fact kFacts[] = {
     {&readers::ros2_control, Effect::breaks, "reports an error and does not load the controller",
-     "ros2_control controller_manager.cpp load_controller", "#type"},
+     "ros2_control controller_manager.cpp load_controller", when(kType)},
     {&readers::ros2_control, Effect::breaks,
      "reports an error and does not configure the controller",
      "ros2_controllers *_parameters.yaml"},
@@ -100,6 +102,7 @@ extern constinit const Rule sml3704_controller_incomplete{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3704_controller_incomplete = rules::sml3704_controller_incomplete_file::check;
+extern constinit const CompanionCheck sml3704_controller_incomplete =
+    rules::sml3704_controller_incomplete_file::check;
 
 }  // namespace smurf::companion_checks

@@ -112,6 +112,7 @@ extern constinit const Rule sml3705_controller_interface{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3705_controller_interface = rules::sml3705_controller_interface_file::check;
+extern constinit const CompanionCheck sml3705_controller_interface =
+    rules::sml3705_controller_interface_file::check;
 
 }  // namespace smurf::companion_checks

@@ -8,6 +8,8 @@
 namespace smurf::rules::sml3706_controller_combination_file {
 namespace {
 
+constexpr Circumstance kGains{"gains"};
+
 using Names = std::set<std::string_view>;
 
 Names names_of(const RosController& controller, std::string_view key) {
@@ -70,7 +72,7 @@ void check_gains(const RosController& controller, const Names& commands, Finding
                       title_of(controller) + " commands " + quoted(*commands.begin()) +
                           " without gains for " + shortened(missing, 200));
   found.severity = Severity::warning;
-  found.construct = "gains";
+  found.when(kGains);
   found.help("write `gains` with `p`, `i` and `d` for each joint");
 }
 
@@ -107,7 +109,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 
 constexpr Fact kFacts[] = {
     {&readers::ros2_control, Effect::changes, "uses zero gains: the joints do not move",
-     "ros2_controllers joint_trajectory_controller.cpp", "#gains"},
+     "ros2_controllers joint_trajectory_controller.cpp", when(kGains)},
     {&readers::ros2_control, Effect::breaks,
      "reports an error and does not configure the controller",
      "ros2_controllers validate_jtc_parameters.hpp, joint_trajectory_controller.cpp on_configure"},
@@ -127,6 +129,7 @@ extern constinit const Rule sml3706_controller_combination{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3706_controller_combination = rules::sml3706_controller_combination_file::check;
+extern constinit const CompanionCheck sml3706_controller_combination =
+    rules::sml3706_controller_combination_file::check;
 
 }  // namespace smurf::companion_checks

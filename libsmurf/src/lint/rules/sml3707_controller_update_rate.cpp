@@ -4,6 +4,8 @@
 namespace smurf::rules::sml3707_controller_update_rate_file {
 namespace {
 
+constexpr Circumstance kManager{"manager"};
+
 void check_rate(const RosController& controller, yaml::View rate, std::int64_t manager,
                 Findings& findings) {
   const auto own = rate.is_scalar() ? rate.integer() : std::nullopt;
@@ -32,7 +34,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
       Diagnostic& found = findings.report(rate.span(), "`update_rate` of controller_manager is " +
                                                            quoted(rate.text()));
       found.severity = Severity::error;
-      found.construct = "manager";
+      found.when(kManager);
       found.help("write a positive whole number, without a point");
       return;
     }
@@ -46,7 +48,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 
 constexpr Fact kFacts[] = {
     {&readers::ros2_control, Effect::refuses, "throws an exception and ends",
-     "ros2_control controller_manager.cpp", "#manager"},
+     "ros2_control controller_manager.cpp", when(kManager)},
     {&readers::ros2_control, Effect::changes, "warns and updates the controller at another rate",
      "ros2_control controller_manager.cpp:1668-1687"},
 };
@@ -65,6 +67,7 @@ extern constinit const Rule sml3707_controller_update_rate{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3707_controller_update_rate = rules::sml3707_controller_update_rate_file::check;
+extern constinit const CompanionCheck sml3707_controller_update_rate =
+    rules::sml3707_controller_update_rate_file::check;
 
 }  // namespace smurf::companion_checks

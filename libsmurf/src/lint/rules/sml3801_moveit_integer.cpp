@@ -48,6 +48,7 @@ extern constinit const Rule sml3801_moveit_integer{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3801_moveit_integer = rules::sml3801_moveit_integer_file::check;
+extern constinit const CompanionCheck sml3801_moveit_integer =
+    rules::sml3801_moveit_integer_file::check;
 
 }  // namespace smurf::companion_checks

@@ -4,6 +4,8 @@
 namespace smurf::rules::sml3802_moveit_unknown_name_file {
 namespace {
 
+constexpr Circumstance kMoveitControllers{"moveit controllers"};
+
 const Companion* file_of(const Companions& companions, const Reference& one) {
   for (const Companion& file : companions.files) {
     if (file.source == one.span.source) return &file;
@@ -20,7 +22,6 @@ void check_group(const Companion& file, const srdf::Description& srdf, const Ref
   }
   Diagnostic& found =
       findings.report(one.span, "the SRDF of the robot has no group " + quoted(one.name));
-  found.construct = spec_of(file.kind).title;
   if (const auto near = findings.suggest(one.name, known)) {
     found.help("did you mean " + quoted(*near) + "?");
     found.fixes.push_back({Applicability::unsafe, {{one.span, std::string(*near)}}});
@@ -56,14 +57,15 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
       const std::string subject(spec_of(file->kind).title);
       Diagnostic* found =
           check_reference(model, NameKind::joint, one.name, one.span, subject.c_str(), findings);
-      if (found != nullptr) found->construct = spec_of(file->kind).title;
+      if (found != nullptr && file->kind == CompanionKind::moveit_controllers)
+        found->when(kMoveitControllers);
     }
   }
 }
 
 constexpr Fact kFacts[] = {
     {&readers::moveit, Effect::breaks, "does not execute trajectories that need the joint",
-     "moveit2 trajectory_execution_manager.cpp", "#moveit_controllers"},
+     "moveit2 trajectory_execution_manager.cpp", when(kMoveitControllers)},
     {&readers::moveit, Effect::loses, "ignores the entry without a message",
      "moveit2 robot_model_loader.cpp, planning_context_manager.cpp"},
 };
@@ -82,6 +84,7 @@ extern constinit const Rule sml3802_moveit_unknown_name{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3802_moveit_unknown_name = rules::sml3802_moveit_unknown_name_file::check;
+extern constinit const CompanionCheck sml3802_moveit_unknown_name =
+    rules::sml3802_moveit_unknown_name_file::check;
 
 }  // namespace smurf::companion_checks

@@ -7,6 +7,9 @@
 namespace smurf::rules::sml3803_moveit_limit_file {
 namespace {
 
+constexpr Circumstance kContinuous{"continuous"};
+constexpr Circumstance kMissing{"missing"};
+
 constexpr double kSlack = 1e-6;
 
 std::optional<double> number_of(yaml::View joint, std::string_view key) {
@@ -24,7 +27,7 @@ void check_missing(yaml::View joint, std::string_view what, Findings& findings) 
       .report(flag.key_span(),
               "joint " + quoted(joint.key()) + " has " + quoted(has) + ", but no " + quoted(max))
       .help("write " + quoted(max))
-      .construct = "missing";
+      .when(kMissing);
 }
 
 void check_velocity(yaml::View joint, const urdf::Joint& one, Findings& findings) {
@@ -48,7 +51,7 @@ void check_positions(yaml::View joint, const urdf::Joint& one, Findings& finding
                                                   " has a position limit, but is " +
                                                   one.type_name.value_or("continuous"))
         .help("delete the limit")
-        .construct = "continuous";
+        .when(kContinuous);
     return;
   }
   if (!one.limit || !one.limit->lower || !one.limit->upper) return;
@@ -78,9 +81,9 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
 
 constexpr Fact kFacts[] = {
     {&readers::moveit, Effect::breaks, "reports an error and has no such limit",
-     "moveit2 robot_model_loader.cpp", "#missing"},
+     "moveit2 robot_model_loader.cpp", when(kMissing)},
     {&readers::moveit, Effect::breaks, "reports an error and ignores the limit",
-     "moveit2 robot_model_loader.cpp", "#continuous"},
+     "moveit2 robot_model_loader.cpp", when(kContinuous)},
     {&readers::moveit, Effect::changes, "plans with the limit of joint_limits.yaml",
      "moveit2 robot_model_loader.cpp"},
 };
@@ -99,6 +102,7 @@ extern constinit const Rule sml3803_moveit_limit{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3803_moveit_limit = rules::sml3803_moveit_limit_file::check;
+extern constinit const CompanionCheck sml3803_moveit_limit =
+    rules::sml3803_moveit_limit_file::check;
 
 }  // namespace smurf::companion_checks

@@ -110,6 +110,7 @@ extern constinit const Rule sml3804_moveit_controller{
 
 namespace smurf::companion_checks {
 
-extern constinit const CompanionCheck sml3804_moveit_controller = rules::sml3804_moveit_controller_file::check;
+extern constinit const CompanionCheck sml3804_moveit_controller =
+    rules::sml3804_moveit_controller_file::check;
 
 }  // namespace smurf::companion_checks

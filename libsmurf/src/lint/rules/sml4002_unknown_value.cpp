@@ -6,9 +6,9 @@ namespace smurf::rules::sml4002_unknown_value_file {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::refuses, "ends with an uncaught exception", kRun, "/physicmode/"},
+    {&readers::mars, Effect::refuses, "ends with an uncaught exception", kRun, at("physicmode")},
     {&readers::mars, Effect::refuses, "ends with an uncaught exception",
-     "MARS NodeData.cpp:71-95, run with graphics that print", "/visualType/"},
+     "MARS NodeData.cpp:71-95, run with graphics that print", at("visualType")},
     {&readers::mars, Effect::breaks,
      "stops loading here, so all later objects, the pose and the anchor are missing",
      "MARS SensorManager.cpp:357-360"},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -8,10 +9,12 @@ namespace {
 constexpr std::string_view kMakesRoom = "makes room for as many values, and ends";
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::refuses, kMakesRoom, kRun, "/sensors/width/#negative"},
-    {&readers::mars, Effect::refuses, kMakesRoom, kRun, "/sensors/height/#negative"},
-    {&readers::mars, Effect::refuses, kMakesRoom, kRun, "/sensors/bands/#negative"},
-    {&readers::mars, Effect::refuses, kMakesRoom, kRun, "/sensors/lasers/#negative"},
+    {&readers::mars, Effect::refuses, kMakesRoom, kRun, at("sensors/width").when(cases::kNegative)},
+    {&readers::mars, Effect::refuses, kMakesRoom, kRun,
+     at("sensors/height").when(cases::kNegative)},
+    {&readers::mars, Effect::refuses, kMakesRoom, kRun, at("sensors/bands").when(cases::kNegative)},
+    {&readers::mars, Effect::refuses, kMakesRoom, kRun,
+     at("sensors/lasers").when(cases::kNegative)},
     {&readers::mars, Effect::changes, "uses the number as it is", "MARS MotorData.cpp and others"},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -10,12 +11,14 @@ constexpr std::string_view kNameless = "keeps an entry without a name";
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
      "has no URDF without `files`, and dereferences the null model", "MARS smurf.cpp:988-998, run",
-     "#files"},
+     when(cases::kLacksFiles)},
     {&readers::mars, Effect::changes, "reads 0 or an empty text", "configmaps, run"},
-    {&readers::phobos, Effect::breaks, kNameless, kRun, "/materials/name/#name-empty"},
-    {&readers::phobos, Effect::breaks, kNameless, kRun, "/joint/name/#name-empty"},
-    {&readers::phobos, Effect::breaks, kNameless, kRun, "/visuals/name/#name-empty"},
-    {&readers::phobos, Effect::breaks, kNameless, kRun, "/submechanisms/name/#name-empty"},
+    {&readers::phobos, Effect::breaks, kNameless, kRun,
+     at("materials/name").when(cases::kEmptyKey)},
+    {&readers::phobos, Effect::breaks, kNameless, kRun, at("joint/name").when(cases::kEmptyKey)},
+    {&readers::phobos, Effect::breaks, kNameless, kRun, at("visuals/name").when(cases::kEmptyKey)},
+    {&readers::phobos, Effect::breaks, kNameless, kRun,
+     at("submechanisms/name").when(cases::kEmptyKey)},
     {&readers::phobos, Effect::refuses, "stops with a KeyError", "Phobos smurfrobot.py"},
 };
 

@@ -12,35 +12,44 @@
 namespace smurf::rules::sml4010_unlike_the_others_file {
 namespace {
 
+constexpr Circumstance kBitmask{"bitmask"};
+constexpr Circumstance kLink{"link"};
+constexpr Circumstance kMinValue{"minValue"};
+constexpr Circumstance kName{"name"};
+constexpr Circumstance kP{"p"};
+constexpr Circumstance kType{"type"};
+
 /// A key that some reader needs, and keys that replace it.
 struct Needed {
-  std::string_view key;
+  const Circumstance* lack;  ///< its name is the key
   std::array<std::string_view, 3> instead;
   std::size_t fewest_others = 1;  ///< entries with the key, before one without it is reported
+
+  std::string_view key() const { return lack->name; }
 };
-constexpr Needed kTypeOfMotor{"type", {}};
+constexpr Needed kTypeOfMotor{&kType, {}};
 constexpr Needed kOfPositionMotors[] = {
-    {"p", {}},
-    {"minValue", {"minPosition", "maxValue", "maxPosition"}},
+    {&kP, {}},
+    {&kMinValue, {"minPosition", "maxValue", "maxPosition"}},
 };
-constexpr Needed kOfCollisions[] = {{"link", {}, 2}, {"bitmask", {}, 2}};
-constexpr Needed kOfLinks[] = {{"link", {}}, {"name", {}}};
+constexpr Needed kOfCollisions[] = {{&kLink, {}, 2}, {&kBitmask, {}, 2}};
+constexpr Needed kOfLinks[] = {{&kLink, {}}, {&kName, {}}};
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes, "reads 0, so the motor does not follow its commands",
-     "MARS SimMotor.cpp:352-407", "#p"},
+     "MARS SimMotor.cpp:352-407", when(kP)},
     {&readers::mars, Effect::changes, "lets the motor go half a turn, or 3.14 m, either way",
-     "MARS MotorData.cpp", "#minValue"},
+     "MARS MotorData.cpp", when(kMinValue)},
     {&readers::mars, Effect::loses, "matches by the name, and ignores the entry", "MARS smurf.cpp",
-     "#name"},
+     when(kName)},
     {&readers::phobos, Effect::loses, "matches by the name, and ignores the entry",
-     "Phobos core/robot.py", "#name"},
+     "Phobos core/robot.py", when(kName)},
     {&readers::mars2, Effect::refuses, "stops at a motor without it",
-     "envire_smurf_loader Model.cpp:443-505", "#type"},
+     "envire_smurf_loader Model.cpp:443-505", when(kType)},
     {&readers::mars2, Effect::refuses, "stops at an entry without it",
-     "envire_smurf_loader Model.cpp:216-230", "#link"},
+     "envire_smurf_loader Model.cpp:216-230", when(kLink)},
     {&readers::envire, Effect::changes, "reads 0, with which nothing collides",
-     "rock-cpp/smurf Robot.cpp:53-83", "#bitmask"},
+     "rock-cpp/smurf Robot.cpp:53-83", when(kBitmask)},
 };
 
 bool has_key(yaml::View mapping, const Needed& needed) {
@@ -48,7 +57,7 @@ bool has_key(yaml::View mapping, const Needed& needed) {
     const yaml::View value = key.empty() ? yaml::View() : mapping.find(key);
     return value && !value.is_null();
   };
-  return is_given(needed.key) ||
+  return is_given(needed.key()) ||
          std::any_of(needed.instead.begin(), needed.instead.end(), is_given);
 }
 
@@ -56,9 +65,9 @@ bool has_key(yaml::View mapping, const Needed& needed) {
 bool is_excused(yaml::View mapping, const Needed& needed) {
   constexpr std::size_t kShort = 2;  // letters of such keys resemble each other by chance
   if (mapping.find("URI") || mapping.find("URIs")) return true;
-  if (needed.key.size() > kShort) return has_misspelt(mapping, needed.key);
+  if (needed.key().size() > kShort) return has_misspelt(mapping, needed.key());
   return std::any_of(mapping.begin(), mapping.end(),
-                     [&](yaml::View value) { return path::to_lower(value.key()) == needed.key; });
+                     [&](yaml::View value) { return path::to_lower(value.key()) == needed.key(); });
 }
 
 /// Reports the entry without the needed key, when exactly one of `entries` lacks it.
@@ -80,12 +89,12 @@ void check_entries(const LinkedModel& model, const std::vector<T>& entries, std:
   const std::size_t others = count - 1;
   Diagnostic& diagnostic = findings.report(
       odd->name.written ? odd->name.span : odd->span,
-      subject(what, *odd) + " has no " + quoted(needed.key) + ", unlike " +
+      subject(what, *odd) + " has no " + quoted(needed.key()) + ", unlike " +
           (others == 1 ? "the other one" : "the " + std::to_string(others) + " others"));
-  diagnostic.label(place_to_add(mapping, needed.key), "add it after this key");
-  diagnostic.construct = needed.key;
+  diagnostic.label(place_to_add(mapping, needed.key()), "add it after this key");
+  diagnostic.when(*needed.lack);
   for (const Fact& fact : kFacts) {
-    if (fact.where.substr(1) != needed.key) continue;
+    if (!fact.where.needs(*needed.lack)) continue;
     diagnostic.note(std::string(fact.reader->title) + " " + std::string(fact.makes));
   }
 }

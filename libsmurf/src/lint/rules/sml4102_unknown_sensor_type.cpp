@@ -9,6 +9,8 @@
 namespace smurf::rules::sml4102_unknown_sensor_type_file {
 namespace {
 
+constexpr Circumstance kPhobosSensor{"sensor of Phobos", &readers::phobos};
+
 constexpr std::string_view kPhobosTypes[] = {"IMU", "GPS"};
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -21,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.note(
         "it stops loading here: later objects, the pose and the anchor of the robot are missing");
     if (std::any_of(std::begin(kPhobosTypes), std::end(kPhobosTypes), is_type)) {
-      diagnostic.construct = "phobos-sensor";
+      diagnostic.when(kPhobosSensor);
       diagnostic.note("Phobos knows it");
       diagnostic.help(*sensor.type == "IMU" ? "the type of MARS is `NodeIMU`" : "");
     } else if (const auto near = only_nearest(*sensor.type, kSensorTypes)) {
@@ -36,7 +38,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks,
      "stops loading: all later objects are missing, and the pose, the anchor and the joint pose of the robot are skipped",
      "MARS SensorManager.cpp:351-360, smurf.cpp:1034-1037"},
-    {&readers::phobos, Effect::takes, "knows the type", kRun, "#phobos-sensor"},
+    {&readers::phobos, Effect::takes, "knows the type", kRun, when(kPhobosSensor)},
     {&readers::phobos, Effect::refuses, "stops with an AttributeError",
      "Phobos sensor_representations.py, run"},
 };

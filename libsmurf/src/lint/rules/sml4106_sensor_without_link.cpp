@@ -8,6 +8,8 @@
 namespace smurf::rules::sml4106_sensor_without_link_file {
 namespace {
 
+constexpr Circumstance kCameraSensor{"CameraSensor"};
+
 constexpr std::string_view kTypes[] = {
     "Joint6DOF",     "CameraSensor", "RaySensor", "RotatingRaySensor", "MultiLevelLaserRangeFinder",
     "ScanningSonar", "HapticField"};
@@ -21,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!mapping.find("links") && is_slip(mapping, "link", findings)) continue;
     Diagnostic& diagnostic =
         findings.report(sensor.type.span, subject("sensor", sensor) + " has no `link`");
-    diagnostic.construct = *sensor.type;
+    if (*sensor.type == "CameraSensor") diagnostic.when(kCameraSensor);
     diagnostic.label(place_to_add(mapping, "link"), "add it after this key");
   }
 }
@@ -30,7 +32,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
      "looks up node 0: a camera ends the program with an assertion, Joint6DOF dereferences a null pointer",
      "MARS smurf.cpp:272-283, CameraSensor.cpp"},
-    {&readers::phobos, Effect::refuses, "stops with an assertion", kRun, "#CameraSensor"},
+    {&readers::phobos, Effect::refuses, "stops with an assertion", kRun, when(kCameraSensor)},
     {&readers::phobos, Effect::breaks,
      "stops with an assertion at a camera, and keeps other sensors without a link", kRun},
     {&readers::mars2, Effect::crashes, "ends with an uncaught exception",

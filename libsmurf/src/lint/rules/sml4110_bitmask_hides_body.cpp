@@ -10,6 +10,8 @@
 namespace smurf::rules::sml4110_bitmask_hides_body_file {
 namespace {
 
+constexpr Circumstance kRays{"rays"};
+
 constexpr std::int64_t kSeenByRays = 32768;
 constexpr std::int64_t kDefault = 65535;
 
@@ -49,7 +51,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (others > 0) who += " and " + counted(others, "other");
   Diagnostic& diagnostic = findings.report(first.bitmask.span, "ray sensors of MARS do not see " +
                                                                    who + ": bit 15 is not set");
-  diagnostic.construct = "rays";
+  diagnostic.when(kRays);
   diagnostic.help("set bit 15: `bitmask: " + std::to_string(*first.bitmask | kSeenByRays) + "`");
   // A robot with ray sensors is rarely meant to be invisible to them.
   if (has_ray_sensor(model)) diagnostic.severity = Severity::warning;
@@ -57,7 +59,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes, "its ray sensors see only bodies with bit 15 (32768)",
-     "MARS NodePhysics.cpp:1389-1390, 1449", "#rays"},
+     "MARS NodePhysics.cpp:1389-1390, 1449", when(kRays)},
 };
 
 }  // namespace

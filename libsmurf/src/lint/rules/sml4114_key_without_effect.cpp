@@ -51,13 +51,13 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::ignores,
      "takes the control value before it stores the position, so the motor starts at 0",
-     "MARS SimMotor.cpp:49-89", "/motors/position/"},
+     "MARS SimMotor.cpp:49-89", at("motors/position")},
     {&readers::mars, Effect::ignores, "ignores the factor of a mimic that names no motor",
-     "MARS SimMotor.cpp", "/motors/mimic_multiplier/"},
+     "MARS SimMotor.cpp", at("motors/mimic_multiplier")},
     {&readers::mars, Effect::ignores, "overwrites it when it loads the motor",
-     "MARS smurf.cpp:261-264", "/motors/"},
+     "MARS smurf.cpp:261-264", at("motors")},
     {&readers::mars, Effect::ignores, "casts one row of rays, so their height has no effect",
-     "MARS RaySensor.cpp", "/sensors/"},
+     "MARS RaySensor.cpp", at("sensors")},
 };
 
 }  // namespace

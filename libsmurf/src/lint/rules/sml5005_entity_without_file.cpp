@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -6,7 +7,7 @@ namespace smurf::rules::sml5005_entity_without_file_file {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::loses, "includes nothing", "MARS 71a5c45, run", "#scene"},
+    {&readers::mars, Effect::loses, "includes nothing", "MARS 71a5c45, run", when(cases::kOfScene)},
     {&readers::mars, Effect::crashes, "ends with an uncaught exception",
      "MARS SMURFLoader.cpp:319-322"},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},

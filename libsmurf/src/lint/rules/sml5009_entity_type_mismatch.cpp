@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -10,7 +11,7 @@ constexpr Fact kFacts[] = {
      "MARS SMURFLoader.cpp:319-322"},
     {&readers::mars2, Effect::changes, "uses the extension", "MarsSceneLoader.cpp:206-226"},
     {&readers::phobos, Effect::changes, "uses the extension", "Phobos multiple.py",
-     "#of-another-kind"},
+     when(cases::kOfAnotherKind)},
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun},
 };
 

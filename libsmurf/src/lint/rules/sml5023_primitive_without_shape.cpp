@@ -12,6 +12,8 @@
 namespace smurf::rules::sml5023_primitive_without_shape_file {
 namespace {
 
+constexpr Circumstance kSize{"size"};
+
 constexpr std::string_view kShapes[] = {"plane", "box", "sphere", "cylinder", "capsule"};
 
 void report_shape(yaml::View shape, Findings& findings) {
@@ -43,7 +45,7 @@ void check_size(yaml::View extend, std::string_view shape, Findings& findings) {
         .report(size ? size.span() : extend.span(), "`extend` gives the " + std::string(shape) +
                                                         " the size " + format_number(*number) +
                                                         " along " + std::string(kNames[i]))
-        .construct = "size";
+        .when(kSize);
     return;
   }
 }
@@ -76,7 +78,7 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, "#size"},
+    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, when(kSize)},
     {&readers::mars, Effect::crashes,
      "ends with an uncaught exception: it reads the shape from `geometry: {type: ...}`, and has "
      "sizes for plane, box and sphere only",

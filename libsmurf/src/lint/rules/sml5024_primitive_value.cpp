@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 #include "link/scene_link.hpp"
@@ -36,7 +37,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     }
     for (const Diagnostic& wrong : found.diagnostics()) {
       Diagnostic& diagnostic = findings.report(wrong.span, wrong.message);
-      diagnostic.construct = wrong.construct;
+      diagnostic.cases = wrong.cases;
       diagnostic.help(wrong.help_text);
       diagnostic.fixes = wrong.fixes;
     }
@@ -44,12 +45,14 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::crashes, "ends with an uncaught exception", kRun, "#value-mapping"},
-    {&readers::mars, Effect::crashes, "ends with an uncaught exception", kRun, "#value-empty"},
-    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, "/extend/x/"},
-    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, "/extend/y/"},
-    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, "/extend/z/"},
-    {&readers::mars, Effect::changes, "reads 0 or any number", kRun, "#value-"},
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception", kRun,
+     when(cases::kValueWanted, cases::kIsMapping)},
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception", kRun,
+     when(cases::kValueWanted, cases::kIsEmptyList)},
+    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, at("extend/x")},
+    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, at("extend/y")},
+    {&readers::mars, Effect::loses, "makes no node of such a size", kRun, at("extend/z")},
+    {&readers::mars, Effect::changes, "reads 0 or any number", kRun, when(cases::kValueWanted)},
     {&readers::mars, Effect::crashes,
      "ends with an uncaught exception, or reads uninitialised memory", "MARS NodeData.cpp:181-184"},
 };

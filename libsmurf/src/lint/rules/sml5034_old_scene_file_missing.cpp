@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -7,9 +8,9 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses, "makes no node without its heights",
-     "MARS NodeManager.cpp:208-211", "#heights"},
+     "MARS NodeManager.cpp:208-211", when(cases::kHeights)},
     {&readers::mars, Effect::loses, "shows the node without its mesh",
-     "MARS gui_helper_functions.cpp:384", "#seen"},
+     "MARS gui_helper_functions.cpp:384", when(cases::kSeen)},
     {&readers::mars, Effect::crashes, "ends with an exception on a missing mesh",
      "MARS gui_helper_functions.cpp:278-280, NodeManager.cpp:184"},
 };

@@ -6,6 +6,8 @@
 namespace smurf::rules::sml5108_anchor_without_parent_file {
 namespace {
 
+constexpr Circumstance kParent{"parent"};
+
 /// A link as anchor: many authors expect it to place the entity there.
 void check_link(const Use& use, Findings& findings) {
   const Entity& entity = use.entity;
@@ -27,7 +29,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (*use.entity.anchor != "parent") return check_link(use, findings);
     Diagnostic& diagnostic = findings.report(
         use.entity.anchor.span, title(use.entity) + " is anchored to its parent, but has none");
-    diagnostic.construct = "parent";
+    diagnostic.when(kParent);
     diagnostic.help("write `world` if that is meant");
     const Field<std::string>& file = use.entity.file;
     if (!use.entity.parent.written && file.written) {
@@ -38,7 +40,7 @@ void check(const LinkedScene& scene, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes, "fixes the entity to the world", "MARS SimEntity.cpp:452-453",
-     "#parent"},
+     when(kParent)},
 };
 
 }  // namespace

@@ -22,13 +22,13 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars2, Effect::crashes, "ends with an uncaught exception",
-     "envire_smurf_loader Model.cpp:216-230", "/link/"},
+     "envire_smurf_loader Model.cpp:216-230", at("link")},
     {&readers::mars2, Effect::crashes, "ends with an uncaught exception",
-     "envire_smurf_loader Model.cpp:443-505", "/sensors/"},
+     "envire_smurf_loader Model.cpp:443-505", at("sensors")},
     {&readers::mars2, Effect::loses, "finds no collision for it", "envire_smurf_loader Model.cpp",
-     "/collision/"},
+     at("collision")},
     {&readers::envire, Effect::loses, "finds no collision for it", "rock-cpp/smurf Robot.cpp",
-     "/collision/"},
+     at("collision")},
 };
 
 }  // namespace

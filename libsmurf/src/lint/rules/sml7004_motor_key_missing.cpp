@@ -5,6 +5,8 @@
 namespace smurf::rules::sml7004_motor_key_missing_file {
 namespace {
 
+constexpr Circumstance kType{"type"};
+
 /// The keys that MARS 2 reads without checking whether they are there.
 std::vector<std::string_view> missing_keys(const Motor& motor) {
   std::vector<std::string_view> missing;
@@ -34,14 +36,14 @@ void check(const LinkedModel& model, Findings& findings) {
     }
     Diagnostic& diagnostic = findings.report(motor.name.written ? motor.name.span : motor.span,
                                              subject("motor", motor) + " has no " + list);
-    if (!motor.type.written) diagnostic.construct = "type";
+    if (!motor.type.written) diagnostic.when(kType);
   }
 }
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::takes, "has defaults for most keys of a motor", "MARS MotorData.cpp"},
     {&readers::mars2, Effect::crashes, "ends with an uncaught exception",
-     "envire_smurf_loader Model.cpp:443-456", "#type"},
+     "envire_smurf_loader Model.cpp:443-456", when(kType)},
     {&readers::mars2, Effect::changes, "computes with uninitialised memory", "envire_types motors"},
 };
 

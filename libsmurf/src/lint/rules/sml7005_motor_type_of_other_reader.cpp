@@ -1,46 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
+#include "base/words.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml7005_motor_type_of_other_reader_file {
 namespace {
 
+constexpr Circumstance kOfMars{"a type of MARS 1"}, kOfMars2{"a type of MARS 2"},
+    kOfEnvire{"a type of MARS with envire"};
+
+void add_known(std::string_view type, Diagnostic& diagnostic) {
+  const bool is_common = is_one_of(type, {"PID", "DC"}),
+             is_generic = type.starts_with("generic_") || type.starts_with("direct_");
+  if (is_common || is_generic || is_one_of(type, {"1", "2", "7"})) diagnostic.when(kOfMars);
+  if (is_common || is_generic) diagnostic.when(kOfEnvire);
+  if (is_common || is_one_of(type, {"DirectEffort", "FeedForwardEffort", "direct_effort",
+                                    "ff_torque", "position"})) {
+    diagnostic.when(kOfMars2);
+  }
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   for (const Motor& motor : model.annotations.motors) {
     if (!motor.type) continue;
-    findings.report(motor.type.span, subject("motor", motor) + " is of type " + quoted(*motor.type))
-        .construct = *motor.type;
+    add_known(*motor.type,
+              findings.report(motor.type.span,
+                              subject("motor", motor) + " is of type " + quoted(*motor.type)));
   }
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#PID"},
-    {&readers::mars, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#DC"},
-    {&readers::mars, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#generic_"},
-    {&readers::mars, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#direct_"},
-    {&readers::mars, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#1"},
-    {&readers::mars, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#2"},
-    {&readers::mars, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#7"},
+    {&readers::mars, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", when(kOfMars)},
     {&readers::mars, Effect::changes, "runs it as a position controller",
      "MARS MotorData.cpp:126-135, SimMotor.cpp:290"},
-    {&readers::mars2, Effect::takes, "knows it", "envire_smurf_loader Model.cpp:455-478", "#PID"},
-    {&readers::mars2, Effect::takes, "knows it", "envire_smurf_loader Model.cpp:455-478", "#DC"},
     {&readers::mars2, Effect::takes, "knows it", "envire_smurf_loader Model.cpp:455-478",
-     "#DirectEffort"},
-    {&readers::mars2, Effect::takes, "knows it", "envire_smurf_loader Model.cpp:455-478",
-     "#FeedForwardEffort"},
-    {&readers::mars2, Effect::takes, "knows it", "envire_smurf_loader Model.cpp:455-478",
-     "#direct_effort"},
-    {&readers::mars2, Effect::takes, "knows it", "envire_smurf_loader Model.cpp:455-478",
-     "#ff_torque"},
-    {&readers::mars2, Effect::takes, "knows it", "envire_smurf_loader Model.cpp:455-478",
-     "#position"},
+     when(kOfMars2)},
     {&readers::mars2, Effect::loses, "skips this and all following motors",
      "envire_smurf_loader Model.cpp:455-478"},
-    {&readers::envire, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#PID"},
-    {&readers::envire, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#DC"},
-    {&readers::envire, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#generic_"},
-    {&readers::envire, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#direct_"},
+    {&readers::envire, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", when(kOfEnvire)},
     {&readers::envire, Effect::changes, "treats it as a position controller",
      "MARS MotorData.cpp:126-135"},
 };

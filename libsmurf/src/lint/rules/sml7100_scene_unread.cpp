@@ -6,24 +6,27 @@
 namespace smurf::rules::sml7100_scene_unread_file {
 namespace {
 
+constexpr Circumstance kSmurfa{".smurfa"};
+
 void check(const LinkedScene& scene, Findings& findings) {
   const SceneFile& file = scene.scenes.front();
   if (!file.document || !file.document->view() || !file.document->view().is_mapping()) return;
   const yaml::View first = *file.document->view().begin();
   if (!first) return;
   const std::string_view extension = path::extension(file.path);
-  findings.report(first.key_span(), "this is a SMURF scene").construct =
-      extension.empty() ? extension : extension.substr(1);
+  Diagnostic& diagnostic = findings.report(first.key_span(), "this is a SMURF scene");
+  if (extension == ".smurfa") diagnostic.when(kSmurfa);
 }
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "reads no scenes", "only the MARS generations and Phobos do"},
     {&readers::mars, Effect::takes, "reads scenes and assemblies", "MARS SMURFLoader.cpp"},
-    {&readers::mars2, Effect::refuses, "reads .smurfs only", "MarsSceneLoader.cpp:76", "#smurfa"},
+    {&readers::mars2, Effect::refuses, "reads .smurfs only", "MarsSceneLoader.cpp:76",
+     when(kSmurfa)},
     {&readers::mars2, Effect::takes, "reads scenes", "MarsSceneLoader.cpp:76"},
     {&readers::phobos, Effect::takes, "reads scenes and assemblies", "Phobos core/multiple.py"},
     {&readers::pybullet, Effect::refuses, "reads .smurfs only (the script of Phobos)",
-     "Phobos scripts/smurfs_in_pybullet.py", "#smurfa"},
+     "Phobos scripts/smurfs_in_pybullet.py", when(kSmurfa)},
     {&readers::pybullet, Effect::takes, "reads scenes (the script of Phobos)",
      "Phobos scripts/smurfs_in_pybullet.py"},
 };

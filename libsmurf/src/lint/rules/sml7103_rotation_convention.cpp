@@ -7,6 +7,9 @@
 namespace smurf::rules::sml7103_rotation_convention_file {
 namespace {
 
+constexpr Circumstance kQuaternion{"quaternion"};
+constexpr Circumstance kYaw{"yaw"};
+
 std::string_view form_of(const Rotation& rotation) {
   switch (rotation.form) {
   case RotationForm::yaw: return "yaw";
@@ -26,10 +29,11 @@ void check(const LinkedScene& scene, Findings& findings) {
     const bool is_zero = std::all_of(rotation.values.begin(), rotation.values.end(),
                                      [](double value) { return value == 0; });
     if (is_zero) return;
-    findings
-        .report(rotation.span, "the rotation of " + title(entity) + " is written as " +
-                                   (form == "quaternion" ? "a quaternion w, x, y, z" : "degrees"))
-        .construct = form;
+    Diagnostic& diagnostic = findings.report(
+        rotation.span, "the rotation of " + title(entity) + " is written as " +
+                           (form == "quaternion" ? "a quaternion w, x, y, z" : "degrees"));
+    if (form == "quaternion") diagnostic.when(kQuaternion);
+    if (form == "yaw") diagnostic.when(kYaw);
   });
 }
 
@@ -39,11 +43,11 @@ constexpr Fact kFacts[] = {
     {&readers::mars2, Effect::takes, "reads one or three numbers as degrees and four as w, x, y, z",
      "MARS SimEntity.cpp:405-431"},
     {&readers::phobos, Effect::changes, "reads x, y, z, w", "Phobos utils/transform.py:9-48",
-     "#quaternion"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#yaw"},
+     when(kQuaternion)},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, when(kYaw)},
     {&readers::phobos, Effect::changes, "reads radians", "Phobos utils/transform.py:9-48"},
     {&readers::pybullet, Effect::crashes, "stops with an exception",
-     "Phobos scripts/smurfs_in_pybullet.py:115-122", "#quaternion"},
+     "Phobos scripts/smurfs_in_pybullet.py:115-122", when(kQuaternion)},
 };
 
 }  // namespace

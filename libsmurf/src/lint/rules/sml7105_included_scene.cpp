@@ -6,6 +6,8 @@
 namespace smurf::rules::sml7105_included_scene_file {
 namespace {
 
+constexpr Circumstance kPlaced{"placed"};
+
 bool has_pose(const Entity& entity) {
   return entity.position.written || entity.rotation.form != RotationForm::absent;
 }
@@ -15,8 +17,9 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (!entity.file) return;
     const std::string extension = path::to_lower(path::extension(*entity.file));
     if (extension != ".smurfs" && extension != ".smurfa") return;
-    findings.report(entity.file.span, title(entity) + " includes another scene").construct =
-        has_pose(entity) ? "placed" : "";
+    Diagnostic& diagnostic =
+        findings.report(entity.file.span, title(entity) + " includes another scene");
+    if (has_pose(entity)) diagnostic.when(kPlaced);
   });
 }
 
@@ -26,7 +29,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars2, Effect::loses, "loads only its .yml entities, and ignores the pose",
      "MarsSceneLoader.cpp:209, 249-298"},
     {&readers::pybullet, Effect::changes, "ignores the pose of the include",
-     "Phobos scripts/smurfs_in_pybullet.py:105-107", "#placed"},
+     "Phobos scripts/smurfs_in_pybullet.py:105-107", when(kPlaced)},
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sources: sdformat 12.3.0 src/Param.cc:380-780.
-#include "lint/sdf_values.hpp"
+#include "readers/sdf_values.hpp"
 
 #include <algorithm>
 #include <charconv>

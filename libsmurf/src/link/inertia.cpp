@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/inertia.hpp"
+#include "link/inertia.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -3,7 +3,7 @@
 // detail_common.cc and detail_collision_filter_group_resolver.cc; the ranges also from the files
 // that these call: shape_specification.cc, proximity_properties.cc, coulomb_friction.cc,
 // multibody_plant.cc.
-#include "ast/drake_language.hpp"
+#include "readers/drake_language.hpp"
 
 #include <algorithm>
 

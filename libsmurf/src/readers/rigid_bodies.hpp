@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/readers.hpp"
+#include "base/uncertain.hpp"
 #include "smurf/linked.hpp"
 
 namespace smurf {
@@ -41,6 +43,8 @@ bool is_inertia_of_sdformat(double mass, const std::array<double, 3>& moments,
 /// By link: whether it is the only link with an inertial in a moving body.
 std::vector<bool> alone_in_motion(const LinkedModel& model);
 
+/// Findings in links for which this is true.
+inline constexpr Circumstance kSoundTogether{"sound together"};
 /// By link: whether the sum of the inertials that sdformat merges is acceptable to it, even if each
 /// is not. Like gz-math, it accepts a moment of 0. Also true if sdformat drops the body and keeps
 /// others.
@@ -49,5 +53,12 @@ std::vector<bool> sound_together(const LinkedModel& model);
 /// By link: whether sdformat merges it into a body of several inertials whose smallest moment is so
 /// close to 0 that rounding decides whether sdformat accepts the body.
 std::vector<bool> near_zero_together(const LinkedModel& model);
+
+/// A fact about such links.
+inline constexpr Fact kGazeboAddsZeros{
+    &readers::gazebo, Effect::refuses,
+    "adds it to the inertias of links that are fixed to it, and refuses a sum that rounding makes "
+    "negative",
+    kRun, when(kUncertain)};
 
 }  // namespace smurf

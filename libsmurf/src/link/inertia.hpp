@@ -6,8 +6,6 @@
 #include <optional>
 #include <string_view>
 
-#include "base/readers.hpp"
-#include "base/uncertain.hpp"
 #include "smurf/urdf.hpp"
 
 namespace smurf {
@@ -38,12 +36,5 @@ inline constexpr double kImpossibleExcess = 1e-2;
 
 /// Whether the inertia is the unit tensor, a placeholder of CAD tools and templates.
 bool is_unit_tensor(const urdf::Inertial& inertial);
-
-/// A fact about findings that locate() marks by near_zero_together().
-inline constexpr Fact kGazeboAddsZeros{
-    &readers::gazebo, Effect::refuses,
-    "adds it to the inertias of links that are fixed to it, and refuses a sum that rounding makes "
-    "negative",
-    kRun, kUncertain};
 
 }  // namespace smurf

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "ast/sdf_language.hpp"
+#include "readers/sdf_language.hpp"
 #include "smurf/xml.hpp"
 
 namespace smurf::sdf {

@@ -11,14 +11,14 @@ namespace {
 constexpr std::array<std::string_view, 5> kNoNumber = {"SML1801", "SML1805", "SML1806", "SML1807",
                                                        "SML1809"};
 /// The attributes that Phobos uses in computations or for colours when it loads them.
-constexpr std::array<std::string_view, 5> kComputed = {
-    "/origin/@xyz/", "/origin/@rpy/", "/axis/@xyz/", "/color/@rgba/", "/inertia/@ixx/"};
+constexpr std::array<Where, 5> kComputed = {at("origin/@xyz"), at("origin/@rpy"), at("axis/@xyz"),
+                                            at("color/@rgba"), at("inertia/@ixx")};
 
 constexpr auto kFamilies = [] {
   std::array<FamilyFact, kNoNumber.size() * (kComputed.size() + 1)> facts{};
   std::size_t next = 0;
   for (const std::string_view rule : kNoNumber) {
-    for (const std::string_view attribute : kComputed) {
+    for (const Where& attribute : kComputed) {
       facts[next++] = {rule,
                        {&phobos, Effect::refuses, "stops with an exception", kRun, attribute}};
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sources: sdformat 12.3.0, sdf/1.9/*.sdf; is_translated(): src/parser_urdf.cc:1240-1546.
-#include "ast/sdf_language.hpp"
+#include "readers/sdf_language.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // urdfdom: the URDF parser of ROS, Gazebo, DART and both versions of MARS.
-#include "base/readers.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::readers::urdfdom_file {
 namespace {
@@ -10,16 +10,18 @@ using enum Effect;
 constexpr FamilyFact kFamilies[] = {
     {"SML18",
      {&urdfdom, refuses, "refuses the number, and with it the file", "urdfdom utils.h:73-88, run",
-      "/joint/"}},
-    {"SML18", urdfdom_drops_shapes("/link/")},
+      at("joint")}},
+    {"SML18", urdfdom_drops_shapes(at("link"))},
     {"SML18",
      {&urdfdom, loses, "drops the material with a message", "urdfdom link.cpp:86-94, run",
-      "/material/"}},
+      at("material")}},
 };
 
 constexpr Fact kUnread[] = {
-    {&urdfdom, ignores, "does not read the axis of such a joint", kRun, "#in-fixed/axis/"},
-    {&urdfdom, ignores, "does not read the axis of such a joint", kRun, "#in-floating/axis/"},
+    {&urdfdom, ignores, "does not read the axis of such a joint", kRun,
+     at("joint/axis").when(kInFixed)},
+    {&urdfdom, ignores, "does not read the axis of such a joint", kRun,
+     at("joint/axis").when(kInFloating)},
 };
 
 }  // namespace
@@ -31,6 +33,7 @@ extern constinit const Reader urdfdom{.name = "urdfdom",
                                       .version = "urdfdom 3.0.1",
                                       .families = kFamilies,
                                       .is_target = false,
-                                      .unread = kUnread};
+                                      .unread = kUnread,
+                                      .number = {3, 0, 1}};
 
 }  // namespace smurf::readers::urdfdom_file

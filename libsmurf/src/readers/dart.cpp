@@ -6,7 +6,7 @@ namespace smurf::readers::dart_file {
 namespace {
 
 constexpr Fact kUnread[] = {
-    {&dart, Effect::ignores, "does not open textures", kRun, "/texture/@filename/"},
+    {&dart, Effect::ignores, "does not open textures", kRun, at("texture/@filename")},
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/rigid_bodies.hpp"
+#include "readers/rigid_bodies.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -14,8 +14,8 @@
 #include "ast/urdf_numbers.hpp"
 #include "base/path.hpp"
 #include "base/words.hpp"
-#include "lint/inertia.hpp"
-#include "lint/sdf_values.hpp"
+#include "link/inertia.hpp"
+#include "readers/sdf_values.hpp"
 #include "smurf/pose.hpp"
 
 namespace smurf {

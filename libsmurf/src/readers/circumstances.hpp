@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Circumstances of findings that readers see, and that facts are about. Each is added by the reader
+// under which it stands here (Reader::see).
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <span>
+#include <vector>
+
+#include "base/readers.hpp"
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+// Every URDF reader: in joints of these types, and in the inertial of the link `world`.
+inline constexpr Circumstance kInFixed{"in a fixed joint"};
+inline constexpr Circumstance kInFloating{"in a floating joint"};
+inline constexpr Circumstance kOfWorld{"of the world"};
+
+// MuJoCo: in inertials, by what moves the link.
+inline constexpr Circumstance kCarried{"carried"};  ///< fixed to another link, or to the world
+inline constexpr Circumstance kStill{"still"};      ///< nothing moves it
+inline constexpr Circumstance kAlone{"alone"};      ///< the only inertial of a moving body
+// MuJoCo: where the file tells it to.
+inline constexpr Circumstance kVisualsKept{"visuals kept"};
+inline constexpr Circumstance kBalanced{"balanced"};
+inline constexpr Circumstance kElsewhere{"in another folder"};
+
+// Gazebo: in joints and links that it drops, and on names of links that it drops or merges.
+inline constexpr Circumstance kDroppedByGazebo{"dropped by Gazebo"};
+
+// The case of SML1512, which MuJoCo refuses also where it does not use the inertia.
+inline constexpr Circumstance kNotPositiveDefinite{"not positive definite"};
+
+// Drake: in elements that the author lets it ignore.
+inline constexpr Circumstance kDrakeIgnored{"drake_ignore"};
+
+/// The part whose span contains the byte at `place`; null if there is none. The parts are in the
+/// order of the file and do not overlap.
+template <class Part>
+const Part* part_at(const std::vector<Part>& parts, std::uint32_t place) {
+  const auto next = std::partition_point(
+      parts.begin(), parts.end(), [&](const Part& part) { return part.span.begin <= place; });
+  if (next == parts.begin()) return nullptr;
+  const Part& part = *std::prev(next);
+  return place < part.span.end ? &part : nullptr;
+}
+
+template <class Part>
+std::size_t index_in(const std::vector<Part>& parts, const Part& part) {
+  return static_cast<std::size_t>(&part - parts.data());
+}
+
+}  // namespace smurf

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Drake, which has its own URDF reader.
+#include "readers/circumstances.hpp"
+
+namespace smurf::readers::drake_file {
+namespace {
+
+using enum Effect;
+
+constexpr FamilyFact kFamilies[] = {
+    {"SML18",
+     {&drake, refuses, "refuses a vector with an unreadable number; reads a single one as 0",
+      "Drake detail_tinyxml.h:60-73"}},
+};
+
+constexpr Fact kUnread[] = {
+    {&drake, ignores, "does not read what `drake_ignore` marks",
+     "Drake detail_urdf_parser.cc:187-191, 533-538", when(kDrakeIgnored)},
+};
+
+/// Findings in links and joints with `drake_ignore="true"`.
+void see(const LinkedModel& model, std::span<Diagnostic* const> found) {
+  std::vector<Span> ignored;  // in the order of the file
+  for (const xml::View element : model.robot->document.view()) {
+    const xml::Attribute* mark = element.attribute("drake_ignore");
+    if (mark != nullptr && mark->value() == "true") ignored.push_back(element.span());
+  }
+  if (ignored.empty()) return;
+  for (Diagnostic* finding : found) {
+    const std::uint32_t begin = finding->span.begin;
+    const auto behind =
+        std::upper_bound(ignored.begin(), ignored.end(), begin,
+                         [](std::uint32_t place, const Span& span) { return place < span.begin; });
+    if (behind == ignored.begin() || begin >= std::prev(behind)->end) continue;
+    finding->when(kDrakeIgnored);
+  }
+}
+
+}  // namespace
+
+extern constinit const Reader drake{.name = "drake",
+                                    .title = "Drake",
+                                    .basis = "be259df (2026-08), read",
+                                    .like = &urdf,
+                                    .families = kFamilies,
+                                    .unread = kUnread,
+                                    .see = see};
+
+}  // namespace smurf::readers::drake_file

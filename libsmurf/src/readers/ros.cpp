@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The programs of ROS that load a URDF: urdfdom, RViz, MoveIt, KDL.
+#include "base/readers.hpp"
+
+namespace smurf::readers::ros_file {
+namespace {
+
+// rosdistro, pull requests 32566, 45868 and 50827.
+constexpr ReaderVersion kHumble[] = {{&urdfdom, {3, 0, 2}}};
+constexpr ReaderVersion kJazzy[] = {{&urdfdom, {4, 0, 2}}};
+constexpr ReaderVersion kRolling[] = {{&urdfdom, {6, 0}}};
+
+constexpr Reader humble{.name = "ros:humble",
+                        .title = "ROS Humble",
+                        .basis = "urdfdom 3.0.2; 3.0.1 executed",
+                        .like = &ros,
+                        .parts = kHumble};
+constexpr Reader jazzy{.name = "ros:jazzy",
+                       .title = "ROS Jazzy",
+                       .basis = "urdfdom 4.0.2; 4.0 compared",
+                       .like = &ros,
+                       .parts = kJazzy};
+constexpr Reader rolling{.name = "ros:rolling",
+                         .title = "ROS Rolling",
+                         .basis = "urdfdom 6.0; its pull requests read",
+                         .like = &ros,
+                         .parts = kRolling};
+constexpr const Reader* kReleases[] = {&humble, &jazzy, &rolling};
+
+}  // namespace
+
+extern constinit const Reader ros{.name = "ros",
+                                  .title = "ROS",
+                                  .basis = "as for urdfdom; MoveIt 1 (fdb79ac) read",
+                                  .like = &urdfdom,
+                                  .releases = kReleases};
+
+}  // namespace smurf::readers::ros_file

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The facts about all URDF readers; the table of a reader can override them.
+#include "readers/circumstances.hpp"
+
+namespace smurf::readers::urdf_file {
+namespace {
+
+void see_joint(const LinkedModel& model, Diagnostic& finding) {
+  const urdf::Joint* joint = part_at(model.robot->joints, finding.span.begin);
+  if (joint == nullptr) return;
+  if (joint->type == urdf::JointType::fixed) finding.when(kInFixed);
+  if (joint->type == urdf::JointType::floating) finding.when(kInFloating);
+}
+
+void see(const LinkedModel& model, std::span<Diagnostic* const> found) {
+  for (Diagnostic* finding : found) {
+    const std::vector<PlaceName> place = place_of(*finding);
+    if (contains(place, at("robot/joint"))) see_joint(model, *finding);
+    if (!contains(place, at("robot/link/inertial"))) continue;
+    const urdf::Link* link = part_at(model.robot->links, finding->span.begin);
+    if (link != nullptr && link->name.value_or("") == "world") finding->when(kOfWorld);
+  }
+}
+
+}  // namespace
+
+extern constinit const Reader urdf{
+    .name = "urdf",
+    .title = "every URDF reader",
+    .basis = "what the readers below have in common, unless their own table says otherwise",
+    .is_target = false,
+    .see = see};
+
+}  // namespace smurf::readers::urdf_file
