@@ -11,6 +11,7 @@ namespace smurf::cases {
 inline constexpr Circumstance kInMain{"in the .smurf"};
 inline constexpr Circumstance kInAnnotations{"in annotations"};
 inline constexpr Circumstance kInScene{"in a scene"};
+inline constexpr Circumstance kInCompanion{"in a file beside the robot"};
 
 // SML0004: the byte is in a URDF, where readers of XML may keep it.
 inline constexpr Circumstance kInUrdf{"in a URDF"};

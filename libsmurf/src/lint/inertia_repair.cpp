@@ -46,7 +46,7 @@ Replacement of_shapes(const urdf::Link& link, const Solid& solid, const InertiaS
               " kg/m3"};
 }
 
-std::optional<Replacement> nearest(const urdf::Inertial& inertial) {
+std::optional<Replacement> nearest_tensor(const urdf::Inertial& inertial) {
   const Tensor written = tensor_of(inertial);
   if (std::all_of(written.begin(), written.end(), [](double entry) { return entry == 0; })) {
     return std::nullopt;
@@ -59,7 +59,7 @@ std::optional<Replacement> replacement_for(const LinkedModel& model, const urdf:
                                            const InertiaSource& source) {
   const urdf::Inertial& inertial = *link.inertial;
   if (!principal_moments(inertial) || !(inertial.mass.value_or(0) > 0)) return std::nullopt;
-  if (source.from == From::nearest) return nearest(inertial);
+  if (source.from == From::nearest) return nearest_tensor(inertial);
   if (const auto solid = shapes_for(model, link, source.from)) {
     const bool is_box = source.from == From::box || !solid_of(model, link);
     return of_shapes(link, *solid, source, is_box);
@@ -68,7 +68,7 @@ std::optional<Replacement> replacement_for(const LinkedModel& model, const urdf:
   if (const auto slip = likely_slip(model, link)) {
     return Replacement{slip->tensor, *inertial.mass, slip->question};
   }
-  return nearest(inertial);
+  return nearest_tensor(inertial);
 }
 
 std::string moments_of(const Tensor& tensor) {

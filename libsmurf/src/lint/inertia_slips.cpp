@@ -33,9 +33,9 @@ double misfit(const Tensor& a, const Tensor& b) {
   return sum;
 }
 
-class Slips {
+class InertiaSlips {
  public:
-  Slips(const Tensor& written, const std::optional<Tensor>& shapes)
+  InertiaSlips(const Tensor& written, const std::optional<Tensor>& shapes)
       : written_(written), shapes_(shapes) {}
 
   /// `rarity` is how much worse the shapes must fit to make another mistake likelier.
@@ -57,7 +57,7 @@ class Slips {
   double least_ = 0;
 };
 
-void add_orders(const Tensor& t, Slips& slips) {
+void add_orders(const Tensor& t, InertiaSlips& slips) {
   // The slots of URDF in their order: ixx, ixy, ixz, iyy, iyz, izz.
   const double slots[] = {t[0], t[3], t[4], t[1], t[5], t[2]};
   slips.add({slots[0], slots[2], slots[5], slots[1], slots[3], slots[4]}, 0.5,
@@ -71,7 +71,7 @@ void add_orders(const Tensor& t, Slips& slips) {
             "iyz izz");
 }
 
-void add_signs(const Tensor& t, Slips& slips) {
+void add_signs(const Tensor& t, InertiaSlips& slips) {
   Tensor positive = t;
   for (std::size_t i = 0; i < 3; ++i) {
     positive[i] = std::fabs(t[i]);
@@ -87,7 +87,7 @@ void add_signs(const Tensor& t, Slips& slips) {
   }
 }
 
-void add_decimal_points(const Tensor& t, Slips& slips) {
+void add_decimal_points(const Tensor& t, InertiaSlips& slips) {
   for (std::size_t i = 0; i < 6; ++i) {
     for (int digits = -6; digits <= 6; ++digits) {
       Tensor one = t;
@@ -102,7 +102,7 @@ void add_decimal_points(const Tensor& t, Slips& slips) {
 }
 
 /// A tensor about the origin of the link instead of the centre of mass, or moved there twice.
-void add_offsets(const Tensor& t, double mass, const Vector3& offset, Slips& slips) {
+void add_offsets(const Tensor& t, double mass, const Vector3& offset, InertiaSlips& slips) {
   slips.add(shifted(t, -mass, offset), 0.5,
             "is it about the origin of the link? URDF has it about the centre of mass");
   slips.add(shifted(t, mass, offset), 0.5,
@@ -110,7 +110,7 @@ void add_offsets(const Tensor& t, double mass, const Vector3& offset, Slips& sli
 }
 
 /// A rod without thickness.
-void add_rods(const Tensor& t, Slips& slips) {
+void add_rods(const Tensor& t, InertiaSlips& slips) {
   const double largest = std::max({t[0], t[1], t[2]});
   for (std::size_t i = 0; i < 3; ++i) {
     if (!(std::fabs(t[i]) <= 1e-6 * largest)) continue;
@@ -150,7 +150,7 @@ std::optional<InertiaSlip> likely_slip(const LinkedModel& model, const urdf::Lin
   const Tensor written = tensor_of(inertial);
   if (is_possible(written)) return std::nullopt;
   const std::optional<Tensor> shapes = tensor_of_shapes(model, link);
-  Slips slips(written, shapes);
+  InertiaSlips slips(written, shapes);
   const Pose X = urdf::to_pose(inertial.origin);
   const Quaternion& q = X.orientation;
   add_offsets(written, inertial.mass.value_or(0), rotate({q.w, -q.x, -q.y, -q.z}, X.position),

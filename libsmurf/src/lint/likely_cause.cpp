@@ -14,7 +14,7 @@ namespace {
 struct Mistake {
   Culprit culprit;
   double mass, inertia, length;
-  double rarity;  ///< how much worse another mistake must fit to be less likely
+  double rarity;              ///< how much worse another mistake must fit to be less likely
   std::string_view question;  ///< of a shape: without "is the mesh"
 };
 using enum Culprit;
@@ -50,14 +50,14 @@ constexpr Mistake kMistakes[] = {
 
 /// Values of a material and of a body that fills its shapes, and how widely real ones spread.
 struct Usual {
-  double lightest, heaviest;             ///< kg/m3
-  double least_inertia, most_inertia;    ///< of the full shape
-  double density = 700;                  ///< kg/m3, the median of robots
-  double density_spread = std::log(3);   ///< of its logarithm
-  double inertia_spread = std::log(1.7); ///< of its logarithm
+  double lightest, heaviest;              ///< kg/m3
+  double least_inertia, most_inertia;     ///< of the full shape
+  double density = 700;                   ///< kg/m3, the median of robots
+  double density_spread = std::log(3);    ///< of its logarithm
+  double inertia_spread = std::log(1.7);  ///< of its logarithm
 };
-constexpr double kFoam = 30;    // kg/m3
-constexpr double kLead = 11340; // kg/m3
+constexpr double kFoam = 30;     // kg/m3
+constexpr double kLead = 11340;  // kg/m3
 const Usual kFullShape{kFoam, kLead, 0.3, 3};
 const Usual kBoxAround{kFoam / 3, kLead, 0.1, 3};  // part of the box is empty
 
@@ -67,8 +67,8 @@ double misfit(const Usual& usual, double density, double inertia) {
 }
 
 bool is_usual(const Usual& usual, double density, double inertia) {
-  return density >= usual.lightest && density <= usual.heaviest &&
-         inertia >= usual.least_inertia && inertia <= usual.most_inertia;
+  return density >= usual.lightest && density <= usual.heaviest && inertia >= usual.least_inertia &&
+         inertia <= usual.most_inertia;
 }
 
 bool has_only_meshes(const urdf::Link& link) {

@@ -107,7 +107,7 @@ void locate(const Companions& companions, std::span<Diagnostic> diagnostics) {
   BySource found(diagnostics);
   for (const Companion& one : companions.files) {
     if (one.srdf) locate_in(one.srdf->document, found);
-    if (one.document) locate_in(one.document, one.source, "in-companion", found);
+    if (one.document) locate_in(one.document, one.source, cases::kInCompanion, found);
   }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/sides.hpp"
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace smurf {
@@ -11,15 +11,14 @@ namespace {
 struct Side {
   std::string_view left, right;
 };
-constexpr Side kSides[] = {{"left", "right"}, {"l", "r"},   {"fl", "fr"},   {"rl", "rr"},
-                           {"hl", "hr"},      {"bl", "br"}, {"lf", "rf"},   {"lh", "rh"},
-                           {"lr", "rr"},      {"lb", "rb"}, {"ml", "mr"},   {"lm", "rm"}};
+constexpr Side kSides[] = {{"left", "right"}, {"l", "r"},   {"fl", "fr"}, {"rl", "rr"},
+                           {"hl", "hr"},      {"bl", "br"}, {"lf", "rf"}, {"lh", "rh"},
+                           {"lr", "rr"},      {"lb", "rb"}, {"ml", "mr"}, {"lm", "rm"}};
 /// Words for places that siblings have.
-constexpr std::string_view kPlaces[] = {"left",  "right", "front", "rear", "back", "middle",
-                                        "mid",   "fl",    "fr",    "rl",   "rr",   "hl",
-                                        "hr",    "bl",    "br",    "lf",   "rf",   "lh",
-                                        "rh",    "lr",    "lb",    "rb",   "ml",   "mr",
-                                        "lm",    "rm",    "l",     "r"};
+constexpr std::string_view kPlaces[] = {"left", "right", "front", "rear", "back", "middle", "mid",
+                                        "fl",   "fr",    "rl",    "rr",   "hl",   "hr",     "bl",
+                                        "br",   "lf",    "rf",    "lh",   "rh",   "lr",     "lb",
+                                        "rb",   "ml",    "mr",    "lm",   "rm",   "l",      "r"};
 
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }

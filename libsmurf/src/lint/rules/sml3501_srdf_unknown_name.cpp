@@ -93,19 +93,19 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
 using enum Effect;
 constexpr Fact kFacts[] = {
     {&readers::moveit, loses, "ignores the pair, and checks the two links for collisions",
-     "srdfdom model.cpp loadCollisionPairs", "/disable_collisions/"},
+     "srdfdom model.cpp loadCollisionPairs", at("disable_collisions")},
     {&readers::moveit, loses, "ignores the pair", "srdfdom model.cpp loadCollisionPairs",
-     "/enable_collisions/"},
+     at("enable_collisions")},
     {&readers::moveit, breaks, "drops the whole group, with all that names it",
-     "srdfdom model.cpp loadGroups", "/group/group/"},
+     "srdfdom model.cpp loadGroups", at("group/group")},
     {&readers::moveit, breaks, "drops the member of the group", "srdfdom model.cpp loadGroups",
-     "/group/"},
+     at("group")},
     {&readers::moveit, breaks, "drops the joint from the state",
-     "srdfdom model.cpp loadGroupStates", "/group_state/joint/"},
+     "srdfdom model.cpp loadGroupStates", at("group_state/joint")},
     {&readers::moveit, breaks, "drops the state", "srdfdom model.cpp loadGroupStates",
-     "/group_state/"},
+     at("group_state")},
     {&readers::moveit, breaks, "drops the end effector", "srdfdom model.cpp loadEndEffectors",
-     "/end_effector/"},
+     at("end_effector")},
     {&readers::moveit, breaks, "reports an error and ignores the element", "srdfdom model.cpp"},
 };
 
