@@ -248,8 +248,8 @@ TEST_CASE("solids: 200 closed meshes have the moments of the triangles that assi
     CAPTURE(i);
     CAPTURE(seed());
     CAPTURE(extension);
-    const Sums theirs = extension == ".dae" ? integrate(mesh)
-                                            : integrate(path, extension == ".glb");
+    const Sums theirs =
+        extension == ".dae" ? integrate(mesh) : integrate(path, extension == ".glb");
     check_same(read_mesh(bytes, extension), theirs);
   }
 }

@@ -43,8 +43,7 @@ std::map<std::string, Change> fix_inertias(const LintOptions& options, const Lin
     std::vector<Diagnostic> repairs = repair_inertias(loaded.model, options.inertia);
     std::erase_if(repairs, [&](const Diagnostic& one) {
       const std::string& file = sources.path(one.span.source);
-      return changes.contains(file) ||
-             (file != plan.standard_input && changeable.is_denied(file));
+      return changes.contains(file) || (file != plan.standard_input && changeable.is_denied(file));
     });
     for (const Diagnostic& one : repairs) {
       if (options.quiet) break;

@@ -38,8 +38,8 @@ Row cells_of(const LinkMass& row, const Write& write) {
   const auto cell = [&](const std::optional<double>& value) {
     return value ? write(*value) : std::string();
   };
-  return {render::escape(row.link),          cell(row.mass),     cell(row.volume),
-          cell(row.density), cell(row.gyration), verdict_of(row)};
+  return {render::escape(row.link), cell(row.mass),     cell(row.volume),
+          cell(row.density),        cell(row.gyration), verdict_of(row)};
 }
 
 /// Quotes a cell that contains a comma, a quote or the end of a line.
@@ -70,8 +70,7 @@ std::string table_of(const std::vector<LinkMass>& masses) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string gap(widths[i] - row[i].size(), ' ');
-      line += (i == 0 ? "" : "  ") +
-              (i == kNames || i == kVerdicts ? row[i] + gap : gap + row[i]);
+      line += (i == 0 ? "" : "  ") + (i == kNames || i == kVerdicts ? row[i] + gap : gap + row[i]);
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
@@ -84,8 +83,10 @@ std::string csv_of(const std::vector<LinkMass>& masses) {
   for (const LinkMass& one : masses) {
     const Row cells = cells_of(one, [](double value) { return format_number(value); });
     text += quoted_cell(cells[0]) + "," + cells[1] + "," + cells[2] + "," +
-            (!one.volume ? "" : one.is_box ? "box" : "shapes") + "," + cells[3] + "," + cells[4] +
-            "," + quoted_cell(cells[5]) + "\n";
+            (!one.volume  ? ""
+             : one.is_box ? "box"
+                          : "shapes") +
+            "," + cells[3] + "," + cells[4] + "," + quoted_cell(cells[5]) + "\n";
   }
   return text;
 }

@@ -13,8 +13,8 @@
 #include "common/report.hpp"
 #include "smurf/inertia_repair.hpp"
 #include "smurf/limits.hpp"
-#include "smurf/load.hpp"
 #include "smurf/lint.hpp"
+#include "smurf/load.hpp"
 #include "smurf/rename.hpp"
 
 namespace smurf::tools {

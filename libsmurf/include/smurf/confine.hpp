@@ -19,10 +19,10 @@ namespace smurf {
 /// A shared folder is never opened as a whole. Shared are `/`, the folders directly below it unless
 /// they are repositories, home folders, and all folders above a home folder. So a project ends
 /// below the shared folders around it, and a shared current folder allows nothing. Where the input
-/// itself lies in a shared folder, the files beside it and in its subfolders are read, except hidden
-/// ones; around home folders, only those beside it. Where a shared folder is to be searched, only configurations and ignore files in it are read: what is
-/// found must be confined as an input of its own.
-/// The data of the repository (.git, .hg, .svn) are not part of the project, except for
+/// itself lies in a shared folder, the files beside it and in its subfolders are read, except
+/// hidden ones; around home folders, only those beside it. Where a shared folder is to be searched,
+/// only configurations and ignore files in it are read: what is found must be confined as an input
+/// of its own. The data of the repository (.git, .hg, .svn) are not part of the project, except for
 /// .git/info/exclude.
 /// `allow_outside` allows every file.
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,

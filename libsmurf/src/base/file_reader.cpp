@@ -101,7 +101,7 @@ std::string DiskFiles::identity(const std::string& path) const {
 struct ConfinedFiles::Allowed {
   using Paths = std::set<std::string, std::less<>>;
   bool everything = false;
-  Paths whole;  ///< with all that is in them
+  Paths whole;     ///< with all that is in them
   Paths files_in;  ///< with what is in them and below, except hidden files and folders
   std::set<std::pair<std::string, std::string>, std::less<>> named;  ///< name and folder
   std::map<std::string, std::string, std::less<>> denied;            ///< denied names

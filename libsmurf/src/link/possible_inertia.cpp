@@ -53,8 +53,7 @@ Tensor rotated(const Tensor& tensor, const Quaternion& rotation) {
 
 Tensor shifted(const Tensor& tensor, double factor, const Vector3& offset) {
   const Eigen::Vector3d d(offset[0], offset[1], offset[2]);
-  const Eigen::Matrix3d point =
-      d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose();
+  const Eigen::Matrix3d point = d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose();
   return entries_of(matrix_of(tensor) + factor * point);
 }
 

@@ -169,10 +169,9 @@ Solid joined(const Solid& a, const Solid& b) {
   }
   for (std::size_t k = 0; k < kPairs.size(); ++k) {
     const auto [i, j] = kPairs[k];
-    sum.second[k] =
-        a.second[k] + b.second[k] +
-        a.volume * (a.center[i] - sum.center[i]) * (a.center[j] - sum.center[j]) +
-        b.volume * (b.center[i] - sum.center[i]) * (b.center[j] - sum.center[j]);
+    sum.second[k] = a.second[k] + b.second[k] +
+                    a.volume * (a.center[i] - sum.center[i]) * (a.center[j] - sum.center[j]) +
+                    b.volume * (b.center[i] - sum.center[i]) * (b.center[j] - sum.center[j]);
   }
   return sum;
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "base/quoted.hpp"
+#include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "base/utf8.hpp"
-#include "base/rules.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

@@ -5,9 +5,9 @@
 
 #include "base/limits.hpp"
 #include "base/quoted.hpp"
+#include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "base/utf8.hpp"
-#include "base/rules.hpp"
 #include "xacro/python_text.hpp"
 
 namespace smurf::xacro {

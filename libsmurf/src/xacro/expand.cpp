@@ -6,8 +6,8 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
-#include "base/words.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "base/quoted.hpp"
-#include "base/utf8.hpp"
 #include "base/rules.hpp"
+#include "base/utf8.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

@@ -5,9 +5,9 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
+#include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "base/words.hpp"
-#include "base/rules.hpp"
 #include "syntax/xml_reader.hpp"
 #include "xacro/expander.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "base/limits.hpp"
 #include "base/quoted.hpp"
-#include "base/suggest.hpp"
 #include "base/rules.hpp"
+#include "base/suggest.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 

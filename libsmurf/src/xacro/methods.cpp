@@ -6,8 +6,8 @@
 
 #include "base/path.hpp"
 #include "base/quoted.hpp"
-#include "base/utf8.hpp"
 #include "base/rules.hpp"
+#include "base/utf8.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

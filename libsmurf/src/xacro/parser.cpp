@@ -2,8 +2,8 @@
 // Texts of operators, and each expression parsed once.
 #include <algorithm>
 
-#include "base/words.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 #include "xacro/parser.hpp"
 
 namespace smurf::xacro {

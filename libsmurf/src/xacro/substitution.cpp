@@ -4,9 +4,9 @@
 
 #include "base/path.hpp"
 #include "base/quoted.hpp"
+#include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "base/words.hpp"
-#include "base/rules.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 

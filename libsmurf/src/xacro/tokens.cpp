@@ -6,9 +6,9 @@
 #include <cctype>
 
 #include "base/path.hpp"
+#include "base/rules.hpp"
 #include "base/utf8.hpp"
 #include "base/words.hpp"
-#include "base/rules.hpp"
 #include "xacro/python_text.hpp"
 
 namespace smurf::xacro {

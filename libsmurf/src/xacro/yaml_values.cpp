@@ -7,8 +7,8 @@
 
 #include "base/path.hpp"
 #include "base/quoted.hpp"
-#include "base/words.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 #include "syntax/yaml_reader.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
