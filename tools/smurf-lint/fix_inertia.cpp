@@ -13,8 +13,6 @@
 namespace smurf::tools {
 namespace {
 
-constexpr std::string_view kTool = "smurf-lint";
-
 /// Files that several models read are repaired once.
 std::vector<std::string> paths_of(const LintPlan& plan) {
   std::vector<std::string> paths;
@@ -47,9 +45,9 @@ std::map<std::string, Change> fix_inertias(const LintOptions& options, const Lin
     });
     for (const Diagnostic& one : repairs) {
       if (options.quiet) break;
-      complain(kTool, render::escape(sources.path(one.span.source)) + ":" +
-                          std::to_string(sources.line_of(one.span.source, one.span.begin)) + ": " +
-                          render::escape(one.message) + "; " + one.notes.front());
+      complain(kSmurfLint, render::escape(sources.path(one.span.source)) + ":" +
+                               std::to_string(sources.line_of(one.span.source, one.span.begin)) +
+                               ": " + render::escape(one.message) + "; " + one.notes.front());
     }
     for (FixedText& file : apply_fixes(repairs, sources, Applicability::unsafe).texts) {
       Change& change = changes[file.path];

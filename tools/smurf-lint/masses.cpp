@@ -17,7 +17,6 @@
 namespace smurf::tools {
 namespace {
 
-constexpr std::string_view kTool = "smurf-lint";
 using Row = std::array<std::string, 6>;
 constexpr std::size_t kNames = 0;
 constexpr std::size_t kVerdicts = 5;
@@ -100,21 +99,22 @@ ExitCode show_masses(const LintOptions& options) {
   disk.allow(options.config);
   const InputFiles files(disk);
   Session session(files, options.limits);
-  const std::optional<std::string> path = find_main_file(kTool, options.masses, session.files());
+  const std::optional<std::string> path =
+      find_main_file(kSmurfLint, options.masses, session.files());
   if (!path) return kFailed;
   const InputKind kind = input_kind(*path);
   if (kind != InputKind::model && kind != InputKind::urdf) {
-    complain(kTool, "'" + options.masses + "' is not a model or URDF");
+    complain(kSmurfLint, "'" + options.masses + "' is not a model or URDF");
     return kFailed;
   }
   const LoadedModel loaded = session.load_model(*path, check_settings(options));
   if (!loaded.model.robot) {
-    complain(kTool, "'" + options.masses + "' has no robot that can be read");
+    complain(kSmurfLint, "'" + options.masses + "' has no robot that can be read");
     return kFailed;
   }
-  if (!keeps_inputs(kTool, files, std::span(&options.output, 1))) return kFailed;
+  if (!keeps_inputs(kSmurfLint, files, std::span(&options.output, 1))) return kFailed;
   const std::vector<LinkMass> masses = masses_of(loaded.model);
-  return write_output(kTool, options.output, options.csv ? csv_of(masses) : table_of(masses))
+  return write_output(kSmurfLint, options.output, options.csv ? csv_of(masses) : table_of(masses))
              ? kDone
              : kFailed;
 }
