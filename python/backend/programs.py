@@ -104,9 +104,13 @@ def from_source(work, reason):
     lacks = [tool for tool in ("cmake", "ninja") if shutil.which(tool) is None]
     if not any(shutil.which(compiler) for compiler in (os.environ.get("CXX") or "c++", "g++", "clang++")):
         lacks.append("a C++ compiler")
+    packages = missing_packages()
+    if packages:
+        raise NoPrograms(f"{reason}, and to compile it needs packages that are not installed. Run this first:\n"
+                         f"  sudo apt install {' '.join(packages)}")
     if lacks:
         raise NoPrograms(f"{reason}, and to compile it needs {' and '.join(lacks)}, which {'is' if len(lacks) == 1 else 'are'} "
-                         "not here. SMURF_PREBUILT=FOLDER takes the programs of a folder")
+                         "not here. The top of scripts/setup lists all that it needs; SMURF_PREBUILT=FOLDER takes the programs of a folder")
     say(f"compiles the programs ({reason}); this takes some minutes")
     build, stage = work / "build", work / "stage"
     has_headers = pathlib.Path(sysconfig.get_path("include"), "Python.h").is_file()
@@ -118,6 +122,14 @@ def from_source(work, reason):
     run("cmake", "--build", build)
     run("cmake", "--install", build, "--prefix", stage, "--strip")
     return from_folder(stage / "bin", stage / "python/smurf")
+
+
+def missing_packages():
+    """Packages of Debian and Ubuntu that compiling needs and that are not installed; nothing on other systems."""
+    if shutil.which("dpkg-query") is None or shutil.which("bash") is None or not (ROOT / "scripts/setup").exists():
+        return []
+    asked = subprocess.run(["bash", ROOT / "scripts/setup", "--tools", "--print"], stdout=subprocess.PIPE, text=True, check=False)
+    return asked.stdout.split() if asked.returncode == 0 else []
 
 
 def run(*command):

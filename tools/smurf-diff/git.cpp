@@ -92,8 +92,8 @@ class GitDiff {
     if (!old_text || !new_text) return "cannot be read\n";
     const std::string model = model_of(after_.path, disk_);
     const bool is_part = model != after_.path;
-    Version before{is_part ? model : before_.path, before_.path, before_.path, *old_text};
-    Version after{model, after_.path, after_.path, *new_text};
+    InputVersion before{is_part ? model : before_.path, before_.path, before_.path, *old_text};
+    InputVersion after{model, after_.path, after_.path, *new_text};
     Compared compared = compare_versions(session_, before, after, options_);
     if (is_part && !compared.is_known()) {  // another part of the model is broken
       before.path = before_.path;

@@ -22,14 +22,14 @@ namespace {
 
 /// The file for an operand, which may be in an archive. Reports an error and returns none if it
 /// cannot be read or compared.
-std::optional<Version> open(const std::string& operand, const Options& options,
-                            const Session& session) {
+std::optional<InputVersion> open(const std::string& operand, const Options& options,
+                                 const Session& session) {
   if (operand == "-") {
     MemoryFiles memory;
     const auto name =
         read_standard_input(kSmurfDiff, options.stdin_filename, options.limits, memory);
     if (!name) return std::nullopt;
-    return Version{*name, "-", *name, memory.read(*name, options.limits.file_bytes).text};
+    return InputVersion{*name, "-", *name, memory.read(*name, options.limits.file_bytes).text};
   }
   if (const auto reason = why_unreadable(operand, session.files())) {
     complain(kSmurfDiff, "cannot read '" + operand + "': " + *reason);
@@ -42,7 +42,7 @@ std::optional<Version> open(const std::string& operand, const Options& options,
     complain(kSmurfDiff, "'" + operand + "' is not a model, scene, URDF or annotation file");
     return std::nullopt;
   }
-  return Version{*path, operand};
+  return InputVersion{*path, operand};
 }
 
 std::string render(const Compared& compared, const Session& session, const Options& options,

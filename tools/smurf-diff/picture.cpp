@@ -6,7 +6,7 @@
 
 namespace smurf::tools {
 
-std::string picture_of(Session& session, const Version& before, const Version& after,
+std::string picture_of(Session& session, const InputVersion& before, const InputVersion& after,
                        const Options& options) {
   if (!find_scene_format("html")->obstacle().empty()) return {};
   if (input_kind(after.path) == InputKind::annotation) return {};
@@ -14,7 +14,7 @@ std::string picture_of(Session& session, const Version& before, const Version& a
   if (!current) return {};
   CheckSettings settings;
   settings.packages = options.packages;
-  const auto scene_of = [&](const Version& version) {
+  const auto scene_of = [&](const InputVersion& version) {
     const ReplacedText replaced(session, version);
     return PicturedScene(session, version.path, settings, *current);
   };

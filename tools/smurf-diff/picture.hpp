@@ -10,7 +10,7 @@ namespace smurf::tools {
 
 /// The page of write_both_versions(); "" for annotation files, if the poses of a version are
 /// unknown, and if this build has no viewer.
-std::string picture_of(Session& session, const Version& before, const Version& after,
+std::string picture_of(Session& session, const InputVersion& before, const InputVersion& after,
                        const Options& options);
 
 }  // namespace smurf::tools

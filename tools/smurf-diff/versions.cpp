@@ -68,13 +68,13 @@ bool is_scene(std::string_view path) {
 }
 
 template <class Load>
-auto load(Session& session, const Version& version, const Load& load) {
+auto load(Session& session, const InputVersion& version, const Load& load) {
   const ReplacedText replaced(session, version);
   return load(version.path);
 }
 
 template <class Load, class Linked>
-Compared compare_loaded(Session& session, const Version& before, const Version& after,
+Compared compare_loaded(Session& session, const InputVersion& before, const InputVersion& after,
                         const DiffOptions& how, bool for_git, const Load& load_one, Linked linked) {
   Compared result;
   auto old_version = load(session, before, load_one);
@@ -95,12 +95,12 @@ Compared compare_loaded(Session& session, const Version& before, const Version& 
 
 }  // namespace
 
-Compared compare_versions(Session& session, const Version& before, const Version& after,
+Compared compare_versions(Session& session, const InputVersion& before, const InputVersion& after,
                           const Options& options) {
   Compared result;
   if (is_scene(before.path) != is_scene(after.path)) {
-    const Version& scene = is_scene(before.path) ? before : after;
-    const Version& model = is_scene(before.path) ? after : before;
+    const InputVersion& scene = is_scene(before.path) ? before : after;
+    const InputVersion& model = is_scene(before.path) ? after : before;
     result.problem = "'" + scene.shown + "' is a scene and '" + model.shown +
                      "' a model; a scene can only be compared with a scene";
     return result;

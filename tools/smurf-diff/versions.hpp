@@ -13,7 +13,7 @@
 namespace smurf::tools {
 
 /// A file, and the text that one version has in its place.
-struct Version {
+struct InputVersion {
   std::string path;           ///< the path to load
   std::string shown;          ///< name in messages
   std::string replaced = {};  ///< the file whose text is replaced; "": none
@@ -23,7 +23,7 @@ struct Version {
 /// Puts the text of a version in its place while it is loaded. Others may be loaded there later.
 class ReplacedText {
  public:
-  ReplacedText(Session& session, const Version& version)
+  ReplacedText(Session& session, const InputVersion& version)
       : session_(session), replaced_(version.replaced) {
     if (!replaced_.empty()) session_.set_text(replaced_, version.text);
   }
@@ -49,7 +49,7 @@ struct Compared {
   bool is_known() const { return problem.empty() && trouble.empty(); }
 };
 
-Compared compare_versions(Session& session, const Version& before, const Version& after,
+Compared compare_versions(Session& session, const InputVersion& before, const InputVersion& after,
                           const Options& options);
 
 }  // namespace smurf::tools
