@@ -48,11 +48,13 @@ def compare(tools, example, fixtures) -> int:
         # Losses belong to the converters, not to the check.
         converted = [line for line in findings(tools.run(*converter, "--report", "concise", entry))
                      if "[SML8" not in line]
+        # Converters read no companions of a robot (SRDF, controllers, MoveIt).
+        of_robot = [line for line in expected if not re.search(r"\[SML3[5-8]", line)]
         compared += 1
         found += len(expected)
         shown = findings(subprocess.run([example, entry], capture_output=True, text=True, timeout=60, check=False))
-        for what, actual in ((converter[0], converted), ("the example", shown)):
-            if actual != expected:
+        for what, actual, wanted in ((converter[0], converted, of_robot), ("the example", shown, expected)):
+            if actual != wanted:
                 faults += 1
                 print(f"{entry}: {what} finds\n  " + "\n  ".join(actual) + "\nand smurf-lint\n  " + "\n  ".join(expected))
     print(f"compared {compared} files with {found} findings")

@@ -64,7 +64,7 @@ class Pages(cli.CliTest):
             self.skipTest("only smurf-lint takes rules")
         self.assertEqual(self.complete("--explain", "SML3101"), ["SML3101"])
         self.assertEqual(self.complete("--explain", "unknown-joi"), ["unknown-joint"])
-        self.assertEqual(self.complete("--explain", "controll"), ["controllers"])
+        self.assertEqual(self.complete("--explain", "controllers"), ["controllers"])
         self.assertEqual(self.complete("--severity", "SML3101"), ["SML3101"])
         self.assertEqual(self.complete("--severity", "SML3101", "=", "w"), ["warning"])
         self.assertEqual(self.complete("--severity", "SML3101", "="), ["error", "warning", "info"])

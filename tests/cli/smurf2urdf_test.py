@@ -102,6 +102,13 @@ class Options(ExportTest):
                               "all; did you mean 'limits'?", "arm/smurf/arm.smurf", "--apply",
                               "limit")
 
+    def test_applied_colours_are_proven_with_applied_mimics(self):
+        self.change("materials", "diffuseColor: {r: 0.1, g: 0.3, b: 0.7",
+                    "diffuseColor: {r: 0.1, g: 0.3, b: 0.5")
+        changed = self.export("--apply", "all")
+        self.assertIn('rgba="0.1 0.3 0.5 1"', changed)
+        self.assertEqual(changed, self.export("--apply", "materials"))
+
     def test_everything_at_once_is_proven(self):
         done = self.run_with_messages(
             0, "arm/smurf/arm.smurf", "-o", "o.urdf", "--apply", "all", "--collapse-fixed",

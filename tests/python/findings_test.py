@@ -34,7 +34,8 @@ def test_loaded_models_and_scenes():
     """Loads and then checks, twice."""
     for path in inputs.fixtures():
         load = smurf.load_scene if inputs.is_scene(path) else smurf.load_model
-        expected = [str(finding) for finding in smurf.check(path)]
+        # What was loaded has no companions, such as SRDFs (SML35 to SML38).
+        expected = [str(finding) for finding in smurf.check(path) if not "SML35" <= finding.id < "SML39"]
         try:
             loaded = load(path)
         except smurf.Error as error:
@@ -101,5 +102,4 @@ def test_unsaved_texts(tmp_path):
     session.set_text(path, '<robot name="a"><link name="l"/></robot>')
     assert [finding.id for finding in session.check(path)] == before
     session.clear_text(path)
-    with pytest.raises(smurf.Error):
-        session.check(path)
+    assert [finding.id for finding in session.check(path)] == ["SML0001"]

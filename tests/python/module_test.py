@@ -182,7 +182,8 @@ def test_messages_are_plain(tmp_path):
 
 def test_unreadable(tmp_path):
     for path in (tmp_path / "none.smurf", tmp_path, "", "/dev/null", tmp_path / "no/urdf.urdf"):
-        for load in (smurf.check, smurf.load_model, smurf.load_scene):
+        assert [finding.id for finding in smurf.check(path)] == ["SML0001"]
+        for load in (smurf.load_model, smurf.load_scene):
             with pytest.raises(smurf.Error):
                 load(path)
     broken = tmp_path / "broken.urdf"

@@ -101,6 +101,40 @@ TEST_CASE("annotations are applied where they differ, and only there") {
                  "    <mimic joint=\"hinge\" multiplier=\"2\" offset=\"0\"/>\n  </joint>"));
 }
 
+TEST_CASE("an annotation reaches all definitions of a material, and the proof expects that") {
+  const std::string ball = "<visual><geometry><sphere radius=\"1\"/></geometry>";
+  const std::string eye =
+      "<link name=\"eye\">" + ball + "<material name=\"blue\"/></visual></link>";
+  const std::string shade =
+      "<link name=\"shade\">" + ball +
+      "<material name=\"blue\"><color rgba=\"0 0 1 1\"/></material></visual>" + ball +
+      "<material name=\"blue\"><color rgba=\"0 0 0.5 1\"/></material>"
+      "</visual></link>";
+  const std::string urdf =
+      replaced(replaced(kUrdf, "<link name=\"eye\"/>", eye), "<link name=\"shade\"/>", shade);
+  const Read lamp(urdf, R"(materials:
+- {name: blue, shininess: 3}
+- {name: blue, diffuseColor: {r: 0, g: 0, b: 0.25, a: 1}}
+- {name: blue, diffuseColor: {r: 0, g: 0, b: 0.75, a: 1}}
+)");
+  UrdfExport options;
+  options.apply.materials = true;
+  const Exported exported(lamp, options);
+  CHECK(exported.text ==
+        replaced(replaced(urdf, "0 0 1 1\"", "0 0 0.25 1\""), "0 0 0.5 1\"", "0 0 0.25 1\""));
+
+  const auto difference = [&](const std::string& text, const UrdfExport& scope) {
+    return compare_models(lamp.model, Read(text).model, proof_scope(scope)).difference;
+  };
+  CHECK(difference(exported.text, options).empty());
+  CHECK(difference(exported.text, {}) == "the material of a visual of the link `eye` differs");
+  CHECK(difference(urdf, options) == "the material of a visual of the link `eye` differs");
+  CHECK(difference(replaced(urdf, "0 0 0.5 1\"", "0 0 1 1\""), {}) ==
+        "the material of a visual of the link `shade` differs");
+  CHECK(difference(replaced(exported.text, "1.0 0 0 1", "0 1 0 1"), options) ==
+        "the material of a visual of the link `bulb` differs");
+}
+
 TEST_CASE("comments and extensions are taken away with their lines") {
   UrdfExport options;
   options.strips_comments = true;

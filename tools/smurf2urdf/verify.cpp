@@ -51,6 +51,7 @@ Verification verify(const LinkedModel& model, const SourceMap& sources, const st
   verification.strict_fault = why_strict_readers_refuse(result, urdf);
   if (options.apply.mimic) {
     Plain source(sources.text(model.robot->document.source));
+    source.model.annotations.materials = model.annotations.materials;
     source.forget_mimics();
     plain.forget_mimics();
     verification.proof = compare_models(source.model, result, proof_scope(options));

@@ -23,6 +23,7 @@ struct Member {
   Text base, tip;  ///< of a chain
 };
 
+/// A `group`, a set of links, joints, chains and other groups.
 struct Group {
   xml::ElementId element = xml::kNoElement;
   Text name;
@@ -35,17 +36,20 @@ struct StateJoint {
   Text name, value;
 };
 
+/// A `group_state`: positions of the joints of a group.
 struct GroupState {
   xml::ElementId element = xml::kNoElement;
   Text name, group;
   std::vector<StateJoint> joints;
 };
 
+/// An `end_effector`: a group that is attached to a link of another group.
 struct EndEffector {
   xml::ElementId element = xml::kNoElement;
   Text name, group, parent_link, parent_group;
 };
 
+/// A `virtual_joint` between the world and the root link.
 struct VirtualJoint {
   xml::ElementId element = xml::kNoElement;
   Text name, type, parent_frame, child_link;
@@ -58,11 +62,13 @@ struct LinkPair {
   Text link1, link2, reason;
 };
 
+/// A `passive_joint`, which no motor moves.
 struct PassiveJoint {
   xml::ElementId element = xml::kNoElement;
   Text name;
 };
 
+/// A `joint_property` or one of its older forms: a named value of a joint.
 struct JointProperty {
   xml::ElementId element = xml::kNoElement;
   Text joint, property, value;

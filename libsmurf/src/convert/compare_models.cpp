@@ -25,7 +25,11 @@ double relative_difference(double a, double b) {
 class Comparison {
  public:
   Comparison(const LinkedModel& source, const LinkedModel& result, const ProofScope& scope)
-      : source_(source), result_(result), scope_(scope) {}
+      : source_(source),
+        result_(result),
+        scope_(scope),
+        source_values_(source),
+        result_values_(result) {}
 
   Proof run() {
     for (const urdf::Link& link : source_.robot->links) merges(link);
@@ -131,30 +135,30 @@ class Comparison {
     if (!(proof_.inertia <= kTolerance)) note("the inertia differs");
   }
 
-  /// What a reader of a URDF shows: the colour and the texture of a visual, or those of the robot's
-  /// material of the same name.
+  /// What a reader of a URDF shows: the colour and the texture of a visual, or those of the
+  /// definition of its material, which may be in another link.
   struct Look {
     std::optional<std::array<double, 4>> color;
     bool has_texture = false;
     friend bool operator==(const Look&, const Look&) = default;
   };
-  static Look look_of(const urdf::Visual& visual, const LinkedModel& model) {
+  static Look look_of(const urdf::Visual& visual, const AnnotationValues& values) {
     if (!visual.material) return {};
     const urdf::Material* material = &*visual.material;
-    if (!material->rgba && !material->texture && material->name) {
-      for (const urdf::Material& known : model.robot->materials) {
-        if (known.name && *known.name == *material->name) material = &known;
-      }
+    const bool is_shared = material->name && !material->name->empty();
+    if (is_shared && !material->rgba && !material->texture) {
+      material = values.definition(*material->name);
     }
     return {material->rgba.value(), material->texture.has_value()};
   }
   /// The look that the annotations give a visual, if they may be applied.
   Look expected_look(const urdf::Visual& visual) const {
-    Look look = look_of(visual, source_);
+    Look look = look_of(visual, source_values_);
     const Field<std::string> name = visual.material ? visual.material->name : Field<std::string>();
     if (!scope_.may_change_materials || !name || name->empty()) return look;
     for (const MaterialAnnotation& entry : source_.annotations.materials) {
       if (!entry.name || *entry.name != *name) continue;
+      if (!entry.diffuse_color && !entry.diffuse_texture) continue;
       if (entry.diffuse_color) look.color = rgba_of(*entry.diffuse_color);
       if (entry.diffuse_texture) look.has_texture = true;
       return look;
@@ -174,7 +178,7 @@ class Comparison {
         continue;
       }
       for (std::size_t i = 0; i < link.visuals.size(); ++i) {
-        if (expected_look(link.visuals[i]) == look_of(others[i], result_)) continue;
+        if (expected_look(link.visuals[i]) == look_of(others[i], result_values_)) continue;
         note("the material of a visual of the link `" + *link.name + "` differs");
       }
     }
@@ -240,6 +244,7 @@ class Comparison {
   const LinkedModel& source_;
   const LinkedModel& result_;
   const ProofScope& scope_;
+  AnnotationValues source_values_, result_values_;
   std::set<std::string_view> merged_links_, merged_joints_;
   Proof proof_;
 };

@@ -26,8 +26,8 @@ inline constexpr double kNegligibleMass = 0.01;  // kg
 inline constexpr double kSmallestPart = 0.002;  // kg
 /// Density of osmium; nothing is heavier.
 inline constexpr double kHeaviestMaterial = 22600;  // kg/m3
-/// Density of air.
-inline constexpr double kLightestMaterial = 1.2;  // kg/m3
+/// Less than half of the density of air. Boxes of a metre with a kilogram are usual placeholders.
+inline constexpr double kLightestMaterial = 0.5;  // kg/m3
 /// Parts of a robot are nearer to each other; farther origins are reported (SML1442).
 inline constexpr double kFarthestOrigin = 10;  // m
 

@@ -38,11 +38,11 @@ class SrdfNames {
       add_text({NameKind::group}, one.group, one.element, finder_);
       add_text({NameKind::group}, one.parent_group, one.element, finder_);
     }
+    for (const srdf::PassiveJoint& one : srdf_.passive_joints) joint(one.name, one.element);
     for (const srdf::LinkPair& one : srdf_.pairs) {
       link(one.link1, one.element);
       link(one.link2, one.element);
     }
-    for (const srdf::PassiveJoint& one : srdf_.passive_joints) joint(one.name, one.element);
     for (const srdf::JointProperty& one : srdf_.properties) joint(one.joint, one.element);
     for (const srdf::LinkEntry& one : srdf_.links) link(one.link, one.element);
   }
