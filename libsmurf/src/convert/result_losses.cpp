@@ -152,7 +152,9 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Source
 bool is_about_world_setting(const Diagnostic& finding, const LinkedScene& scene) {
   for (const SceneFile& file : scene.scenes) {
     if (file.source != finding.span.source || !file.document) continue;
-    for (const yaml::View key : file.document->view()) {
+    const yaml::View root = file.document->view();  // none in an empty file
+    if (!root || !root.is_mapping()) continue;
+    for (const yaml::View key : root) {
       const Span span = key.span();
       const bool is_inside =
           key.key_span().begin <= finding.span.begin && finding.span.end <= span.end;
