@@ -93,7 +93,7 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   for (const std::vector<std::size_t>& group : siblings_of(names)) {
     std::vector<Sibling> members;
-    for (const std::size_t index : group) members.push_back(links[index]);
+    for (const std::size_t member : group) members.push_back(links[member]);
     report(model, members, findings);
   }
 }

@@ -13,8 +13,7 @@ const Companion* file_of(const Companions& companions, const Reference& one) {
   return nullptr;
 }
 
-void check_group(const Companion& file, const srdf::Description& srdf, const Reference& one,
-                 Findings& findings) {
+void check_group(const srdf::Description& srdf, const Reference& one, Findings& findings) {
   if (srdf.find_group(one.name) != nullptr) return;
   std::vector<std::string_view> known;
   for (const srdf::Group& group : srdf.groups) {
@@ -49,7 +48,7 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
     if (file == nullptr || file->srdf || file->kind == CompanionKind::controllers) continue;
     if (one.kinds == NameKind::group) {
       if (srdf != nullptr && file->folder == only->folder) {
-        check_group(*file, *srdf, one, findings);
+        check_group(*srdf, one, findings);
       }
     } else if (one.kinds == NameKind::joint && !one.is_known()) {
       // SRDFs define virtual joints.
