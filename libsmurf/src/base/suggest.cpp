@@ -362,6 +362,9 @@ without_own(std::string_view name, std::string_view own, std::span<const std::st
     return std::nullopt;
   }
   std::vector<std::string_view> others;
+  // A copy for each of many names would take a time that grows with their square.
+  constexpr std::size_t kMostCopied = 1000;
+  if (known.size() > kMostCopied) return others;
   others.reserve(known.size());
   std::copy_if(known.begin(), known.end(), std::back_inserter(others),
                [&](std::string_view one) { return one != own; });
