@@ -117,11 +117,11 @@ class Parser {
   }
 
   struct Level {
-    explicit Level(int& depth) : depth_(depth) { ++depth_; }
-    ~Level() { --depth_; }
+    explicit Level(int& of) : depth(of) { ++depth; }
+    ~Level() { --depth; }
     Level(const Level&) = delete;
     Level& operator=(const Level&) = delete;
-    int& depth_;
+    int& depth;
   };
 
   const Syntax* test() {
