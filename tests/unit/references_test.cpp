@@ -291,7 +291,7 @@ TEST_CASE("names in an SRDF") {
     found += std::string(to_string(reference.kind)) + " " + std::string(reference.name) + "\n";
   }
   CHECK(found == "group all\nlink base\nlink tip\njoint elbow\ngroup more\ngroup all\ngroup all\n"
-                 "joint elbow\nlink tip\ngroup all\nlink base\nlink tip\njoint wrist\n");
+                 "joint elbow\nlink tip\ngroup all\njoint wrist\nlink base\nlink tip\n");
 }
 
 TEST_CASE("names in a scene") {
