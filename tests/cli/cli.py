@@ -60,6 +60,12 @@ class CliTest(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="smurf-cli-"))
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
 
+    def leave_repository(self):
+        """Moves the current folder out of the build folder, into a place without a repository or package around it."""
+        outside = pathlib.Path(tempfile.mkdtemp(prefix="smurf-cli-", dir="/tmp"))
+        self.addCleanup(shutil.rmtree, outside, ignore_errors=True)
+        self.folder = shutil.copytree(self.folder, outside, dirs_exist_ok=True)
+
     def write(self, path, text):
         target = self.folder / path
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -28,6 +28,7 @@ class Files(IgnoreTest):
         self.write_all("a.urdf", "old/b.urdf", "robots/c.urdf", "robots/old/d.urdf")
 
     def test_gitignore_counts_in_a_repository(self):
+        self.leave_repository()
         self.write(".gitignore", "old/\n")
         self.assertEqual(len(self.listed()), 4)
         (self.folder / ".git").mkdir()
@@ -35,6 +36,17 @@ class Files(IgnoreTest):
         self.assertEqual(len(self.listed("--no-ignore-files")), 4)
         self.write("robots/.gitignore", "!old/\n")
         self.assertEqual(self.listed("robots"), ["robots/c.urdf", "robots/old/d.urdf"])
+
+    def test_an_ignored_folder_may_be_a_repository(self):
+        """As in workspaces, whose repository ignores the folder of its clones."""
+        self.write(".gitignore", "robots\n")
+        for folder in (".", "robots"):
+            (self.folder / folder / ".git").mkdir()
+        self.assertEqual(self.listed("robots"), ["robots/c.urdf", "robots/old/d.urdf"])
+        self.assertEqual(self.listed("robots/c.urdf", "robots/old/d.urdf", "--force-exclude"),
+                         ["robots/c.urdf", "robots/old/d.urdf"])
+        self.write(".smurf-lintignore", "robots\n")
+        self.assertEqual(self.listed("robots/c.urdf", "a.urdf", "--force-exclude"), ["a.urdf"])
 
     def test_comparisons_with_patterns_are_bounded(self):
         for patterns, text in ((".smurf-lintignore", "x*y\n" * 500), (".smurf-lint.yaml", "exclude:\n" + "- x*y\n" * 500)):

@@ -287,7 +287,7 @@ class WritingTest(unittest.TestCase):
             "smurf-lint --baseline {}known.yaml --generate-baseline {}r.urdf": ["known.yaml"],
             "smurf-diff -o {}diff.json --format json {}r.urdf {}broken.urdf": ["diff.json"],
         }
-        ways = [(".", ""), (".", "./"), ("inner", "../"), ("..", "work/"), (".", f"{work}/"), ("/", f"{work}/"),
+        ways = [(".", ""), (".", "./"), ("inner", "../"), ("..", "copy/"), (".", f"{work}/"), ("/", f"{work}/"),
                 (".", "inner/../")]
         for command, outputs in commands.items():
             program, *arguments = command.split()
@@ -296,7 +296,7 @@ class WritingTest(unittest.TestCase):
                     copy = self.folder / "copy"
                     shutil.rmtree(copy, ignore_errors=True)
                     shutil.copytree(work, copy)
-                    words = [word.format(way.replace(str(work), str(copy)).replace("work/", "copy/")) for word in arguments]
+                    words = [word.format(way.replace(str(work), str(copy))) for word in arguments]
                     done = subprocess.run([TOOLS / program, *words], cwd=copy / cwd, capture_output=True, encoding="utf-8",
                                           check=False)
                     self.assertIn(done.returncode, (0, 1) if program == "smurf-diff" else (0,), done.stderr)

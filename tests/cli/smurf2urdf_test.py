@@ -134,6 +134,7 @@ class Options(ExportTest):
                       self.export("--settings", "mujoco"))
 
     def test_packages(self):
+        self.leave_repository()
         self.assertIn('filename="package://arm_description/meshes/upper_arm.obj"',
                       self.export("--mesh-uri", "package", "--package-name", "arm_description"))
         (self.folder / "other").mkdir()

@@ -827,6 +827,7 @@ class Assets(FlattenTest):
     def test_no_copy_of_what_lies_outside(self):
         """Files named by a mesh are only copied from places where a model may name files, and only images and buffers."""
         project = self.folder / "p/q/r"
+        (project / ".git").mkdir(parents=True)
         self.write("secret.png", "secret")
         self.write("p/q/r/r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.gltf"/></geometry>'
                    "</visual></link></robot>")
@@ -913,6 +914,7 @@ class MeshesWithNeighbours(FlattenTest):
 
     def test_no_others_are_read(self):
         points = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+        (self.folder / "a/b/project/.git").mkdir(parents=True)
         self.write("a/b/project/r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="meshes/m.gltf"/>'
                    "</geometry></visual></link></robot>")
         for place in ("a/b/project/meshes/in it.bin", "a/b/project/beside.bin", "secret.bin"):

@@ -64,14 +64,22 @@ void IgnoreFiles::count(std::uint64_t steps) {
   checks_left_ -= std::min(checks_left_, steps / PathPatterns::kStepsOfCheck);
 }
 
-bool IgnoreFiles::leaves_out(const std::string& path, bool is_folder) {
-  const Level* first = &level_of(std::string(path::parent(path)));
-  for (const Level* level = first; level != nullptr; level = level->above) {
-    if (!may_check(level->of_lint.size() + level->of_git.size())) return true;
+PathVerdict IgnoreFiles::lint_verdict(const std::string& path, bool is_folder) {
+  for (const Level* level = &level_of(std::string(path::parent(path))); level != nullptr;
+       level = level->above) {
+    if (!may_check(level->of_lint.size())) return PathVerdict::excluded;
     const PathVerdict verdict = judge(level->of_lint, below(path, level->folder), is_folder);
-    if (verdict != PathVerdict::unmentioned) return verdict == PathVerdict::excluded;
+    if (verdict != PathVerdict::unmentioned) return verdict;
   }
-  for (const Level* level = first; level != nullptr; level = level->above) {
+  return PathVerdict::unmentioned;
+}
+
+bool IgnoreFiles::leaves_out(const std::string& path, bool is_folder) {
+  const PathVerdict of_lint = lint_verdict(path, is_folder);
+  if (of_lint != PathVerdict::unmentioned) return of_lint == PathVerdict::excluded;
+  for (const Level* level = &level_of(std::string(path::parent(path))); level != nullptr;
+       level = level->above) {
+    if (!may_check(level->of_git.size())) return true;
     const PathVerdict verdict = judge(level->of_git, below(path, level->folder), is_folder);
     if (verdict != PathVerdict::unmentioned) return verdict == PathVerdict::excluded;
     if (level->is_repository) break;
@@ -80,9 +88,21 @@ bool IgnoreFiles::leaves_out(const std::string& path, bool is_folder) {
 }
 
 bool IgnoreFiles::leaves_out_with_folders(const std::string& path) {
+  // As in git, what is ignored outside of the innermost repository does not reach into it.
+  std::size_t repository = 0;
+  for (const Level* level = &level_of(std::string(path::parent(path))); level != nullptr;
+       level = level->above) {
+    if (level->is_repository) {
+      repository = level->folder.size();
+      break;
+    }
+  }
   for (std::size_t slash = path.find('/', 1); slash != std::string::npos;
        slash = path.find('/', slash + 1)) {
-    if (leaves_out(path.substr(0, slash), true)) return true;
+    const std::string folder = path.substr(0, slash);
+    if (slash > repository ? leaves_out(folder, true)
+                           : lint_verdict(folder, true) == PathVerdict::excluded)
+      return true;
   }
   return leaves_out(path, false);
 }

@@ -33,7 +33,8 @@ class IgnoreFiles {
   /// The verdict on the path alone, without the folders above it. `path` is absolute unless the
   /// path of the current folder is unknown.
   bool leaves_out(const std::string& path, bool is_folder);
-  /// Whether a file, or a folder that contains it, is left out.
+  /// Whether a file, or a folder that contains it, is left out. A .gitignore above the innermost
+  /// repository does not count.
   bool leaves_out_with_folders(const std::string& path);
 
  private:
@@ -45,6 +46,7 @@ class IgnoreFiles {
     bool is_repository = false;  ///< ignore files above a repository do not apply
   };
   void count(std::uint64_t steps);
+  PathVerdict lint_verdict(const std::string& path, bool is_folder);
   const Level& level_of(const std::string& folder);
 
   const FileReader& files_;

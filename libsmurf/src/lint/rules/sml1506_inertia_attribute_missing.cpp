@@ -4,6 +4,7 @@
 #include "base/suggest.hpp"
 #include "link/inertia.hpp"
 #include "lint/queries.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1506_inertia_attribute_missing_file {
 namespace {
