@@ -241,7 +241,8 @@ TEST_CASE("solids: 200 closed meshes have the moments of the triangles that assi
   const TemporaryFolder folder;
   for (std::size_t i = 0; i < 200; ++i) {
     const Mesh mesh = random_mesh(random);
-    const auto& [extension, write] = writers[i % std::size(writers)];
+    const auto& [name, write] = writers[i % std::size(writers)];
+    const std::string extension = name;  // a binding cannot be captured
     const std::string bytes = write(mesh);
     const std::string path = folder / ("m" + extension);
     std::ofstream(path, std::ios::binary) << bytes;

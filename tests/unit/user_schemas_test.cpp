@@ -235,7 +235,7 @@ TEST_CASE("patterns of names take linear time") {
 namespace {
 
 /// K lists of `size` numbers that differ in the last.
-std::string lists(int count, int size, int first) {
+std::string lists(int count, std::size_t size, int first) {
   std::string all = "[";
   for (int i = 0; i < count; ++i) {
     all += "[" + repeat("1, ", size - 1) + std::to_string(first + i) + "], ";
