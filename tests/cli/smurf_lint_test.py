@@ -1034,6 +1034,35 @@ class Inputs(LintTest):
         finding, = report["diagnostics"]
         self.assertEqual(finding["file"], "robot/a.urdf.xacro")
 
+    def test_values_of_arguments_in_launch_files(self):
+        self.write("arm/package.xml", "<package><name>arm</name></package>")
+        self.write("arm/urdf/arm.urdf.xacro", '<robot name="$(arg name)" xmlns:xacro="x"><link name="$(arg side)_$(arg kind)"/></robot>')
+        self.write("arm/launch/view.launch", '<launch><arg name="side" default="left"/><arg name="name" default="$(env X)"/></launch>')
+        self.write("arm/launch/view.launch.py", 'DeclareLaunchArgument(\n  "name", default_value="gantry")')
+        self.write("arm/CMakeLists.txt", "xacro_add_xacro_file(urdf/arm.urdf.xacro arm.urdf side:=right)")
+        done = self.expect(1, "arm/urdf/arm.urdf.xacro", "--select", "SML33")
+        for text in ("also without a value: `side`, `kind`", "`side` is `left` in `arm/launch/view.launch`",
+                     "`name` is `gantry` in `arm/launch/view.launch.py`", "`side` is `right` in `arm/CMakeLists.txt`",
+                     "`name:=gantry side:=right kind:=VALUE`"):
+            self.assertIn(text, " ".join(done.stdout.split()).replace(" = note: ", " "), text)
+
+    def test_a_relative_path_at_another_place(self):
+        self.write("lib/d.yaml", "mass: 1\n")
+        self.write("lib/lib.xacro", """<robot xmlns:xacro="x"><xacro:macro name="arm" params="">
+<xacro:property name="d" value="${xacro.load_yaml('d.yaml')}"/><link name="${d['mass']}"/></xacro:macro></robot>""")
+        self.write("a.urdf.xacro", '<robot name="r" xmlns:xacro="x"><xacro:include filename="lib/lib.xacro"/><xacro:arm/></robot>')
+        done = self.expect(1, "a.urdf.xacro", "--select", "SML33")
+        self.assertIn("a relative path belongs to the file that is processed, `a.urdf.xacro`, so `lib/d.yaml` is not found",
+                      " ".join(done.stdout.split()).replace(" = note: ", " "))
+
+    def test_a_text_that_should_be_a_number(self):
+        self.write("d.yaml", "mass: 1e-3\n")
+        self.write("a.urdf.xacro", """<robot name="r" xmlns:xacro="x"><xacro:property name="d" value="${xacro.load_yaml('d.yaml')}"/>
+<link name="${2 * 1.5 * d['mass']}"/></robot>""")
+        done = self.expect(1, "a.urdf.xacro", "--select", "SML33")
+        self.assertIn("d.yaml:1:7", done.stdout)
+        self.assertIn("write `1.0e-3`; in YAML 1.1", done.stdout)
+
     def test_xacro_arguments(self):
         self.write("a.urdf.xacro", '<robot name="r" xmlns:xacro="x"><link name="$(arg side)_arm"/></robot>')
         done = self.expect(1, "a.urdf.xacro", "--select", "SML33")

@@ -24,6 +24,8 @@ struct Failure {
   std::string help;
   std::uint32_t begin = 0, end = 0;  ///< in the expression; both 0: all of it
   Span span;                         ///< a place outside of the expression; empty: none
+  std::string argument;              ///< the one that has no value
+  std::string missing;               ///< the path of a file that does not exist
   bool is_missing_file = false;      ///< an optional include may ignore it
   std::vector<std::pair<Span, std::string>> labels;
 };

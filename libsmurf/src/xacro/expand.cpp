@@ -94,7 +94,10 @@ bool Expander::report() {
   has_failed_ = true;
   Failure failure = evaluator_.take_failure();
   Diagnostic& diagnostic = context_.sink.report(*failure.rule, failure.span, failure.message);
+  if (!failure.missing.empty()) failure.help = help_with_path(failure);
   diagnostic.help(failure.help.empty() ? usual_help(*failure.rule) : failure.help);
+  for (const auto& [place, text] : failure.labels) diagnostic.label(place, text);
+  if (!failure.argument.empty()) explain_arguments(failure, diagnostic);
   add_frames(diagnostic);
   return false;
 }

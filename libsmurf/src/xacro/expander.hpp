@@ -132,6 +132,7 @@ class Expander final : public Host {
   std::vector<std::string> glob(const std::string& pattern);
   File* open(const std::string& path, Span reference);
   bool parse(File& file);
+  std::string help_with_path(const Failure& failure) const;
   std::string readable_path(const std::string& path);
 
   // text.cpp
@@ -141,6 +142,7 @@ class Expander final : public Host {
   Value evaluate_text(const NodeAttribute& attribute, Table& symbols);
   Value evaluate_expression(std::string_view inner, const Piece& place, Table& symbols,
                             Piece& piece);
+  void name_inputs();
   /// A text of the result.
   bool trace(const TracedText& in, Table& symbols, TracedText& out);
   /// Applies the literal rule: texts that are numbers or truth values become those.
@@ -152,6 +154,7 @@ class Expander final : public Host {
 
   // substitution.cpp
   Value substitute(const std::string& inner);
+  void explain_arguments(const Failure& failure, Diagnostic& diagnostic);
   Value evaluate_eval(const std::string& expression);
   std::optional<std::string> substitute_all(const std::string& text, bool only_find,
                                             OriginId& origin);

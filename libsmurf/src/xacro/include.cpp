@@ -181,12 +181,27 @@ Expander::File* Expander::open(const std::string& written, Span reference) {
                     "correct the path; it is relative to " + quoted(current_path()));
     evaluator_.failure().span = reference;
     evaluator_.failure().is_missing_file = content.status == ReadStatus::not_found;
+    if (evaluator_.failure().is_missing_file) evaluator_.failure().missing = path;
     return nullptr;
   }
   auto file = std::make_unique<File>();
   file->path = path;
   file->source = context_.sources.add(path, content.text);
   return files_.emplace(path, std::move(file)).first->second.get();
+}
+
+/// A relative path in a macro or a property is often meant for the folder where it was written.
+std::string Expander::help_with_path(const Failure& failure) const {
+  const std::string_view here = path::parent(current_path());
+  const std::string& writer = context_.sources.path(failure.span.source);
+  const bool is_below = here.empty() ? !path::is_absolute(failure.missing)
+                                     : failure.missing.starts_with(std::string(here) + "/");
+  if (!is_below || path::parent(writer) == here) return failure.help;
+  const std::string meant =
+      path::join(path::parent(writer), failure.missing.substr(here.empty() ? 0 : here.size() + 1));
+  if (!context_.files.is_file(meant)) return failure.help;
+  return "write `$(find PACKAGE)/...`: a relative path belongs to the file that is processed, " +
+         quoted(current_path()) + ", so " + quoted(meant) + " is not found";
 }
 
 bool Expander::parse(File& file) {

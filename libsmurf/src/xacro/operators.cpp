@@ -6,6 +6,7 @@
 #include "base/exact_math.hpp"
 #include "base/rules.hpp"
 #include "xacro/evaluator.hpp"
+#include "xacro/python_text.hpp"
 
 namespace smurf::xacro {
 namespace {
@@ -14,9 +15,28 @@ std::int64_t small_of(const Value& value) {
   return value.kind == Kind::boolean ? std::int64_t{value.boolean} : value.integer;
 }
 
+/// Names the place where a text that should be a number was written.
+void label_text(Evaluator& evaluator, const Value& value) {
+  Failure& failure = evaluator.failure();
+  if (!value.is_text() || value.origin == kComputed || failure.rule == nullptr) return;
+  failure.labels.emplace_back(evaluator.heap().place(value.origin).span, "this is a text");
+  const std::string& text = *value.text;
+  const std::size_t exponent = text.find_first_of("eE");
+  if (exponent == std::string::npos || text.find('.') != std::string::npos || !read_float(text)) {
+    return;
+  }
+  // Only YAML has such texts; elsewhere, xacro reads them as numbers.
+  failure.help = "write `" + text.substr(0, exponent) + ".0" + text.substr(exponent) +
+                 "`; in YAML 1.1, a number with an exponent and without a point is a text";
+}
+
 Value type_fault(Evaluator& evaluator, Operation operation, const Value& a, const Value& b) {
-  return evaluator.fail("`" + std::string(text_of(operation)) + "` cannot combine " +
-                        std::string(kind_name(a)) + " and " + std::string(kind_name(b)));
+  const Value fault =
+      evaluator.fail("`" + std::string(text_of(operation)) + "` cannot combine " +
+                     std::string(kind_name(a)) + " and " + std::string(kind_name(b)));
+  label_text(evaluator, a);
+  label_text(evaluator, b);
+  return fault;
 }
 
 struct Floored {
@@ -319,8 +339,10 @@ Value compute(Evaluator& evaluator, Operation operation, const Value& a) {
     if (a.kind == Kind::real) return Value::of(is_negated ? -a.real : a.real);
     if (a.kind == Kind::complex) return is_negated ? evaluator.heap().complex(-*a.complex) : a;
   }
-  return evaluator.fail("`" + std::string(text_of(operation)) + "` needs a number, not " +
-                        std::string(kind_name(a)));
+  const Value fault = evaluator.fail("`" + std::string(text_of(operation)) +
+                                     "` needs a number, not " + std::string(kind_name(a)));
+  label_text(evaluator, a);
+  return fault;
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include "base/words.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
+#include "xacro/seen_arguments.hpp"
 
 namespace smurf::xacro {
 namespace {
@@ -53,13 +54,47 @@ std::optional<std::vector<std::string>> commands_in(std::string_view text) {
 
 Value Expander::argument(const std::string& name) {
   const auto found = arguments_.find(name);
-  if (found != arguments_.end()) return heap_.text(found->second.text).at(found->second.origin);
+  if (found != arguments_.end()) {
+    const OriginId origin = found->second.origin;
+    if (origin != kComputed) evaluator_.used().emplace_back(found->first, origin);
+    return heap_.text(found->second.text).at(origin);
+  }
   std::vector<std::string_view> known;
   for (const auto& [one, value] : arguments_) known.push_back(one);
   const auto near = only_nearest(name, known);
-  return evaluator_.fail(
-      rules::sml3313_xacro_unknown_argument, "the argument " + quoted(name) + " has no value here",
-      near ? "did you mean " + quoted(*near) + "?" : "give it a value: `" + name + ":=VALUE`");
+  const Value fault = evaluator_.fail(rules::sml3313_xacro_unknown_argument,
+                                      "the argument " + quoted(name) + " has no value here",
+                                      near ? "did you mean " + quoted(*near) + "?" : "");
+  evaluator_.failure().argument = name;
+  return fault;
+}
+
+/// All arguments that will have no value, and the values that launch files give them.
+void Expander::explain_arguments(const Failure& failure, Diagnostic& diagnostic) {
+  std::vector<std::string> names{failure.argument};
+  std::string others;
+  for (const std::string& name : undeclared_arguments(context_.sources.text(result_.root))) {
+    if (name == failure.argument || arguments_.contains(name)) continue;
+    names.push_back(name);
+    others += (others.empty() ? "" : ", ") + quoted(name);
+  }
+  if (!others.empty()) diagnostic.note("also without a value: " + others);
+  constexpr std::size_t kMostSeen = 6;
+  const auto seen = seen_arguments(context_.sources.path(result_.root), names, context_.files);
+  std::string command;
+  for (const std::string& name : names) {
+    const auto first = std::find_if(seen.begin(), seen.end(),
+                                    [&](const SeenArgument& one) { return one.name == name; });
+    command +=
+        (command.empty() ? "" : " ") + name + ":=" + (first == seen.end() ? "VALUE" : first->value);
+  }
+  for (std::size_t i = 0; i < std::min(seen.size(), kMostSeen); ++i) {
+    diagnostic.note(quoted(seen[i].name) + " is `" + seen[i].value + "` in " +
+                    quoted(seen[i].file));
+  }
+  if (failure.help.empty()) {
+    diagnostic.help("give values after the file: `" + command + "`");
+  }
 }
 
 Value Expander::environment(const std::string& name, const Value* fallback) {

@@ -69,6 +69,17 @@ void Expander::place_failure(const Piece& expression, std::size_t skipped) {
   if (failure.span.empty()) failure.span = expression.origin;
 }
 
+/// Names the values that went into a computation that failed.
+void Expander::name_inputs() {
+  Failure& failure = evaluator_.failure();
+  if (failure.rule != &rules::sml3303_xacro_computation || !failure.labels.empty()) return;
+  constexpr std::size_t kMost = 4;
+  for (const auto& [name, used] : evaluator_.used()) {
+    if (failure.labels.size() >= kMost) return;
+    failure.labels.emplace_back(heap_.place(used).span, quoted(name) + " comes from here");
+  }
+}
+
 Value Expander::evaluate_expression(std::string_view inner, const Piece& place, Table& symbols,
                                     Piece& piece) {
   Evaluator::Used outer;
@@ -85,6 +96,7 @@ Value Expander::evaluate_expression(std::string_view inner, const Piece& place, 
   const std::string_view code = without_blanks(inner);
   Value value = evaluator_.evaluate(code, symbols);
   if (value.is_failed()) {
+    name_inputs();
     Piece exact = place;
     exact.is_exact = place.is_exact && is_exact;
     place_failure(exact, 2 + static_cast<std::size_t>(code.data() - inner.data()));
@@ -100,8 +112,12 @@ Value Expander::evaluate_expression(std::string_view inner, const Piece& place, 
     piece.first_input = offset(result_.inputs.size());
     for (const auto& [name, used] : evaluator_.used()) {
       if (piece.inputs >= kMostInputs) break;
+      // The name as it is written, because this copy ends with the expansion.
+      const std::string_view written = context_.sources.text(place.origin);
+      const std::size_t at = written.find(name);
+      if (at == std::string_view::npos) continue;
       ++piece.inputs;
-      result_.inputs.push_back({name, heap_.place(used).span});
+      result_.inputs.push_back({written.substr(at, name.size()), heap_.place(used).span});
     }
   }
   std::swap(outer, evaluator_.used());

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "xacro/seen_arguments.hpp"
+
+#include <algorithm>
+
+#include "base/path.hpp"
+#include "base/words.hpp"
+
+namespace smurf::xacro {
+namespace {
+
+constexpr std::size_t kMostFiles = 100;              // of a package
+constexpr std::uint64_t kMostBytes = 256ULL << 10U;  // of a file
+constexpr int kMostLevels = 6;                       // from a file up to its package.xml
+constexpr std::size_t kMostValue = 60;               // characters
+
+bool is_of_name(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+/// The folder of the nearest package.xml; that of the file without one.
+std::string package_of(const std::string& file, const FileReader& files) {
+  std::string folder(path::parent(file));
+  for (int i = 0; i < kMostLevels; ++i) {
+    if (files.is_file(path::join(folder, "package.xml"))) return folder;
+    folder = path::join(folder.empty() ? "." : folder, "..");
+  }
+  return std::string(path::parent(file));
+}
+
+std::vector<std::string> launch_files(const std::string& package, const FileReader& files) {
+  std::vector<std::string> found{path::join(package, "CMakeLists.txt")};
+  std::vector<std::string> folders;
+  for (const std::string_view name : {"launch", "config", "test", "tests", "scripts"}) {
+    folders.push_back(path::join(package, name));
+  }
+  for (const std::string& folder : folders) {
+    for (const std::string& name : files.list(folder)) {
+      const std::string_view extension = path::extension(name);
+      const bool is_launch = extension == ".launch" || extension == ".xml" || extension == ".py";
+      if (is_launch && found.size() < kMostFiles) found.push_back(path::join(folder, name));
+    }
+  }
+  return found;
+}
+
+/// A literal from `at` on: between quotes, or up to the next blank, quote or bracket. Empty if the
+/// value is computed.
+std::string literal_at(std::string_view text, std::size_t at) {
+  if (at >= text.size()) return {};
+  const bool is_quoted = text[at] == '"' || text[at] == '\'';
+  const std::size_t begin = is_quoted ? at + 1 : at;
+  const std::size_t end =
+      is_quoted ? text.find(text[at], begin) : text.find_first_of(" \t\r\n\"'<>,;)]}", begin);
+  if (end == std::string_view::npos || end - begin > kMostValue) return {};
+  const std::string_view value = text.substr(begin, end - begin);
+  return value.find_first_of("${}\n") == std::string_view::npos ? std::string(value) : "";
+}
+
+std::size_t skip_blanks(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_blank(text[at])) ++at;
+  return at;
+}
+
+/// The value after the name of an argument, which ends at `end`.
+std::string value_after(std::string_view text, std::size_t begin, std::size_t end) {
+  const std::string_view rest = text.substr(end);
+  if (rest.starts_with(":=")) return literal_at(text, end + 2);
+  const bool is_quoted = begin > 0 && end < text.size() && text[begin - 1] == text[end] &&
+                         (text[end] == '"' || text[end] == '\'');
+  if (!is_quoted) return {};
+  // {"name": "value"}
+  const std::size_t mark = skip_blanks(text, end + 1);
+  if (mark < text.size() && text[mark] == ':') {
+    const std::size_t value = skip_blanks(text, mark + 1);
+    const bool is_literal = value < text.size() && (text[value] == '"' || text[value] == '\'');
+    return is_literal ? literal_at(text, value) : "";
+  }
+  // DeclareLaunchArgument("name", default_value="value"), <arg name="name" default="value"/>
+  constexpr std::size_t kNear = 300;
+  const std::size_t first = begin - std::min<std::size_t>(begin, 60);
+  const std::string_view before = text.substr(first, begin - first);
+  const bool is_python = before.rfind("DeclareLaunchArgument(") != std::string_view::npos;
+  const std::string_view near = rest.substr(0, kNear);
+  const std::string_view word = is_python ? "default_value" : "default";
+  const std::size_t stop = near.find(is_python ? "DeclareLaunchArgument(" : ">");
+  const std::size_t found = near.substr(0, stop).find(word);
+  const bool is_element = !is_python && before.rfind("<arg ") != std::string_view::npos;
+  if (found == std::string_view::npos || (!is_python && !is_element)) return {};
+  std::size_t value = skip_blanks(text, end + found + word.size());
+  if (value >= text.size() || text[value] != '=') return {};
+  value = skip_blanks(text, value + 1);
+  const bool is_literal = value < text.size() && (text[value] == '"' || text[value] == '\'');
+  return is_literal ? literal_at(text, value) : "";
+}
+
+}  // namespace
+
+std::vector<SeenArgument> seen_arguments(const std::string& root,
+                                         const std::vector<std::string>& names,
+                                         const FileReader& files) {
+  std::vector<SeenArgument> seen;
+  for (const std::string& file : launch_files(package_of(root, files), files)) {
+    const FileContent content = files.read(file, kMostBytes);
+    const std::string_view text = content.text;
+    for (const std::string& name : names) {
+      for (std::size_t at = text.find(name); at != std::string_view::npos;
+           at = text.find(name, at + name.size())) {
+        const std::size_t end = at + name.size();
+        const bool is_name = (at == 0 || !is_of_name(text[at - 1])) &&
+                             (end >= text.size() || !is_of_name(text[end]));
+        const std::string value = is_name ? value_after(text, at, end) : "";
+        const bool is_known = std::any_of(seen.begin(), seen.end(), [&](const SeenArgument& one) {
+          return one.name == name && one.value == value;
+        });
+        if (!value.empty() && !is_known) seen.push_back({name, value, file});
+      }
+    }
+  }
+  return seen;
+}
+
+std::vector<std::string> undeclared_arguments(std::string_view text) {
+  std::vector<std::string> names;
+  constexpr std::string_view kUse = "$(arg ";
+  for (std::size_t at = text.find(kUse); at != std::string_view::npos;
+       at = text.find(kUse, at + 1)) {
+    const std::size_t end = text.find(')', at);
+    if (end == std::string_view::npos) break;
+    const std::string name(trimmed(text.substr(at + kUse.size(), end - at - kUse.size())));
+    if (name.empty() || !std::all_of(name.begin(), name.end(), is_of_name)) continue;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  constexpr std::string_view kTag = "<xacro:arg";
+  for (std::size_t at = text.find(kTag); at != std::string_view::npos;
+       at = text.find(kTag, at + 1)) {
+    const std::string_view tag = text.substr(at, text.find('>', at) - at);
+    std::erase_if(names, [&](const std::string& name) {
+      return tag.find("\"" + name + "\"") != std::string_view::npos ||
+             tag.find("'" + name + "'") != std::string_view::npos;
+    });
+  }
+  return names;
+}
+
+}  // namespace smurf::xacro

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The values that the launch files of a package give to arguments of its xacro files.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/file_reader.hpp"
+
+namespace smurf::xacro {
+
+struct SeenArgument {
+  std::string name, value;
+  std::string file;
+};
+
+/// Literal values of these arguments in the launch files (XML and Python) and CMakeLists.txt of the
+/// package around a file; the first of each argument and value. `root` is the path of the file.
+std::vector<SeenArgument> seen_arguments(const std::string& root,
+                                         const std::vector<std::string>& names,
+                                         const FileReader& files);
+
+/// The names in `$(arg NAME)` of a text that no `<xacro:arg>` in it declares.
+std::vector<std::string> undeclared_arguments(std::string_view text);
+
+}  // namespace smurf::xacro
