@@ -30,6 +30,14 @@ JOINTS = """
 ROBOT = f'<robot name="r">{LINKS}{JOINTS}</robot>\n'
 
 
+XACRO = """<robot name="r" xmlns:xacro="x"><xacro:arg name="side" default="left"/>
+<xacro:property name="mass" value="${1 if '$(arg side)' == 'left' else 2}"/>
+<link name="base"><inertial>
+<mass value="${mass}"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>
+"""
+
+
 class Diff(cli.CliTest):
     def told(self, old, new, *options):
         """The differences of two URDFs, as text without places."""
@@ -286,6 +294,29 @@ class Models(Diff):
         self.expect(2, "r.urdf", "-", "-o", "r.urdf", stdin=new)
         self.assertEqual(self.read("r.urdf"), ROBOT)
         self.assertIn("\x1b[", self.expect(1, "r.urdf", "-", "--color", "always", stdin=new).stdout)
+
+
+class Xacro(Diff):
+    def test_two_sets_of_arguments(self):
+        self.write("r.urdf.xacro", XACRO)
+        done = self.expect(1, "r.urdf.xacro", "r.urdf.xacro", "side:=right")
+        self.assertIn("mass", done.stdout)
+        self.assertIn("r.urdf.xacro:2", done.stdout)  # the expression that makes the value
+        self.expect(0, "r.urdf.xacro", "side:=a", "r.urdf.xacro", "side:=right")
+        report = self.json("r.urdf.xacro", "side:=left", "r.urdf.xacro", "side:=right")
+        self.assertIn("r.urdf.xacro side:=right", str(report))
+
+    def test_a_xacro_and_the_urdf_that_is_made_of_it(self):
+        self.write("r.urdf.xacro", XACRO)
+        self.write("r.urdf", '<robot name="r"><link name="base"><inertial><mass value="1"/>'
+                             '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>')
+        self.expect(0, "r.urdf", "r.urdf.xacro")
+        self.expect(1, "r.urdf", "r.urdf.xacro", "side:=right")
+
+    def test_arguments_without_a_file_or_value(self):
+        self.write("r.urdf.xacro", XACRO.replace(' default="left"', ""))
+        self.assertIn("write it after the file", self.expect(2, "side:=left", "r.urdf.xacro", "r.urdf.xacro").stderr)
+        self.assertIn("SML33", self.expect(2, "r.urdf.xacro", "side:=left", "r.urdf.xacro").stderr)
 
 
 class Scenes(Diff):

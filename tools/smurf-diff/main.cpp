@@ -48,7 +48,7 @@ std::optional<InputVersion> open(const std::string& operand, const Options& opti
 std::string render(const Compared& compared, const Session& session, const Options& options,
                    const std::string& picture) {
   const SourceMap& sources = session.loaded_sources();
-  const DiffInputs inputs{options.operands[0], options.operands[1], options.tolerance};
+  const DiffInputs inputs{shown_operand(options, 0), shown_operand(options, 1), options.tolerance};
   const ToolName tool{kSmurfDiff, kVersion};
   const auto& differences = compared.differences;
   if (options.format == DiffFormat::json) {
@@ -81,9 +81,11 @@ ExitCode compare_operands(const Options& options) {
   confine(disk, inputs, options.packages, options.allow_outside);
   const InputFiles files(disk);
   Session session(files, options.limits);
-  const auto before = open(options.operands[0], options, session);
-  const auto after = open(options.operands[1], options, session);
+  auto before = open(options.operands[0], options, session);
+  auto after = open(options.operands[1], options, session);
   if (!before || !after) return kFailed;
+  before->xacro = options.xacro[0];
+  after->xacro = options.xacro[1];
   const Compared compared = compare_versions(session, *before, *after, options);
   std::string picture;
   const bool has_picture = options.format == DiffFormat::html && !options.quiet;

@@ -58,6 +58,23 @@ bool is_from_git(const std::vector<std::string>& operands) {
          is_mode(operands[6]);
 }
 
+/// `name:=value` is an argument of the xacro file before it.
+Setter take_operand(Options& options) {
+  return [&options](std::string_view value) -> std::optional<std::string> {
+    XacroWishes wishes;
+    if (options.for_git || !take_xacro_argument(value, wishes)) {
+      options.operands.emplace_back(value);
+      options.xacro.emplace_back();
+      return std::nullopt;
+    }
+    if (options.operands.empty()) {
+      return "'" + std::string(value) + "' is an argument of a xacro file; write it after the file";
+    }
+    options.xacro.back().arguments.merge(wishes.arguments);
+    return std::nullopt;
+  };
+}
+
 }  // namespace
 
 void drop_separator(std::vector<std::string>& operands) {
@@ -66,32 +83,42 @@ void drop_separator(std::vector<std::string>& operands) {
   if (operands.size() % 2 == 0) operands.erase(operands.begin());
 }
 
+std::string shown_operand(const Options& options, std::size_t index) {
+  std::string text = options.operands[index];
+  if (index >= options.xacro.size()) return text;
+  for (const auto& [name, value] : options.xacro[index].arguments) {
+    text.append(" ").append(name).append(":=").append(value);
+  }
+  return text;
+}
+
 Command make_command(Options& options) {
   Command command;
   command.name = "smurf-diff";
   command.summary = "Shows what changed for the robot between two versions of a model or scene.";
-  command.operands = "OLD NEW";
+  command.operands = "OLD [NAME:=VALUE]... NEW [NAME:=VALUE]...";
   command.details =
-      "OLD and NEW are two models (.smurf, .urdf), two annotation files (.yml) or two scenes "
-      "(.smurfs, .smurfa, .svg), archives of them, or folders with one of them; '-' is standard "
-      "input. Things are compared by their names: links, joints, visuals, collisions, inertias, "
-      "materials, motors, sensors "
-      "and all other entries of annotations, entities of scenes. Renamed things are recognised by "
-      "their contents. Formatting, order, comments and values that equal the default are ignored; "
-      "inertias are compared in the frame of the link, rotations by their angle, meshes by the "
-      "content of their files. A model and a URDF are compared as robots, without annotations. The "
+      "OLD and NEW are two models (.smurf, .urdf, .xacro), two annotation files (.yml) or two "
+      "scenes (.smurfs, .smurfa, .svg), archives of them, or folders with one of them; '-' is "
+      "standard input. Things are compared by their names: links, joints, visuals, collisions, "
+      "inertias, materials, motors, sensors and all other entries of annotations, entities of "
+      "scenes. Renamed things are recognised by their contents. Formatting, order, comments and "
+      "values that equal the default are ignored; inertias are compared in the frame of the link, "
+      "rotations by their angle, meshes by the content of their files. A model and a URDF are "
+      "compared as robots, without annotations. A .xacro file is expanded with the arguments "
+      "NAME:=VALUE that follow it; OLD and NEW may be the same file with other arguments. The "
       "exit code is 0 when nothing differs, 1 when something does, 2 when a file cannot be read.";
   command.options = own_options(options);
   for (Option& option : std::vector<Option>{
            output_option(options.output,
                          "Write the differences to FILE instead of standard output."),
            stdin_filename_option(options.stdin_filename), package_option(options.packages),
-           allow_outside_option(options.allow_outside), limit_option(options.limits),
-           color_option(options.color),
+           xacro_env_option(options.environment), allow_outside_option(options.allow_outside),
+           limit_option(options.limits), color_option(options.color),
            quiet_option(options.quiet, "Print no differences; exit with 1 if there are any.")}) {
     command.options.push_back(std::move(option));
   }
-  command.set_operand = append_to(options.operands);
+  command.set_operand = take_operand(options);
   command.exit_with_1 = "the robots differ";
   command.examples = {
       {"smurf-diff old/robot.urdf new/robot.urdf", "Compare two versions of a robot:"},
@@ -101,6 +128,8 @@ Command make_command(Options& options) {
        "Compare scenes, and write JSON for a program:"},
       {"smurf-diff --format html -o changes.html old/robot.urdf new/robot.urdf",
        "See both versions over each other in a browser:"},
+      {"smurf-diff arm.urdf.xacro side:=left arm.urdf.xacro side:=right",
+       "Compare a xacro file with itself, with other arguments:"},
       {"smurf-diff --tolerance 1e-4 robot.urdf exported.urdf", "Ignore rounding errors:"}};
   return command;
 }

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "common/command.hpp"
 #include "common/output.hpp"
 #include "smurf/limits.hpp"
+#include "smurf/load.hpp"
 
 namespace smurf::tools {
 
@@ -18,6 +20,8 @@ enum class DiffFormat { text, json, html };
 
 struct Options {
   std::vector<std::string> operands;
+  std::vector<XacroWishes> xacro;  ///< of each operand
+  std::set<std::string> environment;
   DiffFormat format = DiffFormat::text;
   double tolerance = 1e-9;
   bool for_git = false;
@@ -31,6 +35,8 @@ struct Options {
 };
 
 Command make_command(Options& options);
+/// "robot.urdf.xacro side:=left".
+std::string shown_operand(const Options& options, std::size_t index);
 /// Removes a "--" that was written between --git and the operands of git.
 void drop_separator(std::vector<std::string>& operands);
 /// An error message about the combination of options; "" if there is none.

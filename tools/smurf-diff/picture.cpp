@@ -15,6 +15,7 @@ std::string picture_of(Session& session, const InputVersion& before, const Input
   CheckSettings settings;
   settings.packages = options.packages;
   const auto scene_of = [&](const InputVersion& version) {
+    settings.xacro = {version.xacro.arguments, options.environment};
     const ReplacedText replaced(session, version);
     return PicturedScene(session, version.path, settings, *current);
   };

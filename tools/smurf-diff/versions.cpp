@@ -70,7 +70,14 @@ bool is_scene(std::string_view path) {
 template <class Load>
 auto load(Session& session, const InputVersion& version, const Load& load) {
   const ReplacedText replaced(session, version);
-  return load(version.path);
+  return load(version.path, version.xacro);
+}
+
+/// The bytes of a xacro file that made a part of its expansion.
+void place_in_xacro(const xacro::Expansions& expansions, std::optional<Span>& place) {
+  if (!place) return;
+  const auto found = expansions.find(place->source);
+  if (found != expansions.end()) place = found->second.origin_of(*place).span;
 }
 
 template <class Load, class Linked>
@@ -84,6 +91,11 @@ Compared compare_loaded(Session& session, const InputVersion& before, const Inpu
   if (!result.trouble.empty()) return result;
   result.differences =
       diff(old_version.*linked, new_version.*linked, session.loaded_sources(), how);
+  const auto expansions = session.context_of(new_version).expansions;
+  for (Difference& one : result.differences) {
+    place_in_xacro(*expansions, one.old_place);
+    place_in_xacro(*expansions, one.new_place);
+  }
   if (result.differences.size() > how.limits.differences) {
     result.problem = "'" + before.shown + "' and '" + after.shown + "' have more than " +
                      std::to_string(how.limits.differences) +
@@ -112,12 +124,17 @@ Compared compare_versions(Session& session, const InputVersion& before, const In
   if (is_scene(before.path)) {
     return compare_loaded(
         session, before, after, how, options.for_git,
-        [&](const std::string& path) { return session.load_scene(path, settings); },
+        [&](const std::string& path, const XacroWishes&) {
+          return session.load_scene(path, settings);
+        },
         &LoadedScene::scene);
   }
   return compare_loaded(
       session, before, after, how, options.for_git,
-      [&](const std::string& path) { return session.load_model(path, settings); },
+      [&](const std::string& path, const XacroWishes& xacro) {
+        settings.xacro = {xacro.arguments, options.environment};
+        return session.load_model(path, settings);
+      },
       &LoadedModel::model);
 }
 
