@@ -165,6 +165,16 @@ class Verdicts(LoadCheckTest):
         self.expect(0, "bad.urdf", "--fail-on", "never")
 
 
+class Xacro(LoadCheckTest):
+    def test_a_robot_of_xacro(self):
+        robot = GOOD.read_text().replace("<robot", '<robot xmlns:xacro="x"', 1)
+        self.write("good.urdf.xacro", robot.replace("</robot>", '<xacro:if value="$(arg bad)"><link name="free"/></xacro:if></robot>'))
+        [check] = self.report(0, "good.urdf.xacro", "bad:=false")["checks"]
+        self.assertEqual(check["verdict"], "pass")
+        self.assertEqual([one["id"] for one in self.report(1, "good.urdf.xacro", "bad:=true")["diagnostics"]], ["SML1204"])
+        self.assertIn("SML3313", self.expect(1, "good.urdf.xacro").stdout)
+
+
 class Scenes(LoadCheckTest):
     def test_two_robots_a_plane_and_what_stands_in_it(self):
         self.write("scene.smurfs", """entities:

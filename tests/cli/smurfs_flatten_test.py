@@ -93,6 +93,28 @@ class Result(FlattenTest):
             self.assertEqual(len({i["path"] for i in flat["instances"]}), count)
 
 
+class Xacro(FlattenTest):
+    ROBOT = '<robot name="r" xmlns:xacro="x"><link name="$(arg root)"/></robot>'
+
+    def test_a_robot_of_xacro_is_a_scene(self):
+        self.write("r.urdf.xacro", self.ROBOT)
+        flat = json.loads(self.expect(0, "r.urdf.xacro", "root:=base", "--links").stdout)
+        self.assertEqual(list(flat["instances"][0]["links"]), ["base"])
+        self.assertIn('<link name="base"', self.run_tool("r.urdf.xacro", "root:=base", "--format", "sdf").stdout)
+        done = self.run_tool("r.urdf.xacro")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("SML3313", done.stderr)
+
+    def test_an_entity_cannot_be_a_xacro(self):
+        self.write("r.urdf.xacro", self.ROBOT)
+        for entity in ("type: urdf, file: r.urdf.xacro", "file: r.urdf.xacro"):
+            self.write("s.smurfs", "entities: [{name: e, " + entity + "}]\n")
+            done = self.run_tool("s.smurfs")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("no reader of scenes expands xacro", done.stderr)
+            self.assertIn("smurf2urdf r.urdf.xacro -o r.urdf", done.stderr)
+
+
 class Output(FlattenTest):
     REFUSED = "'broken.smurfs' cannot be converted: some poses are unknown; nothing was written"
 

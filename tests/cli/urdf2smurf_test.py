@@ -102,6 +102,38 @@ WHEELS = """<robot name="cart">
 """
 
 
+XACRO = """<robot name="$(arg name)" xmlns:xacro="x">
+<link name="${'a'}"><visual><geometry><mesh filename="../meshes/upper_arm.obj"/></geometry></visual></link></robot>
+"""
+
+
+class Xacro(ImportTest):
+    def test_the_model_lists_a_generated_urdf(self):
+        self.write("in/urdf/crane.urdf.xacro", XACRO)
+        done = self.expect(0, "in/urdf/crane.urdf.xacro", "name:=big", "-o", "out")
+        self.assertEqual(self.files("out"), ["smurf/crane.smurf", "urdf/crane.urdf"])
+        self.assertIn('<link name="a">', self.read("out/urdf/crane.urdf"))
+        self.assertIn("../../in/meshes/upper_arm.obj", self.read("out/urdf/crane.urdf"))
+        self.assertIn("modelname: big", self.read("out/smurf/crane.smurf"))
+        told = " ".join(done.stderr.split())
+        self.assertIn("out/urdf/crane.urdf was generated: after a change in in/urdf/crane.urdf.xacro, run urdf2smurf again",
+                      told)
+
+    def test_in_place(self):
+        self.write("in/urdf/crane.xacro", XACRO)
+        self.expect(0, "in/urdf/crane.xacro", "name:=big", "--in-place")
+        self.assertIn('<link name="a">', self.read("in/urdf/crane.urdf"))
+        self.assertIn('"../meshes/upper_arm.obj"', self.read("in/urdf/crane.urdf"))
+        self.assertIn("- crane.urdf\n", self.read("in/urdf/crane.smurf"))
+
+    def test_a_value_is_missing(self):
+        self.write("in/urdf/crane.xacro", XACRO)
+        done = self.run_tool("in/urdf/crane.xacro", "-o", "out")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("SML3313", done.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
+
 class Motors(ImportTest):
     def said(self, *arguments):
         done = self.run_tool(*arguments)

@@ -154,6 +154,9 @@ Found find_inputs(const std::string& folder, const Limits& limits, const LeftOut
 std::string why_nothing(const Found& found, const std::string& folder) {
   std::string text = "no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'";
   if (found.left_out > 0) text += " (" + std::to_string(found.left_out) + " left out)";
+  if (!found.xacro.empty()) {
+    text += ", only xacro files: name the one of a robot, with its arguments as NAME:=VALUE";
+  }
   if (found.links_outside > 0) {
     text += "; symbolic links that lead out of the folder are not followed: name what to check "
             "there";

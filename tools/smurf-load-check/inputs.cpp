@@ -42,6 +42,7 @@ CheckSettings settings_for(const InputOptions& options) {
   settings.heeds_comments = false;
   settings.heeds_baseline = false;
   settings.packages = options.packages;
+  settings.xacro = options.xacro;
   return settings;
 }
 
@@ -99,7 +100,8 @@ class Loader {
     } else if (is_archive(path)) {
       files.push_back(*main);
     } else if (input_kind(path) == InputKind::annotation || input_kind(path) == InputKind::other) {
-      fail("cannot check '" + path + "': it is not a .smurf, .smurfs, .smurfa, .svg or .urdf file");
+      fail("cannot check '" + path +
+           "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf or .xacro file");
     } else {
       files.push_back(path);
     }

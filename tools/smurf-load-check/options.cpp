@@ -178,10 +178,12 @@ tools::Command command_of(Options& options) {
   command.summary =
       "Builds SMURF models, URDFs and scenes in the physics engine ODE and tests whether they "
       "stand, hang and drop without breaking.";
-  command.operands = "[PATH]...";
+  command.operands = "[PATH]... [NAME:=VALUE]...";
   command.details =
-      "PATH is a .smurf, .urdf, .smurfs, .smurfa or .svg file, an archive (.zsmurf, .zsmurfs, "
-      ".zsmurfa), or a folder to search; without one, the current folder is searched. Every model "
+      "PATH is a .smurf, .urdf, .xacro, .smurfs, .smurfa or .svg file, an archive (.zsmurf, "
+      ".zsmurfs, .zsmurfa), or a folder to search; without one, the current folder is searched. "
+      "NAME:=VALUE is an argument of the .xacro files that are named; folders are not searched for "
+      "them. Every model "
       "is checked on its own: BUILD makes bodies, joints and shapes; POSE0 reports overlapping "
       "shapes; STILL reports motion without gravity; HANG fixes the root link and lets the other "
       "links hang; DROP drops the model from a height of 1 mm. In a scene, ANCHOR reports anchors "
@@ -196,13 +198,18 @@ tools::Command command_of(Options& options) {
   command.options.push_back(tools::fail_on_option(options.threshold));
   command.options.push_back(tools::stdin_filename_option(options.input.stdin_filename));
   command.options.push_back(tools::package_option(options.input.packages));
+  command.options.push_back(tools::xacro_env_option(options.input.xacro.environment));
   command.options.push_back(tools::allow_outside_option(options.input.allow_outside));
   command.options.push_back(tools::limit_option(options.input.limits));
   command.options.push_back(tools::jobs_option(options.jobs));
   command.options.push_back(tools::color_option(options.color));
   command.options.push_back(
       tools::quiet_option(options.quiet, "Print nothing about models that pass, and no summary."));
-  command.set_operand = tools::append_to(options.input.paths);
+  command.set_operand = [&options](std::string_view value) -> std::optional<std::string> {
+    const bool is_argument = tools::take_xacro_argument(value, options.input.xacro);
+    if (!is_argument) options.input.paths.emplace_back(value);
+    return std::nullopt;
+  };
   command.examples = {{"smurf-load-check robot.smurf", "Check one robot:"},
                       {"smurf-load-check -j 4 --format json -o report.json models/",
                        "Check all robots of a folder:"},

@@ -152,18 +152,19 @@ Command make_command(Options& options) {
   command.summary =
       "Expands a SMURF scene: every entity, those of nested scenes included, with its pose in the "
       "world.";
-  command.operands = "SCENE";
+  command.operands = "SCENE [NAME:=VALUE]...";
   command.details =
       "SCENE is a .smurfs or .smurfa file, a .zsmurfs archive with a scene, a drawing (.svg) "
-      "whose groups are entities, or a folder with one scene; a .smurf or .urdf counts as a "
-      "scene of one model. Poses are those of the URDF root links, in metres and unit "
+      "whose groups are entities, or a folder with one scene; a .smurf, .urdf or .xacro counts "
+      "as a scene of one model; NAME:=VALUE is an argument of the .xacro. Poses are those of the "
+      "URDF root links, in metres and unit "
       "quaternions; the pose of a parent link depends on the joint pose of its entity. A scene "
       "is refused when a pose is unknown; other errors of its models are counted, and smurf-lint "
       "shows them.";
   command.options = converter_options(
       options.common, "Write the result to FILE; without it, or with '-', to standard output.");
   add_options(command, options);
-  command.set_operand = take_one_operand(options.scene);
+  command.set_operand = take_one_operand(options.scene, options.common.xacro);
   command.examples = {
       {"smurfs-flatten scene.smurfs -o scene.json", "Expand a scene:"},
       {"smurfs-flatten scene.smurfs --links | jq '.instances[0].links'",

@@ -39,7 +39,8 @@ std::vector<Option> own_options(Options& options) {
   std::vector<Option> own = {
       {.name = "in-place",
        .help =
-           "Leave the URDF where it is and write the SMURF files beside it, or to the folder of -o.",
+           "Leave the URDF where it is and write the SMURF files beside it, or to the folder of "
+           "-o. For a xacro file, also write the URDF there.",
        .set = set_flag(options.in_place)},
       {.name = "flat",
        .help = "Write all files into one folder, not into smurf/ and urdf/.",
@@ -93,24 +94,26 @@ Command make_command(Options& options) {
   command.summary =
       "Makes a SMURF model around a URDF: motors from transmissions and ros2_control, sensors from "
       "Gazebo sensors, materials from colours.";
-  command.operands = "URDF";
+  command.operands = "URDF [NAME:=VALUE]...";
   command.details =
       "Writes DIR/smurf/NAME.smurf, DIR/smurf/NAME_*.yml and DIR/urdf/NAME.urdf. When it fails, "
       "it writes none of them. The URDF is kept complete; parts without a section in SMURF are "
       "kept as text, so nothing is lost. URDF is a file or a folder with one URDF. A URDF is "
       "refused when its links and joints do not form a valid robot, or when a value cannot be "
-      "read; its other errors are counted, and smurf-lint shows them.";
+      "read; its other errors are counted, and smurf-lint shows them. A .xacro file is expanded "
+      "first, with the arguments NAME:=VALUE; the model lists the URDF that is made of it.";
   command.options = converter_options(options.common, "Write into the folder DIR.");
   for (Option& option : command.options) {
     if (option.name == "output") option.metavar = "DIR";
   }
   for (Option& option : own_options(options)) command.options.push_back(std::move(option));
-  command.set_operand = take_one_operand(options.urdf);
+  command.set_operand = take_one_operand(options.urdf, options.common.xacro);
   command.examples = {
       {"urdf2smurf robot.urdf -o robot", "Make a folder with the layout of Phobos:"},
       {"urdf2smurf robot.urdf --copy-meshes -o robot", "Copy the meshes into the folder:"},
       {"urdf2smurf robot.urdf --in-place", "Put the SMURF files beside the URDF:"},
-      {"xacro robot.xacro | urdf2smurf - --name robot -o robot",
+      {"urdf2smurf robot.urdf.xacro side:=left -o robot", "Make a model of a xacro file:"},
+      {"python3 make_robot.py | urdf2smurf - --name robot -o robot",
        "Read the URDF from another program:"}};
   return command;
 }
@@ -142,7 +145,9 @@ bool is_general(std::string_view stem) {
 std::string file_name_of(const Options& options, const LinkedModel& model) {
   if (!options.name.empty()) return options.name;
   const bool has_file = options.urdf != "-" || !options.common.stdin_filename.empty();
-  const std::string stem(has_file ? path::stem(model.urdf_path) : "robot");
+  std::string stem(has_file ? path::stem(model.urdf_path) : "robot");
+  const bool is_xacro = xacro::is_xacro_file(model.urdf_path);
+  if (is_xacro && path::to_lower(stem).ends_with(".urdf")) stem = path::stem(stem);
   const bool is_named = model.robot && model.robot->name && !model.robot->name->empty();
   return safe_name(is_general(stem) && is_named ? *model.robot->name : stem);
 }
@@ -347,6 +352,10 @@ std::vector<std::string> remarks_on(const LinkedModel& model, const Plan& plan,
     add(counted(uris, "mesh path") + (uris == 1 ? " stays a URI" : " stay URIs") +
         ", which MARS does not open: " +
         (options.in_place ? "--in-place does not change the URDF" : "no file was found"));
+  }
+  if (xacro::is_xacro_file(model.urdf_path)) {
+    add(path::join(plan.folder, plan.made.urdf_path) + " was generated: after a change in " +
+        model.urdf_path + ", run urdf2smurf again");
   }
   if (verification.for_mars > 0) {
     add("MARS reads the URDF differently (" + counted(verification.for_mars, "error") +

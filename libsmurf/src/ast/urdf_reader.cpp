@@ -326,7 +326,7 @@ struct XacroTrace {
     if (count > 1) {
       diagnostic.note(std::to_string(count - 1) + " more in this file");
     }
-    diagnostic.help("run xacro and lint its output");
+    diagnostic.help("name the file .urdf.xacro; smurf-lint and smurf2urdf expand it");
   }
 };
 

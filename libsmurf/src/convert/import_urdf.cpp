@@ -9,6 +9,7 @@
 #include "base/words.hpp"
 #include "convert/import.hpp"
 #include "convert/rebase.hpp"
+#include "smurf/xacro.hpp"
 
 namespace smurf {
 namespace import {
@@ -87,7 +88,7 @@ NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const U
   result.modelname = model.robot->name.value_or(options.name);
   result.main_path = path::join(folders.main, options.name + ".smurf");
   result.source = path::file_name(model.urdf_path);
-  if (options.layout == SmurfLayout::in_place) {
+  if (options.layout == SmurfLayout::in_place && !xacro::is_xacro_file(model.urdf_path)) {
     const std::string urdf = places::absolute_from(options.current_folder, model.urdf_path);
     result.urdf_entry = path::relative(urdf, absolute(folders.main));
     return result;

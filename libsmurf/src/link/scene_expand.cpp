@@ -10,6 +10,7 @@
 #include "ast/scene_reader.hpp"
 #include "base/cases.hpp"
 #include "base/limits.hpp"
+#include "base/how_to_expand.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/ranges.hpp"
@@ -21,6 +22,7 @@
 #include "link/scene_link.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/user_schemas.hpp"
+#include "smurf/xacro.hpp"
 #include "syntax/yaml_reader.hpp"
 
 namespace smurf {
@@ -348,6 +350,7 @@ class SceneExpander {
                                                   "` has no extension that determines it");
       if (type == "smurfs") diagnostic.when(cases::kOfScene);
       diagnostic.help("name the .smurf, .urdf or .smurfs of the entity");
+      if (xacro::is_xacro_file(path)) explain_xacro(path, diagnostic);
       if (path.empty()) suggest_file(use, entity, diagnostic);
       return false;
     }
@@ -363,6 +366,7 @@ class SceneExpander {
                                std::string(path::file_name(path)) + "`");
       return false;
     }
+    if (path::to_lower(type) == "xacro") return check_extension(entity, type, path, ".urdf");
     const std::string_view expected = path::to_lower(type) == "urdf" ? ".urdf" : ".smurf";
     return kind != EntityKind::model || check_extension(entity, type, path, expected);
   }
@@ -379,7 +383,13 @@ class SceneExpander {
       diagnostic.when(cases::kOfAnotherKind);
       diagnostic.help("write `type: " + extension.substr(1) + "`");
     }
+    if (xacro::is_xacro_file(path)) explain_xacro(path, diagnostic);
     return false;
+  }
+
+  static void explain_xacro(const std::string& path, Diagnostic& diagnostic) {
+    diagnostic.note("no reader of scenes expands xacro");
+    diagnostic.help(how_to_expand(path) + ", and name that");
   }
 
   /// Then, the place is a misspelt key (`fiel`).

@@ -64,7 +64,7 @@ extern constinit const Rule sml1009_xacro_residue{
     .severity = Severity::error,
     .summary = "A file still contains xacro elements or expressions.",
     .why = "No URDF reader expands xacro.",
-    .remedy = "Run xacro and keep its output, or rename the file to .urdf.xacro.",
+    .remedy = "Name the file .urdf.xacro, and make the URDF with smurf2urdf.",
     .sources = "25 of 322 files of the Tola/Corke dataset.",
     .facts = kFacts,
     .blocks_building = true};

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/how_to_expand.hpp"
 #include "base/path.hpp"
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
+#include "smurf/xacro.hpp"
 
 namespace smurf::rules::sml2003_no_urdf_file {
 namespace {
@@ -26,7 +28,9 @@ void check(const LinkedModel& model, Findings& findings) {
   if (const Spanned<std::string>* other = other_source(*model.main.files)) {
     findings
         .report(other->span, "MARS ignores " + quoted(other->value) + ", so `files` lists no URDF")
-        .help("convert it to a .urdf and list that");
+        .help(xacro::is_xacro_file(other->value)
+                  ? how_to_expand(other->value) + ", and list that"
+                  : "convert it to a .urdf and list that");
     return;
   }
   findings.report(root.find("files").key_span(), "`files` lists no URDF");
