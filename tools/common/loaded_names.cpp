@@ -45,7 +45,9 @@ bool LoadedNames::has_read(const std::string& path) const { return read_.contain
 void LoadedNames::release() {
   const SourceMap& sources = session_.loaded_sources();
   for (std::vector<Reference>& names : names_) {
-    for (Reference& one : names) one.name = sources.text(one.span);
+    for (Reference& one : names) {
+      one.name = one.is_computed ? computed_.emplace_back(one.name) : sources.text(one.span);
+    }
   }
   parts_.clear();
   scenes_.clear();
@@ -73,8 +75,15 @@ void LoadedNames::load_model(const std::string& path) {
   } else {
     companions = load_companions(loaded.model, context);
   }
-  Part& part = parts_.emplace_back(Part{.model = &loaded, .companions = &companions});
+  Part& part = parts_.emplace_back(Part{
+      .model = &loaded, .companions = &companions, .expansions = context.expansions});
   note(loaded.model, part);
+  if (loaded.model.robot) {
+    const auto expansion = context.expansions->find(loaded.model.robot->document.source);
+    if (expansion != context.expansions->end()) {
+      for (const std::string& file : expansion->second.included) part.read.insert(identity(file));
+    }
+  }
   for (const Companion& one : companions.files) {
     part.read.insert(identity(session_.loaded_sources().path(one.source)));
   }
@@ -84,6 +93,7 @@ void LoadedNames::load_model(const std::string& path) {
                raise_limit("repeated-bytes");
   }
   std::vector<Reference> names = references_of(loaded.model);
+  place_in_xacro(*context.expansions, names);
   const std::vector<Reference> more = companion_references(loaded.model, companions);
   names.insert(names.end(), more.begin(), more.end());
   names_.push_back(std::move(names));

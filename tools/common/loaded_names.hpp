@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ class LoadedNames {
     const LoadedModel* model = nullptr;  ///< null: a scene
     const LoadedScene* scene = nullptr;
     const Companions* companions = nullptr;  ///< of the model
+    std::shared_ptr<const xacro::Expansions> expansions = nullptr;  ///< of the model
     std::set<std::string> read = {};         ///< all its files, by identity
   };
   const std::deque<Part>& parts() const { return parts_; }
@@ -51,6 +53,7 @@ class LoadedNames {
   std::set<std::string> read_;  ///< in any part, by identity
   std::deque<Part> parts_;
   std::vector<std::vector<Reference>> names_;
+  std::deque<std::string> computed_;  ///< names that no file contains, after release()
 };
 
 }  // namespace smurf::tools

@@ -9,6 +9,7 @@
 #include "smurf/linked.hpp"
 #include "smurf/names.hpp"
 #include "smurf/source.hpp"
+#include "smurf/xacro.hpp"
 #include "smurf/xml.hpp"
 
 namespace smurf {
@@ -24,6 +25,8 @@ struct Reference {
   bool is_definition = false;
   /// The name may be defined elsewhere: in another robot of the scene, or in a program.
   bool is_vague = false;
+  /// The name is made by an expression of xacro; `span` is the expression.
+  bool is_computed = false;
   NameKinds kinds;  ///< all allowed kinds
   /// The yaml::NodeId or xml::ElementId; of a key, the node under it.
   std::uint32_t place = kNothing;
@@ -48,6 +51,10 @@ std::vector<Reference> references_of(const LinkedModel& model);
 std::vector<Reference> references_of(const LinkedModel& model, const xml::Document& srdf);
 /// All references of a scene: those in its scene files, then those in its models.
 std::vector<Reference> references_of(const LinkedScene& scene);
+
+/// Moves references in an expanded robot to the places in the xacro files where the names are
+/// written.
+void place_in_xacro(const xacro::Expansions& expansions, std::vector<Reference>& references);
 
 /// The references in a model whose name is unknown, or names a thing of another kind than expected.
 /// Omits the others, so it is cheaper than references_of().

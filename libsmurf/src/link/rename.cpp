@@ -10,6 +10,7 @@
 
 #include "ast/notation.hpp"
 #include "base/edits.hpp"
+#include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/suggest.hpp"
 #include "base/utf8.hpp"
@@ -88,6 +89,17 @@ std::string escape_for(std::string_view text, char quote) {
     result += is_special ? escape_xml(std::string_view(&c, 1)) : std::string(1, c);
   }
   return result;
+}
+
+/// Whether xacro copies a name as it is, wherever it stands.
+bool is_plain_name(std::string_view name) {
+  constexpr std::string_view kDigits = "0123456789";
+  constexpr std::string_view kInner = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-./";
+  constexpr std::string_view kRead[] = {"true", "True", "false", "False", "inf", "nan", "infinity"};
+  const bool is_word = std::find(std::begin(kRead), std::end(kRead), name) != std::end(kRead);
+  return !is_word && kDigits.find(name.front()) == name.npos && name.front() != '.' &&
+         name.front() != '-' &&
+         name.find_first_not_of(std::string(kInner) + std::string(kDigits)) == name.npos;
 }
 
 /// The names that change in one text.
@@ -206,11 +218,19 @@ class Renamer {
       if (!one.is_known()) return;
       const auto found = new_names_.find(OwnedName{owner, one.kind, one.name});
       if (found == new_names_.end()) return;
+      if (one.is_computed) {
+        return fail("the " + thing(one.kind, one.name) + " is made by an expression at " +
+                    place_text(sources_, one.span) + "; change it there");
+      }
       const bool is_alias = one.span.begin >= one.text.end || one.span.end <= one.text.begin;
       const Span part = is_alias ? inside(one.text) : one.span;
       ChangedText& text = texts_[{sources_.path(one.text.source), one.text.begin}];
       if (text.reference == nullptr) text.reference = &one;
       const auto [known, is_new] = text.parts.try_emplace(part.begin, part, found->second);
+      if (path::extension(sources_.path(part.source)) == ".xacro" && !is_plain_name(found->second)) {
+        fail(quoted(found->second) + " could be read as an expression or a number at " +
+             place_text(sources_, part) + "; use letters, digits and `_`");
+      }
       if (!is_new && known->second.second != found->second) {
         fail("the text at " + place_text(sources_, one.text) + " names two things");
       }
