@@ -4,30 +4,15 @@
 #include <algorithm>
 #include <map>
 #include <string_view>
+#include <utility>
 
 #include "base/path.hpp"
+#include "common/input.hpp"
+#include "common/xacro_text.hpp"
+#include "smurf/confine.hpp"
 
 namespace smurf::tools {
 namespace {
-
-/// The paths in the includes of a text.
-std::vector<std::string> includes_of(std::string_view text) {
-  std::vector<std::string> paths;
-  constexpr std::string_view kTag = "<xacro:include";
-  for (std::size_t at = text.find(kTag); at != std::string_view::npos;
-       at = text.find(kTag, at + 1)) {
-    const std::size_t end = std::min(text.find('>', at), text.size());
-    const std::string_view tag = text.substr(at, end - at);
-    const std::size_t name = tag.find("filename");
-    if (name == std::string_view::npos) continue;
-    const std::size_t open = tag.find_first_of("\"'", name);
-    if (open == std::string_view::npos) continue;
-    const std::size_t close = tag.find(tag[open], open + 1);
-    if (close == std::string_view::npos) continue;
-    paths.emplace_back(tag.substr(open + 1, close - open - 1));
-  }
-  return paths;
-}
 
 /// The parts of a path without its expressions: "$(find a)/urdf/${x}.xacro" is "", "/urdf/",
 /// ".xacro".
@@ -67,26 +52,118 @@ bool may_mean(const std::string& written, const std::string& from, const std::st
   return true;
 }
 
+/// The text behind the last `/` outside of expressions; "" if it has expressions.
+std::string_view literal_name(std::string_view written) {
+  const std::string_view name = written.substr(written.find_last_of("/)}") + 1);
+  const bool is_whole = name.size() == written.size() ||
+                        written[written.size() - name.size() - 1] == '/';
+  return is_whole && name.find_first_of("${*?[") == std::string_view::npos ? name
+                                                                           : std::string_view();
+}
+
 }  // namespace
 
-std::vector<std::string> xacro_roots(const std::vector<std::string>& files,
-                                     const FileReader& reader, const Limits& limits) {
-  // Files by their last name: comparing all with all would take long in large repositories.
-  std::map<std::string, bool> is_included;
-  for (const std::string& file : files) {
-    const FileContent content = reader.read(file, limits.file_bytes);
-    for (const std::string& written : includes_of(content.text)) {
-      for (const std::string& other : files) {
-        if (other == file || is_included[other]) continue;
-        is_included[other] = may_mean(written, file, other);
+XacroFiles::XacroFiles(std::vector<std::string> files, const FileReader& reader,
+                       const Limits& limits)
+    : files_(std::move(files)), includes_(files_.size()), users_(files_.size()) {
+  std::map<std::string_view, std::vector<std::size_t>> by_name;
+  std::vector<std::size_t> all(files_.size());
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    all[i] = i;
+    by_name[path::file_name(files_[i])].push_back(i);
+  }
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    const FileContent content = reader.read(files_[i], limits.file_bytes);
+    for (const TextRange place : read_xacro_text(content.text).includes) {
+      const std::string written(place.of(content.text));
+      const std::string_view name = literal_name(written);
+      for (const std::size_t other : name.empty() ? all : by_name[name]) {
+        if (other == i || !may_mean(written, files_[i], files_[other])) continue;
+        includes_[i].push_back(other);
+        users_[other].push_back(i);
       }
     }
   }
+}
+
+std::vector<std::string> XacroFiles::roots() const {
   std::vector<std::string> roots;
-  for (const std::string& file : files) {
-    if (!is_included[file]) roots.push_back(file);
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    if (users_[i].empty()) roots.push_back(files_[i]);
   }
   return roots;
+}
+
+std::set<std::size_t> XacroFiles::closure(std::set<std::size_t> from, const Edges& edges) {
+  std::vector<std::size_t> open(from.begin(), from.end());
+  while (!open.empty()) {
+    const std::size_t at = open.back();
+    open.pop_back();
+    for (const std::size_t next : edges[at]) {
+      if (from.insert(next).second) open.push_back(next);
+    }
+  }
+  return from;
+}
+
+std::optional<std::size_t> XacroFiles::index_of(const std::string& path) const {
+  const std::string wanted = identity(path);
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    const bool has_name = path::file_name(files_[i]) == path::file_name(path);
+    if (has_name && identity(files_[i]) == wanted) return i;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> XacroFiles::roots_of(const std::string& path) const {
+  std::vector<std::string> roots;
+  const auto own = index_of(path);
+  if (!own) return roots;
+  for (const std::size_t one : closure({*own}, users_)) {
+    if (one != *own && users_[one].empty()) roots.push_back(files_[one]);
+  }
+  return roots;
+}
+
+std::vector<std::string> XacroFiles::family_of(const std::string& path) const {
+  const auto own = index_of(path);
+  if (!own) return {path};
+  std::vector<std::string> family;
+  for (const std::size_t one : closure(closure({*own}, users_), includes_)) {
+    family.push_back(files_[one]);
+  }
+  return family;
+}
+
+std::vector<std::string> XacroFiles::meant_by(const std::string& written,
+                                              const std::string& from) const {
+  std::vector<std::string> meant;
+  for (const std::string& file : files_) {
+    if (file != from && may_mean(written, from, file)) meant.push_back(file);
+  }
+  return meant;
+}
+
+namespace {
+
+/// The project around a file, spelled like the path of the file.
+std::string project_beside(const std::string& path) {
+  const std::string project = project_around(path);
+  std::string folder(path::parent(path));
+  for (std::string at = identity(folder.empty() ? "." : folder); at != project;
+       at = path::parent(at)) {
+    if (at.size() <= project.size()) return project;  // behind a link
+    folder = path::join(folder, "..");
+  }
+  return folder.empty() ? "." : folder;
+}
+
+}  // namespace
+
+XacroFiles xacro_files_around(const std::string& path, const FileReader& reader,
+                              const Limits& limits, const LeftOut& is_left_out) {
+  if (project_around(path).empty()) return {{path}, reader, limits};
+  return {find_inputs(project_beside(path), limits, is_left_out).xacro, reader, limits};
 }
 
 }  // namespace smurf::tools

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <deque>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "base/canonical_paths.hpp"
@@ -248,7 +249,8 @@ class Planner {
           return is_left_out(path, is_one);
         });
     for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
-    const std::vector<std::string> roots = xacro_roots(found.xacro, files_, options_.limits);
+    const std::vector<std::string> roots =
+        XacroFiles(found.xacro, files_, options_.limits).roots();
     const bool is_found = !found.files.empty() || !roots.empty();
     if (!is_found && found.unreadable.empty() && !ignore_files_.is_exhausted()) {
       fail(why_nothing(found, folder));
@@ -262,11 +264,29 @@ class Planner {
       default: add(plan_.models, file); break;
       }
     }
-    for (const std::string& root : roots) {
-      const std::size_t before = plan_.strays.size();
-      add(plan_.strays, root);
-      if (plan_.strays.size() > before) plan_.strays.back().may_be_part = true;
+    for (const std::string& root : roots) add_part_of_robot(root);
+  }
+
+  /// A xacro file that no user named.
+  void add_part_of_robot(const std::string& path) {
+    const std::size_t before = plan_.strays.size();
+    add(plan_.strays, path);
+    if (plan_.strays.size() > before) plan_.strays.back().may_be_part = true;
+  }
+
+  /// A file that others include is judged in their robots.
+  void add_xacro(const std::string& path) {
+    const std::string project = project_around(path);
+    const auto [known, is_new] = xacro_files_.try_emplace(project);
+    if (is_new) {
+      const auto is_left_out = [&](const std::string& one, bool folder) {
+        return this->is_left_out(one, folder);
+      };
+      known->second.emplace(xacro_files_around(path, files_, options_.limits, is_left_out));
     }
+    const std::vector<std::string> roots = known->second->roots_of(path);
+    for (const std::string& root : roots) add_part_of_robot(root);
+    if (roots.empty()) add(plan_.strays, path);
   }
 
   void add_named(const std::string& path) {
@@ -312,6 +332,7 @@ class Planner {
   }
 
   void add_part(const std::string& path) {
+    if (options_.only_listed && xacro::is_xacro_file(path)) return add_xacro(path);
     const std::vector<std::string> models = models_.listing(path);
     for (const std::string& model : models) add(plan_.models, model);
     const bool is_passed_over = options_.only_listed && input_kind(path) == InputKind::annotation;
@@ -338,6 +359,7 @@ class Planner {
   std::deque<Exclusions> exclusions_;  ///< of each configuration
   IgnoreFiles ignore_files_;
   ModelsAround models_;
+  std::map<std::string, std::optional<XacroFiles>> xacro_files_;  ///< by project
 };
 
 }  // namespace

@@ -32,6 +32,9 @@ void confine(ConfinedFiles& files, std::span<const std::string> inputs,
 /// packages. Only these files may be changed by fixes and renames.
 void confine_to_projects(ConfinedFiles& files, std::span<const std::string> inputs);
 
+/// The project of an input as above; "" if the input lies in a shared folder.
+std::string project_around(const std::string& input);
+
 /// Whether the folder is a shared folder or a link to one.
 bool is_shared_folder(const std::string& path);
 

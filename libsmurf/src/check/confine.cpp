@@ -138,6 +138,11 @@ void allow_project(ConfinedFiles& files, const std::string& folder) {
 
 }  // namespace
 
+std::string project_around(const std::string& input) {
+  const auto folder = folder_of(input);
+  return folder ? std::string(project_of(*folder)) : std::string();
+}
+
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside) {
   if (allow_outside) return files.allow("/");
