@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "smurf-lsp/context.hpp"
 
@@ -66,6 +68,20 @@ Json prepare_rename(Context& context, const Json& params);
 Json rename(Context& context, const Json& params);
 
 Json picture(Context& context, const Json& params);  // picture.cpp
+
+// xacro.cpp
+/// What the name or the expression at the place is; null if there is none.
+Json xacro_hover(Context& context, const Json& params);
+/// The symbols of a xacro; null for another document.
+std::optional<std::string> xacro_symbols(Context& context, const Json& params);
+
+// expansion.cpp
+/// {text: the robot that a xacro makes, or null}
+Json expansion(Context& context, const Json& params);
+/// The place in the xacro files of a position in the text of `expansion`.
+Json expansion_origin(Context& context, const Json& params);
+/// The ranges in the text of `expansion` that a place in a xacro file has made.
+Json expansion_places(Context& context, const Json& params);
 
 // symbols.cpp
 Json document_symbols(Context& context, const Json& params);

@@ -7,6 +7,7 @@
 #include "base/path.hpp"
 #include "render/printable.hpp"
 #include "smurf-lsp/capabilities.hpp"
+#include "smurf-lsp/xacro_completion.hpp"
 #include "smurf-lsp/xml_context.hpp"
 #include "smurf-lsp/yaml_context.hpp"
 #include "smurf/check.hpp"
@@ -17,7 +18,7 @@ namespace smurf::lsp {
 namespace {
 
 // CompletionItemKind of the protocol.
-constexpr int kPropertyItem = 10, kValue = 12, kSnippet = 15, kFile = 17, kReference = 18,
+constexpr int kFunctionItem = 3, kPropertyItem = 10, kValue = 12, kSnippet = 15, kFile = 17, kReference = 18,
               kFolder = 19, kClassItem = 7;
 constexpr int kIsSnippet = 2;  // InsertTextFormat
 constexpr std::size_t kMostItems = 2000;
@@ -132,7 +133,12 @@ class Completer {
   // --- XML
 
   void complete_xml() {
-    const XmlContext context = xml_context(text_, offset_);
+    XmlContext context = xml_context(text_, offset_);
+    if (const XacroFamily* family = context_.workspace.xacro_family(path_)) {
+      if (complete_xacro(*family, context)) return;
+      // In the elements of xacro is what is around them.
+      std::erase_if(context.open, [](std::string_view one) { return one.starts_with("xacro:"); });
+    }
     set_place(context.begin, offset_);
     switch (context.kind) {
     case XmlContext::Kind::element: add_elements(context); return;
@@ -146,6 +152,29 @@ class Completer {
     case XmlContext::Kind::value: add_attribute_values(context); return;
     default: return;
     }
+  }
+
+  /// Whether nothing else may be written there.
+  bool complete_xacro(const XacroFamily& family, const XmlContext& context) {
+    XacroItems items = xacro_items(family, offset_, context);
+    set_place(items.begin, offset_);
+    for (const XacroItem& one : items.list) {
+      if (render::escape(one.label) != one.label) continue;
+      Json& item = add(one.label, kind_of(one.kind), one.text, one.detail);
+      if (!one.snippet.empty()) add_snippet(item, one.snippet);
+    }
+    if (items.are_files) add_files(false);
+    return items.are_all;
+  }
+
+  static int kind_of(XacroItem::Kind kind) {
+    switch (kind) {
+    case XacroItem::Kind::element: return kClassItem;
+    case XacroItem::Kind::attribute: return kPropertyItem;
+    case XacroItem::Kind::function: return kFunctionItem;
+    case XacroItem::Kind::name: return kReference;
+    }
+    return kReference;
   }
 
   void add_attribute_values(const XmlContext& context) {

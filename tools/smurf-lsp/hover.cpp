@@ -120,7 +120,9 @@ std::optional<Said> xml_key_at(const Context&, const PlaceView& place) {
   if (!help) return std::nullopt;
   Lines pose;
   const LinkedModel* model = place.view.model;
-  if (element.name() == "origin" && model != nullptr && model->robot) {
+  const bool is_of_model =
+      model != nullptr && model->robot && place.view.xml == &model->robot->document;
+  if (element.name() == "origin" && is_of_model) {
     if (const auto link = link_around(*model, element)) {
       pose = describe_place(*model, *link, pose_in(model->link(*link), element));
     }
@@ -193,6 +195,7 @@ std::optional<Said> said_at(Context& context, const PlaceView& place) {
 }  // namespace
 
 Json hover(Context& context, const Json& params) {
+  if (Json xacro = xacro_hover(context, params); !xacro.is_null()) return xacro;
   for (const PlaceView& place : places_in(context, params)) {
     const auto said = said_at(context, place);
     if (!said) continue;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Definition, references and highlights, from the table of references.
+#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <tuple>
 
+#include "base/path.hpp"
 #include "smurf-lsp/capabilities.hpp"
+#include "smurf-lsp/xacro.hpp"
 
 namespace smurf::lsp {
 namespace {
@@ -47,8 +50,64 @@ class Places {
 
 }  // namespace
 
+namespace {
+
+/// Locations of a name of xacro; empty if the place of the request has none.
+std::vector<Json> xacro_locations(Context& context, const Json& params, bool definitions,
+                                  bool others) {
+  std::vector<Json> found;
+  const auto request = xacro_request(context, params);
+  const auto meaning =
+      request ? xacro_meaning(*request->family, request->offset) : std::nullopt;
+  if (!meaning) return found;
+  const auto is_definition = [&](const XacroPlace& place) {
+    return std::any_of(meaning->definitions.begin(), meaning->definitions.end(),
+                       [&](const XacroMeaning::Definition& one) {
+                         return one.file == place.file &&
+                                one.name->place.begin == place.range.begin;
+                       });
+  };
+  for (const XacroPlace& place : xacro_places(*request->family, *meaning)) {
+    if (!(is_definition(place) ? definitions : others) || found.size() >= kMostPlaces) continue;
+    Json one = to_json(*request->family, place, context);
+    if (std::find(found.begin(), found.end(), one) == found.end()) found.push_back(std::move(one));
+  }
+  return found;
+}
+
+/// The files that an include means, or the package that `$(find ...)` names.
+std::vector<std::string> xacro_files_at(Context& context, const Json& params) {
+  const auto request = xacro_request(context, params);
+  if (!request) return {};
+  const std::string_view text = request->text();
+  const tools::XacroExpression around = tools::xacro_expression_at(text, request->offset);
+  constexpr std::string_view kFind = "find ";
+  if (around.kind == '(' && around.inner.of(text).starts_with(kFind)) {
+    const std::string name(around.inner.of(text).substr(kFind.size()));
+    const auto folder = context.workspace.package_folder(name, request->path);
+    if (folder) return {path::join(*folder, "package.xml")};
+  }
+  for (const tools::TextRange include : request->own().read.includes) {
+    if (!include.holds(request->offset)) continue;
+    return context.workspace.xacro_files_meant(std::string(include.of(text)), request->path);
+  }
+  return {};
+}
+
+}  // namespace
+
 Json definition(Context& context, const Json& params) {
+  if (const auto found = xacro_locations(context, params, true, false); !found.empty()) {
+    return found;
+  }
   Places places(context);
+  for (const std::string& file : xacro_files_at(context, params)) {
+    const Json start = {{"line", 0}, {"character", 0}};
+    places.add(file, {},
+               {{"uri", context.workspace.uri_of(file)},
+                {"range", {{"start", start}, {"end", start}}}});
+  }
+  if (!places.empty()) return places.take();
   for_each_place(context, params, [&](const Reference& one) {
     if (one.is_definition) places.add(one);
   });
@@ -79,6 +138,8 @@ void for_each_file_name(Context& context, const Json& params, const Visit& visit
 
 Json references(Context& context, const Json& params) {
   const bool with_definition = flag_at(params, {"context", "includeDeclaration"}, true);
+  const auto found = xacro_locations(context, params, with_definition, true);
+  if (!found.empty()) return found;
   Places places(context);
   for_each_place(context, params, [&](const Reference& one) {
     if (with_definition || !one.is_definition) places.add(one);
@@ -93,6 +154,15 @@ Json highlights(Context& context, const Json& params) {
   constexpr int kRead = 2;  // DocumentHighlightKind
   constexpr int kWrite = 3;
   const std::string path = path_in(params);
+  Json found = Json::array();
+  const std::string own = context.workspace.uri_of(path);
+  for (const bool is_definition : {true, false}) {
+    for (const Json& one : xacro_locations(context, params, is_definition, !is_definition)) {
+      if (at(one, {"uri"}) != own) continue;
+      found.push_back({{"range", at(one, {"range"})}, {"kind", is_definition ? kWrite : kRead}});
+    }
+  }
+  if (!found.empty()) return found;
   Places places(context);
   const auto add = [&](Span span, int kind) {
     if (context.workspace.loaded_sources().path(span.source) != path) return;

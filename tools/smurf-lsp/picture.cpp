@@ -43,7 +43,9 @@ Workspace::Picture Workspace::picture(const std::string& path) {
   const std::optional<SceneExport> to_write = scene.to_write();
   Picture picture;
   if (const Diagnostic* error = first_error(scene.loaded().found.diagnostics())) {
-    picture.why = *error;
+    // An error in an expanded robot belongs to a xacro.
+    const std::vector<Diagnostic> placed = session_.finish(scene.loaded(), {*error});
+    picture.why = placed.empty() ? *error : placed.front();
   }
   // Of a file that breaks off, only a part of the robot would be shown.
   if (!to_write || (picture.why && picture.why->rule->blocks_building)) return picture;

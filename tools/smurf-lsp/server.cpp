@@ -44,6 +44,9 @@ constexpr std::pair<std::string_view, Handler> kHandlers[] = {
     {"textDocument/semanticTokens/range", semantic_tokens},
     {"textDocument/inlayHint", inlay_hints},
     {"smurf/picture", picture},
+    {"smurf/expansion", expansion},
+    {"smurf/expansionOrigin", expansion_origin},
+    {"smurf/expansionPlaces", expansion_places},
 };
 
 Json capabilities(const Client& client) {
@@ -71,7 +74,7 @@ Json capabilities(const Client& client) {
       {"colorProvider", true},
       {"semanticTokensProvider", {{"legend", token_legend()}, {"full", true}, {"range", true}}},
       {"inlayHintProvider", true},
-      {"experimental", {{"picture", true}}},
+      {"experimental", {{"picture", true}, {"expansion", true}}},
       {"workspace",
        {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}},
         {"fileOperations", {{"willRename", file_filters()}}}}},
@@ -161,7 +164,7 @@ void watch_files(Context& context) {
   if (!context.client.takes_watchers) return;
   Json watchers = Json::array();
   // Models, scenes and schemas; meshes and what they name; textures; lists of files.
-  for (const char* pattern : {"**/*.{smurf,smurfs,smurfa,urdf,srdf,yml,yaml,svg,scn,scene,json}",
+  for (const char* pattern : {"**/*.{smurf,smurfs,smurfa,urdf,xacro,srdf,yml,yaml,svg,scn,scene,json}",
                               "**/*.{stl,obj,dae,bobj,gltf,glb,bin,mtl,STL,OBJ,DAE,GLTF,GLB}",
                               "**/*.{png,jpg,jpeg,bmp,tga,tif,tiff,dds,PNG,JPG,JPEG}",
                               "**/{.gitignore,.smurf-lintignore,package.xml}"}) {

@@ -5,6 +5,7 @@
 
 #include "base/path.hpp"
 #include "smurf-lsp/capabilities.hpp"
+#include "smurf-lsp/xacro.hpp"
 
 namespace smurf::lsp {
 namespace {
@@ -155,7 +156,98 @@ bool holds_letters(std::string_view name, std::string_view query) {
 
 }  // namespace
 
+namespace {
+
+/// The outline of a xacro: its macros with what they define, links and joints as they are written.
+class XacroOutline {
+ public:
+  XacroOutline(const XacroRequest& request, SymbolPrinter& symbols)
+      : read_(request.own().read),
+        text_(request.text()),
+        source_(request.own().source),
+        symbols_(symbols) {}
+
+  void print() {
+    std::vector<std::size_t> open;  // ends of the symbols that are not closed
+    for (std::size_t i = 0; i < read_.tags.size(); ++i) {
+      const tools::XacroTag& tag = read_.tags[i];
+      for (; !open.empty() && open.back() <= tag.tag.begin; open.pop_back()) symbols_.end();
+      if (begin(tag)) open.push_back(tag.end);
+    }
+    for (; !open.empty(); open.pop_back()) symbols_.end();
+  }
+
+ private:
+  Span span_of(tools::TextRange range) const {
+    return {source_, static_cast<std::uint32_t>(range.begin),
+            static_cast<std::uint32_t>(range.end)};
+  }
+
+  /// False for a tag that is no symbol.
+  bool begin(const tools::XacroTag& tag) {
+    constexpr int kModule = 2, kConstant = 14;
+    const std::string_view element = tag.name.of(text_);
+    const Span whole = span_of({tag.tag.begin, tag.end});
+    const tools::XacroAttribute* name = tag.find(text_, "name");
+    if (element == "xacro:include") {
+      const tools::XacroAttribute* file = tag.find(text_, "filename");
+      if (file == nullptr) return false;
+      symbols_.begin(file->value.of(text_), kModule, whole, span_of(file->value), "include");
+      return true;
+    }
+    const std::string_view called = tools::called_macro(element);
+    if (!called.empty()) {
+      symbols_.begin(called, kEvent, whole, span_of(tag.name), "call");
+      return true;
+    }
+    const bool is_of_robot =
+        tag.parent == tools::XacroTag::kNone || is_container(read_.tags[tag.parent]);
+    if (name == nullptr || !is_of_robot) return false;
+    if (element == "xacro:macro") {
+      const tools::XacroAttribute* params = tag.find(text_, "params");
+      symbols_.begin(name->value.of(text_), kFunction, whole, span_of(name->value),
+                     params != nullptr ? params->value.of(text_) : std::string_view());
+    } else if (element == "xacro:property" || element == "xacro:arg") {
+      const bool is_argument = element == "xacro:arg";
+      symbols_.begin(name->value.of(text_), is_argument ? kConstant : kVariable, whole,
+                     span_of(name->value), is_argument ? "argument" : "property");
+    } else if (element == "link" || element == "joint") {
+      symbols_.begin(name->value.of(text_), element == "link" ? kClass : kFunction, whole,
+                     span_of(name->value), element);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  /// Whether links may be in an element.
+  bool is_container(const tools::XacroTag& tag) const {
+    const std::string_view name = tag.name.of(text_);
+    return name == "robot" || name.starts_with("xacro:");
+  }
+
+  const tools::XacroText& read_;
+  std::string_view text_;
+  SourceId source_;
+  SymbolPrinter& symbols_;
+};
+
+}  // namespace
+
+std::optional<std::string> xacro_symbols(Context& context, const Json& params) {
+  const auto request = xacro_request(context, params);
+  if (!request) return std::nullopt;
+  const Positions positions(request->family->sources, context.client.encoding);
+  SymbolPrinter symbols(positions, context.client.takes_deep_symbols,
+                        context.workspace.uri_of(request->path));
+  XacroOutline(*request, symbols).print();
+  return symbols.take();
+}
+
 Json document_symbols(Context& context, const Json& params) {
+  if (auto outline = xacro_symbols(context, params)) {
+    return context.lists.add(*std::move(outline));
+  }
   const std::string path = path_in(params);
   const Positions positions = loaded_positions(context);
   SymbolPrinter symbols(positions, context.client.takes_deep_symbols,

@@ -36,6 +36,16 @@ bool is_checkable(const std::string& path) {
   }
 }
 
+/// What a xacro includes, as it is written.
+std::vector<std::string> includes_of(const std::string& path, std::string_view text) {
+  std::vector<std::string> includes;
+  if (!xacro::is_xacro_file(path)) return includes;
+  for (const tools::TextRange one : tools::read_xacro_text(text).includes) {
+    includes.emplace_back(one.of(text));
+  }
+  return includes;
+}
+
 /// Selects files as hooks do: excluded files are skipped, and so are YAML files that no model
 /// lists.
 tools::LintOptions options_for(std::vector<std::string> paths) {
@@ -54,9 +64,27 @@ void add_views(const LinkedModel& model, const std::string& path, const SourceMa
     if (sources.path(file.source) != path) continue;
     view.source = file.source;
     view.yaml = file.document ? &*file.document : nullptr;
+    if (xacro::is_xacro_file(path)) continue;
     const bool is_robot = model.robot && model.robot->document.source == file.source;
     view.xml = is_robot ? &model.robot->document : nullptr;
     views.push_back(view);
+  }
+}
+
+/// A file of an expanded robot. The elements of the robot are those of the expansion.
+void add_xacro_view(const tools::LoadedNames::Part& part, const std::string& path,
+                    const SourceMap& sources, FileView view, std::vector<FileView>& views) {
+  const LinkedModel& model = part.model->model;
+  if (!model.robot) return;
+  const auto expansion = part.expansions->find(model.robot->document.source);
+  if (expansion == part.expansions->end()) return;
+  for (const xml::Document& document : expansion->second.documents) {
+    if (sources.path(document.source) != path) continue;
+    view.model = &model;
+    view.source = document.source;
+    view.xml = &document;
+    views.push_back(view);
+    return;
   }
 }
 
@@ -145,12 +173,14 @@ void Workspace::touch(const std::string& path) {
   is_checked_ = false;
   names_.reset();
   folder_names_.reset();
+  xacro_families_.clear();
   if (decides_plan(path)) plan_.reset();
 }
 
 void Workspace::open(const std::string& path, OpenDocument document) {
   documents_[path] = std::move(document);
   touch(path);
+  forget_xacro_files();
   plan_.reset();
 }
 
@@ -159,15 +189,21 @@ void Workspace::change(const std::string& path, std::int64_t version, const Json
   const auto document = documents_.find(path);
   if (document == documents_.end() || !changes.is_array()) return;
   document->second.version = version;
+  const std::vector<std::string> before = includes_of(path, document->second.text);
   EditedText text(document->second.text, encoding);
   for (const Json& change : changes) text.apply(change);
   document->second.text = text.text();
   touch(path);
+  if (includes_of(path, document->second.text) != before) {
+    forget_xacro_files();
+    plan_.reset();
+  }
 }
 
 void Workspace::close(const std::string& path) {
   if (documents_.erase(path) == 0) return;
   touch(path);
+  forget_xacro_files();
   plan_.reset();
 }
 
@@ -175,6 +211,7 @@ void Workspace::forget_files() {
   is_checked_ = false;
   names_.reset();
   folder_names_.reset();
+  forget_xacro_files();
   plan_.reset();
 }
 
@@ -294,6 +331,7 @@ std::vector<FileView> Workspace::views(const std::string& path) {
       continue;
     }
     add_views(part.model->model, path, sources, view, found);
+    add_xacro_view(part, path, sources, view, found);
     for (const Companion& one : part.companions->files) {
       if (sources.path(one.source) != path) continue;
       found.push_back({i, one.source, &part.model->model, nullptr,

@@ -12,8 +12,10 @@
 #include <vector>
 
 #include "common/loaded_names.hpp"
+#include "common/xacro_roots.hpp"
 #include "smurf-lint/plan.hpp"
 #include "smurf-lsp/positions.hpp"
+#include "smurf-lsp/xacro_family.hpp"
 #include "smurf/check.hpp"
 
 namespace smurf::lsp {
@@ -92,6 +94,19 @@ class Workspace {
   std::vector<FileView> views_with(const std::string& path, std::string text);
   /// Whether the file exists in the projects of the editor: those of its folders and documents.
   bool is_changeable(const std::string& path) const;
+  /// An open xacro and the files of its robots; null for other documents.
+  const XacroFamily* xacro_family(const std::string& path);
+  /// The files that an include in an open xacro may mean.
+  std::vector<std::string> xacro_files_meant(const std::string& written, const std::string& from);
+  /// The folder of a package that an open file names; none if it is unknown.
+  std::optional<std::string> package_folder(const std::string& name, const std::string& from);
+  /// An expanded robot that contains a file, and the sources of the file in it.
+  struct Expanded {
+    const xacro::Expansion* expansion = nullptr;
+    std::set<SourceId> sources;
+  };
+  /// Those of the open documents.
+  std::vector<Expanded> expansions_of(const std::string& path);
   const FileReader& files() const { return session_.files(); }
   const Limits& limits() const { return session_.limits(); }
 
@@ -108,6 +123,9 @@ class Workspace {
   Renamed rename(std::size_t part, const Reference& reference, const std::string& to);
 
  private:
+  /// Includes of an edited xacro may mean other files than before.
+  void forget_xacro_files();
+  const tools::XacroFiles& xacro_files_around(const std::string& path);
   tools::LintPlan make_plan(const std::vector<std::string>& paths) const;
   std::vector<std::string> checkable_documents() const;
   /// The URDF files that open SRDF files may be about.
@@ -134,6 +152,8 @@ class Workspace {
   Report report_;
   bool is_checked_ = false;
   std::optional<tools::LoadedNames> names_;
+  std::map<std::string, tools::XacroFiles> xacro_files_;  ///< by project
+  std::map<std::string, XacroFamily> xacro_families_;     ///< by document
   std::optional<tools::LoadedNames> folder_names_;  ///< loaded by folder_session_
 };
 

@@ -5,6 +5,7 @@ import * as fs from "node:fs";
 import { execFile } from "node:child_process";
 import * as vscode from "vscode";
 import { LanguageClient } from "vscode-languageclient/node";
+import { Expansions } from "./expansion";
 import { Preview } from "./preview";
 
 let client: LanguageClient | undefined;
@@ -103,7 +104,7 @@ async function startClient(context: vscode.ExtensionContext): Promise<void> {
   client = new LanguageClient("smurf", "SMURF",
     { command: toolPath(context, "smurf-lsp"), args: log ? ["--log", log] : [] },
     {
-      documentSelector: ["smurf", "urdf", "yaml"].map((language) => ({ scheme: "file", language })),
+      documentSelector: ["smurf", "urdf", "xacro", "yaml"].map((language) => ({ scheme: "file", language })),
       initializationOptions: settings,
       synchronize: { configurationSection: "smurf" },
       middleware: {
@@ -125,6 +126,9 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const preview = new Preview(() => client);
   context.subscriptions.push(...preview.subscriptions());
   command("preview", () => preview.open());
+  const expansions = new Expansions(() => client);
+  context.subscriptions.push(...expansions.subscriptions());
+  command("showExpansion", () => expansions.open());
   command("convertToUrdf", () => convertToUrdf(context));
   command("showLosses", () => showLosses(context));
   command("explain", (word) => explain(context, word));

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The xacro files around the open documents.
+#include <algorithm>
+#include <array>
+
+#include "base/path.hpp"
+#include "link/package_search.hpp"
+#include "smurf-lsp/workspace.hpp"
+#include "smurf/confine.hpp"
+
+namespace smurf::lsp {
+
+void Workspace::forget_xacro_files() {
+  xacro_files_.clear();
+  xacro_families_.clear();
+}
+
+const tools::XacroFiles& Workspace::xacro_files_around(const std::string& path) {
+  const std::string project = project_around(path);
+  const auto known = xacro_files_.find(project);
+  if (known != xacro_files_.end()) return known->second;
+  ConfinedFiles disk;
+  confine_to_projects(disk, std::array{path});
+  MemoryFiles files(&disk);
+  for (const auto& [name, document] : documents_) files.add(name, document.text);
+  return xacro_files_.emplace(project, tools::xacro_files_around(path, files, session_.limits()))
+      .first->second;
+}
+
+const XacroFamily* Workspace::xacro_family(const std::string& path) {
+  const OpenDocument* open = document(path);
+  if (open == nullptr || !xacro::is_xacro_file(path)) return nullptr;
+  const auto [known, is_new] = xacro_families_.try_emplace(path);
+  XacroFamily& family = known->second;
+  if (!is_new) return &family;
+  ConfinedFiles disk;
+  confine_to_projects(disk, std::array{path});
+  const auto add = [&](const std::string& name, std::string text) {
+    const SourceId source = family.sources.add(name, std::move(text));
+    family.files.push_back({source, tools::read_xacro_text(family.sources.text(source))});
+  };
+  add(path, open->text);
+  for (const std::string& other : xacro_files_around(path).family_of(path)) {
+    if (other == path) continue;
+    const OpenDocument* edited = document(other);
+    add(other, edited != nullptr ? edited->text
+                                 : disk.read(other, session_.limits().file_bytes).text);
+  }
+  return &family;
+}
+
+std::vector<std::string> Workspace::xacro_files_meant(const std::string& written,
+                                                      const std::string& from) {
+  return xacro_files_around(from).meant_by(written, from);
+}
+
+std::optional<std::string> Workspace::package_folder(const std::string& name,
+                                                     const std::string& from) {
+  SourceMap sources;
+  DiagnosticSink ignored;
+  ConfinedFiles disk;
+  const CheckSettings settings = settings_of_check();
+  confine(disk, std::array{from}, settings.packages, false);
+  LoadContext context{sources,           disk, ignored, session_.limits(), settings.packages,
+                      settings.package_folders};
+  return PackageSearch(context).find(name, from);
+}
+
+std::vector<Workspace::Expanded> Workspace::expansions_of(const std::string& path) {
+  std::vector<Expanded> found;
+  for (const tools::LoadedNames::Part& part : names().parts()) {
+    if (part.model == nullptr || !part.model->model.robot) continue;
+    const auto one = part.expansions->find(part.model->model.robot->document.source);
+    if (one == part.expansions->end()) continue;
+    Expanded expanded{&one->second, {}};
+    for (const xml::Document& document : one->second.documents) {
+      if (loaded_sources().path(document.source) == path) expanded.sources.insert(document.source);
+    }
+    if (!expanded.sources.empty()) found.push_back(std::move(expanded));
+  }
+  return found;
+}
+
+}  // namespace smurf::lsp
