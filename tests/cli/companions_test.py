@@ -134,6 +134,15 @@ class Companions(cli.CliTest):
             self.assertEqual(self.companion(name), text, name)
         self.assertEqual(self.read("lamp_description/urdf/lamp.urdf"), URDF)
 
+    def test_launch_files_that_still_name_it_are_listed(self):
+        self.write("lamp_moveit_config/launch/demo.launch.py", "# shoulder\nJOINTS = ['shoulder', 'shoulder_2']\n")
+        self.write("lamp_description/launch/show.launch.xml", '<arg default="tip:=shoulder"/>\n')
+        done = self.run_tool("--rename", "joint:shoulder=hinge", ".")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("demo.launch.py' still names `shoulder` in line 2; change it there", done.stderr)
+        self.assertIn("show.launch.xml' still names `shoulder` in line 1", done.stderr)
+        self.assertEqual(done.stderr.count("still names"), 2)
+
     def test_rename_of_a_group(self):
         self.expect(0, "--rename", "group:arm=manipulator", ".")
         self.assertIn('group="manipulator"', self.companion("lamp.srdf"))

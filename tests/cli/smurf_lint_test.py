@@ -1063,6 +1063,33 @@ class Inputs(LintTest):
         self.assertIn("d.yaml:1:7", done.stdout)
         self.assertIn("write `1.0e-3`; in YAML 1.1", done.stdout)
 
+    def test_a_part_is_judged_in_its_robots(self):
+        self.write("robot/package.xml", "<package><name>r</name></package>")
+        self.write("robot/lib/arm.xacro", '<robot xmlns:xacro="x"><xacro:macro name="arm" params="name">\n'
+                   '<link name="${name}"/>\n<link name="${name}"/></xacro:macro></robot>')
+        self.write("robot/a.urdf.xacro", '<robot name="r" xmlns:xacro="x"><xacro:include filename="lib/arm.xacro"/>\n'
+                   '<xacro:arm name="a"/></robot>')
+        done = self.expect(1, "--only-listed", "robot/lib/arm.xacro", "--select", "SML1301")
+        self.assertIn("--> robot/a.urdf.xacro:2:18", done.stdout)
+        # Named alone, it is a part.
+        self.assertIn("no findings", self.expect(0, "robot/lib/arm.xacro", "--select", "SML1301").stdout)
+
+    def test_rename_in_xacro(self):
+        self.write("lib.xacro", '<robot xmlns:xacro="x"><xacro:macro name="arm" params="name">\n<link name="${name}"/>\n'
+                   '<joint name="${name}_joint" type="fixed"><parent link="base"/><child link="${name}"/></joint>\n'
+                   '</xacro:macro></robot>\n')
+        self.write("a.urdf.xacro", '<robot name="r" xmlns:xacro="x"><xacro:include filename="lib.xacro"/>\n'
+                   '<link name="base"/><xacro:arm name="a"/><xacro:arm name="b"/></robot>\n')
+        before = {name: self.read(name) for name in ("lib.xacro", "a.urdf.xacro")}
+        self.expect(0, "--rename", "link:base=chassis", "a.urdf.xacro")
+        for name, text in before.items():
+            self.assertEqual(self.read(name), text.replace('"base"', '"chassis"'))
+        self.expect(0, "--rename", "link:chassis=base", "a.urdf.xacro")
+        self.assertEqual({name: self.read(name) for name in before}, before)
+        for new in ("joint:a_joint=x", "link:base=7", "link:base=${x}", "link:base=true"):
+            self.assertIn("nothing was renamed", self.expect(2, "--rename", new, "a.urdf.xacro").stderr)
+        self.assertEqual({name: self.read(name) for name in before}, before)
+
     def test_xacro_arguments(self):
         self.write("a.urdf.xacro", '<robot name="r" xmlns:xacro="x"><link name="$(arg side)_arm"/></robot>')
         done = self.expect(1, "a.urdf.xacro", "--select", "SML33")

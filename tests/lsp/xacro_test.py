@@ -22,16 +22,17 @@ ROBOT = """<?xml version="1.0"?>
   <link name="base"/>
   <link name="tool"/>
   <joint name="tool_joint" type="fixed"><parent link="base"/><child link="tool"/></joint>
-  <xacro:wheel prefix="left" radius="${size * 2}"/>
-  <xacro:wheel prefix="right"/>
+  <xacro:wheel prefix="first" radius="${size * 2}"/>
+  <xacro:wheel prefix="second"/>
 </robot>
 """
 WHEEL = """<?xml version="1.0"?>
 <robot xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:macro name="wheel" params="prefix radius:=0.1">
     <xacro:property name="mass" value="$(arg heavy)"/>
+    <xacro:property name="tensor" value="${0.4 * radius * radius}"/>
     <link name="${prefix}_wheel">
-      <inertial><mass value="${mass}"/><inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial>
+      <inertial><mass value="${mass}"/><inertia ixx="${tensor}" iyy="${tensor}" izz="${tensor}" ixy="0" ixz="0" iyz="0"/></inertial>
       <collision><geometry><sphere radius="${radius}"/></geometry></collision>
     </link>
     <joint name="${prefix}_joint" type="fixed"><parent link="base"/><child link="${prefix}_wheel"/></joint>
@@ -105,7 +106,7 @@ class Xacro(unittest.TestCase):
         self.assertEqual(text_in(self.part.read_text(), inner["range"]), "-1")
         said = [(pathlib.Path(path_of(one["location"]["uri"])).name, one["message"])
                 for one in inner["relatedInformation"]]
-        self.assertIn(("cart.urdf.xacro", "in `wheel`, called here with prefix=left radius=-1"), said)
+        self.assertIn(("cart.urdf.xacro", "in `wheel`, called here with prefix=first radius=-1"), said)
 
     def test_a_part_is_judged_in_the_robots_that_include_it(self):
         found = self.open(self.part, WHEEL.replace('value="${mass}"', 'value="-1"'))
@@ -136,7 +137,7 @@ class Xacro(unittest.TestCase):
         self.open(self.root)
         self.open(self.part)
         for path, text, into, expected in [
-                (self.root, '<xacro:wheel prefix="left"', 8, [("wheel.xacro", "wheel")]),
+                (self.root, '<xacro:wheel prefix="first"', 8, [("wheel.xacro", "wheel")]),
                 (self.root, 'radius="${size', 2, [("wheel.xacro", "radius")]),
                 (self.root, "${size * 2}", 3, [("cart.urdf.xacro", "size")]),
                 (self.part, "$(arg heavy)", 7, [("cart.urdf.xacro", "heavy")]),
@@ -171,7 +172,7 @@ class Xacro(unittest.TestCase):
         texts = {path_of(one): apply(self.client.texts[path_of(one)], edits) for one, edits in edit["changes"].items()}
         self.assertEqual(texts[str(self.root)], ROBOT.replace('"base"', '"chassis"'))
         self.assertEqual(texts[str(self.part)], WHEEL.replace('"base"', '"chassis"'))
-        with self.assertRaisesRegex(client.RequestError, "made by an expression at .*wheel.xacro:5"):
+        with self.assertRaisesRegex(client.RequestError, "made by an expression at .*wheel.xacro:6"):
             self.at("rename", self.part, '<link name="${prefix}_wheel"', 22, newName="round")
 
     def test_hover(self):
@@ -181,12 +182,12 @@ class Xacro(unittest.TestCase):
         def said(path, text, into):
             return self.at("hover", path, text, into)["contents"]["value"]
         radius = said(self.part, "${radius}", 4)
-        self.assertIn("`0.6` in `wheel`, called at cart.urdf.xacro:9 with `prefix=left radius=0.6`", radius)
+        self.assertIn("`0.6` in `wheel`, called at cart.urdf.xacro:9 with `prefix=first radius=0.6`", radius)
         self.assertIn("`0.1` in `wheel`, called at cart.urdf.xacro:10", radius)
         self.assertIn("parameter `radius`, by default `0.1`, defined in wheel.xacro:3", radius)
         self.assertIn("property `size` = `0.3`, defined in cart.urdf.xacro:5", said(self.root, "${size", 3))
         self.assertIn("argument `heavy`, by default `1`", said(self.part, "arg heavy", 6))
-        self.assertIn("macro `wheel`: `prefix radius:=0.1`", said(self.root, 'wheel prefix="left"', 2))
+        self.assertIn("macro `wheel`: `prefix radius:=0.1`", said(self.root, 'wheel prefix="first"', 2))
         self.assertIn("link `tool`", said(self.root, '<link name="tool"', 13))
 
     def test_symbols(self):
@@ -194,7 +195,7 @@ class Xacro(unittest.TestCase):
         macro = self.client.of("textDocument/documentSymbol", self.part)[0]
         self.assertEqual((macro["name"], macro["detail"]), ("wheel", "prefix radius:=0.1"))
         self.assertEqual([one["name"] for one in macro["children"]],
-                         ["mass", "${prefix}_wheel", "${prefix}_joint"])
+                         ["mass", "tensor", "${prefix}_wheel", "${prefix}_joint"])
         self.open(self.root)
         self.assertEqual([one["name"] for one in self.client.of("textDocument/documentSymbol", self.root)],
                          ["$(find cart_description)/urdf/wheel.xacro", "heavy", "size", "base", "tool", "tool_joint",
@@ -248,7 +249,7 @@ class Xacro(unittest.TestCase):
         self.open(self.root, ROBOT.replace("${size", "${sise"))
         self.assertIsNone(self.client.of("smurf/expansion", self.root)["text"])
         # What its files define is still known.
-        self.assertEqual(self.places(self.at("definition", self.root, "wheel prefix=\"right\"", 2)),
+        self.assertEqual(self.places(self.at("definition", self.root, "wheel prefix=\"second\"", 2)),
                          [("wheel.xacro", "wheel")])
 
 

@@ -75,8 +75,8 @@ void LoadedNames::load_model(const std::string& path) {
   } else {
     companions = load_companions(loaded.model, context);
   }
-  Part& part = parts_.emplace_back(Part{
-      .model = &loaded, .companions = &companions, .expansions = context.expansions});
+  Part& part = parts_.emplace_back(
+      Part{.model = &loaded, .companions = &companions, .expansions = context.expansions});
   note(loaded.model, part);
   if (loaded.model.robot) {
     const auto expansion = context.expansions->find(loaded.model.robot->document.source);

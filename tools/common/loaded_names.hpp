@@ -24,9 +24,9 @@ class LoadedNames {
   struct Part {
     const LoadedModel* model = nullptr;  ///< null: a scene
     const LoadedScene* scene = nullptr;
-    const Companions* companions = nullptr;  ///< of the model
+    const Companions* companions = nullptr;                         ///< of the model
     std::shared_ptr<const xacro::Expansions> expansions = nullptr;  ///< of the model
-    std::set<std::string> read = {};         ///< all its files, by identity
+    std::set<std::string> read = {};                                ///< all its files, by identity
   };
   const std::deque<Part>& parts() const { return parts_; }
   /// The names of each part.

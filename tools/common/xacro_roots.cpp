@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/path.hpp"
+#include "base/places.hpp"
 #include "common/input.hpp"
 #include "common/xacro_text.hpp"
 #include "smurf/confine.hpp"
@@ -55,8 +56,8 @@ bool may_mean(const std::string& written, const std::string& from, const std::st
 /// The text behind the last `/` outside of expressions; "" if it has expressions.
 std::string_view literal_name(std::string_view written) {
   const std::string_view name = written.substr(written.find_last_of("/)}") + 1);
-  const bool is_whole = name.size() == written.size() ||
-                        written[written.size() - name.size() - 1] == '/';
+  const bool is_whole =
+      name.size() == written.size() || written[written.size() - name.size() - 1] == '/';
   return is_whole && name.find_first_of("${*?[") == std::string_view::npos ? name
                                                                            : std::string_view();
 }
@@ -163,7 +164,15 @@ std::string project_beside(const std::string& path) {
 XacroFiles xacro_files_around(const std::string& path, const FileReader& reader,
                               const Limits& limits, const LeftOut& is_left_out) {
   if (project_around(path).empty()) return {{path}, reader, limits};
-  return {find_inputs(project_beside(path), limits, is_left_out).xacro, reader, limits};
+  std::vector<std::string> files = find_inputs(project_beside(path), limits, is_left_out).xacro;
+  const std::string here = identity(".");
+  for (std::string& file : files) {
+    if (!file.starts_with("../")) continue;
+    // Out of the current folder, and back into it.
+    const std::string inside = places::relative(identity(file), here);
+    if (!inside.empty() && !inside.starts_with("../")) file = inside;
+  }
+  return {std::move(files), reader, limits};
 }
 
 }  // namespace smurf::tools

@@ -23,8 +23,8 @@ class TagReader {
     while (at_ < text_.size()) {
       at_ = std::min(text_.find('<', at_), text_.size());
       if (at_ == text_.size()) break;
-      const bool is_other = skip("<!--", "-->") || skip("<![CDATA[", "]]>") || skip("<?", "?>") ||
-                            skip("<!", ">");
+      const bool is_other =
+          skip("<!--", "-->") || skip("<![CDATA[", "]]>") || skip("<?", "?>") || skip("<!", ">");
       if (!is_other) tag();
     }
     for (const std::size_t open : open_) tags_[open].end = text_.size();
@@ -225,8 +225,8 @@ std::vector<XacroTag> xacro_tags(std::string_view text) { return TagReader(text)
 
 bool is_xacro_element(std::string_view name) {
   constexpr std::array<std::string_view, 10> kElements = {
-      "arg", "attribute", "call", "element", "if", "include", "insert_block", "macro",
-      "property", "unless"};
+      "arg",     "attribute",    "call",  "element",  "if",
+      "include", "insert_block", "macro", "property", "unless"};
   return std::find(kElements.begin(), kElements.end(), name) != kElements.end();
 }
 
@@ -302,8 +302,8 @@ std::vector<TextRange> xacro_uses(std::string_view text, std::string_view name, 
   if (name.empty()) return uses;
   for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
-    const bool is_part = (at > 0 && is_word(text[at - 1])) ||
-                         (end < text.size() && is_word(text[end]));
+    const bool is_part =
+        (at > 0 && is_word(text[at - 1])) || (end < text.size() && is_word(text[end]));
     if (is_part) continue;
     const XacroExpression around = xacro_expression_at(text, at);
     if (around.kind == '\0' || around.word.begin != at || around.word.end != end) continue;

@@ -26,10 +26,10 @@ struct XacroAttribute {
 struct XacroTag {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   TextRange name;
-  TextRange tag;                ///< from `<` to behind `>`
-  std::size_t end = 0;          ///< behind the end tag
-  std::size_t parent = kNone;   ///< index of the element around it
-  std::size_t macro = kNone;    ///< index of the `xacro:macro` around it
+  TextRange tag;               ///< from `<` to behind `>`
+  std::size_t end = 0;         ///< behind the end tag
+  std::size_t parent = kNone;  ///< index of the element around it
+  std::size_t macro = kNone;   ///< index of the `xacro:macro` around it
   std::vector<XacroAttribute> attributes = {};
 
   const XacroAttribute* find(std::string_view text, std::string_view attribute) const;
@@ -44,9 +44,9 @@ enum class XacroNameKind : std::uint8_t { macro, parameter, block, property, arg
 struct XacroName {
   XacroNameKind kind{};
   std::string name;
-  TextRange place;   ///< of the name
-  TextRange whole;   ///< of the tag; of a parameter with its default
-  std::string value; ///< of a macro its parameters; otherwise the written value or default
+  TextRange place;    ///< of the name
+  TextRange whole;    ///< of the tag; of a parameter with its default
+  std::string value;  ///< of a macro its parameters; otherwise the written value or default
   bool has_value = false;
   std::size_t tag = XacroTag::kNone;    ///< index
   std::size_t macro = XacroTag::kNone;  ///< index of the tag of the macro of a parameter

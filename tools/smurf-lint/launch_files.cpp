@@ -58,9 +58,9 @@ class Search {
       for (std::size_t at = content.text.find(rename.from); at != std::string::npos;
            at = content.text.find(rename.from, at + 1)) {
         if (!is_whole(content.text, at, at + rename.from.size())) continue;
-        const auto line = 1 + std::count(content.text.begin(),
-                                         content.text.begin() + static_cast<std::ptrdiff_t>(at),
-                                         '\n');
+        const auto line =
+            1 + std::count(content.text.begin(),
+                           content.text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
         if (found_.size() >= kMostPlaces) return;
         found_.push_back("'" + path + "' still names `" + rename.from + "` in line " +
                          std::to_string(line) + "; change it there");

@@ -249,8 +249,7 @@ class Planner {
           return is_left_out(path, is_one);
         });
     for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
-    const std::vector<std::string> roots =
-        XacroFiles(found.xacro, files_, options_.limits).roots();
+    const std::vector<std::string> roots = XacroFiles(found.xacro, files_, options_.limits).roots();
     const bool is_found = !found.files.empty() || !roots.empty();
     if (!is_found && found.unreadable.empty() && !ignore_files_.is_exhausted()) {
       fail(why_nothing(found, folder));

@@ -5,6 +5,7 @@
 
 #include "common/output.hpp"
 #include "common/planned_rename.hpp"
+#include "smurf-lint/launch_files.hpp"
 #include "smurf-lint/settings.hpp"
 
 namespace smurf::tools {
@@ -25,7 +26,14 @@ std::optional<std::map<std::string, Change>> rename_all(const LintOptions& optio
     const auto [change, is_new] = changes.try_emplace(sources.path(edit.span.source));
     if (is_new) change->second.before = sources.text(edit.span.source);
   }
-  for (FixedText& file : renamed.texts) changes[file.path].after = std::move(file.text);
+  std::vector<std::string> changed;
+  for (FixedText& file : renamed.texts) {
+    changed.push_back(file.path);
+    changes[file.path].after = std::move(file.text);
+  }
+  for (const std::string& place : launch_files_with(options.renames, changed, session.files())) {
+    complain("smurf-lint", place);
+  }
   return changes;
 }
 

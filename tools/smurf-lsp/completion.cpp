@@ -18,8 +18,8 @@ namespace smurf::lsp {
 namespace {
 
 // CompletionItemKind of the protocol.
-constexpr int kFunctionItem = 3, kPropertyItem = 10, kValue = 12, kSnippet = 15, kFile = 17, kReference = 18,
-              kFolder = 19, kClassItem = 7;
+constexpr int kFunctionItem = 3, kPropertyItem = 10, kValue = 12, kSnippet = 15, kFile = 17,
+              kReference = 18, kFolder = 19, kClassItem = 7;
 constexpr int kIsSnippet = 2;  // InsertTextFormat
 constexpr std::size_t kMostItems = 2000;
 

@@ -57,8 +57,7 @@ std::vector<Json> xacro_locations(Context& context, const Json& params, bool def
                                   bool others) {
   std::vector<Json> found;
   const auto request = xacro_request(context, params);
-  const auto meaning =
-      request ? xacro_meaning(*request->family, request->offset) : std::nullopt;
+  const auto meaning = request ? xacro_meaning(*request->family, request->offset) : std::nullopt;
   if (!meaning) return found;
   const auto is_definition = [&](const XacroPlace& place) {
     return std::any_of(meaning->definitions.begin(), meaning->definitions.end(),
@@ -103,9 +102,9 @@ Json definition(Context& context, const Json& params) {
   Places places(context);
   for (const std::string& file : xacro_files_at(context, params)) {
     const Json start = {{"line", 0}, {"character", 0}};
-    places.add(file, {},
-               {{"uri", context.workspace.uri_of(file)},
-                {"range", {{"start", start}, {"end", start}}}});
+    places.add(
+        file, {},
+        {{"uri", context.workspace.uri_of(file)}, {"range", {{"start", start}, {"end", start}}}});
   }
   if (!places.empty()) return places.take();
   for_each_place(context, params, [&](const Reference& one) {

@@ -164,10 +164,11 @@ void watch_files(Context& context) {
   if (!context.client.takes_watchers) return;
   Json watchers = Json::array();
   // Models, scenes and schemas; meshes and what they name; textures; lists of files.
-  for (const char* pattern : {"**/*.{smurf,smurfs,smurfa,urdf,xacro,srdf,yml,yaml,svg,scn,scene,json}",
-                              "**/*.{stl,obj,dae,bobj,gltf,glb,bin,mtl,STL,OBJ,DAE,GLTF,GLB}",
-                              "**/*.{png,jpg,jpeg,bmp,tga,tif,tiff,dds,PNG,JPG,JPEG}",
-                              "**/{.gitignore,.smurf-lintignore,package.xml}"}) {
+  for (const char* pattern :
+       {"**/*.{smurf,smurfs,smurfa,urdf,xacro,srdf,yml,yaml,svg,scn,scene,json}",
+        "**/*.{stl,obj,dae,bobj,gltf,glb,bin,mtl,STL,OBJ,DAE,GLTF,GLB}",
+        "**/*.{png,jpg,jpeg,bmp,tga,tif,tiff,dds,PNG,JPG,JPEG}",
+        "**/{.gitignore,.smurf-lintignore,package.xml}"}) {
     watchers.push_back({{"globPattern", pattern}});
   }
   const Json registration = {{"id", "files"},

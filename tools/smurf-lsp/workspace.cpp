@@ -144,7 +144,13 @@ Plan readers_of(const Files& files, const Plan& all, const tools::LoadedNames& l
   keep(all.scenes, those.scenes);
   keep(all.models, those.models);
   for (const PlannedFile& file : all.strays) {
-    if (files.contains(tools::identity(file.path))) those.strays.push_back(file);
+    // A robot of xacro may have the name only in files that it includes.
+    const auto own =
+        std::find_if(loaded.parts().begin(), loaded.parts().end(), [&](const auto& one) {
+          return one.model != nullptr && one.model->model.path == path::normalize(file.path);
+        });
+    const bool reads = own != loaded.parts().end() && reads_one(*own, files);
+    if (reads || files.contains(tools::identity(file.path))) those.strays.push_back(file);
   }
   return those;
 }

@@ -98,7 +98,7 @@ class Workspace {
   const XacroFamily* xacro_family(const std::string& path);
   /// The files that an include in an open xacro may mean.
   std::vector<std::string> xacro_files_meant(const std::string& written, const std::string& from);
-  /// The folder of a package that an open file names; none if it is unknown.
+  /// The folder of a package with xacro files that an open file names; none if it is unknown.
   std::optional<std::string> package_folder(const std::string& name, const std::string& from);
   /// An expanded robot that contains a file, and the sources of the file in it.
   struct Expanded {
@@ -154,7 +154,7 @@ class Workspace {
   std::optional<tools::LoadedNames> names_;
   std::map<std::string, tools::XacroFiles> xacro_files_;  ///< by project
   std::map<std::string, XacroFamily> xacro_families_;     ///< by document
-  std::optional<tools::LoadedNames> folder_names_;  ///< loaded by folder_session_
+  std::optional<tools::LoadedNames> folder_names_;        ///< loaded by folder_session_
 };
 
 }  // namespace smurf::lsp

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "base/path.hpp"
-#include "link/package_search.hpp"
 #include "smurf-lsp/workspace.hpp"
 #include "smurf/confine.hpp"
 
@@ -43,8 +42,8 @@ const XacroFamily* Workspace::xacro_family(const std::string& path) {
   for (const std::string& other : xacro_files_around(path).family_of(path)) {
     if (other == path) continue;
     const OpenDocument* edited = document(other);
-    add(other, edited != nullptr ? edited->text
-                                 : disk.read(other, session_.limits().file_bytes).text);
+    add(other,
+        edited != nullptr ? edited->text : disk.read(other, session_.limits().file_bytes).text);
   }
   return &family;
 }
@@ -56,14 +55,21 @@ std::vector<std::string> Workspace::xacro_files_meant(const std::string& written
 
 std::optional<std::string> Workspace::package_folder(const std::string& name,
                                                      const std::string& from) {
-  SourceMap sources;
-  DiagnosticSink ignored;
   ConfinedFiles disk;
-  const CheckSettings settings = settings_of_check();
-  confine(disk, std::array{from}, settings.packages, false);
-  LoadContext context{sources,           disk, ignored, session_.limits(), settings.packages,
-                      settings.package_folders};
-  return PackageSearch(context).find(name, from);
+  confine_to_projects(disk, std::array{from});
+  const std::string tag = "<name>" + name + "</name>";
+  std::set<std::string> seen;
+  for (const std::string& file : xacro_files_around(from).files()) {
+    constexpr int kMostLevels = 8;
+    std::string folder(path::parent(file));
+    for (int level = 0; level < kMostLevels && seen.insert(folder).second; ++level) {
+      const FileContent manifest =
+          disk.read(path::join(folder, "package.xml"), session_.limits().file_bytes);
+      if (manifest.text.find(tag) != std::string::npos) return folder;
+      folder = path::join(folder, "..");
+    }
+  }
+  return std::nullopt;
 }
 
 std::vector<Workspace::Expanded> Workspace::expansions_of(const std::string& path) {

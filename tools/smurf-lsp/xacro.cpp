@@ -40,10 +40,7 @@ std::string_view name_of_macro(const XacroTag& macro, std::string_view text) {
 class Resolver {
  public:
   Resolver(const XacroFamily& family, std::size_t offset)
-      : family_(family),
-        own_(family.files.front()),
-        text_(family.text(own_)),
-        offset_(offset) {}
+      : family_(family), own_(family.files.front()), text_(family.text(own_)), offset_(offset) {}
 
   std::optional<XacroMeaning> run() {
     for (const XacroName& one : own_.read.names) {
@@ -121,9 +118,8 @@ std::vector<XacroMeaning::Definition> xacro_definitions(const XacroFamily& famil
   for (const XacroFamily::File& file : family.files) {
     for (const XacroName& one : file.read.names) {
       if (one.kind != kind || one.name != name) continue;
-      const bool is_of_other =
-          !macro.empty() && one.macro != XacroTag::kNone &&
-          name_of_macro(file.read.tags[one.macro], family.text(file)) != macro;
+      const bool is_of_other = !macro.empty() && one.macro != XacroTag::kNone &&
+                               name_of_macro(file.read.tags[one.macro], family.text(file)) != macro;
       if (!is_of_other) found.push_back({&file, &one});
     }
   }
@@ -201,8 +197,8 @@ class PlaceCollector {
       const XacroTag& macro = defining->read.tags[name->macro];
       const std::string_view called = name_of_macro(macro, family_.text(*defining));
       for (const XacroTag& tag : file.read.tags) {
-        const bool is_own = defining == &file && macro.tag.begin < tag.tag.begin &&
-                            tag.tag.begin < macro.end;
+        const bool is_own =
+            defining == &file && macro.tag.begin < tag.tag.begin && tag.tag.begin < macro.end;
         if (is_own && tag.name.of(text) == "xacro:insert_block") {
           const XacroAttribute* block = tag.find(text, "name");
           if (block != nullptr && block->value.of(text) == meaning_.name) add(file, block->value);
@@ -243,8 +239,7 @@ std::optional<XacroRequest> xacro_request(Context& context, const Json& params) 
   request.path = path_in(params);
   request.family = context.workspace.xacro_family(request.path);
   if (request.family == nullptr) return std::nullopt;
-  request.offset =
-      offset_in(request.text(), at(params, {"position"}), context.client.encoding);
+  request.offset = offset_in(request.text(), at(params, {"position"}), context.client.encoding);
   return request;
 }
 

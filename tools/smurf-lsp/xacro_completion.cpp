@@ -18,33 +18,54 @@ struct Element {
   std::array<std::string_view, 6> attributes;
 };
 constexpr std::array<Element, 10> kElements{{
-    {"xacro:property", "gives a name to a value", "xacro:property name=\"$1\" value=\"$2\"/>",
+    {"xacro:property",
+     "gives a name to a value",
+     "xacro:property name=\"$1\" value=\"$2\"/>",
      {"name", "value", "default", "scope", "lazy_eval", "remove"}},
-    {"xacro:macro", "defines a macro",
-     "xacro:macro name=\"$1\" params=\"$2\">\n\t$3\n</xacro:macro>", {"name", "params"}},
-    {"xacro:include", "reads another file", "xacro:include filename=\"$1\"/>",
+    {"xacro:macro",
+     "defines a macro",
+     "xacro:macro name=\"$1\" params=\"$2\">\n\t$3\n</xacro:macro>",
+     {"name", "params"}},
+    {"xacro:include",
+     "reads another file",
+     "xacro:include filename=\"$1\"/>",
      {"filename", "ns", "optional"}},
-    {"xacro:arg", "takes a value from the command line",
-     "xacro:arg name=\"$1\" default=\"$2\"/>", {"name", "default"}},
-    {"xacro:if", "keeps its content if the value is true",
-     "xacro:if value=\"\\${$1}\">\n\t$2\n</xacro:if>", {"value"}},
-    {"xacro:unless", "keeps its content if the value is false",
-     "xacro:unless value=\"\\${$1}\">\n\t$2\n</xacro:unless>", {"value"}},
-    {"xacro:insert_block", "inserts a block that was given to the macro",
-     "xacro:insert_block name=\"$1\"/>", {"name"}},
+    {"xacro:arg",
+     "takes a value from the command line",
+     "xacro:arg name=\"$1\" default=\"$2\"/>",
+     {"name", "default"}},
+    {"xacro:if",
+     "keeps its content if the value is true",
+     "xacro:if value=\"\\${$1}\">\n\t$2\n</xacro:if>",
+     {"value"}},
+    {"xacro:unless",
+     "keeps its content if the value is false",
+     "xacro:unless value=\"\\${$1}\">\n\t$2\n</xacro:unless>",
+     {"value"}},
+    {"xacro:insert_block",
+     "inserts a block that was given to the macro",
+     "xacro:insert_block name=\"$1\"/>",
+     {"name"}},
     {"xacro:call", "calls a macro whose name is computed", "xacro:call macro=\"$1\"/>", {"macro"}},
-    {"xacro:element", "makes an element whose name is computed",
-     "xacro:element xacro:name=\"$1\"/>", {"xacro:name"}},
-    {"xacro:attribute", "sets an attribute of the element around it",
-     "xacro:attribute name=\"$1\" value=\"$2\"/>", {"name", "value"}},
+    {"xacro:element",
+     "makes an element whose name is computed",
+     "xacro:element xacro:name=\"$1\"/>",
+     {"xacro:name"}},
+    {"xacro:attribute",
+     "sets an attribute of the element around it",
+     "xacro:attribute name=\"$1\" value=\"$2\"/>",
+     {"name", "value"}},
 }};
 
 constexpr std::array<std::string_view, 26> kFunctions = {
-    "abs", "acos", "asin", "atan", "atan2", "ceil", "cos", "degrees", "dict", "e", "float", "floor",
-    "int", "len", "list", "max", "min", "pi", "radians", "round", "sin", "sqrt", "str", "tan",
-    "xacro.load_yaml", "xacro.arg"};
-constexpr std::array<std::string_view, 6> kCommands = {"arg", "cwd", "env", "eval", "find",
-                                                       "optenv"};
+    "abs",      "acos",  "asin",    "atan",    "atan2",
+    "ceil",     "cos",   "degrees", "dict",    "e",
+    "float",    "floor", "int",     "len",     "list",
+    "max",      "min",   "pi",      "radians", "round",
+    "sin",      "sqrt",  "str",     "tan",     "xacro.load_yaml",
+    "xacro.arg"};
+constexpr std::array<std::string_view, 6> kCommands = {"arg",  "cwd",  "env",
+                                                       "eval", "find", "optenv"};
 
 class Collector {
  public:
@@ -122,9 +143,8 @@ class Collector {
         add(XacroItem::Kind::function, std::string(one), std::string(one), {}, {});
       }
     } else if (around.kind == '(' && before.starts_with("arg")) {
-      for_each_name(XacroNameKind::argument, [&](const auto&, const XacroName& one) {
-        add_name(one, "argument");
-      });
+      for_each_name(XacroNameKind::argument,
+                    [&](const auto&, const XacroName& one) { add_name(one, "argument"); });
     } else if (around.kind == '(' && before.starts_with("find")) {
       add_packages();
     } else if (around.kind == '{' || before.starts_with("eval")) {
@@ -132,9 +152,8 @@ class Collector {
       for_each_parameter(macro, [&](const XacroName& one) {
         if (one.kind == XacroNameKind::parameter) add_name(one, "parameter");
       });
-      for_each_name(XacroNameKind::property, [&](const auto&, const XacroName& one) {
-        add_name(one, "property");
-      });
+      for_each_name(XacroNameKind::property,
+                    [&](const auto&, const XacroName& one) { add_name(one, "property"); });
       for (const std::string_view one : kFunctions) {
         add(XacroItem::Kind::function, std::string(one), std::string(one), {}, {});
       }

@@ -20,9 +20,9 @@ struct XacroItem {
 };
 
 struct XacroItems {
-  std::size_t begin = 0;  ///< of the word before the cursor
-  bool are_all = false;   ///< nothing else may be written there
-  bool are_files = false; ///< the name of a file is written there
+  std::size_t begin = 0;   ///< of the word before the cursor
+  bool are_all = false;    ///< nothing else may be written there
+  bool are_files = false;  ///< the name of a file is written there
   std::vector<XacroItem> list;
 };
 XacroItems xacro_items(const XacroFamily& family, std::size_t offset, const XmlContext& context);

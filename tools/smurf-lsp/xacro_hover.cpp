@@ -31,13 +31,14 @@ std::string said_of(const XacroFamily& family, const XacroMeaning::Definition& d
     return "macro " + smurf::quoted(name.name) +
            (name.value.empty() ? " without parameters" : ": " + smurf::quoted(name.value)) + where;
   case XacroNameKind::parameter:
-    return "parameter " + smurf::quoted(name.name) + (value.empty() ? "" : ", by default " + value) +
-           where;
+    return "parameter " + smurf::quoted(name.name) +
+           (value.empty() ? "" : ", by default " + value) + where;
   case XacroNameKind::block: return "block " + smurf::quoted(name.name) + where;
   case XacroNameKind::property:
     return "property " + smurf::quoted(name.name) + (value.empty() ? "" : " = " + value) + where;
   case XacroNameKind::argument:
-    return "argument " + smurf::quoted(name.name) + (value.empty() ? "" : ", by default " + value) + where;
+    return "argument " + smurf::quoted(name.name) + (value.empty() ? "" : ", by default " + value) +
+           where;
   }
   return {};
 }
@@ -53,8 +54,8 @@ class Values {
   std::vector<std::string> lines() const {
     constexpr std::size_t kMost = 8;
     std::vector<std::string> shown(lines_.begin(),
-                                   lines_.begin() + static_cast<std::ptrdiff_t>(
-                                                        std::min(kMost, lines_.size())));
+                                   lines_.begin() +
+                                       static_cast<std::ptrdiff_t>(std::min(kMost, lines_.size())));
     if (lines_.size() > kMost) {
       shown.push_back("and " + counted(lines_.size() - kMost, "more value"));
     }

@@ -227,7 +227,8 @@ class Renamer {
       ChangedText& text = texts_[{sources_.path(one.text.source), one.text.begin}];
       if (text.reference == nullptr) text.reference = &one;
       const auto [known, is_new] = text.parts.try_emplace(part.begin, part, found->second);
-      if (path::extension(sources_.path(part.source)) == ".xacro" && !is_plain_name(found->second)) {
+      if (path::extension(sources_.path(part.source)) == ".xacro" &&
+          !is_plain_name(found->second)) {
         fail(quoted(found->second) + " could be read as an expression or a number at " +
              place_text(sources_, part) + "; use letters, digits and `_`");
       }
