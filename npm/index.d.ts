@@ -31,6 +31,11 @@ export interface Options {
   args?: string[];
 }
 
+export interface XacroOptions extends Options {
+  /** The arguments of a xacro file, such as `{ ur_type: "ur5e" }`. */
+  xacro?: Record<string, string | number | boolean>;
+}
+
 export type Severity = "error" | "warning" | "info";
 
 /** A place in a file. Lines and columns count from 1, columns in characters. */
@@ -99,13 +104,13 @@ export class ToolError extends Error {
 }
 
 /** Checks all models, scenes and URDFs, or only those at `paths`. */
-export function lint(files: Files, options?: Options & { paths?: string[] }): Promise<LintReport>;
+export function lint(files: Files, options?: XacroOptions & { paths?: string[] }): Promise<LintReport>;
 
 /** Expands a scene and its nested scenes into world poses. For other formats, see `run`. */
-export function flatten(files: Files, scene: string, options?: Options): Promise<FlatScene>;
+export function flatten(files: Files, scene: string, options?: XacroOptions): Promise<FlatScene>;
 
-/** The plain URDF of a model. */
-export function toUrdf(files: Files, model: string, options?: Options): Promise<string>;
+/** The plain URDF of a model or a xacro file. */
+export function toUrdf(files: Files, model: string, options?: XacroOptions): Promise<string>;
 
 /** Converts a URDF to a SMURF model in `folder`, and returns its files. */
 export function toSmurf(files: Files, urdf: string, options?: Options & { folder?: string }): Promise<Record<string, Uint8Array>>;

@@ -49,19 +49,24 @@ async function runWell(tool, args, files, isGood) {
   return result;
 }
 
-export async function lint(files, { paths = ["."], args = [] } = {}) {
+/** The arguments of a xacro file as the tools take them. */
+const words = (xacro) => Object.entries(xacro).map(([name, value]) => `${name}:=${value}`);
+
+export async function lint(files, { paths = ["."], args = [], xacro = {} } = {}) {
   // For callers, a folder without models is not an error.
-  const result = await runWell("smurf-lint", ["--format=json", ...args, "--", ...paths], files, (one) => one.code < 2);
+  const operands = ["--", ...paths, ...words(xacro)];
+  const result = await runWell("smurf-lint", ["--format=json", ...args, ...operands], files, (one) => one.code < 2);
   return JSON.parse(result.stdout);
 }
 
-export async function flatten(files, scene, { args = [] } = {}) {
-  const result = await runWell("smurfs-flatten", ["--format=json", ...args, "--", scene], files, (one) => one.code === 0);
+export async function flatten(files, scene, { args = [], xacro = {} } = {}) {
+  const operands = ["--", scene, ...words(xacro)];
+  const result = await runWell("smurfs-flatten", ["--format=json", ...args, ...operands], files, (one) => one.code === 0);
   return JSON.parse(result.stdout);
 }
 
-export async function toUrdf(files, model, { args = [] } = {}) {
-  return (await runWell("smurf2urdf", [...args, "--", model], files, (one) => one.code === 0)).stdout;
+export async function toUrdf(files, model, { args = [], xacro = {} } = {}) {
+  return (await runWell("smurf2urdf", [...args, "--", model, ...words(xacro)], files, (one) => one.code === 0)).stdout;
 }
 
 export async function toSmurf(files, urdf, { folder = ".", args = [] } = {}) {

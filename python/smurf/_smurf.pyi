@@ -12,6 +12,7 @@ Array = numpy.typing.NDArray[numpy.float64]
 Color = Tuple[Optional[float], Optional[float], Optional[float], Optional[float]]
 Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
 Texts = Union[str, Iterable[str]]
+Argument = Union[str, int, float]
 Geometry = Union["Box", "Sphere", "Cylinder", "Capsule", "Mesh"]
 Attachment = Union[str, Tuple[str, str]]
 
@@ -600,7 +601,8 @@ class Session:
         self, path: Path, *, config: Optional[Path] = ..., isolated: Optional[bool] = ...,
         select: Optional[Texts] = ..., ignore: Optional[Texts] = ...,
         severities: Optional[Dict[str, str]] = ..., targets: Optional[Texts] = ...,
-        packages: Optional[Dict[str, Path]] = ..., baseline: Optional[Path] = ...,
+        packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
+        xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
         no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ...,
         jobs: Optional[int] = ...
     ) -> Report: ...
@@ -608,7 +610,8 @@ class Session:
         self, path: Path, *, config: Optional[Path] = ..., isolated: Optional[bool] = ...,
         select: Optional[Texts] = ..., ignore: Optional[Texts] = ...,
         severities: Optional[Dict[str, str]] = ..., targets: Optional[Texts] = ...,
-        packages: Optional[Dict[str, Path]] = ..., baseline: Optional[Path] = ...,
+        packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
+        xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
         no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ...,
         jobs: Optional[int] = ...
     ) -> Model: ...
@@ -616,7 +619,8 @@ class Session:
         self, path: Path, *, config: Optional[Path] = ..., isolated: Optional[bool] = ...,
         select: Optional[Texts] = ..., ignore: Optional[Texts] = ...,
         severities: Optional[Dict[str, str]] = ..., targets: Optional[Texts] = ...,
-        packages: Optional[Dict[str, Path]] = ..., baseline: Optional[Path] = ...,
+        packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
+        xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
         no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ...,
         jobs: Optional[int] = ...
     ) -> Scene: ...
@@ -625,21 +629,24 @@ def check(
     path: Path, *, config: Optional[Path] = ..., isolated: Optional[bool] = ...,
     select: Optional[Texts] = ..., ignore: Optional[Texts] = ...,
     severities: Optional[Dict[str, str]] = ..., targets: Optional[Texts] = ...,
-    packages: Optional[Dict[str, Path]] = ..., baseline: Optional[Path] = ...,
+    packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
+    xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
     no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., jobs: Optional[int] = ...
 ) -> Report: ...
 def load_model(
     path: Path, *, config: Optional[Path] = ..., isolated: Optional[bool] = ...,
     select: Optional[Texts] = ..., ignore: Optional[Texts] = ...,
     severities: Optional[Dict[str, str]] = ..., targets: Optional[Texts] = ...,
-    packages: Optional[Dict[str, Path]] = ..., baseline: Optional[Path] = ...,
+    packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
+    xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
     no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., jobs: Optional[int] = ...
 ) -> Model: ...
 def load_scene(
     path: Path, *, config: Optional[Path] = ..., isolated: Optional[bool] = ...,
     select: Optional[Texts] = ..., ignore: Optional[Texts] = ...,
     severities: Optional[Dict[str, str]] = ..., targets: Optional[Texts] = ...,
-    packages: Optional[Dict[str, Path]] = ..., baseline: Optional[Path] = ...,
+    packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
+    xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
     no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., jobs: Optional[int] = ...
 ) -> Scene: ...
 def explain(rule: str) -> str: ...

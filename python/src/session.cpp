@@ -14,7 +14,8 @@ constexpr const char* kSettings =
     "\n\nKeyword arguments, as the options of smurf-lint: `config` (a path), `isolated` (read no "
     "configuration), `select` and `ignore` (ids, names or prefixes of rules), `severities` (a dict "
     "from rules to \"error\", \"warning\" or \"info\"), `targets` (names of readers), `packages` "
-    "(a dict from names to folders), `baseline` (a path), `no_ignores`, "
+    "(a dict from names to folders), `args` (a dict with the arguments of a .xacro), `xacro_env` "
+    "(names of variables that a .xacro may read), `baseline` (a path), `no_ignores`, "
     "`allow_outside` (read what models name wherever it lies), "
     "`jobs`.";
 
@@ -128,10 +129,10 @@ constexpr auto kCheck = [](const std::shared_ptr<Session>& session, const std::s
                            bool is_shared) { return check(*session, path, settings, is_shared); };
 
 constexpr const char* kCheckDoc =
-    "Checks a model, URDF, scene or annotation file with all that it loads, and returns a "
+    "Checks a model, URDF, xacro, scene or annotation file with all that it loads, and returns a "
     "smurf.Report. Raises smurf.Error when the file cannot be read.";
 constexpr const char* kModelDoc =
-    "Loads a .smurf, a .urdf, an annotation file or an archive (.zsmurf), and returns a "
+    "Loads a .smurf, a .urdf, a .xacro, an annotation file or an archive (.zsmurf), and returns a "
     "smurf.Model. What is wrong in it is told by its check(); smurf.Error is raised when there is "
     "nothing that could be read.";
 constexpr const char* kSceneDoc =

@@ -60,6 +60,12 @@ unsigned from_jobs(const py::handle& value) {
   return static_cast<unsigned>(jobs);
 }
 
+/// A text, or a number or truth value as xacro writes it.
+std::string from_argument(const py::handle& value) {
+  const bool is_number = py::isinstance<py::int_>(value) || py::isinstance<py::float_>(value);
+  return is_number ? std::string(py::str(value)) : from_text(value, "a value in args");
+}
+
 using Setter = std::function<void(CheckSettings& settings, const py::handle& value)>;
 
 const std::map<std::string, Setter>& setters() {
@@ -92,6 +98,18 @@ const std::map<std::string, Setter>& setters() {
        [](auto& to, const auto& value) {
          for (const auto& [name, folder] : from_dict(value, "packages")) {
            to.packages[from_text(name, "the name of a package")] = from_path(folder);
+         }
+       }},
+      {"args",
+       [](auto& to, const auto& value) {
+         for (const auto& [name, argument] : from_dict(value, "args")) {
+           to.xacro.arguments[from_text(name, "a name in args")] = from_argument(argument);
+         }
+       }},
+      {"xacro_env",
+       [](auto& to, const auto& value) {
+         for (std::string& name : from_texts(value, "xacro_env")) {
+           to.xacro.environment.insert(std::move(name));
          }
        }},
       {"baseline", [](auto& to, const auto& value) { to.baseline = from_path(value); }},

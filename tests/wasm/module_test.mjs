@@ -74,6 +74,14 @@ test("a model and its URDF are made of each other", async () => {
   await assert.rejects(toUrdf({ "a.urdf": "<robot" }, "a.urdf"), ToolError);
 });
 
+test("xacro files take arguments", async () => {
+  const files = { "a.urdf.xacro": `<robot name="r" xmlns:xacro="x"><xacro:arg name="link" default="a"/><link name="$(arg link)"/>
+<link name="b"/><joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></robot>` };
+  assert.match(await toUrdf(files, "a.urdf.xacro", { xacro: { link: "a" } }), /<link name="a"/);
+  const report = await lint(files, { paths: ["a.urdf.xacro"], xacro: { link: 7 } });
+  assert.ok(report.diagnostics.some((one) => one.severity === "error"), JSON.stringify(report));
+});
+
 test("files are written, and standard input is read", async () => {
   const text = fs.readFileSync(path.join(arm, "urdf/arm.urdf"), "utf8");
   const result = await run("smurf-lint", ["-", "--format=json=report.json"], {}, text);
