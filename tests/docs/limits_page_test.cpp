@@ -36,7 +36,7 @@ std::string limits_page() {
     page << "| `" << info.name << "` | " << Limits{}.*info.value << " | " << info.most << " | "
          << info.counts << " | ";
     if (info.diagnostic.empty()) {
-      page << "refused (exit code 2)";
+      page << (info.name == "suggestions" ? "a note in the finding" : "refused (exit code 2)");
     } else {
       page << test::link_to(*find_rule(info.diagnostic));
     }

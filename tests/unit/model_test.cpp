@@ -274,9 +274,10 @@ TEST_CASE("model: meshes and textures are looked up") {
     lines.push_back(mesh.path + (mesh.exists ? " there" : " gone") +
                     (mesh.is_texture ? " texture" : ""));
   }
-  CHECK(join(lines) == join({"pkg/urdf/t.png there texture", "pkg/meshes/a.stl there",
-                             "pkg/meshes/a.stl there", "pkg/meshes/a.stl there", " gone",
-                             "/abs/c.stl there", " gone", "pkg/urdf/gone.stl gone", " gone"}));
+  CHECK(join(lines) ==
+        join({"pkg/urdf/t.png there texture", "pkg/meshes/a.stl there", "pkg/meshes/a.stl there",
+              "pkg/meshes/a.stl there", "pkg/meshes/b.stl gone", "/abs/c.stl there", " gone",
+              "pkg/urdf/gone.stl gone", " gone"}));
 }
 
 TEST_CASE("model: two loads do not know of each other") {

@@ -2,7 +2,11 @@
 // The places where readers look for meshes and textures, and the number of times a file is opened.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <map>
+#include <mutex>
+#include <thread>
 
 #include "smurf/load.hpp"
 #include "support/loaded.hpp"
@@ -51,6 +55,41 @@ struct Models {
 };
 
 }  // namespace
+
+TEST_CASE("resources: threads open each mesh once, and see the same facts") {
+  struct SlowFiles final : FileReader {
+    mutable std::mutex mutex;
+    mutable std::map<std::string, int> reads;
+
+    FileContent read(const std::string& path, std::uint64_t) const override {
+      {
+        const std::lock_guard lock(mutex);
+        ++reads[path];
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      return {ReadStatus::ok, kTriangle, {}};
+    }
+    bool is_file(const std::string&) const override { return true; }
+    std::vector<std::string> list(const std::string&) const override { return {}; }
+  };
+  const SlowFiles files;
+  MeshLibrary meshes;
+  std::vector<std::vector<const MeshFile*>> seen(4);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    threads.emplace_back([&, i] {
+      for (int k = 0; k < 20; ++k) {
+        seen[i].push_back(&meshes.read("m" + std::to_string(k) + ".obj", files, {}));
+        if (seen[i].back()->facts.triangles != 1) seen[i].back() = nullptr;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  CHECK(files.reads.size() == 20);
+  for (const auto& [path, count] : files.reads) CHECK(count == 1);
+  for (const auto& one : seen) CHECK(one == seen[0]);
+  CHECK(std::find(seen[0].begin(), seen[0].end(), nullptr) == seen[0].end());
+}
 
 TEST_CASE("resources: a mesh is opened once, and only for who asks") {
   Models models;

@@ -90,11 +90,12 @@ TEST_CASE("suggest: an index changes nothing") {
     for (int i = 0; i < 150; ++i) names.push_back(word(longest));
     const std::vector<std::string_view> known(names.begin(), names.end());
     std::uint64_t steps = 1'000'000'000;  // of one sink, which searches again and again
+    SuggestionIndexes indexes;
     for (int search = 0; search < 60; ++search) {
       const std::string name =
           random.below(2) == 0 ? word(longest) : names[random.below(150)] + "a";
       CAPTURE(name);
-      CHECK(only_nearest(name, known, steps) == only_nearest(name, known));
+      CHECK(only_nearest(name, known, steps, &indexes) == only_nearest(name, known));
     }
   }
 }
@@ -106,8 +107,9 @@ TEST_CASE("suggest: many misspelt names of many take linear time") {
     const std::vector<std::string_view> known(names.begin(), names.end());
     constexpr std::uint64_t kSteps = 1'000'000'000;
     std::uint64_t steps = kSteps;
+    SuggestionIndexes indexes;
     for (int i = 0; i < count; ++i) {
-      const auto near = only_nearest("lnk_" + std::to_string(i), known, steps);
+      const auto near = only_nearest("lnk_" + std::to_string(i), known, steps, &indexes);
       CHECK((near && *near == names[static_cast<std::size_t>(i)]));
     }
     return kSteps - steps;

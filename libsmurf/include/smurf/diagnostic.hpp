@@ -11,6 +11,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -251,6 +252,21 @@ struct Diagnostic {
   Diagnostic& help(std::string text);
 };
 
+class SuggestionIndexes;
+
+/// Indexes that are made when they are needed. A copy begins without.
+class KeptIndexes {
+ public:
+  KeptIndexes();
+  KeptIndexes(const KeptIndexes&);
+  KeptIndexes& operator=(const KeptIndexes&);
+  ~KeptIndexes();
+  SuggestionIndexes& get();
+
+ private:
+  std::unique_ptr<SuggestionIndexes> indexes_;
+};
+
 /// Collects diagnostics. Passed by reference through all stages; never prints, never throws.
 class DiagnosticSink {
  public:
@@ -291,6 +307,7 @@ class DiagnosticSink {
   std::uint64_t most_;
   std::uint64_t most_suggestions_;
   std::uint64_t suggestions_left_;
+  KeptIndexes indexes_;                  ///< of the names in which suggest() searched
   std::optional<Span> suggestions_end_;  ///< the first finding without a suggestion
   bool is_last_left_out_ = false;
   std::map<const Rule*, std::uint64_t> counts_;

@@ -135,7 +135,7 @@ inline constexpr std::array kLimits{
         "comparisons of a file that has findings with a pattern of `paths` in a configuration",
         "SML0002", "a second; 20,000 files with two hundred patterns"},
     LimitInfo{"suggestions", &Limits::suggestions, 100'000'000'000,
-              "characters compared to find suggestions for misspelt names", "SML0002",
+              "characters compared to find suggestions for misspelt names", "",
               "every misspelt name is compared with all known ones, which takes a second for a "
               "billion characters"},
 };

@@ -83,6 +83,12 @@ struct MeshReference {
   /// leads to a file with a similar name in the same folder, or to the file that the path leads to
   /// from a folder above the URDF.
   std::string meant;
+  /// Whether no package is known by the name in a package://NAME/REST, and the file was found in a
+  /// folder above the URDF.
+  bool is_package_guessed = false;
+  bool is_package_given = false;  ///< the caller named the folder of the package
+  std::string package_there;  ///< if it was guessed: the name in the package.xml of that folder, if
+                              ///< it has one
   const MeshFile* file = nullptr;  ///< facts about the mesh at `path`; null if it was not opened
 
   /// The file that MARS opens: the .bobj of this mesh where there is one (smurf.cpp:1070-1111).

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -100,6 +101,8 @@ struct MeshFacts {
   Closure closure = Closure::unknown;
   std::optional<double> unit_meters;  ///< COLLADA: metres per unit, if written
   char up_axis = '\0';                ///< COLLADA: 'X', 'Y' or 'Z', when written
+  bool has_more_groups = false;       ///< OBJ: faces behind those of the first `o` or `g`
+  bool is_first_group_flat = false;   ///< OBJ: the faces of the first `o` or `g` lie in a plane
   bool named_solid = false;           ///< binary STL whose header begins like an ASCII one
   std::vector<std::string> extras;  ///< COLLADA: contents such as "lights", "cameras", "animations"
   std::vector<MeshDependency> dependencies;
@@ -127,16 +130,20 @@ struct MeshFile {
   std::vector<MeshDependency> lost;
 };
 
-/// The meshes of a run: each file is read once, even if many models use it. Returned pointers are
-/// valid as long as the library.
+/// The meshes of a run: each file is read once, even if many models use it. Several threads may
+/// read at the same time. Returned references are valid as long as the library.
 class MeshLibrary {
  public:
+  MeshLibrary();
+  ~MeshLibrary();
+  MeshLibrary(MeshLibrary&& other) noexcept;
+  MeshLibrary& operator=(MeshLibrary&& other) noexcept;
+
   const MeshFile& read(const std::string& path, const FileReader& files, const Limits& limits);
 
  private:
-  std::map<std::string, std::string> keys_;  ///< of the files, by path
-  std::map<std::string, MeshFile> files_;    ///< one for all names that links give to a file
-  std::map<std::string, std::vector<MeshDependency>> textures_;  ///< of material libraries
+  struct Shelves;
+  std::unique_ptr<Shelves> shelves_;
 };
 
 }  // namespace smurf

@@ -330,9 +330,14 @@ struct XacroTrace {
   }
 };
 
+bool is_xacro_definition(View element) {
+  return element.name() == "xacro:property" || element.name() == "xacro:arg";
+}
+
 /// Readers ignore xacro elements, but fail on expressions, especially in joints. So there is one
 /// finding each for expressions in joints, other expressions, and elements.
 void report_xacro(const xml::Document& document, DiagnosticSink& sink) {
+  if (has_only_xacro_definitions(document)) return;
   XacroTrace elements, in_joints, elsewhere;
   std::set<xml::ElementId> dropped;  // with all that is in them
   for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
@@ -353,6 +358,23 @@ void report_xacro(const xml::Document& document, DiagnosticSink& sink) {
 }
 
 }  // namespace
+
+bool has_only_xacro_definitions(const xml::Document& document) {
+  bool has_definitions = false;
+  for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
+    const View element(document, xml::ElementId{i});
+    if (is_xacro_definition(element)) {
+      has_definitions = true;
+    } else if (element.name().starts_with("xacro:")) {
+      return false;
+    } else {
+      for (const xml::Attribute& at : element.attributes()) {
+        if (is_xacro(at.value())) return false;
+      }
+    }
+  }
+  return has_definitions;
+}
 
 std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sink) {
   const View root = document.view();

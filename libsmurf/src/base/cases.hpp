@@ -28,6 +28,7 @@ inline constexpr Circumstance kDeclaration{"declaration"};
 inline constexpr Circumstance kCommentBehind{"comment behind"};
 inline constexpr Circumstance kInstruction{"instruction"};
 inline constexpr Circumstance kInstructionAttribute{"attribute of an instruction"};
+inline constexpr Circumstance kUnquotedInDeclaration{"value without quotes in the declaration"};
 inline constexpr Circumstance kTextBehindDeclaration{"text behind the declaration"};
 inline constexpr Circumstance kTypographicQuotes{"typographic quotes"};
 inline constexpr Circumstance kEndTagAttribute{"attribute of an end tag"};

@@ -111,10 +111,22 @@ Diagnostic& DiagnosticSink::report(const Rule& rule, Span span, std::string mess
   return diagnostic;
 }
 
+KeptIndexes::KeptIndexes() = default;
+KeptIndexes::KeptIndexes(const KeptIndexes&) {}
+KeptIndexes& KeptIndexes::operator=(const KeptIndexes&) {
+  indexes_.reset();
+  return *this;
+}
+KeptIndexes::~KeptIndexes() = default;
+SuggestionIndexes& KeptIndexes::get() {
+  if (!indexes_) indexes_ = std::make_unique<SuggestionIndexes>();
+  return *indexes_;
+}
+
 std::optional<std::string_view> DiagnosticSink::suggest(std::string_view name,
                                                         std::span<const std::string_view> known) {
   if (is_last_left_out_ || suggestions_end_) return std::nullopt;
-  const auto found = only_nearest(name, known, suggestions_left_);
+  const auto found = only_nearest(name, known, suggestions_left_, &indexes_.get());
   if (suggestions_left_ == 0) {
     suggestions_end_ = diagnostics_.empty() ? Span{} : diagnostics_.back().span;
   }

@@ -123,6 +123,11 @@ struct Search {
   }
 };
 
+}  // namespace
+
+// Members of a class with a name outside of this file have names outside, too.
+namespace suggesting {
+
 /// Finds names with at most one edit in time that does not depend on the number of names: such
 /// names are equal after one character is removed from each, or from one of them.
 class Index {
@@ -192,61 +197,11 @@ class Index {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> places_;  ///< sorted
 };
 
-/// The indexes of the lists in which a sink has searched most recently. A sink is recognised by its
-/// steps, which no other search has.
-class Indexes {
- public:
-  static Indexes& of_this_thread() {
-    thread_local Indexes indexes;
-    return indexes;
-  }
+}  // namespace suggesting
 
-  /// Null where an index would not pay off yet.
-  const Index* find(std::span<const std::string_view> known, std::uint64_t& steps_left) {
-    constexpr std::size_t kMostMemory = 100'000'000;
-    constexpr int kFewSearches = 4;
-    if (known.size() < kFewNames) return nullptr;
-    if (!is_of(steps_left)) lists_ = {};
-    List* list = std::find_if(lists_.begin(), lists_.end(), [&](const List& one) {
-      return one.begin == known.data() && one.size == known.size();
-    });
-    if (list == lists_.end()) {
-      std::rotate(lists_.begin(), lists_.end() - 1, lists_.end());
-      list = lists_.begin();
-      *list = {known.data(), known.size(), 0, nullptr};
-    }
-    if (list->index && !list->index->is_of(known)) *list = {known.data(), known.size(), 0, nullptr};
-    const bool is_needed = ++list->searches > kFewSearches || known.size() > kMostNames;
-    if (!list->index && is_needed && Index::size_for(known) <= kMostMemory) {
-      list->index = std::make_unique<Index>(known);
-      spend(known.size(), steps_left);
-    }
-    return list->index.get();
-  }
+namespace {
 
-  static constexpr std::size_t kFewNames = 100;
-
-  /// Whether no other search has spent these steps since.
-  bool is_of(const std::uint64_t& steps_left) const {
-    return steps_ == &steps_left && last_ == steps_left;
-  }
-
-  void remember(const std::uint64_t& steps_left) {
-    steps_ = &steps_left;
-    last_ = steps_left;
-  }
-
- private:
-  struct List {
-    const std::string_view* begin = nullptr;
-    std::size_t size = 0;
-    int searches = 0;
-    std::unique_ptr<const Index> index;
-  };
-  std::array<List, 4> lists_;
-  const std::uint64_t* steps_ = nullptr;
-  std::uint64_t last_ = 0;
-};
+using suggesting::Index;
 
 /// A search for a name among many.
 class Among {
@@ -312,25 +267,72 @@ class Among {
   Search result_{};
 };
 
-std::optional<std::string_view> search(std::string_view name,
-                                       std::span<const std::string_view> known, bool finds_ties,
-                                       std::uint64_t& steps_left) {
-  if (name.empty() || name.size() > kLongestName) return std::nullopt;
-  Indexes& indexes = Indexes::of_this_thread();
-  const bool is_relevant = known.size() >= Indexes::kFewNames || indexes.is_of(steps_left);
-  const Index* index = indexes.find(known, steps_left);
-  std::optional<std::string_view> found;
-  Among among(name, finds_ties, steps_left);
-  if (index != nullptr) {
-    found = among.indexed(known, *index);
-  } else if (known.size() <= kMostNames) {
-    found = among.all(known);
-  }
-  if (is_relevant) indexes.remember(steps_left);
-  return found;
-}
-
 }  // namespace
+
+/// The indexes of the lists in which was searched most recently.
+class SuggestionIndexes::Lists {
+ public:
+  /// Null where an index would not pay off yet.
+  const Index* find(std::span<const std::string_view> known, std::uint64_t& steps_left) {
+    constexpr int kFewSearches = 4;
+    if (known.size() < kFewNames) return nullptr;
+    List* list = std::find_if(lists_.begin(), lists_.end(), [&](const List& one) {
+      return one.begin == known.data() && one.size == known.size();
+    });
+    if (list == lists_.end()) {
+      std::rotate(lists_.begin(), lists_.end() - 1, lists_.end());
+      list = lists_.begin();
+      *list = {known.data(), known.size(), 0, nullptr};
+    }
+    if (list->index && !list->index->is_of(known)) *list = {known.data(), known.size(), 0, nullptr};
+    const bool is_needed = ++list->searches > kFewSearches || known.size() > kMostNames;
+    if (!list->index && is_needed) list->index = make(known, steps_left);
+    return list->index.get();
+  }
+
+  /// Null if it would take too much memory.
+  static std::unique_ptr<const Index> make(std::span<const std::string_view> known,
+                                           std::uint64_t& steps_left) {
+    constexpr std::size_t kMostMemory = 100'000'000;
+    if (Index::size_for(known) > kMostMemory) return nullptr;
+    spend(known.size(), steps_left);
+    return std::make_unique<Index>(known);
+  }
+
+ private:
+  static constexpr std::size_t kFewNames = 100;
+  struct List {
+    const std::string_view* begin = nullptr;
+    std::size_t size = 0;
+    int searches = 0;
+    std::unique_ptr<const Index> index;
+  };
+  std::array<List, 4> lists_;
+};
+
+SuggestionIndexes::SuggestionIndexes() : lists_(std::make_unique<Lists>()) {}
+SuggestionIndexes::~SuggestionIndexes() = default;
+
+class SuggestionSearch {
+ public:
+  static std::optional<std::string_view> run(std::string_view name,
+                                             std::span<const std::string_view> known,
+                                             bool finds_ties, std::uint64_t& steps_left,
+                                             SuggestionIndexes* indexes) {
+    if (name.empty() || name.size() > kLongestName) return std::nullopt;
+    std::unique_ptr<const Index> own;
+    const Index* index = nullptr;
+    if (indexes != nullptr) {
+      index = indexes->lists_->find(known, steps_left);
+    } else if (known.size() > kMostNames) {
+      own = SuggestionIndexes::Lists::make(known, steps_left);
+      index = own.get();
+    }
+    Among among(name, finds_ties, steps_left);
+    if (index != nullptr) return among.indexed(known, *index);
+    return known.size() <= kMostNames ? among.all(known) : std::nullopt;
+  }
+};
 
 int edit_distance(std::string_view a, std::string_view b, int limit) {
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
@@ -340,13 +342,14 @@ int edit_distance(std::string_view a, std::string_view b, int limit) {
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known) {
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
-  return search(name, known, false, steps);
+  return SuggestionSearch::run(name, known, false, steps, nullptr);
 }
 
 std::optional<std::string_view> only_nearest(std::string_view name,
                                              std::span<const std::string_view> known,
-                                             std::uint64_t& steps_left) {
-  return search(name, known, true, steps_left);
+                                             std::uint64_t& steps_left,
+                                             SuggestionIndexes* indexes) {
+  return SuggestionSearch::run(name, known, true, steps_left, indexes);
 }
 
 std::optional<std::string_view> only_nearest(std::string_view name,
@@ -362,9 +365,7 @@ without_own(std::string_view name, std::string_view own, std::span<const std::st
     return std::nullopt;
   }
   std::vector<std::string_view> others;
-  // A copy for each of many names would take a time that grows with their square.
-  constexpr std::size_t kMostCopied = 1000;
-  if (known.size() > kMostCopied) return others;
+  if (known.size() > kMostValues) return others;
   others.reserve(known.size());
   std::copy_if(known.begin(), known.end(), std::back_inserter(others),
                [&](std::string_view one) { return one != own; });

@@ -2,7 +2,9 @@
 // "Did you mean": the nearest known name.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -19,17 +21,38 @@ int edit_distance(std::string_view a, std::string_view b, int limit);
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known);
 
+/// More names than these are not searched for one that is similar: nobody misspells one of so many
+/// values, and each search in them takes its time.
+inline constexpr std::size_t kMostValues = 1000;
+
+/// What makes many searches in the same long lists fast. Use one for searches that share their
+/// steps.
+class SuggestionIndexes {
+ public:
+  SuggestionIndexes();
+  ~SuggestionIndexes();
+  SuggestionIndexes(SuggestionIndexes&&) = delete;
+
+ private:
+  friend class SuggestionSearch;
+  class Lists;
+  std::unique_ptr<Lists> lists_;
+};
+
 /// The same for a suggestion: none if several names are equally near, because the first would be an
 /// arbitrary choice. Each comparison of two characters costs one step. If the steps do not
 /// suffice, returns none and sets them to 0.
 std::optional<std::string_view> only_nearest(std::string_view name,
                                              std::span<const std::string_view> known,
-                                             std::uint64_t& steps_left);
+                                             std::uint64_t& steps_left,
+                                             SuggestionIndexes* indexes = nullptr);
 std::optional<std::string_view> only_nearest(std::string_view name,
                                              std::span<const std::string_view> known);
 
 /// The names without `own`, for a reference of a thing that cannot mean itself. None if `own` is
-/// not near enough to the name to be suggested, or to be one of several equally near names.
+/// not near enough to the name to be suggested, or to be one of several equally near names. Empty
+/// for more than kMostValues names: a copy for each of many takes a time that grows with their
+/// square.
 std::optional<std::vector<std::string_view>>
 without_own(std::string_view name, std::string_view own, std::span<const std::string_view> known);
 

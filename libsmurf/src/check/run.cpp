@@ -47,8 +47,7 @@ class Run {
         workshop_(workshop),
         memory_(workshop.memory),
         sources_(sources),
-        jobs_(count_of_jobs(settings.jobs)),
-        shared_meshes_(jobs_) {}
+        jobs_(count_of_jobs(settings.jobs)) {}
 
   void configure(std::vector<std::string> configs) {
     if (configs.empty()) configs.emplace_back();
@@ -71,9 +70,9 @@ class Run {
     std::vector<Outcome> outcomes(left.size());
     for_each_in_order(
         left.size(), jobs_,
-        [&](std::size_t worker, std::size_t i) {
+        [&](std::size_t, std::size_t i) {
           if (is_cancelled()) return;
-          outcomes[i] = check(*left[i], shared_meshes_[worker]);
+          outcomes[i] = check(*left[i]);
           advance();
         },
         [&](std::size_t i) {
@@ -167,10 +166,10 @@ class Run {
   }
 
   /// Called by several threads.
-  Outcome check(const PlannedFile& planned, MeshLibrary& shared_meshes) {
+  Outcome check(const PlannedFile& planned) {
     Outcome outcome;
     if (!is_remembering()) {
-      load(planned, workshop_.desk.files, shared_meshes, outcome);
+      load(planned, workshop_.desk.files, shared_meshes_, outcome);
       return outcome;
     }
     const auto known = memory_.outcomes.find(planned.path);
@@ -349,7 +348,7 @@ class Run {
   Memory& memory_;
   SourceMap& sources_;
   const std::size_t jobs_;
-  std::vector<MeshLibrary> shared_meshes_;        ///< of each thread, if nothing is kept
+  MeshLibrary shared_meshes_;                     ///< of all threads, if nothing is kept
   std::vector<Judged> found_;                     ///< by configuration
   std::set<std::string> models_, scenes_, read_;  ///< by identity
   std::set<std::string> sources_read_;            ///< by identity

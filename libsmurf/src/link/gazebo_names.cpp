@@ -2,8 +2,8 @@
 #include "link/gazebo_names.hpp"
 
 #include <algorithm>
-#include <set>
 
+#include "base/path.hpp"
 #include "base/words.hpp"
 
 namespace smurf {
@@ -14,30 +14,10 @@ std::string_view attribute_of(xml::View element, std::string_view name) {
   return attribute != nullptr ? attribute->value() : std::string_view();
 }
 
-/// Fixed joints that an element in <gazebo> keeps.
-std::set<std::string_view> kept_joints(const LinkedModel& model) {
-  std::set<std::string_view> kept;
-  for (const xml::ElementId id : model.robot->extensions) {
-    const xml::View gazebo(model.robot->document, id);
-    if (gazebo.name() != "gazebo") continue;
-    for (const xml::View child : gazebo) {
-      if (child.name() != "preserveFixedJoint" && child.name() != "disableFixedJointLumping" &&
-          child.name() != "disableJointLumping") {
-        continue;
-      }
-      const std::string_view text = trimmed(child.text());
-      if (text == "true" || text == "True" || text == "1" || text == "yes" || text == "TRUE") {
-        kept.insert(attribute_of(gazebo, "reference"));
-      }
-    }
-  }
-  return kept;
-}
-
 class Namer {
  public:
   Namer(const LinkedModel& model, const NameOfCollision& name_of)
-      : model_(model), name_of_(name_of), kept_(kept_joints(model)) {
+      : model_(model), name_of_(name_of), kept_(joints_kept_by_gazebo(model)) {
     const std::size_t links = model.robot->links.size();
     for (std::size_t link = 0; link < links; ++link) {
       names_.bodies.push_back(link);
@@ -127,6 +107,28 @@ class Namer {
 };
 
 }  // namespace
+
+bool is_set_for_gazebo(xml::View flag) {
+  const xml::Attribute* value = flag.attribute("value");
+  const std::string text = path::to_lower(trimmed(value != nullptr ? value->value() : flag.text()));
+  return text == "true" || text == "yes" || text == "1";
+}
+
+std::set<std::string_view> joints_kept_by_gazebo(const LinkedModel& model) {
+  std::set<std::string_view> kept;
+  if (!model.robot) return kept;
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    const xml::Attribute* joint = gazebo.attribute("reference");
+    if (gazebo.name() != "gazebo" || joint == nullptr) continue;
+    for (const xml::View flag : gazebo) {
+      const bool is_about_fixed_joints =
+          flag.name() == "preserveFixedJoint" || flag.name() == "disableFixedJointLumping";
+      if (is_about_fixed_joints && is_set_for_gazebo(flag)) kept.insert(joint->value());
+    }
+  }
+  return kept;
+}
 
 GazeboNames gazebo_names(const LinkedModel& model, const NameOfCollision& name_of) {
   return model.robot ? Namer(model, name_of).run() : GazeboNames();

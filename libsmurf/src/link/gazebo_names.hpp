@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,12 @@
 #include "smurf/linked.hpp"
 
 namespace smurf {
+
+/// Whether sdformat 12.3 reads a flag as set: in any case (run).
+bool is_set_for_gazebo(xml::View flag);
+
+/// The names of the fixed joints that sdformat does not merge.
+std::set<std::string_view> joints_kept_by_gazebo(const LinkedModel& model);
 
 struct GazeboNames {
   /// By link: the link that libsdformat merges it into, which may be itself.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads mesh files, and the files that they name.
 #include <algorithm>
+#include <mutex>
 #include <set>
 
 #include "base/path.hpp"
@@ -27,8 +28,9 @@ class Dependencies {
   /// Material libraries of all meshes, and their textures.
   using Libraries = std::map<std::string, std::vector<MeshDependency>>;
 
-  Dependencies(const std::string& mesh_path, const FileReader& files, Libraries& libraries)
-      : folder_(path::parent(mesh_path)), files_(files), libraries_(libraries) {}
+  Dependencies(const std::string& mesh_path, const FileReader& files, Libraries& libraries,
+               std::mutex& mutex)
+      : folder_(path::parent(mesh_path)), files_(files), libraries_(libraries), mutex_(mutex) {}
 
   std::vector<MeshDependency> lost(const std::vector<MeshDependency>& dependencies) {
     for (const MeshDependency& dependency : dependencies) check(dependency);
@@ -51,6 +53,7 @@ class Dependencies {
 
   const std::vector<MeshDependency>& textures_of(const std::string& library,
                                                  const std::string& path) {
+    const std::lock_guard lock(mutex_);
     constexpr std::uint64_t kMostBytes = 1U << 20U;
     const auto [known, is_new] = libraries_.try_emplace(library);
     if (is_new) known->second = read_material_library(files_.read(path, kMostBytes).text);
@@ -60,26 +63,53 @@ class Dependencies {
   std::string folder_;
   const FileReader& files_;
   Libraries& libraries_;
+  std::mutex& mutex_;  ///< of the libraries
   std::set<std::string> seen_, seen_libraries_;
   std::vector<MeshDependency> lost_;
 };
 
 }  // namespace
 
+struct MeshLibrary::Shelves {
+  struct Entry {
+    std::mutex mutex;  ///< held by the thread that reads the file
+    bool is_read = false;
+    MeshFile file;
+  };
+  std::mutex mutex;                         ///< of the two maps
+  std::map<std::string, std::string> keys;  ///< of the files, by path
+  std::map<std::string, Entry> entries;     ///< one for all names that links give to a file
+  std::mutex texture_mutex;
+  Dependencies::Libraries textures;  ///< of material libraries
+
+  Entry& entry_of(const std::string& path, const FileReader& files) {
+    const std::lock_guard lock(mutex);
+    const auto [key, is_new_name] = keys.try_emplace(path);
+    if (is_new_name) key->second = key_of_file(path, files);
+    return entries[key->second];
+  }
+};
+
+MeshLibrary::MeshLibrary() : shelves_(std::make_unique<Shelves>()) {}
+MeshLibrary::~MeshLibrary() = default;
+MeshLibrary::MeshLibrary(MeshLibrary&& other) noexcept = default;
+MeshLibrary& MeshLibrary::operator=(MeshLibrary&& other) noexcept = default;
+
 const MeshFile& MeshLibrary::read(const std::string& path, const FileReader& files,
                                   const Limits& limits) {
-  const auto [key, is_new_name] = keys_.try_emplace(path);
-  if (is_new_name) key->second = key_of_file(path, files);
-  const auto [place, is_new] = files_.try_emplace(key->second);
-  MeshFile& file = place->second;
-  if (!is_new) return file;
+  Shelves::Entry& entry = shelves_->entry_of(path, files);
+  const std::lock_guard lock(entry.mutex);
+  MeshFile& file = entry.file;
+  if (entry.is_read) return file;
+  entry.is_read = true;
   const FileContent content = files.read(path, limits.mesh_bytes);
   file.status = content.status;
   file.reason = content.reason;
   if (content.status != ReadStatus::ok) return file;
   file.facts =
       read_mesh(content.text, path::extension(path), {}, neighbours_of(path, files, limits));
-  file.lost = Dependencies(path, files, textures_).lost(file.facts.dependencies);
+  file.lost = Dependencies(path, files, shelves_->textures, shelves_->texture_mutex)
+                  .lost(file.facts.dependencies);
   return file;
 }
 

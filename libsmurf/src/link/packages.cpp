@@ -32,25 +32,42 @@ Packages::Packages(const LoadContext& context, std::string_view urdf_folder, Fil
   }
 }
 
-std::string Packages::find(const std::string& name_and_rest) {
+Packages::Place Packages::find(const std::string& name_and_rest) {
   const std::size_t slash = name_and_rest.find('/');
   if (slash == std::string::npos || slash == 0) return {};
   const std::string name = name_and_rest.substr(0, slash);
   const std::string rest = name_and_rest.substr(slash + 1);
   if (const auto given = context_.packages.find(name); given != context_.packages.end()) {
-    return path::join(given->second, rest);
+    return {path::join(given->second, rest), true};
+  }
+  std::optional<Place> guess;
+  for (const std::string& folder : folders_) {
+    const std::string inner = path::join(folder, name + "/" + rest);
+    if (index_.exists(inner)) return {inner};
+    std::string here = path::join(folder, rest);
+    if (!index_.exists(here)) continue;
+    if (is_called(folder, name) || package_name(folder) == name) return {std::move(here)};
+    if (!guess) guess = {std::move(here), false, true, package_name(folder)};
   }
   for (const std::string& folder : folders_) {
-    for (const std::string& candidate :
-         {path::join(folder, name + "/" + rest), path::join(folder, rest)}) {
-      if (index_.exists(candidate)) return candidate;
-    }
-  }
-  for (const std::string& folder : folders_) {
-    if (package_name(folder) == name) return path::join(folder, rest);
+    if (package_name(folder) == name) return {path::join(folder, rest)};
   }
   const std::string package = installed(name);
-  return package.empty() ? package : path::join(package, rest);
+  if (!package.empty()) return {path::join(package, rest)};
+  if (guess) {
+    guessed_.emplace(name, guess->path.substr(0, guess->path.size() - rest.size()));
+    return *guess;
+  }
+  // Another file of the package was found.
+  const auto other = guessed_.find(name);
+  return other == guessed_.end() ? Place{} : Place{path::join(other->second, rest)};
+}
+
+bool Packages::is_called(const std::string& folder, const std::string& name) {
+  const std::string_view written = path::file_name(folder);
+  if (!written.empty() && written != "." && written != "..") return written == name;
+  const FileReader& files = index_.files();  // "..", whose name is not written
+  return files.identity(path::join(folder, "../" + name)) == files.identity(folder);
 }
 
 std::string Packages::installed(const std::string& name) {

@@ -19,13 +19,21 @@ class Packages {
  public:
   Packages(const LoadContext& context, std::string_view urdf_folder, FileIndex& index);
 
+  struct Place {
+    std::string path;       ///< empty if the package is unknown
+    bool is_given = false;  ///< the caller named the folder
+    /// Whether the file was found in a folder above the URDF that does not have the name.
+    bool is_guess = false;
+    std::string package;  ///< then the name in that folder's package.xml
+  };
   /// The file for NAME/REST. It is looked up in the folder given for the package; then in the
   /// nearest parent folder that is called NAME, that contains REST (Phobos uses the parent of
   /// urdf/, whatever its name), or whose package.xml has this name; then in the folders that
-  /// contain packages. Empty if the package is unknown.
-  std::string find(const std::string& name_and_rest);
+  /// contain packages.
+  Place find(const std::string& name_and_rest);
 
  private:
+  bool is_called(const std::string& folder, const std::string& name);
   /// The package of this name in the folders that contain packages; empty if there is none.
   std::string installed(const std::string& name);
   /// The name in a folder's package.xml; empty if there is none.
@@ -35,6 +43,7 @@ class Packages {
   FileIndex& index_;
   std::vector<std::string> folders_;  ///< the URDF's folder and its parents
   std::map<std::string, std::string> names_;
+  std::map<std::string, std::string> guessed_;  ///< by name: the folder in which a file was found
   /// The packages in the folders that contain packages, by name; earlier folders take precedence.
   /// Made at the first request.
   std::optional<std::map<std::string, std::vector<std::string>>> installed_;

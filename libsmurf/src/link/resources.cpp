@@ -29,7 +29,7 @@ class Resolver {
     reference.span = filename.span;
     reference.filename = *filename;
     reference.is_texture = is_texture;
-    reference.path = find(*filename);
+    reference.path = find(*filename, &reference);
     const bool is_found = !reference.path.empty() && index_.exists(reference.path);
     const bool is_denied =
         !is_found && !reference.path.empty() && context_.files.is_denied(reference.path);
@@ -41,6 +41,13 @@ class Resolver {
     if (reference.exists) reference.file = open(reference.path);
     if (reference.mars_exists) reference.mars_file = open(reference.mars_path);
     return reference;
+  }
+
+  void look_again(MeshReference& reference) {
+    reference.path = find(reference.filename);
+    if (reference.path.empty()) return;
+    reference.similar = find_similar(reference);
+    if (reference.similar.empty()) reference.meant = find_meant(reference);
   }
 
   void texture(const Field<std::string>& filename, std::vector<TextureReference>& to) {
@@ -56,10 +63,19 @@ class Resolver {
     return filename.find("://") != std::string_view::npos;
   }
 
-  std::string find(const std::string& filename) {
+  /// Tells `reference`, if it is given, how its package was found.
+  std::string find(const std::string& filename, MeshReference* reference = nullptr) {
     constexpr std::string_view kPackage = "package://";
     constexpr std::string_view kFile = "file://";
-    if (filename.starts_with(kPackage)) return packages_.find(filename.substr(kPackage.size()));
+    if (filename.starts_with(kPackage)) {
+      Packages::Place place = packages_.find(filename.substr(kPackage.size()));
+      if (reference != nullptr) {
+        reference->is_package_guessed = place.is_guess;
+        reference->is_package_given = place.is_given;
+        reference->package_there = std::move(place.package);
+      }
+      return std::move(place.path);
+    }
     if (filename.starts_with(kFile)) return path::normalize(filename.substr(kFile.size()));
     if (is_address(filename) || filename.empty()) return {};
     return path::join(urdf_folder_, filename);
@@ -83,8 +99,9 @@ class Resolver {
     constexpr int kMostSought = 20;
     if (reference.path.empty() || sought_ == kMostSought) return {};
     ++sought_;
-    std::string from_above = find_from_above(reference.filename);
-    if (!from_above.empty()) return from_above;
+    std::string elsewhere = find_from_above(reference.filename);
+    if (elsewhere.empty()) elsewhere = find_beside(reference);
+    if (!elsewhere.empty()) return elsewhere;
     const std::string_view name = path::file_name(reference.filename);
     const std::string folder =
         reference.filename.substr(0, reference.filename.size() - name.size());
@@ -106,6 +123,24 @@ class Resolver {
       if (index_.exists(there)) return path::relative(there, urdf_folder_);
     }
     return {};
+  }
+
+  /// A file of this name in a folder beside the one that is named: `visuals/` for `meshes/`.
+  std::string find_beside(const MeshReference& reference) {
+    const std::string_view name = path::file_name(reference.filename);
+    const std::string_view folder = path::parent(reference.filename);
+    const std::string_view own = path::file_name(folder);
+    if (own.empty() || own == "." || own == "..") return {};
+    const std::string above = path::join(path::parent(reference.path), "..");
+    std::string found;
+    for (const std::string& beside : index_.list(above)) {
+      if (!fits_everywhere(beside)) continue;
+      if (!index_.exists(path::join(above, beside + "/" + std::string(name)))) continue;
+      if (!found.empty()) return {};  // several: which of them is meant?
+      found = std::string(folder.substr(0, folder.size() - own.size())) + beside + "/" +
+              std::string(name);
+    }
+    return found;
   }
 
   void see_as_mars(MeshReference& reference) {
@@ -184,6 +219,10 @@ void resolve_resources(LinkedModel& model, const LoadContext& context) {
       if (visual.material) add_texture(*visual.material);
     }
     for (const urdf::Collision& collision : link.collisions) add_shape(collision.geometry);
+  }
+  // A package may become known with a later file.
+  for (MeshReference& mesh : model.meshes) {
+    if (mesh.path.empty() && mesh.filename.starts_with("package://")) resolver.look_again(mesh);
   }
   std::stable_sort(
       model.meshes.begin(), model.meshes.end(),

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wavefront OBJ: positions, faces and the files it names; the rest is ignored, because each reader
 // uses a different part of it.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "base/vectors.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/mesh_reader.hpp"
 #include "mesh/obj_materials.hpp"
@@ -47,6 +50,7 @@ class ObjReader {
     }
     facts_.vertices = points_.size();
     facts_.box = box_.box();
+    facts_.is_first_group_flat = group_.is_flat();
     if (facts_.defect) return;
     if (latest_ > points_.size()) {
       line_ = latest_line_;
@@ -66,7 +70,11 @@ class ObjReader {
     if (keyword == "v") {
       vertex(line);
     } else if (keyword == "f") {
+      group_.has_content = true;
+      facts_.has_more_groups = facts_.has_more_groups || group_.is_over;
       face(line);
+    } else if (keyword == "o" || keyword == "g") {
+      group_.is_over = group_.has_content;
     } else if (keyword == "vt") {
       ++texture_count_;
       if (wants_texture_points()) texture_vertex(line);
@@ -145,6 +153,7 @@ class ObjReader {
       if (wants_texture_points()) textures[2] = texture_of(corner);
       if (first && previous && corners > 2) {
         surface_.add(*first, *previous, *point);
+        if (!group_.is_over) group_.add(*first, *previous, *point);
         if (triangles_ != nullptr) triangles_->add(*first, *previous, *point, textures);
       }
       if (!first) {
@@ -168,6 +177,27 @@ class ObjReader {
     if (second != std::string_view::npos)
       note(rest.substr(second + 1), normal_count_, last_normal_);
   }
+
+  /// The first group, of which alone MuJoCo reads the faces.
+  struct Group {
+    bool has_content = false, is_over = false;
+    std::optional<Vector3> origin;
+    double volume = 0;  ///< sum of the volumes between the triangles and the origin
+    double extent = 0;  ///< the greatest distance from the origin along an axis
+
+    void add(const Vector3& a, const Vector3& b, const Vector3& c) {
+      if (!origin) origin = a;
+      const Vector3 p = difference(a, *origin);
+      volume += std::fabs(dot(p, cross(difference(b, a), difference(c, a))));
+      for (const Vector3& point : {p, difference(b, *origin), difference(c, *origin)}) {
+        for (const double x : point) extent = std::max(extent, std::fabs(x));
+      }
+    }
+    bool is_flat() const {
+      constexpr double kFlat = 1e-9;  // of a cube with this extent; single precision has 1e-7
+      return origin && volume <= kFlat * extent * extent * extent;
+    }
+  };
 
   struct LastIndex {
     std::int64_t index = 0;  ///< the greatest one
@@ -223,6 +253,7 @@ class ObjReader {
   std::uint32_t latest_line_ = 0;
   std::uint64_t latest_offset_ = 0;
   std::int64_t texture_count_ = 0, normal_count_ = 0;
+  Group group_;
   LastIndex last_texture_, last_normal_;
   BoxSum box_;
   SurfaceSum& surface_;

@@ -12,10 +12,8 @@
 #include <string_view>
 
 #include "ast/urdf_numbers.hpp"
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "link/gazebo_names.hpp"
 #include "link/inertia.hpp"
-#include "readers/sdf_values.hpp"
 #include "smurf/pose.hpp"
 
 namespace smurf {
@@ -42,32 +40,6 @@ std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept
   return body;
 }
 
-/// Reads a flag like sdformat 12.3 (run): in any case.
-bool is_set(xml::View flag) {
-  const std::string text = path::to_lower(trimmed(sdf::given_value(flag)));
-  return text == "true" || text == "yes" || text == "1";
-}
-
-KeptJoints joints_kept_by_sdformat(const LinkedModel& model) {
-  KeptJoints kept;
-  if (!model.robot) return kept;
-  for (const xml::ElementId id : model.robot->extensions) {
-    const xml::View gazebo(model.robot->document, id);
-    const xml::Attribute* joint = gazebo.attribute("reference");
-    if (gazebo.name() != "gazebo" || joint == nullptr) continue;
-    for (const xml::View flag : gazebo) {
-      const bool is_about_fixed_joints =
-          flag.name() == "preserveFixedJoint" || flag.name() == "disableFixedJointLumping";
-      if (is_about_fixed_joints && is_set(flag)) kept.insert(joint->value());
-    }
-  }
-  return kept;
-}
-
-std::vector<std::size_t> bodies_of_sdformat(const LinkedModel& model) {
-  return bodies(model, joints_kept_by_sdformat(model), true);
-}
-
 double mass_of(const LinkedModel& model, std::size_t link) {
   const std::optional<urdf::Inertial>& inertial = model.robot->links[link].inertial;
   return inertial ? std::max(inertial->mass.value_or(0), 0.0) : 0.0;
@@ -91,12 +63,6 @@ bool has_unread_inertia(const LinkedModel& model, const urdf::Inertial& inertial
     if (at == nullptr || !is_underflow(at->value())) return true;
   }
   return false;
-}
-
-/// As sdformat adds it up, whatever its sign.
-double mass_in_sdformat(const LinkedModel& model, std::size_t link) {
-  const std::optional<urdf::Inertial>& inertial = model.robot->links[link].inertial;
-  return inertial && !has_unread_mass(*inertial) ? *inertial->mass : 0.0;
 }
 
 /// By link: the mass of its body.
@@ -187,6 +153,15 @@ std::vector<Sums> sums_of(const LinkedModel& model, const std::vector<std::size_
 }
 
 }  // namespace
+
+std::vector<std::size_t> bodies_of_sdformat(const LinkedModel& model) {
+  return bodies(model, joints_kept_by_gazebo(model), true);
+}
+
+double mass_in_sdformat(const LinkedModel& model, std::size_t link) {
+  const std::optional<urdf::Inertial>& inertial = model.robot->links[link].inertial;
+  return inertial && !has_unread_mass(*inertial) ? *inertial->mass : 0.0;
+}
 
 std::vector<bool> massless_bodies(const LinkedModel& model) {
   const std::vector<std::size_t> body = bodies(model);

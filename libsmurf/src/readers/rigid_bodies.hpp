@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,13 @@ std::vector<bool> fixed_to_heavier(const LinkedModel& model);
 
 /// By link: whether it is a root, or only fixed joints lead to it from one.
 std::vector<bool> fixed_to_root(const LinkedModel& model);
+
+/// By link: the topmost link of the body into which sdformat merges it. Links below `world` are
+/// separate bodies.
+std::vector<std::size_t> bodies_of_sdformat(const LinkedModel& model);
+
+/// The mass (kg) that sdformat reads, whatever its sign; 0 if urdfdom cannot read the inertial.
+double mass_in_sdformat(const LinkedModel& model, std::size_t link);
 
 /// By link: the mass (kg) of the body into which sdformat merges it. Fixed joints merge links,
 /// except for joints that a Gazebo element keeps.

@@ -75,10 +75,10 @@ constexpr Element kElements[] = {
     {"light_map", "uv_set:u", ""},
     {"plugin", "!name:s !filename:s", ""},
     {"sensor", "!name:s !type:s",
-     "always_on:b update_rate:d visualize:b enable_metrics:b pose:p@pose plugin@plugin "
-     "air_pressure@air_pressure altimeter@altimeter camera@camera contact@sensor-contact "
+     "always_on:b update_rate:d visualize:b topic enable_metrics:b frame_id pose:p@pose "
+     "plugin@plugin air_pressure@air_pressure air_speed altimeter@altimeter camera@camera contact@sensor-contact "
      "force_torque@force_torque gps@navsat imu@imu lidar@ray logical_camera@logical_camera "
-     "magnetometer@noisy-vector navsat@navsat ray@ray sonar@sonar transceiver@transceiver"},
+     "magnetometer@noisy-vector navsat@navsat ray@ray rfid rfidtag sonar@sonar transceiver@transceiver"},
     {"air_pressure", "", "reference_altitude:d pressure@noisy"},
     {"noisy", "", "noise@noise"},
     {"noise", "!type:s",
@@ -86,9 +86,10 @@ constexpr Element kElements[] = {
      "dynamic_bias_correlation_time:d precision:d"},
     {"altimeter", "", "vertical_position@noisy vertical_velocity@noisy"},
     {"camera", "",
-     "!horizontal_fov:d[0.1,6.283186] image@picture clip@clip save@save depth_camera@depth_camera "
-     "noise@image-noise distortion@distortion lens@lens visibility_mask:u pose:p@pose"},
-    {"picture", "", "!width:i !height:i"},
+     "camera_info_topic !horizontal_fov:d[0.1,6.283186] image@picture clip@clip save@save depth_camera@depth_camera "
+     "noise@image-noise distortion@distortion lens@lens visibility_mask:u optical_frame_id "
+     "pose:p@pose triggered trigger_topic segmentation_type box_type"},
+    {"picture", "", "!width:i !height:i format anti_aliasing"},
     {"clip", "", "!near:d[0,] !far:d[0.1,]"},
     {"save", "!enabled:b", "!path:s"},
     {"depth_camera", "", "!output:s clip@depth-clip"},
@@ -97,11 +98,11 @@ constexpr Element kElements[] = {
     {"distortion", "", "k1:d k2:d k3:d p1:d p2:d center:2"},
     {"lens", "",
      "!type:s !scale_to_hfov:b custom_function@custom_function cutoff_angle:d[0,3.141592653] "
-     "env_texture_size:i[4,2048] intrinsics@intrinsics"},
+     "env_texture_size:i[4,2048] intrinsics@intrinsics projection"},
     {"custom_function", "", "c1:d c2:d c3:d f:d !fun:s"},
     {"intrinsics", "", "!fx:d !fy:d !cx:d !cy:d !s:d"},
     {"sensor-contact", "", "!collision:s !topic:s"},
-    {"force_torque", "", "force@noisy-vector torque@noisy-vector"},
+    {"force_torque", "", "frame measure_direction force@noisy-vector torque@noisy-vector"},
     {"noisy-vector", "", "x@noisy y@noisy z@noisy"},
     {"navsat", "", "position_sensing@noisy-plane velocity_sensing@noisy-plane"},
     {"noisy-plane", "", "horizontal@noisy vertical@noisy"},
@@ -109,15 +110,15 @@ constexpr Element kElements[] = {
      "orientation_reference_frame@orientation_reference_frame angular_velocity@noisy-vector "
      "linear_acceleration@noisy-vector enable_orientation:b"},
     {"orientation_reference_frame", "", "!localization:s custom_rpy:3 grav_dir_x:3"},
-    {"ray", "", "scan@scan range@range noise@image-noise"},
+    {"ray", "", "scan@scan range@range noise@image-noise visibility_mask"},
     {"scan", "", "horizontal@horizontal vertical@vertical"},
     {"horizontal", "", "!samples:u !resolution:d !min_angle:d !max_angle:d"},
     {"vertical", "", "!samples:u resolution:d !min_angle:d !max_angle:d"},
     {"range", "", "!min:d !max:d resolution:d"},
     {"logical_camera", "", "!near:d !far:d !aspect_ratio:d !horizontal_fov:d"},
-    {"sonar", "", "!min:d !max:d radius:d"},
+    {"sonar", "", "geometry !min:d !max:d radius:d"},
     {"transceiver", "",
-     "frequency:d min_frequency:d max_frequency:d !gain:d !power:d sensitivity:d"},
+     "essid frequency:d min_frequency:d max_frequency:d !gain:d !power:d sensitivity:d"},
     {"projector", "!name:s", "!texture:s fov:d near_clip:d far_clip:d pose:p@pose plugin@plugin"},
     {"audio_source", "", "!uri:s pitch:d gain:d contact@audio-contact loop:b pose:p@pose"},
     {"audio-contact", "", "!collision:s"},

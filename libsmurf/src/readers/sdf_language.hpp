@@ -18,7 +18,7 @@ struct Part {
   std::string_view kind = {};   ///< the row of its own parts, if any
 };
 
-/// What sdformat can refuse in an element; parts that cannot fail are left out.
+/// What sdformat can refuse in an element; parts that cannot fail are left out, except in sensors.
 struct Element {
   std::string_view kind;
   /// Words of the form `!name:value[least,most]@kind`.

@@ -246,9 +246,7 @@ class Explainer {
   }
 
   void suggest_value(const SchemaFault& fault, yaml::View wrong, Violation& violation) {
-    // Nobody misspells one of so many, and each search in them takes its time.
-    constexpr std::size_t kMostSuggested = 1000;
-    if (fault.keyword_value.size() > kMostSuggested) return;
+    if (fault.keyword_value.size() > kMostValues) return;
     if (!wrong.is_scalar() || !spend(fault.keyword_value.size())) return;
     std::vector<std::string_view> names;
     for (const yaml::View value : fault.keyword_value) names.push_back(value.text());

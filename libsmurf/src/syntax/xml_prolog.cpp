@@ -6,6 +6,7 @@
 
 #include "base/cases.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/utf8.hpp"
 #include "base/words.hpp"
@@ -115,6 +116,61 @@ std::optional<std::size_t> find_unsound(std::string_view instruction) {
     if (at < text.size() && !is_one_of(kBlanks, at)) return at;
   }
   return std::nullopt;
+}
+
+bool report_unquoted(std::string_view declaration, Span place, DiagnosticSink& sink) {
+  std::string quoted;
+  bool is_bare = false;  // inside a value without quotes
+  char quote = '\0';
+  for (std::size_t i = 0; i < declaration.size(); ++i) {
+    const char c = declaration[i];
+    const bool ends = kBlanks.find(c) != std::string_view::npos || c == '?' || c == '>';
+    if (is_bare && ends) {
+      quoted += '"';
+      is_bare = false;
+    }
+    if (is_bare && (c == '"' || c == '\'' || c == '=' || c == '<')) return false;
+    quoted += c;
+    if (quote != '\0') {
+      if (c == quote) quote = '\0';
+    } else if (!is_bare && (c == '"' || c == '\'')) {
+      quote = c;
+    } else if (!is_bare && c == '=' && i + 1 < declaration.size()) {
+      const char next = declaration[i + 1];
+      is_bare = next != '"' && next != '\'' && kBlanks.find(next) == std::string_view::npos;
+      if (is_bare) quoted += '"';
+    }
+  }
+  if (find_unsound(quoted)) return false;
+  report_malformed(place, "this value in the XML declaration has no quotes",
+                   cases::kUnquotedInDeclaration, sink)
+      .help("write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`");
+  return true;
+}
+
+void check_xml_version(Span declaration, std::string_view text, DiagnosticSink& sink) {
+  const std::string_view inside =
+      text.substr(declaration.begin, declaration.end - declaration.begin);
+  if (!inside.starts_with(kDeclaration) || inside.size() < kDeclaration.size() + 2) return;
+  const char behind = inside[kDeclaration.size()];
+  if (behind != '?' && kBlanks.find(behind) == std::string_view::npos) return;
+  const std::size_t word = inside.find("version");
+  const std::size_t open = inside.find_first_of("\"'", std::min(word, inside.size()));
+  const std::size_t close =
+      open == std::string_view::npos ? open : inside.find(inside[open], open + 1);
+  if (close == std::string_view::npos) {
+    sink.report(rules::sml1018_xml_version, declaration, "the XML declaration has no version")
+        .help("write `<?xml version=\"1.0\"?>`");
+    return;
+  }
+  const std::string_view version = inside.substr(open + 1, close - open - 1);
+  if (version.starts_with("1.") && version.size() == 3 && is_digit(version[2])) return;
+  const Span place{declaration.source, declaration.begin + static_cast<std::uint32_t>(open + 1),
+                   declaration.begin + static_cast<std::uint32_t>(close)};
+  Diagnostic& diagnostic = sink.report(rules::sml1018_xml_version, place,
+                                       "there is no version " + quoted(version) + " of XML");
+  diagnostic.help("write `1.0`");
+  diagnostic.fixes.push_back({Applicability::safe, {{place, "1.0"}}});
 }
 
 void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink) {

@@ -19,6 +19,13 @@ void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink);
 /// in TinyXML); none for a sound declaration and for other instructions.
 std::optional<std::size_t> find_unsound(std::string_view instruction);
 
+/// Reports, at `place`, a declaration in which all that is wrong is that values have no quotes:
+/// `<?xml version=1.0?>`. False for others. TinyXML and tinyxml2 read on behind it.
+bool report_unquoted(std::string_view declaration, Span place, DiagnosticSink& sink);
+
+/// Reports a version in an XML declaration that browsers and lxml refuse (SML1018).
+void check_xml_version(Span declaration, std::string_view text, DiagnosticSink& sink);
+
 /// The end of the document type that begins at `start`, which is `<!DOCTYPE`. Reports
 /// declarations within it: TinyXML and tinyxml2 end it at the first '>'. None, with a report, if it
 /// is never closed, or contains more than declarations: an element for tinyxml2, or a comment that

@@ -181,12 +181,13 @@ class XmlScanner {
     }
     if (const auto place = find_unsound(text_.substr(begin, at_ - begin))) {
       const auto at = static_cast<std::uint32_t>(begin + *place);
+      if (report_unquoted(text_.substr(begin, at_ - begin), span(at, at + 1), sink_)) return;
       malformed(span(at, at + 1), "this is not an attribute of the XML declaration",
                 cases::kInstructionAttribute)
           .help("write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`");
       return;
     }
-    if (is_prolog_) return;
+    if (is_prolog_) return check_xml_version(span(begin, at_), text_, sink_);
     sink_.report(rules::sml1015_xml_late_instruction, span(begin, at_),
                  "this processing instruction is not at the start of the file");
   }

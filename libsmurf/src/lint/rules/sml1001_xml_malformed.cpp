@@ -12,6 +12,8 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, run"},
     {&readers::urdf, Effect::takes, "skips the declaration", "urdfdom, sdformat, MuJoCo, run",
      when(cases::kDeclaration)},
+    {&readers::urdf, Effect::takes, "does not look at the declaration",
+     "urdfdom, sdformat, MuJoCo, run", when(cases::kUnquotedInDeclaration)},
     {&readers::urdf, Effect::takes, "stops reading there", "urdfdom, sdformat, MuJoCo, run",
      when(cases::kEndTagBehind)},
     // TinyXML, which urdfdom uses, and tinyxml2 read on after different faults. What they make of

@@ -49,7 +49,9 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic* diagnostic = habit.report("such names", findings);
   if (diagnostic == nullptr) return;
   diagnostic->label(link_name, "the link");
-  if (!is_clash) diagnostic->when(kMerged);
+  if (is_clash) return;
+  diagnostic->when(kMerged);
+  diagnostic->severity = Severity::info;  // no reader minds
 }
 
 constexpr Fact kFacts[] = {

@@ -6,21 +6,29 @@
 namespace smurf::rules::sml1309_slash_in_name_file {
 namespace {
 
+constexpr Circumstance kLeading{"leading slash"};
+
 /// One finding per file, because authors name all parts by one scheme.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
+  bool is_leading = false;
   for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
     if (name_fault(*name) != NameFault::slash) return;
+    is_leading = is_leading || name->starts_with('/');
     habit.add(name.span, "the name " + quoted(*name) + " contains a slash");
   });
   Diagnostic* diagnostic = habit.report("such names", findings);
   if (diagnostic == nullptr) return;
-  diagnostic->note("MuJoCo, tf2 and USD treat it as the separator of a path");
+  diagnostic->note("MuJoCo and USD treat it as the separator of a path");
+  if (is_leading) diagnostic->when(kLeading);
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::changes, "tf2 treats `/` as the separator of frames",
-     "tf2 frame names"},
+    {&readers::ros, Effect::changes,
+     "tf2 strips a leading slash, and refuses look-ups of names that begin with one",
+     "tf2 1b005c65 buffer_core.cpp", when(kLeading)},
+    {&readers::ros, Effect::takes, "tf2 treats a slash inside a name as any other character",
+     "tf2 1b005c65 buffer_core.cpp"},
     {&readers::mujoco, Effect::changes, "treats `/` as the separator of attached models",
      "MuJoCo xml_urdf.cc:81"},
 };

@@ -5,13 +5,18 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "ast/urdf_numbers.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/ranges.hpp"
 #include "base/readers.hpp"
+#include "base/suggest.hpp"
 #include "base/uncertain.hpp"
 #include "base/words.hpp"
 #include "link/mujoco_compiler.hpp"
@@ -19,6 +24,9 @@
 
 namespace smurf::rules::sml1449_mujoco_value_file {
 namespace {
+
+/// MuJoCo ignores it in a URDF.
+constexpr Circumstance kUnread{"unread"};
 
 /// The attributes of `compiler` that MuJoCo reads; it ignores others.
 constexpr std::string_view kFlags[] = {"autolimits",    "balanceinertia", "strippath",
@@ -184,6 +192,55 @@ void check_memory(const xml::View size, Findings& findings) {
   diagnostic.when(kUncertain);
 }
 
+/// Attributes that MuJoCo has, or had, beside those above.
+constexpr std::string_view kOthers[] = {
+    "inertiafromgeom", "angle",       "coordinate", "inertiagrouprange", "eulerseq",
+    "meshdir",         "texturedir",  "assetdir",   "convexhull",        "exactmeshinertia",
+    "memory",          "apirate",     "collision",  "mpr_iterations",    "mpr_tolerance",
+    "enableflags",     "disableflags"};
+
+std::vector<std::string_view> attributes_of(std::string_view element) {
+  std::vector<std::string_view> names(std::begin(kOthers), std::end(kOthers));
+  if (element == "compiler") {
+    names.insert(names.end(), std::begin(kFlags), std::end(kFlags));
+    names.insert(names.end(), std::begin(kNumbers), std::end(kNumbers));
+  }
+  for (const Setting& setting : kSettings) {
+    if (setting.element == element) names.push_back(setting.name);
+  }
+  return names;
+}
+
+/// Reports what MuJoCo does not look at: one finding for each kind of element.
+void check_unread(const xml::View mujoco, Findings& findings) {
+  std::set<std::string_view> seen;
+  const auto report = [&](const xml::View element, std::string message) {
+    if (!seen.insert(element.name()).second) return;
+    findings.report(element.name_span(), std::move(message))
+        .when(kUnread)
+        .help("write it in an MJCF, such as `smurfs-flatten --format mjcf` makes");
+  };
+  for (const xml::View element : mujoco) {
+    const std::string_view name = element.name();
+    if (!is_one_of(name, {"compiler", "option", "size"})) {
+      report(element, "MuJoCo reads no " + quoted(name) + " from a URDF");
+      continue;
+    }
+    for (const xml::View child : element) {
+      if (name == "option" && child.name() == "flag") continue;
+      report(child,
+             "MuJoCo reads no " + quoted(child.name()) + " in " + quoted(name) + " of a URDF");
+    }
+    for (const xml::Attribute& at : element.attributes()) {
+      const auto meant = nearest(at.name(), attributes_of(name));
+      if (!meant) continue;
+      findings.report(at.name_span(), quoted(name) + " has no attribute " + quoted(at.name()))
+          .when(kUnread)
+          .help("did you mean " + quoted(*meant) + "?");
+    }
+  }
+}
+
 void check_settings(const xml::View mujoco, Findings& findings) {
   for (const xml::View element : mujoco) {
     for (const Setting& setting : kSettings) {
@@ -232,6 +289,7 @@ void check(const LinkedModel& model, Findings& findings) {
     }
     if (const xml::View option = mujoco.child("option")) check_repeated(option, "flag", findings);
     check_settings(mujoco, findings);
+    check_unread(mujoco, findings);
   }
   const xml::View compiler = mujoco_compiler(model);
   if (!compiler) return;
@@ -243,6 +301,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::mujoco, Effect::loses,
+     "reads only `compiler`, `size` and `option` of the element `mujoco`", kRun, when(kUnread)},
     {&readers::mujoco, Effect::refuses,
      "reserves as much memory; its WebAssembly build ends the process", kRun, when(kUncertain)},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
@@ -254,7 +314,8 @@ extern constinit const Rule sml1449_mujoco_value{
     .id = "SML1449",
     .name = "mujoco-value",
     .severity = Severity::warning,
-    .summary = "A setting for MuJoCo is repeated, or has a value that MuJoCo cannot read.",
+    .summary =
+        "A setting for MuJoCo is repeated, is not read from a URDF, or has a value that MuJoCo cannot read.",
     .why = "A flag in the element `compiler` is read only as `true` or `false`.",
     .remedy = "Write one element, with a value that MuJoCo accepts.",
     .check_model = check,

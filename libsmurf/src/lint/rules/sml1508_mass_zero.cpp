@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <set>
+#include <vector>
+
 #include "base/readers.hpp"
 #include "link/inertia.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
+#include "readers/sdformat_losses.hpp"
 
 namespace smurf::rules::sml1508_mass_zero_file {
 namespace {
@@ -26,12 +30,16 @@ void check(const LinkedModel& model, Findings& findings) {
   const std::vector<bool> is_carried = fixed_to_heavier(model);
   const std::vector<double> together = masses_of_bodies(model);
   const bool is_empty = is_left_without_links(model);
+  std::set<const urdf::Link*> told;  // by SML1454
+  for (const MasslessSum& sum : massless_sums_of_sdformat(model))
+    told.insert(&model.link(sum.link));
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const bool is_massless_body = massless[index];
     const bool has_mass = together[index] > kDropped;
     const bool is_frame = is_carried[index++];
     if (!link.inertial || !link.inertial->mass || *link.inertial->mass != 0) return;
+    if (told.contains(&link)) return findings.add_consequence(link.inertial->mass.span);
     Diagnostic& diagnostic =
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is 0");
     diagnostic.help("write the mass, or remove the `inertial` of a link that is only a frame");

@@ -9,16 +9,21 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const PathUses& path : paths_with(model, PathFault::empty)) {
     for (const MeshReference* reference : path.references) {
       const bool is_texture = reference->is_texture;
-      findings.report(reference->span,
-                      std::string("the ") + (is_texture ? "texture" : "mesh") + " names no file");
+      Diagnostic& diagnostic =
+          findings.report(reference->span, std::string("the ") + (is_texture ? "texture" : "mesh") +
+                                               " names no file");
+      // Exporters write it into every material.
+      if (is_texture) diagnostic.severity = Severity::info;
     }
   }
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "needs no texture", kRun, at("texture")},
     urdfdom_drops_shapes(),
     {&readers::gazebo, Effect::takes, "needs no texture", kRun, at("texture")},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
+    {&readers::mujoco, Effect::takes, "needs no texture", kRun, at("texture")},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
      at("mesh")},

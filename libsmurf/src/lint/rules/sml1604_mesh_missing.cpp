@@ -16,6 +16,7 @@ namespace {
 constexpr Circumstance kFoundByMars{"found by mars"};
 constexpr Circumstance kMesh{"mesh"};
 constexpr Circumstance kPackage{"package"};
+constexpr Circumstance kAbove{"found from above"};
 constexpr Circumstance kTexture{"texture"};
 
 /// Whether a folder on the way to the URDF has this name, as far as the path is written.
@@ -42,6 +43,19 @@ void report_package(const std::vector<const MeshReference*>& uses, std::string_v
   }
   diagnostic.help(is_here ? "add the files, or name another folder: `--package " + name + "=DIR`"
                           : "name its folder: `--package " + name + "=DIR`");
+}
+
+/// Whether the path leads to a file from a folder above the URDF, where Bullet looks, too.
+bool is_found_from_above(const MeshReference& mesh, const LinkedModel& model) {
+  if (mesh.meant.empty()) return false;
+  const std::string folder(path::parent(model.urdf_path));
+  const std::string meant = path::join(folder, mesh.meant);
+  std::string above = folder;
+  for (int level = 0; level < 4; ++level) {
+    above = path::join(above, "..");
+    if (path::join(above, mesh.filename) == meant) return true;
+  }
+  return false;
 }
 
 /// Suggests another file in all places that name the missing one.
@@ -86,6 +100,7 @@ void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_
                         : "keep the URDF and the .smurf in folders side by side");
   }
   if (!mesh.meant.empty()) suggest(mesh, model, diagnostic);
+  if (is_found_from_above(mesh, model)) diagnostic.when(kAbove);
   if (is_uri_without_host(mesh.filename)) diagnostic.when(kUncertain);
   if (mesh.is_texture) diagnostic.severity = Severity::warning;
 }
@@ -134,6 +149,8 @@ constexpr Fact kFacts[] = {
      "looks in the folder above urdf/ only, and stops with an exception", "Phobos a613e31, run",
      when(kPackage)},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun, when(kMesh)},
+    {&readers::pybullet, Effect::takes, "looks in the folders above the URDF, too",
+     "Bullet UrdfFindMeshFile.h", when(kAbove)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",
      "Bullet UrdfFindMeshFile.h, run", when(kMesh)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",

@@ -15,10 +15,10 @@ namespace {
 
 constexpr Circumstance kMixedCase{"mixed case"};
 constexpr Circumstance kObj{"obj"}, kStl{"stl"}, kMsh{"msh"}, kDae{"dae"}, kVtk{"vtk"}, kCdf{"cdf"},
-    kGlb{"glb"}, kGltf{"gltf"}, kBobj{"bobj"};
+    kGlb{"glb"}, kGltf{"gltf"}, kBobj{"bobj"}, kWrl{"wrl"};
 /// Those of which MuJoCo recognises only extensions in one case come first.
-constexpr const Circumstance* kKnown[] = {&kObj, &kStl, &kMsh,  &kDae, &kVtk,
-                                          &kCdf, &kGlb, &kGltf, &kBobj};
+constexpr const Circumstance* kKnown[] = {&kObj, &kStl, &kMsh,  &kDae,  &kVtk,
+                                          &kCdf, &kGlb, &kGltf, &kBobj, &kWrl};
 constexpr std::size_t kOfMujoco = 3;
 
 /// The format of a mesh, by its extension.
@@ -85,12 +85,14 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfFindMeshFile.h, run"},
     {&readers::ros, Effect::loses, "has no loader for it: RViz and MoveIt show the link without it",
      "assimp 5.2", when(kBobj)},
+    {&readers::ros, Effect::loses, "has no loader for it: RViz and MoveIt show the link without it",
+     "assimp 5.2", when(kWrl)},
     {&readers::gazebo, Effect::loses, "has no loader for it", "sdformat stores it unchecked",
      when(kBobj)},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
      when(kBobj)},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
-     when(kGlb)},
+     when(kWrl)},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
      when(kMsh)},
     {&readers::mujoco, Effect::refuses,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
 
+#include "base/ranges.hpp"
 #include "base/readers.hpp"
+#include "base/uncertain.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
 #include "readers/circumstances.hpp"
@@ -9,8 +11,17 @@
 namespace smurf::rules::sml1912_mesh_package_uri_unread_file {
 namespace {
 
+bool is_of_package(const MeshReference& mesh) { return mesh.filename.starts_with("package://"); }
+
+/// The folders of all packages were named, as programs that use DART do.
+constexpr Circumstance kGiven{"given package"};
+
 void check(const LinkedModel& model, Findings& findings) {
   std::map<GeometryRole, std::vector<Span>> uses;
+  const bool are_given = ranges::any_of(model.meshes, is_of_package) &&
+                         !ranges::any_of(model.meshes, [](const MeshReference& mesh) {
+                           return is_of_package(mesh) && !mesh.is_package_given;
+                         });
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (use.mesh() == nullptr || !use.mesh()->filename) return;
     if (!use.mesh()->filename->starts_with("package://")) return;
@@ -20,6 +31,11 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::string what = std::string(to_string(role));
     Diagnostic& diagnostic =
         findings.report(places.front(), "the mesh of a " + what + " is named by `package://`");
+    if (are_given) {
+      diagnostic.when(kGiven);
+    } else {
+      diagnostic.when(kUncertain);
+    }
     if (places.size() > 1) {
       diagnostic.note("the same applies to those of " + std::to_string(places.size() - 1) +
                       " more " + what + (places.size() > 2 ? "s" : ""));
@@ -42,7 +58,10 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::takes, "looks in the folder that its element `compiler` names", kRun,
      when(kElsewhere)},
     {&readers::mujoco, Effect::refuses, "treats `package://` as a part of the path", kRun},
-    {&readers::dart, Effect::refuses, "finds only packages whose folders it was given", kRun},
+    {&readers::dart, Effect::takes, "finds packages whose folders it was given", kRun,
+     when(kGiven)},
+    {&readers::dart, Effect::refuses, "finds only packages whose folders it was given", kRun,
+     when(kUncertain)},
 };
 
 }  // namespace

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
 #include "base/counted.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
@@ -6,14 +11,31 @@
 namespace smurf::rules::sml1915_mimic_unread_file {
 namespace {
 
+/// A motor couples each of the joints.
+constexpr Circumstance kCoupled{"coupled by motors"};
+
+/// The joints whose motors follow another motor.
+std::set<std::string, std::less<>> coupled_joints(const LinkedModel& model) {
+  std::set<std::string, std::less<>> coupled;
+  for (const Motor& motor : model.annotations.motors) {
+    if (motor.joint && motor.mimic_motor) coupled.insert(*motor.joint);
+  }
+  return coupled;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
-  std::vector<const urdf::Joint*> mimics;
+  std::vector<const urdf::Joint*> mimics, coupled;
+  const std::set<std::string, std::less<>> known = coupled_joints(model);
   for_each_joint(model, [&](const urdf::Joint& joint) {
-    if (joint.mimic) mimics.push_back(&joint);
+    if (!joint.mimic) return;
+    (known.contains(joint.name.value_or("")) ? coupled : mimics).push_back(&joint);
   });
+  const bool are_coupled = mimics.empty();
+  mimics.insert(mimics.end(), coupled.begin(), coupled.end());
   if (mimics.empty()) return;
   Diagnostic& diagnostic = findings.report(tag_name(model, mimics.front()->mimic->element),
                                            title(*mimics.front()) + " mimics another joint");
+  if (are_coupled) diagnostic.when(kCoupled);
   if (mimics.size() > 1) {
     diagnostic.note(counted(mimics.size() - 1, "more joint mimics another one",
                             "more joints mimic another one"));
@@ -21,13 +43,17 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "follows the `mimic_motor` of the motor",
+     "MARS smurf.cpp:902-910", when(kCoupled)},
     {&readers::mars, Effect::loses, "ignores `mimic` elements; it reads `mimic_motor` instead",
      "MARS smurf.cpp:902-910"},
     {&readers::pybullet, Effect::loses, "ignores `mimic` elements: the joint moves independently",
      "Bullet UrdfParser.cpp has no code for it"},
     {&readers::gazebo, Effect::loses,
      "ignores `mimic` elements before sdformat 14, so the joint moves independently",
-     "sdformat parser_urdf.cc:3152; 12.3, run"},
+     "sdformat parser_urdf.cc:3152; 12.3, run", before({14, 0})},
+    {&readers::gazebo, Effect::takes, "reads `mimic` elements",
+     "sdformat 14.0.0 parser_urdf.cc, read"},
     {&readers::drake, Effect::changes, "couples the joints in some solvers only",
      "Drake detail_urdf_parser.cc:791-880"},
 };
