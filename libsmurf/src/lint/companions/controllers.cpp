@@ -83,6 +83,17 @@ void for_each_controller_file(const Companions& companions,
   }
 }
 
+void for_each_known_controller(
+    const Companions& companions,
+    const std::function<void(const RosController&, const std::vector<Parameter>&)>& visit) {
+  for_each_controller_file(companions, [&](const ControllerFile& file) {
+    for (const RosController& controller : file.controllers) {
+      if (controller.known == nullptr || !controller.section) continue;
+      visit(controller, parameters_of(*controller.known));
+    }
+  });
+}
+
 std::string title_of(const RosController& controller) {
   return "controller " + quoted(controller.name);
 }

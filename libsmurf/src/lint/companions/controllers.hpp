@@ -38,6 +38,12 @@ struct ControllerFile {
 void for_each_controller_file(const Companions& companions,
                               const std::function<void(const ControllerFile&)>& visit);
 
+/// Calls `visit` with every controller of a known class that has a section, and the parameters of
+/// that class.
+void for_each_known_controller(
+    const Companions& companions,
+    const std::function<void(const RosController&, const std::vector<Parameter>&)>& visit);
+
 /// "controller `arm_controller`"
 std::string title_of(const RosController& controller);
 

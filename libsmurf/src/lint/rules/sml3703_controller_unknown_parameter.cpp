@@ -48,12 +48,10 @@ void check_mapping(yaml::View mapping, const std::string& prefix,
 }
 
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
-  for_each_controller_file(companions, [&](const ControllerFile& file) {
-    for (const RosController& controller : file.controllers) {
-      if (controller.known == nullptr || !controller.section) continue;
-      check_mapping(controller.section, "", parameters_of(*controller.known), controller, findings);
-    }
-  });
+  for_each_known_controller(
+      companions, [&](const RosController& controller, const std::vector<Parameter>& known) {
+        check_mapping(controller.section, "", known, controller, findings);
+      });
 }
 
 constexpr Fact kFacts[] = {
