@@ -264,7 +264,7 @@ def all_cases():
     return cases.by_name
 
 
-def write(cases, folder):
+def write(cases, folder, text_of=lambda text: text):
     """{name: path}"""
     folder.mkdir(parents=True, exist_ok=True)
     for name, content in robots.meshes().items():
@@ -273,7 +273,7 @@ def write(cases, folder):
     paths = {name: folder / f"{number:04}_{re.sub(r'[^A-Za-z0-9.@=-]', '_', name)}.urdf"
              for number, name in enumerate(cases)}
     for name, path in paths.items():
-        path.write_bytes(cases[name].text)
+        path.write_bytes(text_of(cases[name].text))
     return paths
 
 

@@ -15,6 +15,7 @@ import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
 NODE_MODULES = HERE.parent.parent / "build/readers/node_modules"
+PYTHON = HERE.parent.parent / "build/readers/python/bin/python"
 TABLE = HERE / "executed.tsv"
 FILES_A_RUN = 400
 SECONDS_A_RUN = 900
@@ -34,28 +35,51 @@ def npm_version(name):
     return json.loads((NODE_MODULES / name / "package.json").read_text())["version"]
 
 
+def python_version(package):
+    return command_version(PYTHON, "-c", f"import importlib.metadata; print(importlib.metadata.version('{package}'))")
+
+
+def as_it_is(text):
+    return text
+
+
+def with_obj(text):
+    """Drake refuses each robot whose collision is an STL file, so that nothing else would be seen."""
+    return text.replace(b"cube.stl", b"cube.obj")
+
+
 class Reader:
-    def __init__(self, name, target, command, version):
-        self.name, self.target, self.command, self.version = name, target, command, version
+    """`text_of` gives the text of a case for this reader."""
+
+    def __init__(self, name, command, version, text_of=as_it_is):
+        self.name, self.command, self.version, self.text_of = name, command, version, text_of
 
 
 def readers(build):
     """The readers that can be run here, and the names of the others."""
     found, absent = [], []
-    for name, target, program, package in (
-            ("urdfdom", "ros", "urdfdom_robot", "urdfdom"), ("libsdformat", "gazebo", "sdformat_robot", "sdformat12"),
-            ("DART", "dart", "dart_robot", "dart")):
+    for name, program, package in (("urdfdom", "urdfdom_robot", "urdfdom"),
+                                   ("libsdformat", "sdformat_robot", "sdformat12"), ("DART", "dart_robot", "dart")):
         version = command_version("dpkg-query", "-W", "-f=${Version}", "liburdfdom-dev") if package == "urdfdom" \
             else command_version("pkg-config", "--modversion", package)
         path = build / program
         if path.exists():
-            found.append(Reader(name, target, [path], version))
+            found.append(Reader(name, [path], version))
         else:
             absent.append(name)
-    for name, target, program, package in (("MuJoCo", "mujoco", "mujoco_robot.mjs", "@mujoco/mujoco"),
-                                           ("urdf-loader", None, "urdf_loader_robot.mjs", "urdf-loader")):
+    for name, program, package in (("MuJoCo", "mujoco_robot.mjs", "@mujoco/mujoco"),
+                                   ("urdf-loader", "urdf_loader_robot.mjs", "urdf-loader")):
         if shutil.which("node") and (NODE_MODULES / package).is_dir():
-            found.append(Reader(name, target, ["node", HERE / program, NODE_MODULES], npm_version(package)))
+            found.append(Reader(name, ["node", HERE / program, NODE_MODULES], npm_version(package)))
+        else:
+            absent.append(name)
+    for name, program, package, text_of in (("MuJoCo-4", "mujoco_robot.py", "mujoco", as_it_is),
+                                            ("Bullet", "bullet_robot.py", "pybullet", as_it_is),
+                                            ("Drake", "drake_robot.py", "drake", with_obj),
+                                            ("Pinocchio", "pinocchio_robot.py", "pin", as_it_is)):
+        version = python_version(package)
+        if version:
+            found.append(Reader(name, [PYTHON, HERE / program], version, text_of))
         else:
             absent.append(name)
     return found, absent

@@ -26,10 +26,12 @@ SHOWN = 20
 def record(build, folder, keep):
     """{reader: (version, {name: cell})}, and the names of absent readers."""
     cases = damage.all_cases()
-    paths = damage.write(cases, folder)
     found, absent = executed.readers(build)
-    results = {}
+    results, written = {}, {}
     for reader in found:
+        if reader.text_of not in written:
+            written[reader.text_of] = damage.write(cases, folder / reader.text_of.__name__, reader.text_of)
+        paths = written[reader.text_of]
         said = executed.read_all(reader, [str(path) for path in paths.values()])
         results[reader.name] = (reader.version, executed.judge(cases, paths, said))
         if keep:

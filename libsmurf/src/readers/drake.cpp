@@ -13,9 +13,20 @@ constexpr FamilyFact kFamilies[] = {
       "Drake detail_tinyxml.h:60-73"}},
 };
 
+constexpr std::string_view kIgnores = "does not look at it";
+
 constexpr Fact kUnread[] = {
     {&drake, ignores, "does not read what `drake_ignore` marks",
      "Drake detail_urdf_parser.cc:187-191, 533-538", when(kDrakeIgnored)},
+    {&drake, ignores, kIgnores, kRun, at("calibration")},
+    {&drake, ignores, kIgnores, kRun, at("safety_controller")},
+    {&drake, ignores, kIgnores, kRun, at("gazebo")},
+    {&drake, ignores, kIgnores, kRun, at("joint/axis").when(kInFixed)},
+    {&drake, ignores, kIgnores, kRun, at("joint/axis").when(kInFloating)},
+    {&drake, ignores, kIgnores, kRun, at("joint/limit").when(kInFixed)},
+    {&drake, ignores, kIgnores, kRun, at("joint/limit").when(kInFloating)},
+    {&drake, ignores, kIgnores, kRun, at("joint/dynamics").when(kInFixed)},
+    {&drake, ignores, kIgnores, kRun, at("joint/dynamics").when(kInFloating)},
 };
 
 /// Findings in links and joints with `drake_ignore="true"`.
@@ -40,7 +51,7 @@ void see(const LinkedModel& model, std::span<Diagnostic* const> found) {
 
 extern constinit const Reader drake{.name = "drake",
                                     .title = "Drake",
-                                    .basis = "be259df (2026-08), read",
+                                    .basis = "1.51.1 executed, the rest read at be259df (2026-08)",
                                     .like = &urdf,
                                     .families = kFamilies,
                                     .unread = kUnread,

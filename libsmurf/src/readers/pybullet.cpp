@@ -14,12 +14,11 @@ constexpr FamilyFact kFamilies[] = {
 
 }  // namespace
 
-extern constinit const Reader pybullet{
-    .name = "pybullet",
-    .title = "PyBullet",
-    .basis = "Bullet 6c888f4 (2025-01): UrdfParser.cpp executed, the rest read",
-    .like = &urdf,
-    .version = "Bullet 2025-01",
-    .families = kFamilies};
+extern constinit const Reader pybullet{.name = "pybullet",
+                                       .title = "PyBullet",
+                                       .basis = "PyBullet 3.2.7 executed (Bullet 6c888f4, 2025-01)",
+                                       .like = &urdf,
+                                       .version = "Bullet 2025-01",
+                                       .families = kFamilies};
 
 }  // namespace smurf::readers::pybullet_file

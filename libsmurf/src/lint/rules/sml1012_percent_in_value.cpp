@@ -12,6 +12,8 @@ constexpr std::string_view kPrintfRun =
     "urdfdom link.cpp:93 and others, run; fixed in 5.1 (pull request 243)";
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "reads the leading digits, or 0", kRun},
+    {&readers::drake, Effect::refuses, "refuses the number", kRun},
     {&readers::urdfdom, Effect::takes, "keeps the text", kRun, at("@reference")},
     {&readers::urdfdom, Effect::takes, "keeps the text", kRun, at("@filename")},
     {&readers::urdfdom, Effect::takes, "keeps the text", kRun, at("@type")},

@@ -32,6 +32,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "accepts an empty name", kRun, when(kEmpty)},
     {&readers::urdfdom, Effect::refuses, "refuses a robot without a name",
      "urdfdom model.cpp:115, run"},
+    {&readers::pybullet, Effect::takes, "takes an empty name", kRun, when(kEmpty)},
     {&readers::pybullet, Effect::refuses, "refuses a robot without a name",
      "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::refuses, "refuses an empty name", kRun, when(kEmpty)},

@@ -43,6 +43,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::takes, "does not look at the version", kRun},
+    {&readers::drake, Effect::takes, "does not look at the version", kRun},
     {&readers::urdfdom, Effect::refuses, "refuses every version but 1.0",
      "urdfdom model.cpp:126-137, run", before({5, 1})},
     {&readers::urdfdom, Effect::takes, "knows version 1.1", "urdfdom 5.1.0, read",

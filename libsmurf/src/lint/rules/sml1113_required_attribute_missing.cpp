@@ -34,6 +34,7 @@ constexpr Fact kFacts[] = {
      at("axis")},
     {&readers::pybullet, Effect::changes, "reads 0", "Bullet UrdfParser.cpp:1452, run",
      at("limit")},
+    {&readers::pybullet, Effect::changes, "reads no such material", kRun, at("robot/material")},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::refuses, "reports error E9, an axis of length 0", kRun, at("axis")},
     {&readers::mujoco, Effect::refuses, "needs the name of a material without a colour", kRun,
@@ -49,7 +50,8 @@ constexpr Fact kFacts[] = {
      "Drake detail_common.h:387", at("inertial")},
     {&readers::drake, Effect::ignores, "ignores safety controllers", "Drake detail_urdf_parser.cc",
      at("safety_controller")},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc"},
+    {&readers::drake, Effect::changes, "uses the axis 1 0 0", kRun, at("axis")},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc, run"},
 };
 
 }  // namespace

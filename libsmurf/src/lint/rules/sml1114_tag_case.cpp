@@ -7,6 +7,10 @@ namespace smurf::rules::sml1114_tag_case_file {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::drake, Effect::loses, "ignores the joint, and lets its child float", kRun,
+     when(cases::kJointTag)},
+    {&readers::drake, Effect::refuses, "misses the link of the joint", kRun, at("joint/parent")},
+    {&readers::drake, Effect::refuses, "misses the link of the joint", kRun, at("joint/child")},
     {&readers::urdf, Effect::refuses,
      "ignores the element, and then misses the link that joints name", "urdfdom, MuJoCo, run",
      when(cases::kLinkTag)},

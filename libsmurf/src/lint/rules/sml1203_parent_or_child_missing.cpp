@@ -5,6 +5,8 @@
 namespace smurf::rules::sml1203_parent_or_child_missing_file {
 namespace {
 
+constexpr Circumstance kEmpty{"empty"};
+
 void check_end(const LinkedModel& model, const urdf::Joint& joint, std::string_view end,
                const Field<std::string>& name, Findings& findings) {
   if (name && !name->empty()) return;
@@ -12,8 +14,9 @@ void check_end(const LinkedModel& model, const urdf::Joint& joint, std::string_v
   const xml::View child = element.child(end);
   const xml::ElementId holder = child ? child.id() : joint.element;
   if (is_slip(model, holder, child ? "link" : end, findings)) return;
-  findings.report(child ? child.name_span() : name_place(model, joint),
-                  title(joint) + " has no " + std::string(end) + " link");
+  Diagnostic& diagnostic = findings.report(child ? child.name_span() : name_place(model, joint),
+                                           title(joint) + " has no " + std::string(end) + " link");
+  if (name) diagnostic.when(kEmpty);
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -24,7 +27,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, MuJoCo, Bullet, run"},
+    {&readers::drake, Effect::loses, "leaves out the joint", kRun, when(kEmpty)},
+    {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, MuJoCo, Bullet, Drake, run"},
 };
 
 }  // namespace

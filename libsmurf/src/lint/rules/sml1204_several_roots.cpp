@@ -41,7 +41,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses the file: it looks for one root",
      "urdfdom model.h:176, run"},
-    {&readers::pybullet, Effect::breaks, "warns, and uses the root index -1",
+    {&readers::pybullet, Effect::crashes, "warns, uses the root index -1, and ends the process",
      "BulletUrdfImporter.cpp:316, run"},
     {&readers::mujoco, Effect::changes, "welds every root to the world", kRun},
     {&readers::drake, Effect::takes, "knows the joint that leads to the link",

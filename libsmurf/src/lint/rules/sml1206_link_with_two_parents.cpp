@@ -81,7 +81,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes,
      "does not notice, and keeps the joint whose name is last in alphabetical order", kRun},
-    {&readers::pybullet, Effect::changes, "keeps the last parent", "Bullet UrdfParser.cpp, run"},
+    {&readers::pybullet, Effect::crashes, "ends the process", kRun},
     {&readers::gazebo, Effect::crashes, "crashes", kRun, when(kRing)},
     {&readers::gazebo, Effect::changes, "merges the link into both parents", kRun,
      when(kMergedTwice)},

@@ -65,6 +65,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::crashes, "ends the process", kRun},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
     {&readers::urdfdom, Effect::refuses, "finds no root link, and refuses the file", kRun,
      when(kOnlyRoot)},
     {&readers::gazebo, Effect::refuses, "finds no root link, and refuses the file", kRun,

@@ -5,6 +5,8 @@
 namespace smurf::rules::sml1213_floating_or_planar_file {
 namespace {
 
+constexpr Circumstance kOneDamping{"one damping for three"};
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
@@ -14,10 +16,12 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto parent = model.tree.joint_parent[i];
     // SML1212 reports a floating joint below another joint.
     if (is_floating && parent && model.tree.parent_joint[to_size(*parent)]) continue;
-    findings
-        .report(joint.type_name.span,
-                title(joint) + " is " + *joint.type_name + ", which few readers can move")
-        .note("MARS and Bullet make the joint fixed; Gazebo cannot build the model");
+    Diagnostic& diagnostic =
+        findings
+            .report(joint.type_name.span,
+                    title(joint) + " is " + *joint.type_name + ", which few readers can move")
+            .note("MARS and Bullet make the joint fixed; Gazebo cannot build the model");
+    if (!is_floating && joint.dynamics) diagnostic.when(kOneDamping);
   }
 }
 
@@ -26,6 +30,8 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "makes the joint fixed",
      "Bullet URDF2Bullet.cpp:491-497"},
     {&readers::gazebo, Effect::refuses, "cannot build the model", kRun},
+    {&readers::drake, Effect::refuses,
+     "needs three dampings in a planar joint, and refuses the file", kRun, when(kOneDamping)},
     {&readers::drake, Effect::changes, "drops the origin of a floating joint", "Drake, read"},
 };
 

@@ -23,6 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::drake, Effect::loses, "leaves out the joint", kRun, at("joint")},
     {&readers::urdfdom, Effect::takes, "accepts a joint without a name", kRun, at("joint")},
     {&readers::urdfdom, Effect::refuses, "reports two roots and refuses the file", kRun},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},

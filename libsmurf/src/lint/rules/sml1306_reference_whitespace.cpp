@@ -30,6 +30,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::takes, "keeps the name with the space", kRun, at("joint/@name")},
+    {&readers::drake, Effect::takes, "keeps the name with the space", kRun, at("joint/@name")},
     {&readers::urdf, Effect::refuses,
      "finds no link with that name, because the space is part of it", "urdfdom, run"},
     {&readers::urdfdom, Effect::changes,

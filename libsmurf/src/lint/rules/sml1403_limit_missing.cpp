@@ -5,6 +5,8 @@
 namespace smurf::rules::sml1403_limit_missing_file {
 namespace {
 
+constexpr Circumstance kEmpty{"empty"};
+
 std::string_view tag(const LinkedModel& model, const urdf::Limit& limit) {
   return xml::View(model.robot->document, limit.element).name();
 }
@@ -12,8 +14,10 @@ std::string_view tag(const LinkedModel& model, const urdf::Limit& limit) {
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (is_empty_limit(model, joint)) {
-      findings.report(tag_name(model, joint.limit->element),
-                      "the `limit` of " + title(joint) + " is empty");
+      findings
+          .report(tag_name(model, joint.limit->element),
+                  "the `limit` of " + title(joint) + " is empty")
+          .when(kEmpty);
       return;
     }
     const bool needs_limit =
@@ -33,6 +37,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::refuses, "refuses the file", kRun},
+    {&readers::pybullet, Effect::changes, "reads 0 for both limits", kRun, when(kEmpty)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::mujoco, Effect::changes, "lets the joint move without limit", kRun},
     {&readers::drake, Effect::changes, "lets the joint move without limit",

@@ -22,6 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "keeps the number", kRun},
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
     {&readers::ros, Effect::changes, "MoveIt uses the absolute value", "MoveIt robot_model.cpp:874",
      at("@velocity")},

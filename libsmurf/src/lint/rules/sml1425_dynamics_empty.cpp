@@ -29,6 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::drake, Effect::changes, "reads 0", kRun},
     {&readers::urdfdom, Effect::refuses, "refuses the file", kRun},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::mujoco, Effect::takes, "reads no damping and no friction", kRun},

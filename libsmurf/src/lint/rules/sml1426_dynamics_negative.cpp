@@ -23,6 +23,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "keeps the number", kRun},
+    {&readers::drake, Effect::ignores, "does not look at it", kRun, at("@friction")},
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
     {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun, when(kOneAxis)},
     {&readers::dart, Effect::ignores, "reads the dynamics of joints with one axis only", kRun},

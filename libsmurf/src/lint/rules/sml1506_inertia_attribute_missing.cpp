@@ -9,6 +9,8 @@
 namespace smurf::rules::sml1506_inertia_attribute_missing_file {
 namespace {
 
+constexpr Circumstance kOnlyProducts{"only products"};
+
 /// The place of a misspelt `name`, which is reported there; empty when there is none.
 Span find_misspelt(const xml::View element, std::string_view name) {
   const std::string_view known[] = {name};
@@ -43,6 +45,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                                                       " has no " + missing);
     diagnostic.note("urdfdom reads all six as 0 and drops the visuals and collisions of this link");
     if (!is_diagonal_whole) return;
+    diagnostic.when(kOnlyProducts);
     diagnostic.help("write 0 where there is no product of inertia");
     const std::uint32_t end = inertia.attributes().back().span().end;
     diagnostic.fixes.push_back({Applicability::safe, {{{inertia.span().source, end, end}, zeros}}});
@@ -50,12 +53,13 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::takes, "reads 0 for absent products", kRun, when(kOnlyProducts)},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun},
+    {&readers::drake, Effect::changes, "reads 0", kRun},
     {&readers::urdfdom, Effect::breaks,
      "reads all six as 0, reports an error and drops the visuals and collisions of the link",
      "urdfdom link.cpp:415-486, run"},
     kGazeboAddsZeros,
-    {&readers::pybullet, Effect::changes, "reads the three others as 0 where a product is missing",
-     kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
     {&readers::phobos, Effect::changes, "reads 0", kRun},
 };

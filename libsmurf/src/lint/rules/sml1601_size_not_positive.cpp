@@ -42,6 +42,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "keeps the number", kRun},
     {&readers::dart, Effect::takes, "knows no such shape", kRun, at("capsule")},
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
     {&readers::mars, Effect::breaks,

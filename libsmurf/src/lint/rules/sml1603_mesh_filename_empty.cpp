@@ -20,6 +20,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "needs no texture", kRun, at("texture")},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, at("mesh")},
     urdfdom_drops_shapes(),
     {&readers::gazebo, Effect::takes, "needs no texture", kRun, at("texture")},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},

@@ -28,6 +28,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, at("mesh")},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun, at("mesh")},
     ros_without_mesh(),
     gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},

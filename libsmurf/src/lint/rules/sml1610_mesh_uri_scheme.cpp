@@ -27,6 +27,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, when(kModel)},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
     {&readers::mars, Effect::loses,
      "treats the scheme as a part of the path, and shows the link without it",
      "MARS smurf.cpp:1080-1113, run", at("visual")},

@@ -49,6 +49,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "keeps a shape without volume", kRun},
     {&readers::mars, Effect::breaks,
      "stops loading here, so all later objects, the pose and the anchor are missing",
      "MARS NodePhysics.cpp:626-634", when(kZero)},
@@ -56,8 +57,8 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a mesh of less than 1e-15 m3", kRun, when(kTiny)},
     {&readers::mujoco, Effect::refuses, "refuses a scale of 0", kRun},
-    {&readers::drake, Effect::refuses, "refuses a scale below 1e-8", "Drake shape_specification.h",
-     when(kZero)},
+    {&readers::drake, Effect::refuses, "refuses a scale below 1e-8",
+     "Drake shape_specification.h, run"},
     {&readers::urdfdom, Effect::takes, "keeps the scale", kRun, when(kTiny)},
     {&readers::urdfdom, Effect::changes, "keeps a shape without volume", kRun},
 };

@@ -13,6 +13,9 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::loses, "builds the link without the shape", kRun},
+    {&readers::drake, Effect::loses,
+     "opens the mesh of a visual only to draw it, and draws nothing", kRun, at("visual")},
     ros_without_mesh(),
     gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},

@@ -108,13 +108,14 @@ constexpr std::string_view kMayRefuse = "refuses the file if the mesh is damaged
 constexpr std::string_view kMayLose = "has no such shape if the mesh is damaged";
 
 constexpr Fact kFacts[] = {
-    {&readers::pybullet, Effect::refuses, kMayRefuse, "Bullet LoadMeshFromSTL.h", when(kUncertain)},
+    {&readers::drake, Effect::loses, "opens the mesh of a visual only to draw it", kRun,
+     at("visual")},
     {&readers::ros, Effect::loses, kMayLose, "assimp STLLoader.cpp", when(kUncertain)},
     {&readers::dart, Effect::refuses, kMayRefuse, kRun, when(kUncertain)},
     {&readers::mujoco, Effect::refuses, kMayRefuse, kRun, when(kUncertain)},
     {&readers::gazebo, Effect::loses, kMayLose, kRun, when(kUncertain)},
     {&readers::phobos, Effect::loses, kMayLose, kRun, when(kUncertain)},
-    {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet LoadMeshFromSTL.h"},
+    {&readers::pybullet, Effect::loses, "builds the link without the shape", kRun},
     {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
      "assimp STLLoader.cpp"},
     {&readers::dart, Effect::loses, "makes a shape without triangles", kRun, when(kEmptyCollada)},

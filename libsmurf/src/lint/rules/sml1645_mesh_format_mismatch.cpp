@@ -24,6 +24,10 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::loses, "builds the link without the shape", kRun},
+    {&readers::drake, Effect::loses,
+     "opens the mesh of a visual only to draw it, and draws nothing", kRun, at("visual")},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun, at("collision")},
     ros_without_mesh(),
     gazebo_without_mesh(),
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},

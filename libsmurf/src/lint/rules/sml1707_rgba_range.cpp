@@ -21,6 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "keeps the number", kRun},
     {&readers::urdfdom, Effect::loses, "drops the material with a message",
      "urdfdom link.cpp:86-94, run"},
     {&readers::gazebo, Effect::loses, "drops the material", kRun},

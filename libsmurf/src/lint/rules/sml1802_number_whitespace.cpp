@@ -8,6 +8,10 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "skips leading white space", kRun, when(cases::kLeading)},
+    {&readers::pybullet, Effect::refuses, "refuses an axis that is not a vector", kRun,
+     at("axis").when(cases::kVector)},
+    {&readers::drake, Effect::refuses, "refuses a scale of which it reads less than three numbers",
+     kRun, at("@scale").when(cases::kVector)},
     {&readers::pybullet, Effect::changes, "reads a vector of zeros and warns",
      "Bullet UrdfParser.cpp:49-78, run", when(cases::kVector)},
     {&readers::pybullet, Effect::takes, "skips white space", "Bullet UrdfParser.cpp (atof), run"},

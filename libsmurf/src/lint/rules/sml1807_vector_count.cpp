@@ -13,6 +13,8 @@ constexpr Fact kFacts[] = {
      at("@scale")},
     {&readers::pybullet, Effect::changes, "uses one number for all axes", "Bullet, read",
      at("@scale")},
+    {&readers::pybullet, Effect::takes, "ignores the fourth number", kRun,
+     at("axis").when(cases::kTooMany)},
     {&readers::pybullet, Effect::refuses, "refuses an axis that is not a vector",
      "Bullet UrdfParser.cpp, run", at("axis")},
     {&readers::pybullet, Effect::changes, "cuts the vector, or reads zeros and warns",

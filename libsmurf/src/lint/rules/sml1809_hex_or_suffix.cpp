@@ -30,6 +30,18 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses the number", kRun,
      when(cases::kHex, cases::kBroken)},
     {&readers::mujoco, Effect::changes, "reads a hexadecimal number", kRun, when(cases::kHex)},
+    {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
+     at("@xyz")},
+    {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
+     at("@rpy")},
+    {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
+     at("@rgba")},
+    {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
+     at("@scale")},
+    {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
+     at("box/@size")},
+    {&readers::drake, Effect::crashes, "reads 0, and ends the process at a cylinder of that size",
+     kRun, at("cylinder").when(cases::kHex)},
     {&readers::drake, Effect::changes, "reads the leading digits", "Drake detail_tinyxml.h:60-73"},
 };
 
