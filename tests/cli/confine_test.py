@@ -19,6 +19,7 @@ SECRET = "motors:\n- {name: the_secret, joint: nowhere, type: PID}\n"
 class Confine(cli.CliTest):
     def setUp(self):
         super().setUp()
+        self.leave_repository()
         self.write("secret.yml", SECRET)
         self.write("a/b/project/r.urdf", URDF)
         self.project = self.folder / "a/b/project"

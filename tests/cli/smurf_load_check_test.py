@@ -503,6 +503,7 @@ class Options(LoadCheckTest):
         self.assertEqual(self.expect(0, "good.urdf", "-q").stdout, "")
 
     def test_reports_for_other_programs(self):
+        self.leave_repository()
         self.expect(1, "bad.urdf", "--report", "sarif=found.sarif", "--report", "github=found.txt")
         [result] = json.loads(self.read("found.sarif"))["runs"][0]["results"]
         self.assertEqual(result["ruleId"], "SML1512")

@@ -84,7 +84,7 @@ def main():
         environment.pop(name, None)
     failures = 0
     for page in pages:
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory(dir="/tmp") as folder:  # has links to the fixtures, and is in no repository
             set_up(pathlib.Path(folder), binaries)
             messages, count = differences(page, pathlib.Path(folder), environment)
         if count == 0:

@@ -53,6 +53,7 @@ extern constinit const Reader drake{.name = "drake",
                                     .title = "Drake",
                                     .basis = "1.51.1 executed, the rest read at be259df (2026-08)",
                                     .like = &urdf,
+                                    .version = "Drake 1.51.1",
                                     .families = kFamilies,
                                     .unread = kUnread,
                                     .see = see};

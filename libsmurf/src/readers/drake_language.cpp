@@ -32,6 +32,7 @@ constexpr AttributeSpec kMimic[] = {
     {"joint", joint}, {"multiplier", number, all, false}, {"offset", number, all, false}};
 constexpr AttributeSpec kLimit[] = {{"drake:acceleration", number, not_negative, false}};
 constexpr AttributeSpec kTendonJoint[] = {{"name", joint}, {"a", number}};
+constexpr AttributeSpec kDynamics[] = {{"coulomb_window", number, all, false}};
 constexpr AttributeSpec kGains[] = {{"p", number}, {"d", number}};
 constexpr AttributeSpec kEnabled[] = {{"enabled", choice, all, false}};
 constexpr AttributeSpec kCapsule[] = {{"radius", number, positive}, {"length", number, positive}};
@@ -83,6 +84,7 @@ constexpr ElementSpec kElements[] = {
     {"material", "drake:diffuse_map", never},
 
     {"joint", "limit", at_most_once, kLimit},
+    {"joint", "dynamics", any, kDynamics},
 
     {"transmission", "actuator", once, kName},
     {"transmission", "joint", once, kName},

@@ -52,8 +52,6 @@ constexpr Fact kFacts[] = {
      "ignores the element, so everything it would expand to is missing",
      "Drake detail_urdf_parser.cc", at("xacro:")},
     {&readers::drake, Effect::changes, "uses the text literally", "Drake detail_urdf_parser.cc",
-     at("@filename")},
-    {&readers::drake, Effect::changes, "uses the text literally", "Drake detail_urdf_parser.cc",
      at("@name")},
     {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
     {&readers::gazebo, Effect::changes, "uses the text literally, and finds nothing of that name",
