@@ -29,3 +29,85 @@ import cases as drivers  # noqa: E402
 TARGETS = {"ros": "urdfdom", "gazebo": "libsdformat", "dart": "DART", "mujoco": "MuJoCo", "pybullet": "Bullet"}
 WITH_OBJ = {"drake": "Drake"}  # see executed.with_obj
 COUNTS = ("all-clears", "alarms", "not-known", "others")
+# Upper limits, which should only become smaller. For ros, 18 of those not known name a package that only a machine
+# with ROS may have.
+BOUNDS = {"ros": (0, 2, 26, 53), "gazebo": (0, 9, 10, 43), "dart": (0, 2, 8, 12), "mujoco": (0, 6, 4, 9),
+          "pybullet": (23, 14, 58, 35), "drake": (87, 94, 41, 12)}
+LEAST = 7000
+
+
+def lint_all(program, cases, targets, text_of):
+    """{name: {target: its part of the report}}"""
+    verdicts = {}
+    with tempfile.TemporaryDirectory() as scratch, drivers.Cases(program) as tools:
+        folder = drivers.Folder(scratch)
+        for name, case in cases.items():
+            folder.become({**robot.meshes(), "robot.urdf": text_of(case.text)})
+            done = tools.run("smurf-lint", "--target", ",".join(targets), "--allow-outside", "--format", "json", "robot.urdf",
+                             cwd=folder.path)  # the readers looked everywhere, too
+            verdicts[name] = json.loads(done.stdout)["targets"]
+    return verdicts
+
+
+def is_another(case, cell, verdict, twin):
+    if not case.is_same or cell in ("same", "taken") or verdict["verdict"] not in ("takes", "loses"):
+        return False
+    return verdict["losses"] <= twin["losses"]
+
+
+def count(target, reader, cases, rows, verdicts):
+    """{what: [line about a case]}"""
+    found = collections.defaultdict(list)
+    for name, case in cases.items():
+        cell, verdict = rows[name][reader], verdicts[name][target]
+        said = verdict["verdict"]
+        line = f"{name}: {cell}, we print {said}"
+        if "first" in verdict:
+            line += f" ({verdict['first']['id']}: {verdict['first']['makes']})"
+        if said == "unknown":
+            found["not-known"].append(line + " " + ",".join(verdict.get("unknown_rules", [])))
+        elif cell in executed.REFUSED:
+            if said != "refuses":
+                found["all-clears"].append(line)
+        elif said == "refuses":
+            found["alarms"].append(line)
+        elif is_another(case, cell, verdict, verdicts[case.twin][target]):
+            found["others"].append(line)
+    return found
+
+
+def check(target, found, total):
+    numbers = [len(found[what]) for what in COUNTS]
+    print(f"{target}: " + ", ".join(f"{number} {what}" for number, what in zip(numbers, COUNTS)) + f" of {total}")
+    is_good = True
+    for number, bound, what in zip(numbers, BOUNDS[target], COUNTS):
+        if number > bound:
+            print(f"  {number} {what}, more than {bound}; see them with --list {target} {what}")
+            is_good = False
+        elif number < bound:
+            print(f"  {number} {what}: make the bound of {bound} smaller")
+    return is_good
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("cases", type=pathlib.Path)
+    parser.add_argument("--list", nargs=2, metavar=("READER", "WHAT"))
+    options = parser.parse_args()
+    cases = damage.all_cases()
+    _, rows = executed.read_table()
+    if list(rows) != list(cases) or len(cases) < LEAST:
+        sys.exit("executed.tsv is not of these cases: record.py writes it anew")
+    is_good = True
+    for targets, text_of in ((TARGETS, executed.as_it_is), (WITH_OBJ, executed.with_obj)):
+        verdicts = lint_all(options.cases, cases, targets, text_of)
+        for target, reader in targets.items():
+            found = count(target, reader, cases, rows, verdicts)
+            if options.list and options.list[0] == target:
+                print("\n".join(found[options.list[1]]))
+            is_good = check(target, found, len(cases)) and is_good
+    return 0 if is_good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
