@@ -68,8 +68,9 @@ class ReportTest(cli.CliTest):
     def setUp(self):
         self.folder = self.repository
 
-    def report(self, form, *paths, folder=None, code=1):
-        arguments = ["--format", form, *(paths or (p.relative_to(self.folder) for p in entries(self.folder)))]
+    def report(self, form, *paths, folder=None, code=1, infos=True):
+        """With infos, as reports for programs have them; those for code hosts only on request."""
+        arguments = ["--format", form, *(["--min-severity", "info"] if infos else []), *(paths or (p.relative_to(self.folder) for p in entries(self.folder)))]
         return self.expect(code, *arguments, cwd=folder or self.folder).stdout
 
     def sarif(self, *paths, **keywords):
@@ -173,7 +174,7 @@ class Sarif(ReportTest):
             here = entry.parent
             files = {path: path.read_bytes() for path in here.rglob("*") if path.is_file()}
             for _ in range(10):
-                log = json.loads(self.expect(None, "--format", "sarif", entry).stdout)["runs"][0]
+                log = json.loads(self.expect(None, "--format", "sarif", "--min-severity", "info", entry).stdout)["runs"][0]
                 if not apply_fixes(self.folder, log["results"]):
                     break
             by_sarif = {path: path.read_bytes() for path in files}
@@ -224,6 +225,15 @@ class CodeHosts(ReportTest):
             self.assertTrue(line.startswith(f"::{command} file="), line)
             self.assertIn(f",line={diagnostic['line']},", line)
             self.assertIn(f",title={diagnostic['id']} {diagnostic['name']}::", line)
+
+    def test_code_hosts_get_what_people_see(self):
+        """Infos, which only --min-severity shows, are not put beside a pull request."""
+        shown = [d["id"] for d in self.diagnostics() if d["severity"] != "info"]
+        self.assertLess(len(shown), len(self.diagnostics()))
+        self.assertEqual(len(self.report("github", infos=False).splitlines()), len(shown))
+        self.assertEqual([i["check_name"] for i in json.loads(self.report("gitlab", infos=False))], shown)
+        self.assertEqual([r["ruleId"] for r in self.sarif(infos=False)["results"]], shown)
+        self.assertEqual(len(self.diagnostics(infos=False)), len(self.diagnostics()))  # JSON is for programs
 
     def test_github_escapes(self):
         self.write("a:b,c/a%b.urdf", URDF)

@@ -32,6 +32,57 @@ TEST_CASE("a fix without help describes itself") {
         "  = help: see the fix with `--diff` [safe fix]\n\n");
 }
 
+TEST_CASE("the first sentence of the remedy is the help of an error or a warning without one") {
+  SourceMap sources;
+  const SourceId id = sources.add("a.yml", "a: 1\n");
+  Rule rule = kRule;
+  rule.remedy = "Write 0.5, e.g. in metres. Delete it elsewhere.";
+  Diagnostic diagnostic = diagnose({id, 0, 1}, "bad");
+  diagnostic.rule = &rule;
+  const auto has = [&](std::string_view help) {
+    return render_full(diagnostic, sources, {}).find(help) != std::string::npos;
+  };
+  CHECK(has("  = help: write 0.5, e.g. in metres\n\n"));
+  rule.remedy = "SDF needs it.";
+  CHECK(has("  = help: SDF needs it\n\n"));
+  diagnostic.severity = Severity::info;
+  CHECK(!has("help"));
+  diagnostic.severity = Severity::warning;
+  diagnostic.help("known better");
+  CHECK(has("  = help: known better\n\n"));
+  diagnostic.help_text.clear();
+  diagnostic.fixes.push_back({Applicability::safe, {{{id, 0, 1}, "b"}}});
+  CHECK(has("  = help: write `b` [safe fix]\n\n"));
+}
+
+TEST_CASE("findings that differ in one name are one") {
+  SourceMap sources;
+  const SourceId id = sources.add("a.yml", "a: 1\n");
+  std::vector<Diagnostic> found;
+  for (const char* name : {"x", "y", "z", "u"}) {
+    found.push_back(diagnose({id, 0, 1}, "the joint `" + std::string(name) + "` is fixed here"));
+  }
+  GroupedFindings grouped = render_grouped(found, sources, 30, {});
+  CHECK(!grouped.is_complete);
+  CHECK(grouped.text.starts_with("error[SML3101]: 4 joints (`x`, `y` and 2 more) are fixed here\n"));
+  found.resize(2);
+  CHECK(render_grouped(found, sources, 30, {}).text.starts_with(
+      "error[SML3101]: 2 joints (`x` and `y`) are fixed here\n"));
+  found.resize(1);
+  CHECK(render_grouped(found, sources, 30, {}).is_complete);
+  // Other sentences keep the first message.
+  found = {diagnose({id, 0, 1}, "`x` fell"), diagnose({id, 0, 1}, "`y` fell")};
+  CHECK(render_grouped(found, sources, 30, {}).text.find("= note: 1 more finding like this one: `y`") !=
+        std::string::npos);
+  // Too few lines: no source, then a count.
+  for (int i = 0; i < 30; ++i) {
+    found.push_back(diagnose({id, 0, 1}, "fell " + std::to_string(i)));
+  }
+  grouped = render_grouped(found, sources, 20, {});
+  CHECK(std::count(grouped.text.begin(), grouped.text.end(), '\n') <= 20);
+  CHECK(grouped.text.find("\n... and 22 findings of 22 other kinds\n") != std::string::npos);
+}
+
 TEST_CASE("colour only when asked for") {
   SourceMap sources;
   const SourceId id = sources.add("a.yml", "a: 1\n");
@@ -129,6 +180,7 @@ TEST_CASE("statistics list the most frequent rule first") {
 
 TEST_CASE("the page of a rule is wrapped at 80 columns") {
   Rule rule = kRule;
+  rule.remedy = "Correct the name.";
   rule.id = "SML9999";  // no reader has a fact about it
   CHECK(render_rule(rule, {}) == R"(SML9999 unknown-joint (error)
 

@@ -77,17 +77,39 @@ std::string json(const Results& results, const TextStyle&) {
                      {results.tool, kVersion}, results.targets);
 }
 
+/// The findings that the format for people shows. Code hosts show each finding beside a change of
+/// somebody, so they get no infos that nobody asked for.
+class ShownFindings {
+ public:
+  explicit ShownFindings(const Results& results) : shown_(results.diagnostics) {
+    const auto is_hidden = [&](const Diagnostic& one) {
+      return one.severity < results.overview.least;
+    };
+    if (std::none_of(shown_.begin(), shown_.end(), is_hidden)) return;
+    std::remove_copy_if(shown_.begin(), shown_.end(), std::back_inserter(copies_), is_hidden);
+    shown_ = copies_;
+  }
+  std::span<const Diagnostic> get() const { return shown_; }
+
+ private:
+  std::vector<Diagnostic> copies_;
+  std::span<const Diagnostic> shown_;
+};
+
 std::string sarif(const Results& results, const TextStyle&) {
-  return render_sarif(results.diagnostics, results.sources, all_rules(), {results.tool, kVersion},
-                      kSite, in_repository());
+  const ShownFindings shown(results);
+  return render_sarif(shown.get(), results.sources, all_rules(), {results.tool, kVersion}, kSite,
+                      in_repository());
 }
 
 std::string github(const Results& results, const TextStyle&) {
-  return render_github(results.diagnostics, results.sources, in_repository());
+  const ShownFindings shown(results);
+  return render_github(shown.get(), results.sources, in_repository());
 }
 
 std::string gitlab(const Results& results, const TextStyle&) {
-  return render_gitlab(results.diagnostics, results.sources, in_repository());
+  const ShownFindings shown(results);
+  return render_gitlab(shown.get(), results.sources, in_repository());
 }
 
 std::string junit(const Results& results, const TextStyle&) {

@@ -47,6 +47,20 @@ std::string render_full(const Diagnostic& diagnostic, const SourceMap& sources,
 /// "path:line:col: severity[ID] message (help)" and a line end.
 std::string render_concise(const Diagnostic& diagnostic, const SourceMap& sources,
                            const TextStyle& style = {});
+/// The headline, the place and, on request, the help, without source lines and empty lines.
+std::string render_brief(const Diagnostic& diagnostic, const SourceMap& sources, bool has_help,
+                         const TextStyle& style = {});
+
+/// Findings of which each group has one cause, as one finding: "12 joints (`a`, `b` and 10 more)
+/// are ...".
+struct GroupedFindings {
+  std::string text;
+  bool is_complete = true;  ///< each finding is shown by itself
+};
+/// Errors first, then in the order of `diagnostics`, in at most `most_lines` lines if that is
+/// possible: groups that do not fit lose their source lines, then they are counted.
+GroupedFindings render_grouped(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                               std::size_t most_lines, const TextStyle& style);
 /// "found 1 error and 2 warnings in 3 files (1 model)" and a line end; further lines list
 /// suppressed findings and unchecked files.
 std::string render_summary(const Summary& summary, const TextStyle& style);

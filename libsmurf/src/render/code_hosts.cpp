@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 
+#include "render/advice.hpp"
 #include "render/json_text.hpp"
 #include "render/printable.hpp"
 #include "smurf/render.hpp"
@@ -77,7 +78,8 @@ std::string render_github(std::span<const Diagnostic> diagnostics, const SourceM
     out += ",title=" + std::string(rule.id) + " " + std::string(rule.name) + "::";
     std::string message = render::escape(diagnostic.message);
     for (const std::string& note : diagnostic.notes) message += "\nnote: " + render::escape(note);
-    if (!diagnostic.help_text.empty()) message += "\nhelp: " + render::escape(diagnostic.help_text);
+    const std::string help = render::advice_on(diagnostic);
+    if (!help.empty()) message += "\nhelp: " + render::escape(help);
     out += escape_command(message, false) + "\n";
   }
   return out;

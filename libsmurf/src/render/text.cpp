@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/counted.hpp"
+#include "render/advice.hpp"
 #include "render/frame.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"
@@ -75,7 +76,7 @@ std::string remarks(const Diagnostic& diagnostic, const SourceMap& sources, std:
   };
   std::string out;
   for (const std::string& note : diagnostic.notes) out += remark("note", note);
-  std::string help = diagnostic.help_text;
+  std::string help = render::advice_on(diagnostic);
   if (!diagnostic.fixes.empty()) {
     const Fix& fix = diagnostic.fixes.front();
     if (help.empty()) help = describe(fix, sources);
@@ -164,6 +165,18 @@ std::string render_concise(const Diagnostic& diagnostic, const SourceMap& source
   out += "[" + std::string(diagnostic.rule->id) + "] " + escape(diagnostic.message);
   if (!diagnostic.help_text.empty()) out += " (" + escape(diagnostic.help_text) + ")";
   return out + "\n";
+}
+
+std::string render_brief(const Diagnostic& diagnostic, const SourceMap& sources, bool has_help,
+                         const TextStyle& style) {
+  const Painter paint(style.color);
+  std::string out = header(diagnostic, paint);
+  if (has_source(diagnostic.span, sources)) out += arrow(2, place(diagnostic.span, sources), paint);
+  Diagnostic advice;
+  advice.rule = diagnostic.rule;
+  advice.severity = Severity::info;
+  if (has_help) advice.help_text = render::advice_on(diagnostic);
+  return out + remarks(advice, sources, 2, paint);
 }
 
 std::string render_summary(const Summary& summary, const TextStyle& style) {

@@ -9,7 +9,7 @@ extern constinit const Rule sml8205_lost_shape{
     .severity = Severity::warning,
     .summary = "A shape cannot be written in the format.",
     .why = "The shape is missing in the result: nothing is drawn, and nothing collides.",
-    .remedy = "Convert the mesh, or use a shape that the format has.",
+    .remedy = "Add the file, convert the mesh, or use a shape that the format has.",
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 
