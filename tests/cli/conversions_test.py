@@ -80,7 +80,7 @@ class Drives(ConversionTest):
 
     def test_effort_limits_of_joints_without_a_motor(self):
         self.write("r.urdf", robot())
-        self.assertIn("urdf2smurf --motors all makes motors", self.flatten("r.urdf", "mjcf"))
+        self.assertIn("`urdf2smurf --motors all` adds motors", self.flatten("r.urdf", "mjcf"))
 
     def test_a_command_that_is_not_the_first(self):
         self.write("r.urdf", robot(more='<ros2_control name="c" type="system"><joint name="j"><command_interface '
@@ -324,7 +324,7 @@ class Usd(ConversionTest):
             for key, value in (("lowerLimit", low), ("upperLimit", high)):
                 found = float(re.search(f"physics:{key} = (.*)", joint)[1])
                 self.assertAlmostEqual(found * 3.141592653589793 / 180, value, delta=1e-9)
-        self.assertIn("the joint `k` is free to move, since it follows another joint and neither has limits",
+        self.assertIn("the joint `k` is free to move, since PhysX needs limits of the follower or of its leader",
                       self.follower("continuous"))
         self.assertNotIn("PhysxMimicJointAPI", self.result)
 

@@ -226,7 +226,7 @@ PARTS = {
 }
 # Words of warnings that do not begin with the name of the row.
 OWN_WORDS = {"textures in mjcf": "the texture `skin.png`, whose content is not PNG,",
-             "mimicking joints": "the joint `wrist` is free to move without its leader",
+             "mimicking joints": "the joint `wrist` is free to move, since ",
              "gravity": "the gravity is not in", "step size": "the step size is not in",
              "solver settings": "the constraint force mixing is not in", "lights": "the light is not in",
              "plug-ins of MARS": "the list of plug-ins is not in", "environment": "the environment is not in",

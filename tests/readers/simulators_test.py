@@ -310,7 +310,7 @@ class MeshesOfMjcf(SimulatorTest):
         (self.folder / "rock.obj").write_bytes(obj())
         old = "nodelist:\n- {{name: rock, index: 1, filename: {}}}\n"
         self.write("s.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
-        for name, losses in {"rock.obj": [], "gone.obj": ["the mesh `gone.obj`, which is not there, is not in the MJCF"]}.items():
+        for name, losses in {"rock.obj": [], "gone.obj": ["the mesh `gone.obj` is not in the MJCF: the file is not there"]}.items():
             self.write("old.yml", old.format(name))
             file = self.write_scene("s.smurfs", "mjcf", "--loss-report", "lost.json")
             self.lines(reader.BUILD / "mujoco_poses", file)
@@ -651,7 +651,7 @@ class Losses(SimulatorTest):
     def test_strict_refuses(self):
         code, losses = self.losses("sdf", "--strict")
         self.assertEqual(code, 1)
-        self.assertIn("the joint `turn` is free to move without its leader before Gazebo Harmonic in the SDF",
+        self.assertIn("the joint `turn` is free to move, since Gazebo before Harmonic ignores `mimic`, in the SDF",
                       losses)
         self.assertFalse((self.folder / "out").exists())
 

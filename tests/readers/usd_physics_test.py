@@ -152,7 +152,7 @@ class UsdPhysicsTest(reader.ReaderTest):
             self.assertAlmostEqual(float(prim[follower + "offset"]), -math.degrees(offset))
         self.assertNotIn("PhysxMimicJointAPI:rotX", prims["World/One/joints/e"]["apiSchemas"])
         done = self.run_tool("kinds.urdf", "--format", "usda", "-o", "out.usda")
-        self.assertIn("the joint `e` is free to move, since it has no moving leader of its kind, in the "
+        self.assertIn("the joint `e` is free to move, since there is no moving leader of the same kind, in the "
                       "USD", done.stderr)
 
     def test_articulations_and_anchors(self):

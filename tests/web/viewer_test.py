@@ -141,6 +141,32 @@ class SafetyTest(viewer.ViewerTest):
 
 
 class PageTest(viewer.ViewerTest):
+    def test_a_robot_without_its_meshes_says_why_and_is_a_skeleton(self):
+        mesh = '<visual><geometry><mesh filename="package://parts_of_r/{}.stl"/></geometry></visual>'
+        robot = '<robot name="w"><link name="l"><visual><geometry><box size="1 1 1"/></geometry></visual></link></robot>'
+        links = "".join(f'<link name="l{i}">{mesh.format(i)}</link>' for i in range(4))
+        joints = "".join(f'<joint name="j{i}" type="continuous"><origin xyz="0 0 0.5"/><parent link="l{i}"/><child link="l{i + 1}"/>'
+                         '<axis xyz="1 0 0"/></joint>' for i in range(3))
+        self.write("robot.urdf", f'<robot name="r">{links}{joints}</robot>')
+        self.write("whole.urdf", robot)
+        message = "document.getElementById('message').hidden ? '' : document.getElementById('message').textContent"
+        bones = "[...(smurfViewer.overlays.parts.skeleton.drawn?.geometry.getAttribute('position').array ?? [])].filter((_, i) => i % 3 === 2)"
+        move = "smurfViewer.joints.set(0, new Map([['j0', Math.PI / 2]]))"
+        pressed = "document.getElementById('skeleton')?.getAttribute('aria-pressed')"
+        box = "smurfViewer.stage.fitted.max.z"
+        first, second = self.browse(
+            {"page": self.page("robot.urdf"), "steps": [message, bones, pressed, box, move, bones]},
+            {"page": self.page("whole.urdf", "whole.html"), "steps": [message, pressed, bones]})
+        self.assertEqual(first["results"][0],
+                         "4 files of the package parts_of_r were not found. Name its folder: --package parts_of_r=DIR")
+        close = [round(z, 3) for z in first["results"][1]]
+        self.assertEqual(close, [0, 0, 0.5, 0, 1, 0.5, 1.5, 1])
+        self.assertEqual(first["results"][2], "true")
+        self.assertAlmostEqual(first["results"][3], 1.5, 3)
+        self.assertEqual([round(z, 3) for z in first["results"][5]], [0, 0, 0.5, 0, 0.5, 0.5, 0.5, 0.5])
+        self.assertEqual(second["results"][0], "")
+        self.assertEqual(second["results"][1], "false")
+
     def test_what_cannot_be_shown_is_told(self):
         self.write("solids.urdf", SOLIDS)
         self.write("good.stl", STL)

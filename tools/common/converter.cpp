@@ -2,7 +2,6 @@
 #include "common/converter.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <utility>
 
@@ -162,8 +161,11 @@ std::optional<xml::Document> Conversion::load_xml(const std::string& path, Loade
 
 namespace {
 
+constexpr std::size_t kMostLines = 34;  ///< of findings; what was written, and remarks, follow
+
 /// Whether a finding comes from the converter, which smurf-lint does not report, or from a scene.
 bool is_told(const Diagnostic& finding, const SourceMap& sources) {
+  if (is_about_picture(finding)) return false;
   if (finding.rule->reported_by == Tool::converters) return true;
   const InputKind kind = input_kind(sources.path(finding.span.source));
   return kind == InputKind::scene || kind == InputKind::drawing;
@@ -226,8 +228,7 @@ std::string count_by_section(std::span<const Diagnostic> losses) {
 std::string Conversion::render_for_people(const Report& report, const LossOf& loss_of) {
   const SourceMap& sources = session_.loaded_sources();
   const TextStyle style = style_for(Stream::error, options_.color);
-  std::map<Severity, std::string, std::greater<>> texts;
-  std::vector<Diagnostic> rest;
+  std::vector<Diagnostic> told, rest;
   for (const Diagnostic& finding : report.diagnostics) {
     const auto loss = loss_of(finding);
     if (loss || (!options_.quiet && is_told(finding, sources))) {
@@ -237,13 +238,19 @@ std::string Conversion::render_for_people(const Report& report, const LossOf& lo
             (options_.force ? "converted because of --force, although " : "not converted: ") +
             *loss);
       }
-      texts[finding.severity] += render_full(shown, sources, style);
+      told.push_back(std::move(shown));
     } else {
       rest.push_back(finding);
     }
   }
-  std::string text;
-  for (const auto& [severity, findings] : texts) text += findings;
+  const GroupedFindings grouped = render_grouped(told, sources, kMostLines, style);
+  std::string text = grouped.text;
+  if (!grouped.is_complete) {
+    const std::string_view losses =
+        options_.has_loss_report ? ", --loss-report FILE each loss" : "";
+    text +=
+        std::string(tool_) + ": --report concise shows each finding" + std::string(losses) + "\n";
+  }
   const std::string line = options_.quiet ? "" : count_rest(rest, path_);
   if (!line.empty()) text += std::string(tool_) + ": " + render::escape(line) + "\n";
   return text;

@@ -30,6 +30,7 @@ struct ConverterOptions {
   XacroWishes xacro;
   bool allow_outside = false;  ///< read files that models name, wherever they are
   Limits limits;
+  bool has_loss_report = false;  ///< the tool has --loss-report
   bool quiet = false;
   bool force = false;                  ///< convert although findings make the result wrong
   std::vector<const Reader*> targets;  ///< targets of the result; empty: all

@@ -68,6 +68,7 @@ std::optional<std::string> why_unreadable(const std::string& path, const FileRea
   if (content.status == ReadStatus::ok || content.status == ReadStatus::too_large) {
     return std::nullopt;
   }
+  if (places::is_link(path) && !places::exists(path)) return "is a link that leads to no file";
   return content.reason;
 }
 

@@ -29,7 +29,8 @@ std::optional<std::string> set_limit(std::string_view item, Limits& limits) {
   if (info == kLimits.end()) {
     std::vector<std::string_view> names;
     for (const LimitInfo& one : kLimits) names.push_back(one.name);
-    return none_of(name, names);
+    return "there is no limit '" + std::string(name) + "'" + did_you_mean(name, names) +
+           "; --limit help lists them";
   }
   if (equals == item.size()) return "'" + std::string(item) + "' is not NAME=N";
   const std::string_view text = item.substr(equals + 1);

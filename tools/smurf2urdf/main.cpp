@@ -98,6 +98,7 @@ ExitCode write_expansion(const Options& options, Conversion& conversion) {
 int smurf2urdf_main(int argc, char** argv) {
   prepare_process();
   Options options;
+  options.common.has_loss_report = true;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
   if (!options.shown_preset.empty()) {
     return write_output(kTool, {}, preset_text(options.shown_preset)) ? kDone : kFailed;

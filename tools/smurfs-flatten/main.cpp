@@ -421,6 +421,7 @@ bool lacks_entities(const LinkedScene& scene) {
 int smurfs_flatten_main(int argc, char** argv) {
   prepare_process();
   Options options;
+  options.common.has_loss_report = true;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
 
   const SceneFormat* chosen = choose_format(options);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads the scene, shows it, and connects picture, tree, sliders and keys.
+import { Vector3 } from "three";
+
 import { byId, counted, element } from "../common/dom.js";
 import { fromHash, toHash } from "./address.js";
 import { Host } from "./host.js";
 import { Motion } from "./motion.js";
-import { Overlays } from "./overlays.js";
+import { Overlays, bonesOf } from "./overlays.js";
 import { Joints, massOf, short, showFacts } from "./panel.js";
 import { readScene } from "./scene.js";
 import { Layer, Shapes } from "./shapes.js";
@@ -67,6 +69,23 @@ function showUnseen(scene) {
   );
 }
 
+/** Why the stage is empty, or lacks something that the reader can do something about; "" when nothing is to be said. */
+function whatIsMissing(scene, hasSolids) {
+  const files = new Map();
+  for (const { package: name } of scene.unseen) if (name) files.set(name, (files.get(name) ?? 0) + 1);
+  if (files.size > 0)
+    return [...files]
+      .map(
+        ([name, count]) =>
+          `${counted(count, "file")} of the package ${name} ${count === 1 ? "was" : "were"} not found. Name its folder: --package ${name}=DIR`,
+      )
+      .join("\n");
+  if (hasSolids) return "";
+  if (scene.unseen.length > 0)
+    return `${counted(scene.unseen.length, "file")} cannot be shown: "Not shown", below the tree, says why.`;
+  return "Nothing in this scene has a shape. Frames (A) show where things are.";
+}
+
 /** Whether a solid belongs to {entity, link, shape}, of which the latter two may be absent. */
 function isOf(solid, thing) {
   if (!thing || solid.entity !== thing.entity) return false;
@@ -105,8 +124,8 @@ class Viewer {
     if (scene.entities.length === 0) {
       tell("The scene is empty: it has no entities.");
       byId("tree").replaceChildren(element("p", { class: "empty" }, "no entities"));
-    } else if (this.shapes?.solids.length === 0) {
-      tell("Nothing in this scene has a shape that can be shown. Frames (A) show where things are.");
+    } else if (this.shapes) {
+      tell(whatIsMissing(scene, this.shapes.solids.length > 0));
     }
     this.showFacts();
     this.joints.show(scene.entities.findIndex((entity) => entity.model && entity.pose));
@@ -136,7 +155,7 @@ class Viewer {
       (texture) => this.addUnseen(texture),
     );
     this.shapes = new Shapes(this.scene, this.motion, this.stage.root, this.textures);
-    const all = this.shapes.boxAround();
+    const all = this.boxOfAll();
     this.stage.setGround(all, this.isSingle);
     this.overlays = new Overlays(this.scene, this.motion, this.stage, this.sizes());
     if (isFirst || this.stage.fitted) this.stage.fit(all, isFirst ? undefined : this.stage.direction());
@@ -163,6 +182,7 @@ class Viewer {
       ["masses", "Centres of mass", "m", (on) => this.overlays.show("masses", on)],
       ["inertias", "Inertias", "i", (on) => this.overlays.show("inertias", on)],
       ["sensors", "Sensors", "r", (on) => this.showSensors(on)],
+      ["skeleton", "Skeleton", "k", (on) => this.overlays.show("skeleton", on)],
       ["names", "Names", "n", (on) => this.showNames(on)],
       ["ground", "Grid", "g", (on) => (this.stage.grid.visible = on)],
       ["ruler", "Measure", "d", (on) => this.startMeasuring(on)],
@@ -178,9 +198,17 @@ class Viewer {
       ]);
   }
 
+  /** The box around all shapes, and around the joints of robots that lack shapes. */
+  boxOfAll() {
+    const box = this.shapes.boxAround();
+    for (const { entity, link } of bonesOf(this.scene))
+      box.expandByPoint(new Vector3().setFromMatrixPosition(this.motion.links[entity][link]));
+    return box;
+  }
+
   /** The diagonal of each entity's bounding box. */
   sizes() {
-    const whole = this.stage ? this.shapes.boxAround() : null;
+    const whole = this.stage ? this.boxOfAll() : null;
     const length = (box) => (box.isEmpty() ? 0 : box.min.distanceTo(box.max));
     const sizeOf = (solids) => length(this.shapes.boxAround(solids)) || length(whole) / 10 || 1;
     return this.shapes.solidsOf.map(sizeOf);
@@ -189,6 +217,7 @@ class Viewer {
   setUpTools() {
     const hasVisuals = this.shapes?.has(Layer.visuals) || this.shapes?.has(Layer.unseen);
     const isOn = new Set(["ground", "visuals", ...(hasVisuals ? [] : ["collisions"])]);
+    if (this.overlays?.bones.length > 0) isOn.add("skeleton");
     if (window.innerWidth >= kWideFrame) isOn.add("moves");
     const keys = new Map([
       ["f", () => this.fit()],
@@ -336,7 +365,7 @@ class Viewer {
     const chosen = this.selected
       ? this.shapes.boxAround(this.shapes.solids.filter((solid) => this.isSelected(solid)))
       : null;
-    this.stage.fit(chosen && !chosen.isEmpty() ? chosen : this.shapes.boxAround(), this.stage.direction());
+    this.stage.fit(chosen && !chosen.isEmpty() ? chosen : this.boxOfAll(), this.stage.direction());
     this.writeHashSoon();
   }
 

@@ -25,6 +25,7 @@ const kAxisColors = [
   [0.25, 0.45, 1],
 ];
 const kJointColor = [0.75, 0.2, 0.85];
+const kBoneColor = [0.1, 0.5, 0.75];
 const kMassColor = new Color(0.94, 0.63, 0);
 const kInertiaColor = new Color(0.45, 0.3, 0.85);
 const kRulerColor = [0.95, 0.1, 0.45];
@@ -67,6 +68,18 @@ export function free({ geometry, material }) {
   material.dispose();
 }
 
+const kForms = ["box", "sphere", "cylinder", "capsule", "plane", "mesh"];
+const isShown = (shape) => kForms.some((form) => form in shape);
+
+/** The links of robots of which a shape is missing, as {entity, link, parent}; roots have no parent. */
+export function bonesOf(scene) {
+  return scene.entities.flatMap(({ model, pose }, entity) => {
+    const shapes = model?.links.flatMap(({ visuals, collisions }) => [...(visuals ?? []), ...(collisions ?? [])]);
+    if (!model?.order.length || !pose || (shapes.length > 0 && shapes.every(isShown))) return [];
+    return model.order.map((link) => ({ entity, link, parent: model.joints[model.links[link].joint]?.parent }));
+  });
+}
+
 export class Overlays {
   constructor(scene, motion, stage, sizes) {
     this.motion = motion;
@@ -79,6 +92,7 @@ export class Overlays {
     this.masses = []; // {entity, link, local}
     this.inertias = []; // {entity, link, local}: what makes the ellipsoid of a unit sphere
     scene.entities.forEach((entity, index) => this.add(entity, index));
+    this.bones = bonesOf(scene);
     this.parts = this.makeParts();
     this.sensors = new Sensors(scene, motion, sizes, (entity) => this.isShown(entity));
     this.ruler = linesOf(1, [kRulerColor, kRulerColor], kOrder.ruler);
@@ -112,6 +126,10 @@ export class Overlays {
         make: () => linesOf(this.axes.length, [kJointColor, kJointColor], kOrder.axes),
         move: (lines) => this.moveAxes(lines),
       },
+      skeleton: {
+        make: () => linesOf(this.bones.length, [kBoneColor, kBoneColor], kOrder.axes),
+        move: (lines) => this.moveBones(lines),
+      },
       masses: {
         make: () => spheresOf(this.masses.length, kMassColor, 0.85, kOrder.masses),
         move: (balls) => this.moveMasses(balls),
@@ -123,7 +141,7 @@ export class Overlays {
     };
   }
 
-  /** Shows "frames", "axes", "masses" or "inertias", or hides them. */
+  /** Shows "frames", "axes", "skeleton", "masses" or "inertias", or hides them. */
   show(name, on) {
     const part = this.parts[name];
     if (!on && !part.drawn) return;
@@ -208,6 +226,19 @@ export class Overlays {
         end.setFromMatrixColumn(world, axis).multiplyScalar(length).add(origin);
         origin.toArray(points.array, 3 * (6 * index + 2 * axis));
         end.toArray(points.array, 3 * (6 * index + 2 * axis + 1));
+      }
+    });
+    points.needsUpdate = true;
+  }
+
+  /** A line from each link to the one above it. */
+  moveBones(lines) {
+    const points = lines.geometry.getAttribute("position");
+    const end = new Vector3();
+    this.bones.forEach(({ entity, link, parent }, index) => {
+      for (const [at, of] of [link, parent ?? link].entries()) {
+        end.setFromMatrixPosition(this.motion.links[entity][this.isShown(entity) ? of : link]);
+        end.toArray(points.array, 3 * (2 * index + at));
       }
     });
     points.needsUpdate = true;

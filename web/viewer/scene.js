@@ -15,7 +15,7 @@
 // meshes: [{file, points: float32, indices: uint16, or uint32 when wide, parts: [{first: index, color}] when the file has
 //   colours, texturePoints: two float32 for each point, where shapes with a texture use it}], numbers in base64
 // textures: [{file, type: image/png or image/jpeg, bytes}], bytes in base64
-// unseen: [{file, why, shapes: how many}]
+// unseen: [{file, why, shapes: how many, package: the one of the file, when no folder of it was found}]
 //
 // old: true for the old one of two versions of a scene; its models and entities follow those of the new one
 // Links, joints, entities, models, meshes and textures are named by their place in these lists. Whatever is unknown is absent.

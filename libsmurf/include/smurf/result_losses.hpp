@@ -32,6 +32,9 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Source
 /// anything is.
 bool is_about_world_setting(const Diagnostic& finding, const LinkedScene& scene);
 
+/// Whether a finding only says that a picture does not have what no picture has.
+bool is_about_picture(const Diagnostic& finding);
+
 /// Whether urdfdom is known not to crash on a text with these findings.
 bool may_ask_urdfdom(std::span<const Diagnostic> findings);
 

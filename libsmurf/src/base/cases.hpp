@@ -49,6 +49,9 @@ inline constexpr Circumstance kLinkTag{"link"};
 inline constexpr Circumstance kJointTag{"joint"};
 inline constexpr Circumstance kColourless{"without colour"};
 
+// SML8207: a picture is not expected to have it.
+inline constexpr Circumstance kPicture{"picture"};
+
 // SML18: numbers of a URDF.
 inline constexpr Circumstance kEmpty{"empty"};
 inline constexpr Circumstance kHex{"hexadecimal"};

@@ -165,6 +165,8 @@ bool is_about_world_setting(const Diagnostic& finding, const LinkedScene& scene)
   return false;
 }
 
+bool is_about_picture(const Diagnostic& finding) { return finding.cases.contains(cases::kPicture); }
+
 bool may_ask_urdfdom(std::span<const Diagnostic> findings) {
   return std::none_of(findings.begin(), findings.end(), [](const Diagnostic& finding) {
     const Fact* fact = find_fact(readers::urdfdom, finding);

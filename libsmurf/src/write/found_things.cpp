@@ -140,6 +140,12 @@ Found missing(const SceneExport& scene) {
   return {{place_of(first), scene.scene.path}};
 }
 
+/// Everybody expects gravity and a step of the simulator around a robot that is not in a scene.
+bool is_lone_urdf(const SceneExport& scene) {
+  return scene.scene.models.size() == 1 && !scene.scene.models.front().has_main &&
+         !scene.scene.scenes.front().document;
+}
+
 }  // namespace
 
 Found masses(const LinkedModel& model, SceneColumn) {
@@ -407,11 +413,11 @@ Found other_sections(const LinkedModel& model, SceneColumn) {
 }
 
 Found no_gravity(const SceneExport& scene, SceneColumn) {
-  return scene.flat.physics.gravity ? Found() : missing(scene);
+  return scene.flat.physics.gravity || is_lone_urdf(scene) ? Found() : missing(scene);
 }
 
 Found no_step(const SceneExport& scene, SceneColumn) {
-  return scene.flat.physics.step_size ? Found() : missing(scene);
+  return scene.flat.physics.step_size || is_lone_urdf(scene) ? Found() : missing(scene);
 }
 
 Found ambient_lights(const SceneExport& scene, SceneColumn) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/cases.hpp"
 #include "base/counted.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
@@ -12,6 +13,14 @@
 
 namespace smurf {
 namespace {
+
+/// NAME of package://NAME/REST; none for other paths.
+std::optional<std::string_view> package_in(std::string_view filename) {
+  constexpr std::string_view kScheme = "package://";
+  if (!filename.starts_with(kScheme)) return std::nullopt;
+  filename.remove_prefix(kScheme.size());
+  return filename.substr(0, filename.find('/'));
+}
 
 const std::string& name_in(const std::string& name) { return name; }
 const std::string& name_in(const FoundThing& thing) { return thing.name; }
@@ -74,7 +83,43 @@ void SceneLosses::unseen_shape(Span span, const FlatGeometry& geometry, std::str
   const std::string file = mesh != nullptr ? mesh->file : std::string();
   if (!unseen_.insert({to_size(span.source), span.begin, file}).second) return;
   if (mesh == nullptr) return shape(span, "the heightmap");
-  shape(span, "the mesh " + quoted(mesh->file) + ", which " + std::string(reason) + ",");
+  Diagnostic& loss = scene_.losses.report(rules::sml8205_lost_shape, span,
+                                          "the mesh " + quoted(mesh->file) + " is not in the " +
+                                              format_ + ": " + why_unseen(mesh->file, reason));
+  if (package_in(mesh->file) == std::string_view()) {
+    loss.help("write the path from the folder of the URDF, or `package://NAME/PATH`");
+  } else if (const std::string_view package = lost_package(mesh->file); !package.empty()) {
+    loss.help("name its folder: `--package " + std::string(package) + "=DIR`");
+  }
+}
+
+std::string_view SceneLosses::lost_package(std::string_view file) const {
+  const std::optional<std::string_view> package = package_in(file);
+  return package && !has_found(*package) ? *package : std::string_view();
+}
+
+/// Whether a model names a file of the package that is there.
+bool SceneLosses::has_found(std::string_view package) const {
+  for (const LinkedModel& model : scene_.scene.models) {
+    for (const MeshReference& mesh : model.meshes) {
+      if (mesh.exists && package_in(mesh.filename) == package) return true;
+    }
+  }
+  return false;
+}
+
+/// An address that leads to no file keeps its scheme, and was not looked for in any folder.
+std::string SceneLosses::why_unseen(const std::string& file, std::string_view reason) const {
+  if (const std::optional<std::string_view> package = package_in(file)) {
+    if (package->empty()) return "the address names no package";
+    if (has_found(*package)) return "there is no such file in the package " + quoted(*package);
+    return "no folder of the package " + quoted(*package) + " was found";
+  }
+  const std::size_t scheme = file.find("://");
+  if (scheme != std::string::npos && !file.starts_with("file:")) {
+    return "addresses of the scheme " + quoted(file.substr(0, scheme)) + " are not read";
+  }
+  return "the file " + std::string(reason);
 }
 
 void SceneLosses::joint(const urdf::Joint& joint, std::string_view written_as) {
@@ -87,7 +132,7 @@ void SceneLosses::joint(const urdf::Joint& joint, std::string_view written_as) {
 Vector3 SceneLosses::axis_of(const urdf::Joint& joint) {
   const std::optional<Vector3> axis = joint_axis(joint);
   if (!axis && without_axis_.insert(&joint).second) {
-    this->joint(joint, "one about or along x, since its axis is zero,");
+    this->joint(joint, "about or along x, since the axis is zero,");
   }
   return axis.value_or(Vector3{1, 0, 0});
 }
@@ -116,8 +161,7 @@ bool SceneLosses::is_referred_to(const LinkedModel& model) const {
 
 void SceneLosses::of_model(const LinkedModel& model) {
   if (model.files.empty()) return;
-  std::string annotations;
-  std::string shown;
+  std::string annotations, settings, shown;
   std::optional<Span> first;
   const auto add = [](std::string& text, const std::string& more) {
     text += (text.empty() ? "" : ", ") + more;
@@ -132,7 +176,8 @@ void SceneLosses::of_model(const LinkedModel& model) {
     const std::vector<FoundThing> found = thing.in_model(model, column);
     if (found.empty()) continue;
     if (thing.of == ThingOf::annotation) {
-      add(annotations, counted(found.size(), thing.title));
+      const bool is_of_kept = thing.title.ends_with("setting");
+      add(is_of_kept ? settings : annotations, counted(found.size(), thing.title));
     } else if (fate == Fate::shown) {
       add(shown, std::string(thing.title));
       if (!first) first = found.front().span;
@@ -140,15 +185,18 @@ void SceneLosses::of_model(const LinkedModel& model) {
       report(thing, found);
     }
   }
-  if (!annotations.empty()) {
+  if (!annotations.empty() || !settings.empty()) {
+    // Whole things first: they are missed before the settings of others.
+    if (!settings.empty()) add(annotations, settings);
     scene_.losses.report(rules::sml8207_lost_annotations, {model.files.front().source, 0, 0},
                          "the annotations of " + quoted(model.path) + " are not in the " + format_ +
                              ": " + annotations);
   }
   if (!shown.empty()) {
-    scene_.losses.report(rules::sml8207_lost_annotations, *first,
-                         "the " + format_ + " shows " + quoted(model.path) +
-                             " and does not have: " + shown);
+    scene_.losses
+        .report(rules::sml8207_lost_annotations, *first,
+                "the " + format_ + " shows " + quoted(model.path) + " and does not have: " + shown)
+        .when(cases::kPicture);
   }
 }
 

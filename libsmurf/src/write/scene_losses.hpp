@@ -29,7 +29,9 @@ class SceneLosses {
   /// Reports a shape without triangles for a preview. `reason` is as in MeshTriangles, or any text
   /// for a heightmap. Reported once per place.
   void unseen_shape(Span span, const FlatGeometry& geometry, std::string_view reason);
-  /// Reports a joint that is written as a simpler type.
+  /// The package of a mesh with an address, if no file of it is there; otherwise empty.
+  std::string_view lost_package(std::string_view file) const;
+  /// Reports a joint that is written as a simpler type. `written_as` fits one joint and several.
   void joint(const urdf::Joint& joint, std::string_view written_as);
   /// The axis of a joint for the format, as joint_axis(). Reports a joint whose axis is zero once;
   /// it has the axis x.
@@ -50,6 +52,8 @@ class SceneLosses {
   Span place(std::size_t instance) const;
   std::vector<FoundThing> found(const SceneThing& thing, const LinkedModel& model) const;
   bool is_referred_to(const LinkedModel& model) const;
+  std::string why_unseen(const std::string& file, std::string_view reason) const;
+  bool has_found(std::string_view package) const;
   void of_model(const LinkedModel& model);
   void of_scene(const SceneThing& thing);
   void report(const SceneThing& thing, const std::vector<FoundThing>& found);

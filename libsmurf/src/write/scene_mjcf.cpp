@@ -124,10 +124,8 @@ class MjcfWriter : MjcfSensors {
     if (mesh == nullptr) return;
     if (meshes_.name_of(*mesh) == nullptr) {
       const bool exists = existing_.contains(*std::get<urdf::Mesh>(geometry.shape).filename);
-      const std::string reason = exists ? meshes_.declare(*mesh, span) : "is missing";
-      if (!reason.empty()) {
-        return losses_.shape(span, "the mesh `" + mesh->file + "`, which " + reason + ",");
-      }
+      const std::string reason = exists ? meshes_.declare(*mesh, span) : "is not there";
+      if (!reason.empty()) return losses_.unseen_shape(span, *flat_geometry, reason);
     }
     if (in_colors) meshes_.declare_parts(*mesh, span);
   }

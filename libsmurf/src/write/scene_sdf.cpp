@@ -316,8 +316,8 @@ class SdfWriter {
     if (joint.type == floating) return;  // bodies of one model without a joint between them
     if (joint.type == planar || joint.type == unknown) simplify(joint, "fixed");
     if (joint.mimic) {
-      simplify(joint, is_old_ ? "free to move without its leader"
-                              : "free to move without its leader before Gazebo Harmonic");
+      simplify(joint, is_old_ ? "free to move, since SDF 1.6 has no `mimic`,"
+                              : "free to move, since Gazebo before Harmonic ignores `mimic`,");
     }
     const std::string type = joint.type == prismatic ? "prismatic"
                              : joint.has_one_axis()  ? "revolute"

@@ -18,8 +18,8 @@ constexpr std::string_view kShown = "shown";
 constexpr std::string_view kNoPlace = "lost: SDF has no element for them";
 constexpr std::string_view kSpeed = "lost: MuJoCo does not limit speeds";
 constexpr std::string_view kEffort =
-    "lost: MuJoCo limits the forces of actuators only, which joints with a motor have; urdf2smurf "
-    "--motors all makes motors";
+    "lost: only actuators have them in MuJoCo, and these joints have no motor; `urdf2smurf --motors "
+    "all` adds motors";
 constexpr std::string_view kActuator =
     "partly: actuators, where one joint is driven, without other settings";
 constexpr std::string_view kDrive =

@@ -349,13 +349,12 @@ std::optional<DrivenFollower> UsdPhysics::leader_of(const Model& model, const ur
     if (limits_of(joint) || limits_of_follower(follower)) return follower;
     if (reported_.insert(&joint).second) {
       losses_.joint(joint,
-                    "free to move, since it follows another joint and neither has limits, which "
-                    "PhysX needs,");
+                    "free to move, since PhysX needs limits of the follower or of its leader,");
     }
     return std::nullopt;
   }
   if (reported_.insert(&joint).second) {
-    losses_.joint(joint, "free to move, since it has no moving leader of its kind,");
+    losses_.joint(joint, "free to move, since there is no moving leader of the same kind,");
   }
   return std::nullopt;
 }

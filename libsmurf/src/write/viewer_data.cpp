@@ -322,7 +322,8 @@ class VersionData {
       return;
     }
     losses_.unseen_shape(shape.span, shape.geometry, known.why_none);
-    meshes_.add_unseen(mesh.file, known.why_none);
+    const std::string_view package = losses_.lost_package(mesh.file);
+    meshes_.add_unseen(mesh.file, package.empty() ? known.why_none : "was not found", package);
     if (!around) return;
     const Vector3& low = around->low;
     const Vector3& high = around->high;

@@ -118,12 +118,13 @@ void ViewerMeshes::print(JsonPrinter& json) const {
 
 void ViewerMeshes::print_unseen(JsonPrinter& json) const {
   json.begin_list(JsonPrinter::Layout::block);
-  for (const auto& [what, shapes] : unseen_) {
+  for (const auto& [what, unseen] : unseen_) {
     json.begin_object();
     json.member("file", what.first);
     json.member("why", what.second);
     json.key("shapes");
-    json.integer(static_cast<std::int64_t>(shapes));
+    json.integer(static_cast<std::int64_t>(unseen.shapes));
+    if (!unseen.package.empty()) json.member("package", unseen.package);
     json.end();
   }
   json.end();

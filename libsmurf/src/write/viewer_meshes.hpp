@@ -28,7 +28,12 @@ class ViewerMeshes {
   const Known& find_textured(const std::string& file, Span place);
 
   /// Counts a shape whose file is not shown.
-  void add_unseen(const std::string& file, const std::string& why) { ++unseen_[{file, why}]; }
+  /// `package`: the one of the file, if no folder of it was found.
+  void add_unseen(const std::string& file, const std::string& why, std::string_view package = {}) {
+    Unseen& unseen = unseen_[{file, why}];
+    ++unseen.shapes;
+    unseen.package = package;
+  }
 
   /// Prints all meshes that were found, in the order of their indices.
   void print(JsonPrinter& json) const;
@@ -50,7 +55,11 @@ class ViewerMeshes {
   bool has_copies_;
   std::map<std::string, Known> known_, textured_;
   std::vector<Shown> shown_;
-  std::map<std::pair<std::string, std::string>, std::size_t> unseen_;
+  struct Unseen {
+    std::size_t shapes = 0;
+    std::string package;
+  };
+  std::map<std::pair<std::string, std::string>, Unseen> unseen_;  ///< by file and reason
 };
 
 }  // namespace smurf
