@@ -72,7 +72,7 @@ class LimitsTest(unittest.TestCase):
 
     def test_what_cannot_be_asked_for(self):
         for item, wrong in {
-                "xml-deepth=10": "'xml-deepth' is not one of file-bytes, ",
+                "xml-deepth=10": "there is no limit 'xml-deepth'; did you mean",
                 "xml-depth": "'xml-depth' is not NAME=N",
                 "xml-depth=many": "'many' is not a whole number from 1 to 98",
                 "xml-depth=99": "'99' is not a whole number from 1 to 98",

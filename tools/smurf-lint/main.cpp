@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -19,12 +20,14 @@
 #include "smurf-lint/explain.hpp"
 #include "smurf-lint/fix.hpp"
 #include "smurf-lint/fix_inertia.hpp"
+#include "smurf-lint/init.hpp"
 #include "smurf-lint/masses.hpp"
 #include "smurf-lint/options.hpp"
 #include "smurf-lint/picture.hpp"
 #include "smurf-lint/rename.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf-lint/show_config.hpp"
+#include "smurf-lint/watch.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
 #include "smurf/suppress.hpp"
@@ -87,6 +90,18 @@ struct Checked {
   Session& session;
 };
 
+/// Says what was found, and which files have the reports: a page in a file is opened by people.
+void tell_written(std::span<const ReportRequest> reports, const std::string& place,
+                  const Report& report) {
+  std::string files;
+  for (const ReportRequest& request : reports) {
+    const std::string& file = request.file.empty() ? place : request.file;
+    files += (files.empty() ? "wrote " : ", ") + file;
+  }
+  const std::string summary = render_summary(report.summary, {});
+  complain(kSmurfLint, files + ": " + summary.substr(0, summary.find('\n')));
+}
+
 /// `place` is the destination of reports without a file.
 ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const std::string& place,
                        const Checked& checked, std::string remarks) {
@@ -110,10 +125,17 @@ ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const s
                           return picture_of(options, plan, checked.session);
                         }};
   ExitCode code = kDone;
+  bool is_seen = false;
+  bool has_page = false;
   for (const ReportRequest& request : settings.reports) {
     const std::string& file = request.file.empty() ? place : request.file;
     const std::string text = request.format->render(results, style_of(options, file));
     if (!write_output(kSmurfLint, file, text)) code = kFailed;
+    is_seen = is_seen || file.empty() || file == "-" || file.starts_with("/dev/");
+    has_page = has_page || request.format->name == "html";
+  }
+  if (has_page && !is_seen && !options.quiet && code == kDone) {
+    tell_written(settings.reports, place, report);
   }
   return code;
 }
@@ -338,7 +360,8 @@ Report run_check(const LintOptions& options, const LintPlan& plan, Session& sess
   return report;
 }
 
-ExitCode run(const LintOptions& options) {
+/// Adds the paths that were asked for to `seen`, unless it is null.
+ExitCode run(const LintOptions& options, std::set<std::string>* seen) {
   ConfinedFiles disk;
   confine_to_inputs(disk, options);
   const InputFiles inputs(disk);
@@ -356,7 +379,9 @@ ExitCode run(const LintOptions& options) {
   ConfinedFiles confined;
   confine_to_found(confined, options, plan);
   const InputFiles read(confined);
-  Session session(read, options.limits, stamp_on_disk);
+  const SeenFiles noted(read);
+  const FileReader& reader = seen == nullptr ? static_cast<const FileReader&>(read) : noted;
+  Session session(reader, options.limits, stamp_on_disk);
   if (const std::string& name = plan.standard_input; !name.empty()) {
     session.set_text(name, files.read(name, options.limits.file_bytes).text);
   }
@@ -375,6 +400,7 @@ ExitCode run(const LintOptions& options) {
     return !plan.problems.empty() ? kFailed : write_baseline(options, session, std::move(found));
   }
   if (renamed) return rename(options, plan, session, *renamed, found);
+  if (seen != nullptr) *seen = noted.paths();
   const ExitCode code = options.fix || options.fix_only || options.diff
                             ? fix(options, plan, session, std::move(found), check)
                             : report(options, plan, {found, session}, nullptr);
@@ -397,6 +423,9 @@ int smurf_lint_main(int argc, char** argv) {
   if (!options.masses.empty()) return show_masses(options);
   if (!options.dump_model.empty()) return dump_model(options);
   if (options.merge_reports) return merge_reports(options);
-
-  return run(options);
+  if (options.init) return init(options);
+  if (options.watch) {
+    return watch(options, [&](std::set<std::string>& seen) { return run(options, &seen); });
+  }
+  return run(options, nullptr);
 }

@@ -70,6 +70,9 @@ Setter append_targets(std::vector<const Reader*>& targets) {
   return [&targets](std::string_view value) -> std::optional<std::string> {
     for (const std::string_view name : split_items(value)) {
       const Reader* reader = find_target(name);
+      if (reader == nullptr && name.starts_with("isaac")) {
+        return "there are no facts about Isaac Sim yet; smurfs-flatten --format usda writes for it";
+      }
       if (reader == nullptr) return none_of(name, target_names());
       if (std::find(targets.begin(), targets.end(), reader) == targets.end()) {
         targets.push_back(reader);
@@ -173,6 +176,11 @@ std::vector<Option> rule_options(LintOptions& options) {
        .name = "isolated",
        .help = "Read no configuration.",
        .set = set_flag(options.isolated)},
+      {.group = "Rules",
+       .name = "init",
+       .help = "Look at a folder, by default this one, and write a configuration for it; in a git "
+               "repository also a pre-commit hook and a workflow. Replaces no file.",
+       .set = set_flag(options.init)},
       {.group = "Rules",
        .name = "show-config",
        .metavar = "PATH",
@@ -283,6 +291,10 @@ std::vector<Option> output_options(LintOptions& options) {
        .help = "With the format full: show all findings, including infos and more than three per "
                "rule and file.",
        .set = set_flag(options.shows_all)},
+      {.group = "Output",
+       .name = "watch",
+       .help = "Check again after each change of a file, until Ctrl-C.",
+       .set = set_flag(options.watch)},
       {.group = "Output",
        .name = "statistics",
        .help = "Count the findings of each rule instead of listing them (full, concise).",
@@ -421,6 +433,7 @@ Command lint_command(LintOptions& options) {
        "Record the current findings, to report only new ones later:"},
       {"smurf-lint --shard 2/8 --format json=part-2.json datasets/",
        "Check on one machine of eight, for --merge-reports part-*.json:"},
+      {"smurf-lint --init", "Set up this folder: configuration, pre-commit hook, workflow:"},
       {"smurf-lint --explain unknown-joint", "Explain a rule:"},
       {"smurf-lint --explain motors", "List the keys of a section:"},
       {"smurf-lint --explain motors.maxEffort", "Explain a key:"},
@@ -464,6 +477,14 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
                               options.generate_baseline || options.shard.count > 1)) {
     return "--fix-inertia cannot be combined with --fix, --rename, --shard or --generate-baseline";
   }
+  if (options.watch && (options.fix || options.fix_only || options.diff || options.fix_inertia ||
+                        !options.renames.empty() || options.generate_baseline)) {
+    return "--watch only reports; apply fixes in another run";
+  }
+  if (options.watch && std::count(options.paths.begin(), options.paths.end(), "-") > 0) {
+    return "--watch needs files, not standard input";
+  }
+  if (options.init && options.paths.size() > 1) return "--init sets up one folder";
   if (options.csv && options.masses.empty()) return "--csv needs --masses";
   if (options.unsafe_fixes && !options.fix && !options.fix_only && !options.diff) {
     return "--unsafe-fixes needs --fix, --fix-only or --diff";

@@ -48,6 +48,8 @@ struct LintOptions {
   bool no_ignore_files = false;  ///< do not apply .gitignore and .smurf-lintignore
   Shard shard;
   bool merge_reports = false;  ///< `paths` are JSON reports; nothing is checked
+  bool init = false;           ///< only write a configuration, a hook and a workflow
+  bool watch = false;          ///< check again after each change
   bool list_files = false;     ///< only list the files that would be checked
 
   bool fix = false;           ///< write fixed files
