@@ -165,6 +165,27 @@ class Content(ConfigTest):
         self.assertNotIn("SML1604", [f[1] for f in self.findings("robots/box.urdf")])
         self.assertIn("SML1604", [f[1] for f in self.findings("--package", "shapes=robots", "robots/box.urdf")])
 
+    def xacro_findings(self, *arguments):
+        report = json.loads(self.expect(None, "--format", "json", "--select", "SML15,SML33,SML9", *arguments).stdout)
+        return [(d["id"], d.get("line"), sorted(note for note in d.get("notes", []) if note.startswith("with ")))
+                for d in report["diagnostics"]]
+
+    def test_xacro(self):
+        self.write("arm/arm.urdf.xacro", """<robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<link name="a"><inertial><mass value="$(arg mass)"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="${1 if '$(arg size)' == 'small' else 5}"/></inertial></link>
+</robot>""")
+        self.write("arm/.smurf-lint.yaml", "xacro:\n- file: arm.urdf.xacro\n  arguments: {name: arm, mass: [1, -1], size: [small, large]}\n")
+        of_all = [("SML1509", 3, ["with mass:=-1 size:=small"]), ("SML1512", 3, ["with mass:=1 size:=large"])]
+        self.assertEqual(sorted(self.xacro_findings("arm"))[:1], of_all[:1])
+        self.assertEqual([one[0] for one in self.xacro_findings("arm")].count("SML1509"), 1)
+        self.assertIn("with mass:=1 size:=large", str(self.xacro_findings("arm/arm.urdf.xacro")))
+        # The command line overrides the configuration.
+        self.assertEqual(self.xacro_findings("arm/arm.urdf.xacro", "mass:=1", "size:=small"), [])
+        self.assertEqual([one[0] for one in self.xacro_findings("arm", "--limit", "xacro-variants=2")].count("SML9002"), 1)
+        self.write("arm/.smurf-lint.yaml", "xacro: [{file: gone.xacro}]\n")
+        self.assertIn("SML9002", [one[0] for one in self.xacro_findings("arm")])
+
     def test_format_and_verdict(self):
         self.write("robots/.smurf-lint.yaml", "format: [concise, json=report.json]\nfail-on: warning\n")
         done = self.expect(1, "--config", "robots/.smurf-lint.yaml", "robots")
@@ -258,16 +279,21 @@ class Content(ConfigTest):
                 {"schemas": {"sections": {"rainbow": "rainbow.json"}, "entities": None}},
                 {"targets": ["mars"]}, {}, None, {"extends": "rainbow.json"}, {"tolerances": {"SML5004": 0.1}},
                 {"paths": {"*.urdf": {"ignore": "SML1", "severity": {"unknown-joint": "info"}}}},
+                {"xacro": [{"file": "a.xacro", "arguments": {"side": ["left", "right"], "n": 1}}]},
+                {"xacro": [{"file": "a.xacro"}]},
                 {"exclude": ["old", "/a/**"], "force-exclude": True, "packages": {"a": "b"}},
                 {"format": ["full", "json=x.json"], "fail-on": "never", "max-warnings": 3, "baseline": None}]
         bad = [{"ingore": []}, {"select": {}}, {"severity": {"SML5012": "fatal"}},
                {"schemas": {"entites": {}}}, {"schemas": {"sections": {"a": []}}}, {"targets": {}}, [],
+               {"xacro": [{"arguments": {"a": 1}}]}, {"xacro": [{"file": "a.xacro", "args": {}}]},
+               {"xacro": [{"file": "a.xacro", "arguments": ["a"]}]},
                {"select": "unknown-jiont"}, {"severity": {"SML50012": "info"}}, {"targets": "mujuco"},
                {"tolerances": {"SML3101": 1}}, {"tolerances": {"SML5004": -1}}, {"tolerances": {"SML5004": "x"}},
                {"paths": {"*.urdf": {"select": "SML1"}}}, {"paths": ["a"]}, {"extends": {}},
                {"exclude": {"a": 1}}, {"force-exclude": "maybe"}, {"packages": ["a"]}, {"format": {}},
                {"fail-on": "fatal"}, {"max-warnings": -1}, {"max-warnings": 1.5}, {"baseline": []}]
         self.write("rainbow.json", "{}")
+        self.write("a.xacro", "<robot/>")
         for verdict, configs in ((True, good), (False, bad)):
             for config in configs:
                 with self.subTest(config=config):
@@ -314,6 +340,7 @@ force-exclude: false          # default
 packages:
   a: b                        # robots/.smurf-lint.yaml:5
 schemas: {}                   # default
+xacro: []                     # default
 format: auto                  # default
 fail-on: never                # --fail-on
 max-warnings: 3               # robots/.smurf-lint.yaml:9
@@ -322,8 +349,10 @@ baseline: null                # default
 
     def test_what_is_shown_can_be_read(self):
         self.write(".smurf-lint.yaml", "select: SML5\nexclude: ['*.old', '!a']\nschemas: {entities: {rainbow: r.json}}\n"
+                                       "xacro: [{file: a.xacro, arguments: {side: [left, right], n: '1 2'}}]\n"
                                        "format: [full, json=a b.json]\nbaseline: known.yaml\n")
         self.write("r.json", RAINBOW)
+        self.write("a.xacro", "<robot/>")
         first = self.show("robots", "--config", ".smurf-lint.yaml").stdout
         self.write("shown.yaml", first)
         again = self.show("robots", "--config", "shown.yaml").stdout

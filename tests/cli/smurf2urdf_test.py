@@ -412,6 +412,13 @@ class Refusal(ExportTest):
         self.assertIn("error[SML3313]: the argument `name` has no value here", done.stderr)
         self.assertEqual(done.stdout, "")
 
+    def test_limits_of_xacro(self):
+        self.write("a.urdf.xacro", '<robot name="a" xmlns:xacro="x"><link name="${\'a\' * 100}"/></robot>')
+        self.run_tool("a.urdf.xacro")
+        done = self.run_with_messages(1, "a.urdf.xacro", "--limit", "xacro-text-bytes=99")
+        self.assertIn("error[SML3312]: the text has more than 99 bytes", done.stderr)
+        self.assertIn("--limit xacro-text-bytes=N", done.stderr)
+
     def test_files_that_are_no_models(self):
         self.expect_complaint("'arm/smurf/arm_motors.yml' is not a model; name the .smurf file that lists it",
                               "arm/smurf/arm_motors.yml")

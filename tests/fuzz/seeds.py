@@ -19,7 +19,7 @@ YAML = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"}
 
 def main() -> None:
     fixtures, out = map(pathlib.Path, sys.argv[1:3])
-    for target in ("differential_yaml", "differential_urdf", "urdf", "model", "scene", "config", "fixes", "archives", "meshes", "lsp"):
+    for target in ("differential_yaml", "differential_urdf", "urdf", "model", "scene", "config", "fixes", "archives", "meshes", "xacro", "lsp"):
         (out / target).mkdir(parents=True, exist_ok=True)
 
     def add(target: str, data: bytes) -> None:
@@ -40,6 +40,8 @@ def main() -> None:
         if path.suffix == ".urdf":
             add("urdf", path.read_bytes())
             add("differential_urdf", path.read_bytes())
+        elif path.name == "robot.urdf.xacro":
+            add("xacro", bundle(path, path.parent, "r.urdf.xacro"))
         elif path.suffix in YAML:
             add("differential_yaml", path.read_bytes())
         if path.name == ".smurf-lint.yaml":
@@ -119,7 +121,7 @@ def bundle(entry: pathlib.Path, folder: pathlib.Path, name: str) -> bytes:
     texts = [b"%%%% %s\n" % name.encode() + entry.read_bytes()]
     beside = [*sorted(folder.rglob("*")), *sorted((folder.parent / "urdf").glob("*"))]
     for path in beside:
-        if path.is_file() and path != entry and path.suffix in YAML | {".urdf"}:
+        if path.is_file() and path != entry and path.suffix in YAML | {".urdf", ".xacro"}:
             relative = path.relative_to(folder) if path.is_relative_to(folder) else "../urdf/" + path.name
             texts.append(b"\n%%%% %s\n" % str(relative).encode() + path.read_bytes())
     return b"".join(texts)

@@ -301,6 +301,18 @@ Json tolerances() {
 
 Json object_of(std::span<const SettingSpec> settings);
 
+/// Robots of xacro: a file, and values of its arguments.
+Json xacro_setting() {
+  const Json text{{"type", kScalars}};
+  return {{"type", types({"array"}, true)},
+          {"items",
+           {{"type", "object"},
+            {"additionalProperties", false},
+            {"required", {"file"}},
+            {"properties",
+             {{"file", {{"type", "string"}}}, {"arguments", map_to(one_or_more(text))}}}}}};
+}
+
 Json setting(SettingType type) {
   const Json text{{"type", kScalars}};
   const Json rule{{"$ref", "#/definitions/rule"}};
@@ -332,6 +344,7 @@ Json setting(SettingType type) {
   }
   case SettingType::count: return {{"type", types({"integer"}, true)}, {"minimum", 0}};
   case SettingType::boolean: return {{"type", types({"boolean"}, true)}};
+  case SettingType::xacro: return xacro_setting();
   case SettingType::file: return {{"type", {"string", "number", "boolean", "null"}}};
   }
   return {};

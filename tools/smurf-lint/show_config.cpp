@@ -128,6 +128,22 @@ void show_rules(const Config& config, const LintOptions& options, Page& page) {
   }
 }
 
+/// Robots of xacro; each argument has one value or a list of them.
+void show_robots(const Config& config, Page& page) {
+  if (config.xacro.empty()) return page.block("", "xacro", "", {}, "[]");
+  page.raw("xacro:\n");
+  for (const ConfigXacro& robot : config.xacro) {
+    page.line("- file: " + text_of(robot.file.value), page.origin(robot.file.span));
+    if (!robot.arguments.empty()) page.raw("  arguments:\n");
+    for (const auto& [name, values] : robot.arguments) {
+      std::string list;
+      for (const std::string& value : values) list += (list.empty() ? "" : ", ") + text_of(value);
+      page.raw("    " + text_of(name) + ": " + (values.size() == 1 ? list : "[" + list + "]") +
+               "\n");
+    }
+  }
+}
+
 void show_input(const Config& config, const LintOptions& options, Page& page) {
   Entries exclude;
   for (const ConfigPattern& pattern : config.exclude) {
@@ -157,6 +173,7 @@ void show_input(const Config& config, const LintOptions& options, Page& page) {
     page.block("  ", "entities", "  ", page.map_of(config.entity_schemas));
     page.block("  ", "sections", "  ", page.map_of(config.section_schemas));
   }
+  show_robots(config, page);
 }
 
 std::string name_of(const ReportRequest& report) {

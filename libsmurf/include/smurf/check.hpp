@@ -76,6 +76,9 @@ struct PlannedFile {
   std::size_t config = 0;  ///< index into Plan::configs
   /// A xacro file that was found in a folder. It may be a part of a robot; then it has no findings.
   bool may_be_part = false;
+  /// Of a xacro file, from a configuration; set by the session.
+  std::map<std::string, std::string> arguments = {};
+  std::string shown = {};  ///< the arguments that have several values: "ur_type:=ur5e"
 };
 
 /// The files to load, their kinds, and their configurations.

@@ -35,6 +35,12 @@ struct ConfigPath {
   std::map<std::string, Spanned<Severity>> severities;
 };
 
+/// A robot of xacro, and the values of its arguments.
+struct ConfigXacro {
+  Spanned<std::string> file;
+  std::vector<std::pair<std::string, std::vector<std::string>>> arguments;
+};
+
 /// The settings of a configuration file and of those that it extends; absent settings are empty.
 /// Every value knows where it was written. Paths are relative to the folder that the
 /// configuration's own path is relative to.
@@ -51,8 +57,15 @@ struct Config {
   std::optional<Spanned<std::optional<Severity>>> fail_on;                      ///< none: never
   std::optional<Spanned<int>> max_warnings;
   std::optional<Spanned<std::string>> baseline;
+  std::vector<ConfigXacro> xacro;
   UserSchemas schemas;
 };
+
+/// All combinations of the values of a robot; `given` overrides them. If there are more than
+/// `most`, a few more than that.
+std::vector<std::map<std::string, std::string>>
+combinations_of(const ConfigXacro& robot, const std::map<std::string, std::string>& given,
+                std::size_t most);
 
 /// Who chose a configuration. A configuration that was found beside the files may come from a
 /// stranger, so it must not choose output files.
@@ -80,7 +93,8 @@ enum class SettingType : std::uint8_t {
   threshold,   ///< error, warning, info or never
   count,
   boolean,
-  file
+  file,
+  xacro  ///< a list of robots with arguments
 };
 
 /// A setting of the configuration.

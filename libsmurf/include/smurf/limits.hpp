@@ -38,6 +38,15 @@ struct Limits {
   std::uint64_t ignore_checks = 20'000'000;
   std::uint64_t path_checks = 4'000'000;
   std::uint64_t suggestions = 200'000'000;
+  std::uint64_t xacro_elements = 500'000;
+  std::uint64_t xacro_bytes = 100'000'000;
+  std::uint64_t xacro_depth = 240;
+  std::uint64_t xacro_files = 1'000;
+  std::uint64_t xacro_steps = 10'000'000;
+  std::uint64_t xacro_text_bytes = 1'000'000;
+  std::uint64_t xacro_items = 100'000;
+  std::uint64_t xacro_integer_bits = 4'096;
+  std::uint64_t xacro_variants = 64;
 };
 
 /// A limit with the name that `--limit` and docs/limits.md use.
@@ -103,7 +112,8 @@ inline constexpr std::array kLimits{
         "bytes of files that `smurf-lint` checks again for further models and scenes that read "
         "them, or checks in total while it applies fixes; a finding counts as 1200 bytes",
         "SML0002", "a hundred scenes with a robot of 500 kB; two seconds"},
-    LimitInfo{"include-depth", &Limits::include_depth, 1'000, "levels of nested scenes", "SML5021",
+    LimitInfo{"include-depth", &Limits::include_depth, 1'000,
+              "levels of nested scenes, and of xacro files that include each other", "SML5021",
               "scenes written by people have three levels"},
     LimitInfo{"instances", &Limits::instances, 100'000'000,
               "entities of a scene, including nested scenes", "SML5022",
@@ -138,6 +148,34 @@ inline constexpr std::array kLimits{
               "characters compared to find suggestions for misspelt names", "",
               "every misspelt name is compared with all known ones, which takes a second for a "
               "billion characters"},
+    LimitInfo{"xacro-elements", &Limits::xacro_elements, 100'000'000,
+              "elements of an expanded xacro file, and of the blocks in its calls", "SML3312",
+              "16 macros that each call the next one twice make 65,536; the largest public robot "
+              "has 40,806"},
+    LimitInfo{"xacro-bytes", &Limits::xacro_bytes, 2047ULL << 20U,
+              "bytes of an expanded xacro file, and of the values in it", "SML3312",
+              "a text that is doubled 30 times has a gigabyte"},
+    LimitInfo{"xacro-depth", &Limits::xacro_depth, 240,
+              "macros that call each other, and properties that use each other", "SML3312",
+              "xacro itself fails at 250, where the stack of Python ends"},
+    LimitInfo{"xacro-files", &Limits::xacro_files, 1'000'000,
+              "files that a xacro file includes, each as often as it is included", "SML3312",
+              "the largest public robot includes 60"},
+    LimitInfo{"xacro-steps", &Limits::xacro_steps, 10'000'000'000,
+              "steps of an expansion: elements, calls and parts of expressions", "SML3312",
+              "two seconds; the largest public robot needs half a million"},
+    LimitInfo{"xacro-text-bytes", &Limits::xacro_text_bytes, 1'000'000'000,
+              "bytes of a text that an expression computes", "SML3312",
+              "`'a'*10**8` has a hundred million"},
+    LimitInfo{"xacro-items", &Limits::xacro_items, 100'000'000,
+              "items of a list that an expression computes", "SML3312",
+              "`[0]*10**8` has a hundred million"},
+    LimitInfo{"xacro-integer-bits", &Limits::xacro_integer_bits, 1'000'000,
+              "bits of an integer that an expression computes", "SML3312",
+              "`10**10**10` has 33 billion"},
+    LimitInfo{"xacro-variants", &Limits::xacro_variants, 100'000,
+              "combinations of the arguments of a xacro file in a configuration", "SML9002",
+              "six lists of ten values have a million; each is a whole robot"},
 };
 
 }  // namespace smurf

@@ -19,18 +19,6 @@
 
 namespace smurf::xacro {
 
-/// Limits for expansions of untrusted files.
-struct XacroLimits {
-  std::uint64_t xacro_elements = 500'000;   ///< of the result, and of the blocks in calls
-  std::uint64_t xacro_bytes = 100'000'000;  ///< of the result, and of all values
-  std::uint64_t xacro_depth = 240;          ///< macros that call each other: as Python's stack
-  std::uint64_t xacro_files = 1'000;        ///< included files, counted each time
-  std::uint64_t xacro_steps = 10'000'000;   ///< parts of expressions, elements and calls
-  std::uint64_t xacro_text_bytes = 1'000'000;
-  std::uint64_t xacro_items = 100'000;  ///< of a list
-  std::uint64_t xacro_integer_bits = 4'096;
-};
-
 enum class FrameId : std::uint32_t {};
 inline constexpr FrameId kNoFrame{0xffffffffU};
 
@@ -47,7 +35,7 @@ struct Frame {
 
 /// A value that went into a computed one.
 struct Input {
-  std::string_view name;
+  std::string_view name;  ///< as it is written
   Span place;
 };
 
@@ -98,7 +86,6 @@ struct Settings {
   /// The folder of a package that a file at `near` names; none if it is unknown.
   std::function<std::optional<std::string>(const std::string& name, const std::string& near)>
       find_package;
-  XacroLimits limits = {};
   /// The absolute form of a path, as texts show it.
   std::function<std::string(const std::string& path)> absolute;
 };

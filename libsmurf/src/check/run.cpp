@@ -57,6 +57,20 @@ class Run {
     found_.resize(configs.size());
   }
 
+  /// The robots of xacro in the configuration, once for each combination of their arguments.
+  std::vector<PlannedFile> with_variants(const std::vector<PlannedFile>& planned) {
+    std::vector<PlannedFile> all;
+    for (const PlannedFile& file : planned) {
+      const ConfigXacro* robot = xacro::is_xacro_file(file.path) ? configured(file) : nullptr;
+      if (robot == nullptr) {
+        all.push_back(file);
+      } else {
+        append_variants(file, *robot, all);
+      }
+    }
+    return all;
+  }
+
   void check_all(const std::vector<PlannedFile>& planned) {
     std::vector<const PlannedFile*> left;
     for (const PlannedFile& file : planned) {
@@ -112,6 +126,40 @@ class Run {
     return identity(path, workshop_.desk.paths, workshop_.desk.files);
   }
 
+  const ConfigXacro* configured(const PlannedFile& file) const {
+    const std::vector<ConfigXacro>& robots = memory_.groups[file.config].config.xacro;
+    const auto found = std::find_if(robots.begin(), robots.end(), [&](const ConfigXacro& one) {
+      return identity_of(one.file.value) == identity_of(file.path);
+    });
+    return found == robots.end() ? nullptr : &*found;
+  }
+
+  void append_variants(const PlannedFile& file, const ConfigXacro& robot,
+                       std::vector<PlannedFile>& all) {
+    const CheckGroup& group = memory_.groups[file.config];
+    const std::uint64_t most = workshop_.desk.limits.xacro_variants;
+    auto combinations = combinations_of(robot, group.settings.xacro.arguments, most);
+    if (combinations.size() > most) {
+      combinations.resize(most);
+      DiagnosticSink sink;
+      sink.report(rules::sml9002_wrong_setting, robot.file.span,
+                  "the arguments have more than " + std::to_string(most) +
+                      " combinations; only the first are checked")
+          .help(raise_limit("xacro-variants"));
+      append(sink.take(), found_[file.config].diagnostics);
+    }
+    for (auto& arguments : combinations) {
+      PlannedFile variant = file;
+      variant.may_be_part = false;
+      for (const auto& [name, values] : robot.arguments) {
+        if (values.size() < 2) continue;
+        variant.shown += (variant.shown.empty() ? "" : " ") + name + ":=" + arguments.at(name);
+      }
+      variant.arguments = std::move(arguments);
+      all.push_back(std::move(variant));
+    }
+  }
+
   /// Called by several threads.
   bool is_cancelled() {
     if (settings_.is_cancelled && settings_.is_cancelled()) is_cancelled_ = true;
@@ -139,9 +187,17 @@ class Run {
       if (outcomes[i].answers.empty()) continue;  // not checked: a limit, or cancelled
       parsed_bytes_ += outcomes[i].parsed.bytes();
       if (parsed_bytes_ > kMostParsed) outcomes[i].parsed = {};
-      memory_.outcomes[planned[i]->path] = std::move(outcomes[i]);
-      used_.insert(planned[i]->path);
+      const std::string key = key_of(*planned[i]);
+      memory_.outcomes[key] = std::move(outcomes[i]);
+      used_.insert(key);
     }
+  }
+
+  /// A xacro file is checked with several sets of arguments.
+  static std::string key_of(const PlannedFile& planned) {
+    std::string key = planned.path;
+    for (const auto& [name, value] : planned.arguments) key += "\n" + name + ":=" + value;
+    return key;
   }
 
   bool can_keep_configurations(const std::vector<std::string>& configs) const {
@@ -172,7 +228,7 @@ class Run {
       load(planned, workshop_.desk.files, shared_meshes_, outcome);
       return outcome;
     }
-    const auto known = memory_.outcomes.find(planned.path);
+    const auto known = memory_.outcomes.find(key_of(planned));
     if (known != memory_.outcomes.end() && known->second.config == planned.config) {
       if (is_unchanged(known->second.answers, *workshop_.snapshot)) {
         return std::move(known->second);
@@ -213,6 +269,7 @@ class Run {
                         &group.config.schemas};
     if (is_remembering()) context.parsed = &outcome.parsed;
     context.xacro = group.settings.xacro;
+    if (!planned.arguments.empty()) context.xacro.arguments = planned.arguments;
     const InputKind kind = input_kind(planned.path);
     if (kind == InputKind::scene || kind == InputKind::drawing) {
       LinkedScene scene = load_scene(planned.path, context);
@@ -234,6 +291,9 @@ class Run {
       outcome.parsed.end_loading(outcome.sources, sink);
       outcome.judged = judge(robot, outcome.sources, group.selection, sink, *context.expansions);
       if (planned.may_be_part) excuse_arguments(outcome.judged.diagnostics);
+      if (!planned.shown.empty()) {
+        for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
+      }
       take_companions(robot.companions, outcome);
       if (!robot.companions.is_alone) take_files(std::move(model), outcome);
     }
@@ -376,7 +436,7 @@ Report run_check(const Plan& plan, const CheckSettings& settings, const Workshop
   const std::vector<PlannedFile> companions(first_companion, others.end());
   others.erase(first_companion, others.end());
   for (const auto* planned : {&plan.scenes, &plan.models, &std::as_const(others), &companions}) {
-    run.check_all(*planned);
+    run.check_all(run.with_variants(*planned));
   }
   return run.finish(plan);
 }

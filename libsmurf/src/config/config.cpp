@@ -13,6 +13,8 @@
 #include "base/quoted.hpp"
 #include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
+#include "config/setting_words.hpp"
+#include "config/xacro_setting.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/readers.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -30,28 +32,6 @@ constexpr std::size_t kLongestChain = 16;  // limit for configurations that exte
 constexpr std::uint64_t kMostOfConfig = 100'000, kMostOfSchemas = 2'000'000;
 /// Entries of one setting. Each is compared with every rule or file.
 constexpr std::size_t kMostEntries = 1000;
-
-std::string listed(std::span<const std::string_view> names) {
-  std::string list;
-  for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + quoted(name);
-  return list;
-}
-
-std::vector<std::string_view> rule_words() {
-  std::vector<std::string_view> words;
-  for (const Rule* rule : all_rules()) {
-    words.push_back(rule->id);
-    words.push_back(rule->name);
-  }
-  return words;
-}
-
-std::optional<Severity> to_severity(std::string_view word) {
-  for (const Severity severity : {Severity::error, Severity::warning, Severity::info}) {
-    if (to_string(severity) == word) return severity;
-  }
-  return std::nullopt;
-}
 
 class ConfigReader {
  public:
@@ -93,7 +73,7 @@ class ConfigReader {
     SettingSpec spec;
     void (ConfigReader::*read)(yaml::View value);
   };
-  static const Setting kSettings[15];
+  static const Setting kSettings[16];
   static const Setting kPathSettings[2];
   static const Setting kSchemaSettings[2];
 
@@ -173,6 +153,10 @@ class ConfigReader {
   }
 
   void read_packages(yaml::View value) { read_files(value, "folders", config_.packages); }
+
+  void read_xacro(yaml::View value) {
+    read_xacro_setting(value, folder_, files_, sink_, config_.xacro);
+  }
 
   void read_schemas(yaml::View value) {
     if (!value.is_mapping()) return expect(value, "`sections` and `entities`");
@@ -466,6 +450,9 @@ const ConfigReader::Setting ConfigReader::kSettings[] = {
      &Reader::read_targets},
     {{"tolerances", SettingType::tolerances, "The thresholds of rules; --explain describes them."},
      &Reader::read_tolerances},
+    {{"xacro", SettingType::xacro,
+      "Robots of xacro with their arguments; for lists of values, each combination is checked."},
+     &Reader::read_xacro},
 };
 
 const ConfigReader::Setting ConfigReader::kPathSettings[] = {

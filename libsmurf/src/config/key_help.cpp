@@ -175,6 +175,8 @@ std::string_view value_of(SettingType type) {
   case SettingType::count: return "a whole number";
   case SettingType::boolean: return "true or false";
   case SettingType::file: return "a path";
+  case SettingType::xacro:
+    return "a list of robots: `file`, and `arguments` with values or lists of values";
   }
   return {};
 }
@@ -184,6 +186,7 @@ ValueForm form_of(SettingType type) {
   case SettingType::rules:
   case SettingType::targets:
   case SettingType::formats:
+  case SettingType::xacro:
   case SettingType::patterns: return ValueForm::list;
   case SettingType::levels:
   case SettingType::tolerances:

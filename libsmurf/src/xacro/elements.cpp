@@ -23,9 +23,9 @@ bool Expander::insert_block(const Node& in, Node& out, Scope scope) {
                 "add `*" + std::string(name->text.value) + "` to the parameters of the macro");
   }
   const Node& block = *found.entry->value.block;
-  if (depth_ >= settings_.limits.xacro_depth) {
+  if (depth_ >= context_.limits.xacro_depth) {
     return fail(rules::sml3312_xacro_limit, in.name_span, "blocks and macros are nested too deeply",
-                raise_xacro_limit("xacro-depth"));
+                raise_limit("xacro-depth"));
   }
   ++depth_;
   bool is_done = false;

@@ -59,14 +59,14 @@ bool Evaluator::step(std::uint64_t count) {
   if (steps_ > limits_.xacro_steps) {
     fail(rules::sml3312_xacro_limit,
          "the expansion needs more than " + std::to_string(limits_.xacro_steps) + " steps",
-         raise_xacro_limit("xacro-steps"));
+         raise_limit("xacro-steps"));
     return false;
   }
   if (heap_.is_exhausted()) {
     fail(rules::sml3312_xacro_limit,
          "the values need more than " + std::to_string(limits_.xacro_bytes) +
              " bytes, or are nested too deeply",
-         raise_xacro_limit("xacro-bytes"));
+         raise_limit("xacro-bytes"));
     return false;
   }
   return true;
@@ -76,7 +76,7 @@ Value Evaluator::text(std::string text) {
   if (text.size() > limits_.xacro_text_bytes) {
     return fail(rules::sml3312_xacro_limit,
                 "the text has more than " + std::to_string(limits_.xacro_text_bytes) + " bytes",
-                raise_xacro_limit("xacro-text-bytes"));
+                raise_limit("xacro-text-bytes"));
   }
   step(text.size() / 64);
   return heap_.text(std::move(text));
@@ -86,7 +86,7 @@ Value Evaluator::list(std::vector<Value> items, Kind kind) {
   if (items.size() > limits_.xacro_items) {
     return fail(rules::sml3312_xacro_limit,
                 "the list has more than " + std::to_string(limits_.xacro_items) + " items",
-                raise_xacro_limit("xacro-items"));
+                raise_limit("xacro-items"));
   }
   step(items.size() / 16);
   return heap_.list(std::move(items), kind);
@@ -96,7 +96,7 @@ Value Evaluator::integer(BigInt value) {
   if (value.bits() > limits_.xacro_integer_bits) {
     return fail(rules::sml3312_xacro_limit,
                 "the integer has more than " + std::to_string(limits_.xacro_integer_bits) + " bits",
-                raise_xacro_limit("xacro-integer-bits"));
+                raise_limit("xacro-integer-bits"));
   }
   return heap_.integer(std::move(value));
 }
@@ -234,6 +234,7 @@ Value Evaluator::compare_chain(const Syntax& syntax, const Scope& scope) {
     if (left.is_failed()) return left;
     const Value right = evaluate(*syntax.parts[i + 1], scope);
     if (right.is_failed()) return right;
+    remark_on(syntax, i, left, right);
     result = compare_values(*this, syntax.operations[i], left, right);
     if (result.is_failed() || !is_true(result)) return result;
     left = right;
@@ -284,6 +285,7 @@ Value Evaluator::call_syntax(const Syntax& syntax, const Scope& scope) {
       keywords.emplace_back(syntax.names[i], value);
     }
   }
+  remark_on_call(syntax);
   return call(function, std::move(values), std::move(keywords));
 }
 

@@ -30,6 +30,16 @@ struct Failure {
   std::vector<std::pair<Span, std::string>> labels;
 };
 
+/// Something in an expression that can be computed, and is not what it seems.
+struct Remark {
+  const Rule* rule = nullptr;
+  std::string message;
+  std::string help;
+  std::uint32_t begin = 0, end = 0;          ///< in the expression
+  std::uint32_t fix_begin = 0, fix_end = 0;  ///< the bytes to replace
+  std::string replacement = {};              ///< empty: there is no fix
+};
+
 /// What expressions ask of the expansion around them.
 class Host {
  public:
@@ -64,7 +74,7 @@ struct Call {
 
 class Evaluator {
  public:
-  Evaluator(Heap& heap, Expressions& expressions, const XacroLimits& limits, Host& host)
+  Evaluator(Heap& heap, Expressions& expressions, const Limits& limits, Host& host)
       : heap_(heap), expressions_(expressions), limits_(limits), host_(host) {}
 
   struct Scope {
@@ -105,13 +115,17 @@ class Evaluator {
   /// Values that were looked up by name, and their places.
   using Used = std::vector<std::pair<std::string_view, OriginId>>;
   Used& used() { return used_; }
+  std::vector<Remark>& remarks() { return remarks_; }
 
   Heap& heap() { return heap_; }
   Host& host() { return host_; }
-  const XacroLimits& limits() const { return limits_; }
+  const Limits& limits() const { return limits_; }
 
  private:
   Value name(const Syntax& syntax, const Scope& scope);
+  void remark_on(const Syntax& comparison, std::size_t index, const Value& left,
+                 const Value& right);
+  void remark_on_call(const Syntax& call);
   Value compare_chain(const Syntax& syntax, const Scope& scope);
   Value call_syntax(const Syntax& syntax, const Scope& scope);
   Value comprehension(const Syntax& syntax, const Scope& scope);
@@ -124,17 +138,15 @@ class Evaluator {
 
   Heap& heap_;
   Expressions& expressions_;
-  const XacroLimits& limits_;
+  const Limits& limits_;
   Host& host_;
   Failure failure_;
   std::uint64_t steps_ = 0;
   int depth_ = 0;
   std::deque<Locals> captured_;
   Used used_;
+  std::vector<Remark> remarks_;
 };
-
-/// What to do about a limit.
-inline std::string raise_xacro_limit(std::string_view) { return "write a smaller robot"; }
 
 // operators.cpp
 Value compute(Evaluator& evaluator, Operation operation, const Value& a, const Value& b);

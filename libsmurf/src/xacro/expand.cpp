@@ -31,9 +31,9 @@ std::string usual_help(const Rule& rule) {
 Expander::Expander(SourceId root, const Settings& settings, Context& context)
     : settings_(settings),
       context_(context),
-      heap_(settings.limits.xacro_bytes),
+      heap_(context.limits.xacro_bytes),
       expressions_(heap_),
-      evaluator_(heap_, expressions_, settings.limits, *this) {
+      evaluator_(heap_, expressions_, context.limits, *this) {
   result_.root = root;
   functions_ = &tables_.emplace_back();
   add_functions(*functions_, heap_, tables_);
@@ -108,11 +108,11 @@ bool Expander::is_first_at(Span place) {
 }
 
 bool Expander::has_room() {
-  if (++elements_ <= settings_.limits.xacro_elements) return true;
+  if (++elements_ <= context_.limits.xacro_elements) return true;
   evaluator_.fail(rules::sml3312_xacro_limit,
-                  "the robot has more than " + std::to_string(settings_.limits.xacro_elements) +
+                  "the robot has more than " + std::to_string(context_.limits.xacro_elements) +
                       " elements",
-                  raise_xacro_limit("xacro-elements"));
+                  raise_limit("xacro-elements"));
   return false;
 }
 
@@ -192,6 +192,7 @@ bool Expander::evaluate_attributes(const Node& in, Node& out, Table& symbols) {
   for (const NodeAttribute& one : in.attributes) {
     if (one.name.starts_with(kPrefix)) continue;
     NodeAttribute result = one;
+    check_braces(one.text, symbols);
     if (!trace(one.text, symbols, result.text)) return report();
     if (one.name != "xmlns:xacro") out.attributes.push_back(result);
   }
@@ -204,6 +205,7 @@ bool Expander::evaluate_text_node(const Node& in, Node& out, Table& symbols) {
   text.tag_span = in.tag_span;
   text.name_span = in.name_span;
   if (in.frame != kNoFrame) text.frame = in.frame;
+  check_braces(in.text, symbols);
   if (!trace(in.text, symbols, text.text)) return report();
   out.children.push_back(&text);
   return true;
@@ -249,6 +251,9 @@ bool Expander::copy_element(const Node& in, Node& out, Scope scope) {
   element.span = in.span;
   if (in.frame != kNoFrame) element.frame = in.frame;
   if (!evaluate(in, element, scope)) return false;
+  check_prefix(in, out, scope.macros);
+  check_branches(in, element, scope.symbols);
+  if (in.name == "inertia") check_inertia(in, scope.symbols);
   for (const NodeAttribute& one : element.attributes) {
     if (!one.is_number) continue;
     return fail(rules::sml3403_xacro_lost_attribute, one.text.whole.use,
@@ -359,6 +364,7 @@ bool Expander::define_property(const Node& in, Node& out, Table& symbols) {
   if (wanted == "global" || wanted == "parent") is_lazy = false;
   Table* target = target_table(in, wanted, symbols);
   if (target == nullptr) return false;
+  if (value != nullptr) check_braces(value->text, symbols);
   if (value == nullptr) {
     Value block;
     block.kind = Kind::block;

@@ -160,6 +160,16 @@ class Expander final : public Host {
                                             OriginId& origin);
   Value substitute_one(const std::string& command);
 
+  // remarks.cpp: warnings about what can be expanded
+  void report_remarks(std::size_t first, std::string_view code, const Piece& expression,
+                      std::size_t skipped);
+  void check_braces(const TracedText& text, Table& symbols);
+  void check_branches(const Node& in, const Node& out, Table& symbols);
+  void check_parameters(const Macro& macro, const NodeAttribute& params);
+  void check_prefix(const Node& in, const Node& out, const MacroTable& macros);
+  /// inertia_formulas.cpp
+  void check_inertia(const Node& in, Table& symbols);
+
   // yaml_values.cpp
   Value yaml_value(yaml::View view, std::string_view source);
   Value yaml_mapping(yaml::View view, std::string_view source);
@@ -207,6 +217,9 @@ class Expander final : public Host {
 /// Writes the tree as a text, and notes the leaves.
 void write_result(const Node& root, const std::vector<Piece>& pieces, std::string& text,
                   std::vector<Leaf>& leaves);
+
+/// The code of a text that is one `${...}`; empty for others.
+std::string_view code_of(std::string_view text);
 
 /// Where CMake installs the folders of a package under other names: name below the package, source.
 std::map<std::string, std::string> installed_folders(std::string_view cmake_lists);

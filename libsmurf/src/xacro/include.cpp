@@ -165,10 +165,10 @@ std::string Expander::readable_path(const std::string& written) {
 
 Expander::File* Expander::open(const std::string& written, Span reference) {
   const std::string path = readable_path(written);
-  if (++files_read_ > settings_.limits.xacro_files) {
+  if (++files_read_ > context_.limits.xacro_files) {
     fail(rules::sml3312_xacro_limit, reference,
-         "more than " + std::to_string(settings_.limits.xacro_files) + " files are included",
-         raise_xacro_limit("xacro-files"));
+         "more than " + std::to_string(context_.limits.xacro_files) + " files are included",
+         raise_limit("xacro-files"));
     return nullptr;
   }
   const auto known = files_.find(path);

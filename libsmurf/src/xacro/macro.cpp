@@ -166,7 +166,10 @@ bool Expander::define_macro(const Node& in, Node& out, MacroTable& macros) {
   macro->name = written;
   macro->body = &in;
   macro->parameters.clear();
-  if (const NodeAttribute* params = in.attribute("params")) read_parameters(*macro, *params);
+  if (const NodeAttribute* params = in.attribute("params")) {
+    read_parameters(*macro, *params);
+    check_parameters(*macro, *params);
+  }
   macros.set(written, {macro, nullptr});
   return true;
 }
@@ -229,11 +232,11 @@ bool Expander::call_macro(const Node& in, std::string_view name, Node& out, Scop
   if (name == "call") return call_by_name(in, out, scope);
   const Resolved resolved = resolve_macro(name, scope);
   if (resolved.macro == nullptr) return fail_unknown_macro(in, name, scope);
-  if (depth_ >= settings_.limits.xacro_depth) {
+  if (depth_ >= context_.limits.xacro_depth) {
     return fail(rules::sml3312_xacro_limit, in.name_span,
-                "more than " + std::to_string(settings_.limits.xacro_depth) +
+                "more than " + std::to_string(context_.limits.xacro_depth) +
                     " macros call each other",
-                raise_xacro_limit("xacro-depth"));
+                raise_limit("xacro-depth"));
   }
   constexpr std::uint64_t kStepsOfCall = 50;
   if (!evaluator_.step(kStepsOfCall)) {
@@ -265,6 +268,7 @@ bool Expander::pass_parameters(const Node& in, const Macro& macro, Table& inner,
                   near ? "did you mean " + quoted(*near) + "?" : "delete it");
     }
     left.erase(found);
+    check_braces(attribute.text, scope.symbols);
     Value value = evaluate_text(attribute, scope.symbols);
     if (value.is_failed()) return report();
     if (value.origin == kComputed) value.origin = heap_.add({attribute.text.whole.use, false});

@@ -93,7 +93,7 @@ void Expander::explain_arguments(const Failure& failure, Diagnostic& diagnostic)
                     quoted(seen[i].file));
   }
   if (failure.help.empty()) {
-    diagnostic.help("give values after the file: `" + command + "`");
+    diagnostic.help("give values after the file, or in `.smurf-lint.yaml`: `" + command + "`");
   }
 }
 
@@ -205,7 +205,7 @@ std::optional<std::string> Expander::substitute_all(const std::string& text, boo
     for (std::size_t at = result.find(shown); at != std::string::npos;
          at = result.find(shown, at + value.text->size())) {
       result.replace(at, shown.size(), *value.text);
-      if (result.size() > settings_.limits.xacro_text_bytes) break;
+      if (result.size() > context_.limits.xacro_text_bytes) break;
     }
     if (!evaluator_.step(10)) return std::nullopt;
   }

@@ -94,7 +94,13 @@ Value Expander::evaluate_expression(std::string_view inner, const Piece& place, 
     is_exact = false;
   }
   const std::string_view code = without_blanks(inner);
+  const std::size_t remarks = evaluator_.remarks().size();
   Value value = evaluator_.evaluate(code, symbols);
+  if (evaluator_.remarks().size() > remarks) {
+    Piece exact = place;
+    exact.is_exact = place.is_exact && is_exact;
+    report_remarks(remarks, code, exact, 2 + static_cast<std::size_t>(code.data() - inner.data()));
+  }
   if (value.is_failed()) {
     name_inputs();
     Piece exact = place;
@@ -288,11 +294,11 @@ Value Expander::resolve(Table& table, Table::Entry& entry, std::string_view name
                            "the property is defined by itself: " + chain + quoted(name),
                            "compute it at its definition, with `lazy_eval=\"false\"`");
   }
-  if (resolving_.size() >= settings_.limits.xacro_depth) {
+  if (resolving_.size() >= context_.limits.xacro_depth) {
     return evaluator_.fail(rules::sml3312_xacro_limit,
-                           "more than " + std::to_string(settings_.limits.xacro_depth) +
+                           "more than " + std::to_string(context_.limits.xacro_depth) +
                                " properties are defined by each other",
-                           raise_xacro_limit("xacro-depth"));
+                           raise_limit("xacro-depth"));
   }
   entry.is_evaluating = true;
   resolving_.push_back(name);
