@@ -62,8 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   }
   // The rules and reports, for results that are not larger than a fuzzed URDF.
   constexpr std::size_t kLargest = 50'000;
-  const bool is_small = expansion.is_complete &&
-                        sources.text(expansion.source).size() < kLargest;
+  const bool is_small = expansion.is_complete && sources.text(expansion.source).size() < kLargest;
   if (result.broken.empty() && is_small) result = exercise(files, path, {.fixes = true});
   require_kept(result);
   return 0;

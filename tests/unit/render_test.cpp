@@ -64,16 +64,17 @@ TEST_CASE("findings that differ in one name are one") {
   }
   GroupedFindings grouped = render_grouped(found, sources, 30, {});
   CHECK(!grouped.is_complete);
-  CHECK(grouped.text.starts_with("error[SML3101]: 4 joints (`x`, `y` and 2 more) are fixed here\n"));
+  CHECK(
+      grouped.text.starts_with("error[SML3101]: 4 joints (`x`, `y` and 2 more) are fixed here\n"));
   found.resize(2);
-  CHECK(render_grouped(found, sources, 30, {}).text.starts_with(
-      "error[SML3101]: 2 joints (`x` and `y`) are fixed here\n"));
+  CHECK(render_grouped(found, sources, 30, {})
+            .text.starts_with("error[SML3101]: 2 joints (`x` and `y`) are fixed here\n"));
   found.resize(1);
   CHECK(render_grouped(found, sources, 30, {}).is_complete);
   // Other sentences keep the first message.
   found = {diagnose({id, 0, 1}, "`x` fell"), diagnose({id, 0, 1}, "`y` fell")};
-  CHECK(render_grouped(found, sources, 30, {}).text.find("= note: 1 more finding like this one: `y`") !=
-        std::string::npos);
+  CHECK(render_grouped(found, sources, 30, {})
+            .text.find("= note: 1 more finding like this one: `y`") != std::string::npos);
   // Too few lines: no source, then a count.
   for (int i = 0; i < 30; ++i) {
     found.push_back(diagnose({id, 0, 1}, "fell " + std::to_string(i)));

@@ -77,7 +77,7 @@ Seen look_at(const std::string& folder, const Found& found, const Limits& limits
   Seen seen;
   const DiskFiles disk;
   seen.xacro = found.xacro;
-  seen.robots_in_xacro = xacro_roots(found.xacro, disk, limits).size();
+  seen.robots_in_xacro = XacroFiles(found.xacro, disk, limits).roots().size();
   std::vector<std::string> texts = found.files;
   texts.insert(texts.end(), found.xacro.begin(), found.xacro.end());
   for (const std::string& file : texts) {

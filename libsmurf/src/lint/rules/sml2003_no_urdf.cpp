@@ -28,9 +28,8 @@ void check(const LinkedModel& model, Findings& findings) {
   if (const Spanned<std::string>* other = other_source(*model.main.files)) {
     findings
         .report(other->span, "MARS ignores " + quoted(other->value) + ", so `files` lists no URDF")
-        .help(xacro::is_xacro_file(other->value)
-                  ? how_to_expand(other->value) + ", and list that"
-                  : "convert it to a .urdf and list that");
+        .help(xacro::is_xacro_file(other->value) ? how_to_expand(other->value) + ", and list that"
+                                                 : "convert it to a .urdf and list that");
     return;
   }
   findings.report(root.find("files").key_span(), "`files` lists no URDF");
