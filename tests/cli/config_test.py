@@ -173,7 +173,7 @@ class Content(ConfigTest):
     def test_xacro(self):
         self.write("arm/arm.urdf.xacro", """<robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro">
 <link name="a"><inertial><mass value="$(arg mass)"/>
-<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="${1 if '$(arg size)' == 'small' else 5}"/></inertial></link>
+<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="${0.01 if '$(arg size)' == 'small' else 0.05}"/></inertial></link>
 </robot>""")
         self.write("arm/.smurf-lint.yaml", "xacro:\n- file: arm.urdf.xacro\n  arguments: {name: arm, mass: [1, -1], size: [small, large]}\n")
         of_all = [("SML1509", 2, ["with mass:=-1 size:=small"]), ("SML1512", 3, ["with mass:=1 size:=large"])]

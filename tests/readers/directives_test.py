@@ -69,7 +69,8 @@ class Directives(reader.ReaderTest):
         self.assertNotIn("world", text.split("directives")[1].replace("w.urdf", ""))
         done = self.run_tool("s.smurfs", "--format", "dmd", "-o", "out.dmd", "--strict")
         self.assertEqual(done.returncode, 1)
-        self.assertEqual(done.stderr.count("treats its link `world` as the world"), 3)
+        self.assertIn("`There` is not in the Drake directives: Drake treats its link `world` as the world", done.stderr)
+        self.assertIn("2 more findings like this one: `Free` and `On`", done.stderr)
 
 
 if __name__ == "__main__":

@@ -201,8 +201,8 @@ class Gltf(PreviewTest):
                   for mesh in document["meshes"][3:] for p in mesh["primitives"]]
         self.assertEqual(colors[1:], [[1, 0, 0, 1], [0, 0, 1, 0.5]])
         done = self.run_tool("meshes.smurfs", "--format", "gltf")
-        self.assertIn("the mesh `meshes/part.dae`, which is placed by <lookat>, which is not read, "
-                      "is not in the glTF", done.stderr)
+        self.assertIn("the mesh `meshes/part.dae` is not in the glTF: the file is placed by <lookat>, which is not read",
+                      done.stderr)
         self.assertEqual(done.stderr.count("not in the glTF"), 1)
 
     def test_meshes_are_read_where_copies_come_from(self):
@@ -406,8 +406,10 @@ class Mjcf(PreviewTest):
             self.assert_bounds(bounds(list(zip(values[::3], values[1::3], values[2::3]))), bounds(WEDGE))
             self.assertEqual(len(mesh.get("face").split()), 3 * len(FACES))
         done = self.run_tool("r.urdf", "--format", "mjcf")
-        self.assertIn("the mesh `meshes/flat.dae`, which is flat, which MuJoCo refuses, is not in the MJCF", done.stderr)
-        self.assertIn("the mesh `meshes/part.dae`, which is placed by <lookat>, which is not read, is not in the MJCF", done.stderr)
+        self.assertIn("2 meshes (`meshes/flat.dae` and 1 more) are not in the MJCF: each file is flat, which MuJoCo refuses",
+                      done.stderr)
+        self.assertIn("2 meshes (`meshes/part.dae` and 1 more) are not in the MJCF: each file is placed by <lookat>",
+                      done.stderr)
 
     @reader.needs_npm("@mujoco/mujoco")
     def test_mujoco_reads_it(self):

@@ -140,8 +140,8 @@ std::string use_of(const std::string& expression) {
   return "<xacro:property name='p' value='" + expression + "' lazy_eval='false'/>";
 }
 
-/// The root and the link are two of them.
-Demand of_xacro_elements(std::uint64_t elements) { return of_xacro(repeat("<a/>", elements - 2)); }
+/// The link is one of them; the root is not counted.
+Demand of_xacro_elements(std::uint64_t elements) { return of_xacro(repeat("<a/>", elements - 1)); }
 
 Demand of_xacro_depth(std::uint64_t depth) {
   std::string macros = "<xacro:macro name='m1' params=''/>";

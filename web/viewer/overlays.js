@@ -74,9 +74,16 @@ const isShown = (shape) => kForms.some((form) => form in shape);
 /** The links of robots of which a shape is missing, as {entity, link, parent}; roots have no parent. */
 export function bonesOf(scene) {
   return scene.entities.flatMap(({ model, pose }, entity) => {
-    const shapes = model?.links.flatMap(({ visuals, collisions }) => [...(visuals ?? []), ...(collisions ?? [])]);
+    const shapes = model?.links.flatMap(({ visuals, collisions }) => [
+      ...(visuals ?? []),
+      ...(collisions ?? []),
+    ]);
     if (!model?.order.length || !pose || (shapes.length > 0 && shapes.every(isShown))) return [];
-    return model.order.map((link) => ({ entity, link, parent: model.joints[model.links[link].joint]?.parent }));
+    return model.order.map((link) => ({
+      entity,
+      link,
+      parent: model.joints[model.links[link].joint]?.parent,
+    }));
   });
 }
 

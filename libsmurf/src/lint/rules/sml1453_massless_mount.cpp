@@ -45,7 +45,7 @@ extern constinit const Rule sml1453_massless_mount{
     .severity = Severity::warning,
     .summary = "Joints lead on from a link that has no mass, alone or with what is fixed to it.",
     .why =
-        "Gazebo merges the link into its parent. It first looks at the mass of the link and of what is fixed to it, and drops the rest of the limb if that mass is 0.",
+        "The conversion to SDF merges the link into its parent. It first looks at the mass of the link and of what is fixed to it, and drops the rest of the limb if that mass is 0.",
     .remedy =
         "Give the link a small mass and inertia, or attach the joints to the link that it is fixed to.",
     .sources = "urdf2webots issue 212; the legs of Cassie and iCub.",

@@ -33,7 +33,7 @@ extern constinit const Rule sml1454_massless_sum{
     .summary =
         "An inertial without mass belongs to a link that is fixed to another link without mass.",
     .why =
-        "Gazebo merges the two and computes their centre of mass, even if both are fixed to a heavy body.",
+        "The conversion to SDF merges the two and computes their centre of mass, even if both are fixed to a heavy body.",
     .remedy = "Delete the inertials of links that are only frames, or write a small mass.",
     .sources = "XBot-L of humanoid-gym, the UR5 of cliport.",
     .check_model = check,

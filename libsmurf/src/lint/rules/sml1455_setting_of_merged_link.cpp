@@ -96,7 +96,7 @@ extern constinit const Rule sml1455_setting_of_merged_link{
     .severity = Severity::warning,
     .summary = "A Gazebo setting of a link applies to the whole body that the link is fixed to.",
     .why =
-        "Gazebo merges links that fixed joints connect. Without gravity for a sensor, the whole robot floats.",
+        "The conversion to SDF merges links that fixed joints connect. Without gravity for a sensor, the whole robot floats.",
     .remedy =
         "Delete the setting, or write `preserveFixedJoint` in a `gazebo` element that refers to the fixed joint.",
     .sources = "LMS1xx issue 66, husky issue 99.",

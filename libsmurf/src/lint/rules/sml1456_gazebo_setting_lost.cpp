@@ -146,7 +146,7 @@ extern constinit const Rule sml1456_gazebo_setting_lost{
     .severity = Severity::warning,
     .summary = "A Gazebo setting refers to a link or joint that has no such setting.",
     .why =
-        "Gazebo ignores, without a message, sensors and friction of joints, springs of links, and everything about fixed joints that it merges.",
+        "The conversion to SDF ignores, without a message, sensors and friction of joints, springs of links, and everything about fixed joints that it merges.",
     .remedy = "Refer to the link of a sensor or shape, and to the joint of a spring or stop.",
     .sources = "gz-sim issue 2961, sdformat issue 513.",
     .check_model = check,

@@ -76,7 +76,7 @@ extern constinit const Rule sml1457_contact_collision_unknown{
     .severity = Severity::warning,
     .summary = "A contact sensor names a collision that Gazebo does not have.",
     .why =
-        "Gazebo puts `_collision` behind the name of a collision, or of its link if it has none, a number behind that from the second on, and the name of the body before that of a link that it has merged.",
+        "The conversion to SDF puts `_collision` behind the name of a collision, or of its link if it has none, a number behind that from the second on, and the name of the body before that of a link that it has merged.",
     .remedy = "Write the name that Gazebo gives the collision.",
     .sources = "sdformat issue 64.",
     .check_model = check,
