@@ -12,7 +12,7 @@ import tempfile
 import time
 
 SLOWEST = 10.0  # seconds for one file, on a busy machine
-MUTANTS_EXPECTED = 41
+MUTANTS_EXPECTED = 40  # of 41: a fixed joint called like its link is a hint, because sdformat merges both away
 
 
 def lint(tool, path):
