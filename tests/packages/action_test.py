@@ -23,6 +23,7 @@ class Action(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
         for name in ("action", "release", "temporary", "work"):
             (self.folder / name).mkdir()
+        (self.folder / "work/.git").mkdir()  # as actions/checkout leaves it
         copy_of_project(self.folder / "action")
         self.archive = add_release(self.folder / "action", self.folder / "release", TOOLS)
         shutil.copytree(ROOT / "fixtures/models/arm", self.folder / "work/robots/arm")
