@@ -24,7 +24,7 @@ class Packages {
     bool is_given = false;  ///< the caller named the folder
     /// Whether the file was found in a folder above the URDF that does not have the name.
     bool is_guess = false;
-    std::string package;  ///< then the name in that folder's package.xml
+    std::string package{};  ///< then the name in that folder's package.xml
   };
   /// The file for NAME/REST. It is looked up in the folder given for the package; then in the
   /// nearest parent folder that is called NAME, that contains REST (Phobos uses the parent of
