@@ -180,11 +180,10 @@ class XmlScanner {
       return;
     }
     if (const auto place = find_unsound(text_.substr(begin, at_ - begin))) {
-      const auto at = static_cast<std::uint32_t>(begin + *place);
-      const std::string_view inside = text_.substr(begin, at_ - begin);
-      if (is_prolog_ && report_unquoted(inside, span(at, at + 1), sink_)) return;
-      malformed(span(at, at + 1), "this is not an attribute of the XML declaration",
-                cases::kInstructionAttribute)
+      const auto wrong = static_cast<std::uint32_t>(begin + *place);
+      const Span at = span(wrong, wrong + 1);
+      if (is_prolog_ && report_unquoted(text_.substr(begin, at_ - begin), at, sink_)) return;
+      malformed(at, "this is not an attribute of the XML declaration", cases::kInstructionAttribute)
           .help("write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`");
       return;
     }
