@@ -14,8 +14,8 @@
 
 namespace smurf::tools {
 
-/// Xacro files that may include each other. The text decides, so an include with an expression in
-/// its path may mean any file that fits.
+/// Xacro files and their includes. Nothing is expanded: an include whose path has an expression
+/// counts as an include of every file that the rest of the path matches.
 class XacroFiles {
  public:
   XacroFiles(std::vector<std::string> files, const FileReader& reader, const Limits& limits);

@@ -76,6 +76,7 @@ class NumberReader {
   bool read(std::span<double> out) {
     if (has_residue() || is_comma_separated()) return false;
     const std::vector<Token> tokens = split(text_);
+    is_vector_ = out.size() > 1;
     miscount_ = tokens.size() > out.size()   ? &cases::kTooMany
                 : tokens.size() < out.size() ? &cases::kTooFew
                                              : nullptr;
@@ -159,6 +160,7 @@ class NumberReader {
       Diagnostic& diagnostic = sink_.report(rules::sml1809_hex_or_suffix, place(token),
                                             shown + " is not a plain decimal number");
       add_kind_of_hex(text, diagnostic);
+      if (is_vector_) diagnostic.when(cases::kVector);
       if (miscount_ != nullptr) diagnostic.when(*miscount_);
     } else if (std::any_of(text.begin(), text.end(),
                            [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) {
@@ -224,7 +226,8 @@ class NumberReader {
     Diagnostic& diagnostic = sink_.report(rules::sml1805_decimal_comma, place(token),
                                           quoted(text) + " has a decimal comma");
     diagnostic.help("write `" + point + "`");
-    // Not safe: Drake and Bullet read the digits before the comma.
+    if (is_vector_) diagnostic.when(cases::kVector);
+    // Not safe: Bullet, and Drake in single numbers, read the digits before the comma.
     diagnostic.fixes.push_back({Applicability::unsafe, {{place(token), point}}});
   }
 
@@ -310,6 +313,7 @@ class NumberReader {
   const xml::Attribute& attribute_;
   std::string_view text_;
   DiagnosticSink& sink_;
+  bool is_vector_ = false;                  ///< more than one number is expected
   const Circumstance* miscount_ = nullptr;  ///< too many or too few words
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -9,15 +10,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "reads the digits before the comma",
      "Bullet UrdfParser.cpp (atof), run"},
     {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
-     at("@xyz")},
-    {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
-     at("@rpy")},
-    {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
-     at("@rgba")},
-    {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
-     at("@scale")},
-    {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
-     at("box/@size")},
+     when(cases::kVector)},
     {&readers::drake, Effect::crashes, "reads 0, and ends the process at a cylinder of that size",
      kRun, at("cylinder")},
     {&readers::drake, Effect::changes, "reads the digits before the comma",
