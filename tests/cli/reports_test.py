@@ -7,6 +7,7 @@ rules of GitHub code scanning (when scripts/setup --readers has installed it).
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -271,6 +272,35 @@ class CodeHosts(ReportTest):
         wrong = {d["file"] for d in self.diagnostics() if d["severity"] == "error"}
         self.assertEqual({case.get("name") for case in failures}, wrong)
         self.assertGreater(len(cases), len(failures))
+
+
+class Robots(cli.CliTest):
+    """Which of several robots load where."""
+
+    def test_a_table_with_the_worst_first(self):
+        self.write("b/good.urdf", cli.ARM_URDF)
+        self.write("b/bad.urdf", cli.ARM_URDF.replace('<mass value="1"/>', '<mass value="-1"/>'))
+        self.write("c.smurf", "modelname: c\nfiles: [b/good.urdf]\n")
+        text = self.run_tool("--target", "ros,gazebo,mujoco", ".").stdout
+        table = text.split("\n\n")[-3].splitlines()
+        self.assertEqual(table[0].split(), ["ros", "gazebo", "mujoco"])
+        self.assertEqual([line.split()[0] for line in table[1:]][0], "b/bad.urdf")
+        self.assertEqual(table[1].split()[1:], ["loads", "fails", "fails"])
+        self.assertIn("ros: 2 of 2 robots load\ngazebo: 0 of 2 robots load\nmujoco: 1 of 2 robots loads\n", text)
+        # One robot, and robots that load everywhere, need no table.
+        self.assertNotIn(" of 1 robots", self.run_tool("--target", "ros,gazebo", "b/bad.urdf").stdout)
+        self.assertNotIn("robots load", self.run_tool("--target", "ros", ".").stdout)
+        self.assertNotIn("robots load", self.run_tool(".").stdout)
+
+    def test_the_page_has_the_robots(self):
+        for name in ("one", "two"):
+            self.write(f"{name}.urdf", cli.ARM_URDF)
+        self.run_tool("--target", "ros", "--format", "html=page.html", ".")
+        block = re.compile(r'<script id="report" type="application/json">(.*?)</script>', re.S)
+        data = json.loads(block.search(self.read("page.html"))[1])
+        self.assertEqual(data["robots"], [{"file": "one.urdf", "answers": ["takes"]}, {"file": "two.urdf", "answers": ["takes"]}])
+        self.run_tool("--format", "html=page.html", "one.urdf")
+        self.assertNotIn("robots", json.loads(block.search(self.read("page.html"))[1]))
 
 
 if __name__ == "__main__":

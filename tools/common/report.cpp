@@ -60,6 +60,8 @@ std::string full(const Results& results, const TextStyle& style) {
   out += render_summary(results.summary, style) + hidden(results) + results.remarks;
   if (!results.targets.empty()) out += "\n";
   out += render_targets(results.targets, results.sources, style);
+  const std::string robots = render_robots(results.robots, results.targets, style);
+  if (!robots.empty()) out += "\n" + robots;
   return results.counts_only ? out : out + pointer_to_page(results);
 }
 
@@ -121,7 +123,7 @@ std::string html(const Results& results, const TextStyle&) {
   const std::string picture = results.picture ? results.picture() : "";
   return render_html(results.diagnostics, results.sources, results.summary,
                      {results.tool, kVersion}, results.targets,
-                     {.remarks = results.remarks, .picture = picture});
+                     {.remarks = results.remarks, .picture = picture, .robots = results.robots});
 }
 
 /// The format for the log of a CI run: GitHub shows lines in its own format as marks in the files.

@@ -22,10 +22,11 @@ struct Results {
   Summary summary;
   std::span<const TargetVerdict> targets = {};
   std::string_view tool;
-  std::string remarks{};       ///< for people: lines after the summary
-  bool quiet = false;          ///< no summary
-  bool counts_only = false;    ///< for people: the number of findings of each rule
-  OverviewOptions overview{};  ///< for people
+  std::span<const RobotAnswers> robots = {};  ///< of the targets, when there are several robots
+  std::string remarks{};                      ///< for people: lines after the summary
+  bool quiet = false;                         ///< no summary
+  bool counts_only = false;                   ///< for people: the number of findings of each rule
+  OverviewOptions overview{};                 ///< for people
   std::optional<Severity> least_failure =
       Severity::error;                     ///< for JUnit: the threshold of the exit code
   std::function<std::string()> picture{};  ///< for a page: PageParts::picture

@@ -115,6 +115,7 @@ ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const s
                         .summary = report.summary,
                         .targets = report.targets,
                         .tool = kSmurfLint,
+                        .robots = report.robots,
                         .remarks = std::move(remarks),
                         .quiet = options.quiet || is_nothing,
                         .counts_only = options.statistics,

@@ -19,16 +19,98 @@ function checked({ files, models, scenes, suppressed, links }) {
   return lines.join(" ");
 }
 
+/** The day on which the page was written, if it was not made just now: "27 November 2026". */
+function dayOf(page) {
+  const written = new Date(page.lastModified);
+  return location.protocol !== "file:" || Number.isNaN(written.getTime())
+    ? ""
+    : written.toLocaleDateString("en-GB", { day: "numeric", month: "long", year: "numeric" });
+}
+
 export function showSummary({ diagnostics, summary, tool, remarks }) {
-  const files = new Set(diagnostics.map(({ file }) => file)).size;
+  const files = [...new Set(diagnostics.map(({ file }) => file))];
+  const where = files.length === 1 && files[0] ? files[0].split("/").at(-1) : counted(files.length, "file");
   const found =
-    diagnostics.length === 0
-      ? "No findings"
-      : `${counted(diagnostics.length, "finding")} in ${counted(files, "file")}`;
+    diagnostics.length === 0 ? "No findings" : `${counted(diagnostics.length, "finding")} in ${where}`;
   byId("title").textContent = found;
   document.title = `${found} - ${tool.name}`;
   byId("counts").replaceChildren(line(checked(summary)), ...remarks.split("\n").filter(Boolean).map(line));
-  byId("made").textContent = `Report of ${tool.name} ${tool.version}.`;
+  const day = dayOf(document);
+  byId("made").textContent = `Report of ${tool.name} ${tool.version}${day && `, written on ${day}`}.`;
+}
+
+const kWords = { takes: "loads", loses: "with losses", unknown: "not known", refuses: "fails" };
+const kMostRobots = 30; // at first
+
+const failuresOf = ({ answers }) => [
+  answers.filter((answer) => answer === "refuses").length,
+  answers.filter((answer) => answer === "unknown").length,
+  answers.filter((answer) => answer === "loses").length,
+];
+
+/** The robots of a folder with the numbers of their findings, and what each program makes of them, the worst first. */
+export function showRobots({ robots = [], targets = {}, diagnostics }, onFile) {
+  const host = byId("robot-table");
+  if (!host) return; // the playground has a list of its own
+  byId("robots").hidden = robots.length < 2;
+  const numberOf = ({ file }, wanted) =>
+    diagnostics.filter((finding) => finding.file === file && finding.severity === wanted).length;
+  const rows = robots.map((robot) => ({
+    ...robot,
+    counts: [...failuresOf(robot), numberOf(robot, "error"), numberOf(robot, "warning")],
+  }));
+  rows.sort((a, b) => b.counts.map((count, at) => count - a.counts[at]).find((order) => order !== 0) ?? 0);
+  const nameOf = ({ file }) =>
+    diagnostics.some((finding) => finding.file === file)
+      ? element("button", { type: "button", class: "link", onclick: () => onFile(file) }, file)
+      : file;
+  const line = (row) =>
+    element(
+      "tr",
+      {},
+      element("th", { scope: "row" }, nameOf(row)),
+      ...row.counts.slice(-2).map((count) => element("td", { class: "number" }, count || "")),
+      ...row.answers.map((answer) => element("td", { class: `verdict ${answer}` }, kWords[answer])),
+    );
+  const loaded = (at) => robots.filter(({ answers }) => ["takes", "loses"].includes(answers[at])).length;
+  const titles = Object.values(targets).map(({ title }) => title);
+  const show = (shown) => {
+    host.replaceChildren(
+      element(
+        "thead",
+        {},
+        element(
+          "tr",
+          {},
+          ...["Robot", "Errors", "Warnings", ...titles].map((title) =>
+            element("th", { scope: "col" }, title),
+          ),
+        ),
+      ),
+      element("tbody", {}, ...shown.map(line)),
+    );
+    if (titles.length > 0)
+      host.append(
+        element(
+          "tfoot",
+          {},
+          element(
+            "tr",
+            {},
+            element("th", { scope: "row", colspan: 3 }, "Robots that load"),
+            ...titles.map((_, at) => element("td", {}, `${loaded(at)} of ${robots.length}`)),
+          ),
+        ),
+      );
+  };
+  const more = byId("all-robots");
+  more.hidden = rows.length <= kMostRobots;
+  more.textContent = `Show all ${counted(rows.length, "robot")}`;
+  more.onclick = () => {
+    more.hidden = true;
+    show(rows);
+  };
+  show(rows.slice(0, kMostRobots));
 }
 
 export function showTargets({ targets = {}, diagnostics }, onTarget) {

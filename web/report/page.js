@@ -5,7 +5,7 @@ import { kAtOnce, ListPage } from "../common/list.js";
 import { Sources } from "./excerpt.js";
 import { card } from "./finding.js";
 import { Picture } from "./picture.js";
-import { showNothingFound, showSummary, showTargets } from "./overview.js";
+import { showNothingFound, showRobots, showSummary, showTargets } from "./overview.js";
 
 const kOfRule = 3; // findings of one rule in a file that are shown; the others are folded
 export const kSeverities = ["error", "warning", "info"];
@@ -73,6 +73,10 @@ export class Page extends ListPage {
     byId("picture-key").hidden = !report.picture;
     showSummary(report);
     showTargets(report, (target) => this.filters.choose("target", target));
+    showRobots(report, (file) => {
+      this.filters.choose("file", file);
+      byId("filters").scrollIntoView();
+    });
     this.filters.change();
   }
 

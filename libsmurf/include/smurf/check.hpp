@@ -104,6 +104,7 @@ struct Report {
   Summary summary;
   /// One verdict per target of the settings and all configurations, including suppressed findings.
   std::vector<TargetVerdict> targets;
+  std::vector<RobotAnswers> robots;   ///< when several files were planned
   std::vector<std::string> problems;  ///< of the plan
   ReportWishes wishes;
 };

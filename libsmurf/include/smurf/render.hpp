@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/readers.hpp"
@@ -28,6 +29,12 @@ struct Summary {
 };
 /// Counts findings by severity; the caller sets the other counts.
 Summary summarize(std::span<const Diagnostic> diagnostics);
+
+/// What each target makes of one of several robots or scenes.
+struct RobotAnswers {
+  std::string path;             ///< as it was planned; of a xacro, with its arguments
+  std::vector<Answer> answers;  ///< in the order of the targets
+};
 
 /// The layout of text for a terminal.
 struct TextStyle {
@@ -67,6 +74,11 @@ std::string render_summary(const Summary& summary, const TextStyle& style);
 /// Two columns: whether each reader loads the files, and the first reason with its place.
 std::string render_targets(std::span<const TargetVerdict> targets, const SourceMap& sources,
                            const TextStyle& style);
+/// A table of robots and targets, the robots at which most targets fail first, and for each target
+/// the number of robots that it loads. Empty for fewer than two robots, and when each target loads
+/// all of them without losses.
+std::string render_robots(std::span<const RobotAnswers> robots,
+                          std::span<const TargetVerdict> targets, const TextStyle& style);
 /// One line per rule, the most frequent first: "  12  error    SML3101 unknown-joint". At most
 /// `most` lines.
 std::string render_statistics(std::span<const Diagnostic> diagnostics, const TextStyle& style,
@@ -126,6 +138,7 @@ std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMa
 struct PageParts {
   std::string_view remarks{};  ///< lines of text below the counts
   std::string_view picture{};  ///< the page of the scene format html, or empty
+  std::span<const RobotAnswers> robots{};
 };
 /// A self-contained HTML page with all findings, their source lines, rules and fixes. It can be
 /// searched and filtered.

@@ -55,6 +55,7 @@ class Run {
     merge(settings_, workshop_.desk.paths, memory_.groups);
     sources_ = memory_.sources;
     found_.resize(configs.size());
+    targets_ = targets_of(memory_.groups);
   }
 
   /// The robots of xacro in the configuration, once for each combination of their arguments.
@@ -106,6 +107,7 @@ class Run {
     report.summary.models = models_.size();
     report.summary.scenes = scenes_.size();
     report.problems = plan.problems;
+    report.robots = std::move(robots_);
     if (plan.problems.empty()) return report;
     for (TargetVerdict& verdict : report.targets) {
       verdict.add_unknown(rules::sml0001_unreadable_file, plan.problems.size());
@@ -380,6 +382,21 @@ class Run {
     append(sink.take(), found_[planned.config].diagnostics);
   }
 
+  /// Records a robot or scene, one of several, and what each target makes of it. As for the
+  /// verdicts on all files, comments and the baseline do not count.
+  void judge_robot(const Outcome& outcome, const PlannedFile& planned) {
+    if (expected_ < 2 || (outcome.models.empty() && outcome.scenes.empty())) return;
+    RobotAnswers& robot = robots_.emplace_back();
+    robot.path = planned.path + (planned.shown.empty() ? "" : " " + planned.shown);
+    if (targets_.empty()) return;
+    const RuleSelection& selection = memory_.groups[planned.config].selection;
+    const std::vector<Diagnostic> found =
+        smurf::finish(std::vector(outcome.judged.diagnostics), sources_, selection);
+    for (const Reader* target : targets_) {
+      robot.answers.push_back(judge_target(*target, found).answer());
+    }
+  }
+
   void take(Outcome&& outcome, const PlannedFile& planned) {
     const Limits& limits = workshop_.desk.limits;
     if (!has_room(outcome)) {
@@ -396,6 +413,7 @@ class Run {
     const std::size_t common = memory_.sources.size();
     const SourceShift by = sources_.take(std::move(outcome.sources), common);
     for (Diagnostic& diagnostic : outcome.judged.diagnostics) shift(diagnostic, by);
+    judge_robot(outcome, planned);
     append(std::move(outcome.judged.diagnostics), found_[planned.config].diagnostics);
     found_[planned.config].comments.take(std::move(outcome.judged.comments), by);
     models_.merge(outcome.models);
@@ -420,6 +438,8 @@ class Run {
   std::atomic<bool> is_cancelled_ = false;
   std::atomic<std::size_t> done_ = 0;
   std::size_t expected_ = 0;
+  std::vector<const Reader*> targets_;
+  std::vector<RobotAnswers> robots_;
 };
 
 }  // namespace

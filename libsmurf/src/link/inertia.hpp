@@ -24,6 +24,12 @@ std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& ine
 /// Whether all products of inertia are 0.
 bool is_diagonal(const urdf::Inertial& inertial);
 
+/// Whether ascending moments are 0, apart from rounding errors that make one of them negative.
+inline bool are_zero(const std::array<double, 3>& moments) {
+  constexpr double kRounding = 1e-30;  // kg m^2
+  return moments[0] <= 0 && moments[0] > -kRounding && moments[2] < kRounding;
+}
+
 /// Whether the smallest of ascending moments is positive, apart from rounding errors.
 bool is_positive_definite(const std::array<double, 3>& moments);
 

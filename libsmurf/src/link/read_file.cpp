@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/read_file.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -29,6 +31,24 @@ bool is_of_known_kind(std::string_view name) {
                     ".json", ".stl", ".obj", ".bobj", ".dae", ".ply", ".glb", ".gltf", ".png"});
 }
 
+/// What a file is by its first bytes, and what to do; empty for a text.
+struct Binary {
+  std::string_view begin, name, help;
+};
+constexpr Binary kBinaries[] = {
+    {"PK\x03\x04", "a zip archive", "unpack it, or name it .zsmurf if it contains a SMURF model"},
+    {"\x1F\x8B", "a gzip archive", "unpack it"},
+    {"\x89PNG", "a PNG image", "name the robot, and not a picture of it"},
+    {"\xFF\xD8\xFF", "a JPEG image", "name the robot, and not a picture of it"},
+    {"%PDF-", "a PDF document", "name the robot, and not a document about it"},
+    {"glTF", "a mesh in glTF", "name the robot that uses the mesh"}};
+
+const Binary* binary_of(std::string_view text) {
+  const auto* found = std::find_if(std::begin(kBinaries), std::end(kBinaries),
+                                   [&](const Binary& one) { return text.starts_with(one.begin); });
+  return found == std::end(kBinaries) ? nullptr : found;
+}
+
 }  // namespace
 
 std::optional<SourceId> read_source(const std::string& path, Span reference, const Rule& rule,
@@ -46,6 +66,17 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
     return std::nullopt;
   }
   if (content.status == ReadStatus::ok) {
+    if (const Binary* binary = binary_of(content.text)) {
+      if (reference.empty()) {
+        reference = {context.sources.add_unreadable(path::normalize(path)), 0, 0};
+      }
+      context.sink
+          .report(rules::sml0003_invalid_utf8, reference,
+                  "`" + path::normalize(path) + "` is " + std::string(binary->name) +
+                      ", and not a text file")
+          .help(std::string(binary->help));
+      return std::nullopt;
+    }
     return context.sources.add(path::normalize(path), std::move(content.text));
   }
   const bool is_too_large = content.status == ReadStatus::too_large;

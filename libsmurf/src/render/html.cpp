@@ -170,6 +170,11 @@ std::string render_html(std::span<const Diagnostic> diagnostics, const SourceMap
     json["title"] = text(target.reader->title);
     json["answer"] = render::verdict_of(target, render::Painter(false));
   }
+  for (const RobotAnswers& robot : parts.robots) {
+    Json answers = Json::array();
+    for (const Answer answer : robot.answers) answers.push_back(text(to_string(answer)));
+    report["robots"].push_back({{"file", render::escape(robot.path)}, {"answers", answers}});
+  }
   report["remarks"] = text(parts.remarks);
   if (!parts.picture.empty()) report["picture"] = text(parts.picture);
   report["rules"] = rules_of(diagnostics, targets);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page of a rule, for `--explain`, and its line for `--list-rules`.
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "base/numbers.hpp"
 #include "render/paint.hpp"
@@ -31,6 +33,25 @@ std::string tolerance_of(const Rule& rule) {
          ": " + number + "}`.";
 }
 
+/// sources_of() without the marks of how each was checked, each once.
+std::string sources_for_people(const Rule& rule) {
+  constexpr std::string_view kMark = ", run";
+  const std::string sources = sources_of(rule);
+  std::string text;
+  std::vector<std::string> known;
+  for (std::size_t begin = 0; begin < sources.size();) {
+    const std::size_t end = std::min(sources.find("; ", begin), sources.size());
+    std::string one = sources.substr(begin, end - begin);
+    begin = end + 2;
+    if (one.ends_with('.')) one.pop_back();
+    if (one.ends_with(kMark)) one.resize(one.size() - kMark.size());
+    if (std::find(known.begin(), known.end(), one) != known.end()) continue;
+    text += (text.empty() ? "" : "; ") + one;
+    known.push_back(std::move(one));
+  }
+  return text.empty() ? text : text + ".";
+}
+
 }  // namespace
 
 std::string rule_address(const Rule& rule, std::string_view site) {
@@ -54,7 +75,7 @@ std::string render_rule(const Rule& rule, const TextStyle& style) {
   section("What readers make of it", readers.substr(0, readers.rfind('\n')));
   section("What to do", rule.remedy);
   section("Tolerance", tolerance_of(rule));
-  section("Sources", sources_of(rule));
+  section("Sources", sources_for_people(rule));
   std::string former;
   for (const std::string_view word : rule.former) {
     former.append(former.empty() ? "" : ", ").append(word);

@@ -14,6 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   const Field<std::string>& name = model.robot->name;
   if (name.written && !trimmed(*name).empty()) return;
+  if (!name.written && model.robot->links.empty()) return;  // SML1115: it has nothing at all
   const Span tag = tag_name(model, model.robot->document.root);
   if (!name.written && is_slip(model, model.robot->document.root, "name", findings)) return;
   Diagnostic& diagnostic =

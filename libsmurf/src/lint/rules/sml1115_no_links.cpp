@@ -7,7 +7,11 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || !model.robot->links.empty()) return;
-  findings.report(tag_name(model, model.robot->document.root), "the robot has no link");
+  const xml::Document& document = model.robot->document;
+  Diagnostic& diagnostic = findings.report(tag_name(model, document.root), "the robot has no link");
+  if (xml::View(document, document.root).attribute("xmlns:xacro") == nullptr) return;
+  diagnostic.note("a xacro file that only defines macros makes an empty robot");
+  diagnostic.help("expand the file that uses its macros");
 }
 
 constexpr Fact kFacts[] = {

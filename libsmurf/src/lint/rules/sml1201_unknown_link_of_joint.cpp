@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <map>
 #include <set>
+#include <string>
+#include <vector>
 
+#include "base/counted.hpp"
 #include "base/readers.hpp"
 #include "lint/name_queries.hpp"
 #include "lint/reference_queries.hpp"
@@ -40,6 +45,46 @@ UnusedNames links_without_joint(const LinkedModel& model) {
   return unused;
 }
 
+/// The only link that no joint names, if the robot has others.
+UnusedNames link_without_any_joint(const LinkedModel& model) {
+  Names named;
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (joint.parent) named.insert(*joint.parent);
+    if (joint.child) named.insert(*joint.child);
+  });
+  UnusedNames unused{{}, {}, "which no joint names"};
+  for_each_link(model, [&](const urdf::Link& link) {
+    if (link.name && !named.contains(*link.name)) unused.names.push_back(*link.name);
+  });
+  if (unused.names.size() != 1) unused.names.clear();
+  return unused;
+}
+
+/// Joints that name the same absent link, of which the first is reported.
+struct Followers {
+  Diagnostic* first = nullptr;
+  std::vector<std::string> joints;
+
+  /// Writes the name that was meant there, too.
+  void add(const std::string& joint, Span place) {
+    joints.push_back(joint);
+    if (first->fixes.empty() || first->fixes.front().edits.size() < joints.size()) return;
+    std::vector<Edit>& edits = first->fixes.front().edits;
+    edits.push_back({place, edits.front().text});
+  }
+  void tell() const {
+    constexpr std::size_t kNamed = 3;
+    if (joints.empty()) return;
+    std::string text =
+        joints.size() == 1 ? "" : counted(joints.size(), "more joint") + " name it: ";
+    for (std::size_t i = 0; i < std::min(joints.size(), kNamed); ++i) {
+      text += (i == 0 ? "" : ", ") + joints[i];
+    }
+    if (joints.size() > kNamed) text += " ...";
+    first->note(joints.size() == 1 ? text + " names it, too" : text);
+  }
+};
+
 /// Whether `above` is the other link, or joints lead from it to the other link.
 bool is_above(const LinkedModel& model, std::string_view above, std::string_view name) {
   const std::optional<LinkIndex> wanted = model.link_index(above);
@@ -61,7 +106,10 @@ Meanings meanings_of(const LinkedModel& model, xml::View end) {
                             is_child = end.name() == "child"](std::string_view name) {
     return is_child ? is_above(model, name, other) : is_above(model, other, name);
   };
-  if (end.name() == "child") meanings.unused = [&model] { return links_without_joint(model); };
+  meanings.unused = [&model, is_child = end.name() == "child"] {
+    UnusedNames lone = link_without_any_joint(model);
+    return is_child && lone.names.empty() ? links_without_joint(model) : lone;
+  };
   return meanings;
 }
 
@@ -69,12 +117,20 @@ void check(const LinkedModel& model, Findings& findings) {
   if (findings.doubtful_references().empty()) return;
   const urdf::Link* unnamed = link_without_name(model);
   const Names driven = joints_with_motor(model);
+  std::map<std::string_view, Followers> parents;  // by the name of an absent parent
   for (const Reference& one : findings.doubtful_references()) {
     const xml::View end = element_of(model, one);
     if (!end || (end.name() != "parent" && end.name() != "child")) continue;
     const std::string subject = subject_of(end.parent());
+    const auto known = end.name() == "parent" ? parents.find(one.name) : parents.end();
+    if (known != parents.end()) {
+      known->second.add(subject, one.span);
+      if (is_driven(end.parent(), driven)) known->second.first->when(kDriven);
+      continue;
+    }
     Diagnostic* diagnostic =
         check_link_of_joint(model, one, subject, unnamed, findings, meanings_of(model, end));
+    if (diagnostic != nullptr && end.name() == "parent") parents[one.name].first = diagnostic;
     if (diagnostic != nullptr && is_driven(end.parent(), driven)) diagnostic->when(kDriven);
     if (diagnostic != nullptr && end.name() == "parent" && one.name == "world") {
       diagnostic->when(kDrakeWorld);
@@ -84,6 +140,7 @@ void check(const LinkedModel& model, Findings& findings) {
       diagnostic->help("declare it: `<link name=\"world\"/>`");
     }
   }
+  for (const auto& [name, followers] : parents) followers.tell();
 }
 
 constexpr Fact kFacts[] = {

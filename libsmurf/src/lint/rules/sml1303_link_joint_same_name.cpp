@@ -49,7 +49,10 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic* diagnostic = habit.report("such names", findings);
   if (diagnostic == nullptr) return;
   diagnostic->label(link_name, "the link");
-  if (is_clash) return;
+  if (is_clash) {
+    diagnostic->note("Gazebo has one name space for both, and refuses the model");
+    return;
+  }
   diagnostic->when(kMerged);
   diagnostic->severity = Severity::info;  // no reader minds
 }
@@ -68,7 +71,7 @@ extern constinit const Rule sml1303_link_joint_same_name{
     .name = "link-joint-same-name",
     .severity = Severity::warning,
     .summary = "A link and a joint have the same name.",
-    .why = "URDF itself allows it.",
+    .why = "URDF itself allows it, but Gazebo has one name space for links and joints.",
     .remedy = "Give the joint another name, e.g. with the ending `_joint`.",
     .sources = "9 of 322 files of the Tola/Corke dataset.",
     .check_model = check,

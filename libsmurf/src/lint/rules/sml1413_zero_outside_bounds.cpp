@@ -53,7 +53,9 @@ extern constinit const Rule sml1413_zero_outside_bounds{
     .summary = "The position 0 lies outside the limits of a joint.",
     .why = "Simulators and RViz start with every joint at 0: the solver pushes the joint into its "
            "limits with the first step, motion planners call the start state invalid.",
-    .remedy = "Start the robot in a position within the limits, e.g. in a joint pose of the model.",
+    .remedy =
+        "Start the robot in a position within the limits, e.g. in a joint pose of the model, or "
+        "with `initial_value` of ros2_control.",
     .sources = "MoveIt and PyBullet start states; 65 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
     .facts = kFacts};

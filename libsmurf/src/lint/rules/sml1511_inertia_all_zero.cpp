@@ -32,7 +32,7 @@ void check(const LinkedModel& model, Findings& findings) {
       return;
     }
     const auto moments = principal_moments(*link.inertial);
-    if (!moments || (*moments)[0] != 0 || (*moments)[2] != 0) return;
+    if (!moments || !are_zero(*moments)) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is zero, but its mass is not");

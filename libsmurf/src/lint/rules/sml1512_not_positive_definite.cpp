@@ -39,7 +39,7 @@ void check(const LinkedModel& model, Findings& findings) {
       return;
     }
     const auto& [low, middle, high] = *moments;
-    if (high == 0 && low == 0) return;  // all zero is another defect
+    if (are_zero(*moments)) return;  // another defect
     if (is_positive_definite(*moments)) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),

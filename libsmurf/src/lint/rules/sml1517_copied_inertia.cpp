@@ -23,10 +23,10 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   for (const auto& [value, links] : by_value) {
     if (links.size() < kFewest || 2 * links.size() <= count) continue;
-    Diagnostic& diagnostic =
-        findings.report(inertia_place(model, *links[0]->inertial),
-                        std::to_string(links.size()) + " of " + std::to_string(count) +
-                            " links with a mass have this mass and inertia");
+    Diagnostic& diagnostic = findings.report(
+        inertia_place(model, *links[0]->inertial),
+        std::to_string(links.size()) + " of " + std::to_string(count) +
+            " links with a mass have this mass and inertia, as if copied from a template");
     diagnostic.label(inertia_place(model, *links[1]->inertial), "the same again");
   }
 }

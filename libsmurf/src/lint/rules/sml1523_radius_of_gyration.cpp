@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <string>
 
 #include "base/numbers.hpp"
 #include "link/inertia.hpp"
@@ -9,9 +10,24 @@
 namespace smurf::rules::sml1523_radius_of_gyration_file {
 namespace {
 
+constexpr double kShortest = 1e-3;  // m
+constexpr double kLongest = 2;      // m
+
+/// A question about the unit with which the body would have a likely size; "" if there is none.
+std::string likely_unit(double mass, double radius) {
+  constexpr double kHeavy = 1000;        // kg: no link weighs more
+  constexpr double kMillimetres = 1e-3;  // m
+  const auto is_likely = [](double length) { return length >= kShortest && length <= kLongest; };
+  if (radius > kLongest && is_likely(radius * kMillimetres)) {
+    return mass > kHeavy ? "are these g and g mm2? write kg and kg m2"
+                         : "is this kg mm2? write kg m2";
+  }
+  // The root of the mass in g that is written as kg.
+  const bool is_mass = radius < kShortest && is_likely(radius * std::sqrt(1000.0));
+  return is_mass ? "is the mass in g? write kg" : "";
+}
+
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kShortest = 1e-3;  // m
-  constexpr double kLongest = 2;      // m
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial || is_unit_tensor(*link.inertial)) return;
     const auto moments = principal_moments(*link.inertial);
@@ -21,11 +37,13 @@ void check(const LinkedModel& model, Findings& findings) {
     if (radius >= kShortest && radius <= kLongest) return;
     // When the size of the link is known, another rule compares the inertia with it.
     if (extent_of(model, link) || !body_of(*link.inertial)) return;
-    findings
-        .report(inertia_place(model, *link.inertial),
-                "the inertia of " + title(link) + " does not fit its mass")
-        .caret =
-        format_rounded(mass, 3) + " kg at " + format_rounded(radius, 2) + " m from the axis";
+    Diagnostic& diagnostic =
+        findings.report(inertia_place(model, *link.inertial),
+                        "the inertia of " + title(link) + " does not fit its mass");
+    diagnostic.caret = format_rounded((*moments)[2], 3) + " kg m2 needs all " +
+                       format_rounded(mass, 3) + " kg to be " + format_rounded(radius, 2) +
+                       " m from the axis";
+    if (const std::string unit = likely_unit(mass, radius); !unit.empty()) diagnostic.help(unit);
   });
 }
 

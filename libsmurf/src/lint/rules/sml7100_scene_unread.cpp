@@ -14,7 +14,8 @@ void check(const LinkedScene& scene, Findings& findings) {
   const yaml::View first = *file.document->view().begin();
   if (!first) return;
   const std::string_view extension = path::extension(file.path);
-  Diagnostic& diagnostic = findings.report(first.key_span(), "this is a SMURF scene");
+  Diagnostic& diagnostic =
+      findings.report(first.key_span(), "this is a SMURF scene, and not a robot");
   if (extension == ".smurfa") diagnostic.when(kSmurfa);
 }
 
@@ -35,14 +36,16 @@ constexpr std::string_view kFormer[] = {"scene"};
 
 }  // namespace
 
-extern constinit const Rule sml7100_scene_unread{.id = "SML7100",
-                                                 .name = "scene-unread",
-                                                 .severity = Severity::error,
-                                                 .summary = "A target does not read scenes.",
-                                                 .remedy = "Expand the scene with smurfs-flatten.",
-                                                 .check_scene = check,
-                                                 .needs_target = true,
-                                                 .facts = kFacts,
-                                                 .former = kFormer};
+extern constinit const Rule sml7100_scene_unread{
+    .id = "SML7100",
+    .name = "scene-unread",
+    .severity = Severity::error,
+    .summary = "A target does not read scenes.",
+    .remedy =
+        "Export it with smurfs-flatten: --format mjcf for MuJoCo, sdf for Gazebo, urdf for others.",
+    .check_scene = check,
+    .needs_target = true,
+    .facts = kFacts,
+    .former = kFormer};
 
 }  // namespace smurf::rules::sml7100_scene_unread_file

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which of several robots load in which program.
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "base/counted.hpp"
+#include "render/paint.hpp"
+#include "render/printable.hpp"
+#include "smurf/render.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr std::size_t kMostRows = 20;
+
+std::size_t count_of(const RobotAnswers& robot, Answer answer) {
+  return static_cast<std::size_t>(std::count(robot.answers.begin(), robot.answers.end(), answer));
+}
+
+std::string_view short_word(Answer answer) {
+  switch (answer) {
+  case Answer::takes: return "loads";
+  case Answer::loses: return "losses";
+  case Answer::unknown: return "not known";
+  case Answer::refuses: break;
+  }
+  return "fails";
+}
+
+/// The word, in the width of its column.
+std::string cell(Answer answer, std::size_t width, const render::Painter& paint) {
+  const std::string_view word = short_word(answer);
+  const std::string space(width - word.size(), ' ');
+  if (answer == Answer::takes) return std::string(word) + space;
+  const render::Ink ink = answer == Answer::refuses ? render::Ink::error : render::Ink::warning;
+  return paint(ink, word) + space;
+}
+
+/// The robots that some target does not load without losses, the worst first.
+std::vector<const RobotAnswers*> worst_first(std::span<const RobotAnswers> robots) {
+  std::vector<const RobotAnswers*> rows;
+  for (const RobotAnswers& robot : robots) {
+    if (count_of(robot, Answer::takes) < robot.answers.size()) rows.push_back(&robot);
+  }
+  const auto badness = [](const RobotAnswers& robot) {
+    return std::tuple(count_of(robot, Answer::refuses), count_of(robot, Answer::unknown),
+                      count_of(robot, Answer::loses));
+  };
+  std::stable_sort(rows.begin(), rows.end(), [&](const RobotAnswers* a, const RobotAnswers* b) {
+    return badness(*a) > badness(*b);
+  });
+  return rows;
+}
+
+/// "gazebo: 21 of 38 robots load, 5 of them with losses"
+std::string sentence(std::span<const RobotAnswers> robots, std::size_t target,
+                     std::string_view name) {
+  const auto count = [&](Answer answer) {
+    return static_cast<std::size_t>(
+        std::count_if(robots.begin(), robots.end(),
+                      [&](const RobotAnswers& robot) { return robot.answers[target] == answer; }));
+  };
+  const std::size_t with_losses = count(Answer::loses);
+  const std::size_t loaded = count(Answer::takes) + with_losses;
+  std::string text = std::string(name) + ": " + std::to_string(loaded) + " of " +
+                     std::to_string(robots.size()) + " robots " + (loaded == 1 ? "loads" : "load");
+  if (with_losses > 0) {
+    text += with_losses == loaded ? ", with losses"
+                                  : ", " + std::to_string(with_losses) + " of them with losses";
+  }
+  if (const std::size_t unknown = count(Answer::unknown); unknown > 0) {
+    text += "; " + std::to_string(unknown) + " not known";
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string render_robots(std::span<const RobotAnswers> robots,
+                          std::span<const TargetVerdict> targets, const TextStyle& style) {
+  const std::vector<const RobotAnswers*> rows = worst_first(robots);
+  if (robots.size() < 2 || rows.empty()) return {};
+  const render::Painter paint(style.color);
+  const std::size_t shown = std::min(rows.size(), kMostRows);
+  std::vector<std::string> paths;
+  std::size_t indent = 0;
+  for (std::size_t i = 0; i < shown; ++i) {
+    paths.push_back(render::escape(rows[i]->path));
+    indent = std::max(indent, render::width_of(paths.back()));
+  }
+  std::string out(indent, ' ');
+  const auto end_row = [&] { out.erase(out.find_last_not_of(' ') + 1) += "\n"; };
+  std::vector<std::size_t> widths;
+  for (const TargetVerdict& target : targets) {
+    const std::string_view name = target.reader->name;
+    widths.push_back(std::max(name.size(), short_word(Answer::unknown).size()));
+    out += "  " + paint(render::Ink::strong, name) + std::string(widths.back() - name.size(), ' ');
+  }
+  end_row();
+  for (std::size_t i = 0; i < shown; ++i) {
+    out += paths[i] + std::string(indent - render::width_of(paths[i]), ' ');
+    for (std::size_t j = 0; j < widths.size(); ++j) {
+      out += "  " + cell(rows[i]->answers[j], widths[j], paint);
+    }
+    end_row();
+  }
+  if (rows.size() > shown) {
+    out += "... and " + std::to_string(rows.size() - shown) + " more that do not load everywhere\n";
+  }
+  out += "\n";
+  for (std::size_t j = 0; j < targets.size(); ++j) {
+    out += sentence(robots, j, targets[j].reader->name);
+  }
+  return out;
+}
+
+}  // namespace smurf
