@@ -4,6 +4,7 @@ import { Vector3 } from "three";
 
 import { byId, counted, element } from "../common/dom.js";
 import { fromHash, toHash } from "./address.js";
+import { Drag, jointAbove } from "./drag.js";
 import { Host } from "./host.js";
 import { Motion } from "./motion.js";
 import { Overlays, bonesOf } from "./overlays.js";
@@ -163,6 +164,7 @@ class Viewer {
 
   setUpStage() {
     this.walk = new Walk(this.stage);
+    this.stage.onGrab((solid, point) => this.grab(solid, point));
     this.stage.onLook(() => this.writeHashSoon());
     this.stage.onPick((solid, point) => {
       if (this.measured) this.measure(point);
@@ -185,8 +187,8 @@ class Viewer {
       ["skeleton", "Skeleton", "k", (on) => this.overlays.show("skeleton", on)],
       ["names", "Names", "n", (on) => this.showNames(on)],
       ["ground", "Grid", "g", (on) => (this.stage.grid.visible = on)],
-      ["ruler", "Measure", "d", (on) => this.startMeasuring(on)],
-      ["walk", "Walk", "w", (on) => this.startWalking(on)],
+      ["ruler", "Measure", "d", (on) => this.startMeasuring(on), "modes"],
+      ["walk", "Walk", "w", (on) => this.startWalking(on), "modes"],
     ];
     document.documentElement.classList.toggle("compared", isInFrame && this.shapes.isCompared);
     if (isInFrame && this.shapes.isCompared)
@@ -195,7 +197,16 @@ class Viewer {
         "Joints",
         "s",
         (on) => document.documentElement.classList.toggle("with-joints", on),
+        "layers",
       ]);
+  }
+
+  /** Lets a selected link be dragged, which moves the joint above it. */
+  grab(solid, point) {
+    if (this.measured || this.walk.isOn || solid?.link === undefined || !this.isSelected(solid))
+      return undefined;
+    if (!jointAbove(this.scene.entities[solid.entity].model, solid.link)) return undefined;
+    return new Drag(this, solid.entity, solid.link, point);
   }
 
   /** The box around all shapes, and around the joints of robots that lack shapes. */
@@ -223,25 +234,69 @@ class Viewer {
       ["f", () => this.fit()],
       ["Escape", () => (this.walk?.isOn ? byId("walk").click() : this.select())],
     ]);
-    for (const [id, label, key, show] of this.layers ?? []) {
-      const button = element(
-        "button",
-        { type: "button", id, title: `${label} (${key.toUpperCase()})` },
-        label,
-      );
+    for (const [id, label, key, show, place = "layers"] of this.layers ?? []) {
+      const title = `${label} (${key.toUpperCase()})`;
+      const button = element("button", { type: "button", id, title }, element("span", {}, label));
+      if (place === "layers") button.append(element("kbd", { "aria-hidden": "true" }, key.toUpperCase()));
       const set = (on) => {
         button.setAttribute("aria-pressed", on);
         show(on);
-        this.stage.draw();
+        this.stage.touch();
       };
       const toggle = () => set(button.getAttribute("aria-pressed") !== "true");
       button.addEventListener("click", toggle);
       keys.set(key, toggle);
-      byId("layers").append(button);
+      byId(place).append(button);
       set(isOn.has(id));
     }
+    this.setUpMenu();
+    this.setUpPanels(keys);
+    byId("picture").hidden = !this.stage;
+    byId("picture").addEventListener("click", () => this.savePicture());
+    keys.set("p", () => this.savePicture());
     byId("fit").addEventListener("click", () => this.fit());
     document.addEventListener("keydown", (event) => this.onKey(event, keys));
+  }
+
+  /** The menu of layers closes when something else is clicked, and with Escape. */
+  setUpMenu() {
+    const [button, list] = [byId("show"), byId("layers")];
+    const open = (isOpen) => {
+      button.setAttribute("aria-expanded", isOpen);
+      list.hidden = !isOpen && !isInFrame;
+    };
+    open(false);
+    button.addEventListener("click", () => open(list.hidden));
+    document.addEventListener("pointerdown", ({ target }) => byId("menu").contains(target) || open(false));
+    byId("menu").addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || list.hidden) return;
+      open(false);
+      button.focus();
+      event.stopPropagation();
+    });
+  }
+
+  /** The lists at the sides fold. */
+  setUpPanels(keys) {
+    for (const [id, name, key] of [
+      ["show-tree", "without-tree", "["],
+      ["show-panel", "without-panel", "]"],
+    ]) {
+      const toggle = () => {
+        const isOff = document.documentElement.classList.toggle(name);
+        byId(id).setAttribute("aria-pressed", !isOff);
+      };
+      byId(id).addEventListener("click", toggle);
+      keys.set(key, toggle);
+    }
+  }
+
+  savePicture() {
+    this.stage?.takePicture((picture) => {
+      const href = URL.createObjectURL(picture);
+      element("a", { href, download: `${document.title.replace(/\.[a-z.]+$/i, "")}.png` }).click();
+      setTimeout(() => URL.revokeObjectURL(href), 60_000);
+    });
   }
 
   onKey(event, keys) {
@@ -335,7 +390,7 @@ class Viewer {
   move() {
     this.shapes?.move(this.motion.takeMoved());
     this.overlays?.move();
-    this.stage?.draw();
+    this.stage?.touch();
     this.showFacts();
     this.writeHashSoon();
   }
@@ -352,6 +407,8 @@ class Viewer {
     this.overlays?.sensors.select(this.selected);
     this.showFacts();
     if (entity !== undefined) this.joints.show(entity);
+    const { model } = this.scene.entities[entity] ?? {};
+    this.joints.choose(link === undefined ? undefined : jointAbove(model, link));
     this.shapes?.paint((solid) => this.isSelected(solid));
     if (this.namesAreOn) this.showNames();
     this.stage?.draw();
@@ -378,7 +435,7 @@ class Viewer {
     this.overlays.versions = versions;
     this.overlays.move();
     this.showNames();
-    this.stage.draw();
+    this.stage.touch();
   }
 
   /**

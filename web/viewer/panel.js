@@ -8,6 +8,7 @@ import { isMovable, toMatrix } from "./motion.js";
 
 const kMoments = ["xx", "xy", "xz", "yy", "yz", "zz"];
 const kMostSliders = 100; // at first: thousands take seconds to lay out
+const kFewJoints = 8; // are found without a search
 const kDegrees = 180 / Math.PI;
 
 /** 1234.5678 as "1234.57": as many digits as people read. */
@@ -163,6 +164,10 @@ export function showFacts(scene, motion, selected, length) {
   );
 }
 
+/** With as many digits as a slider can set. */
+const round = (value) =>
+  short(Math.abs(value) >= 10 ? Math.round(value * 10) / 10 : Math.round(value * 1000) / 1000);
+
 /** The range of a slider. A joint without limits gets half a turn, or one metre, each way. */
 export function spanOf(joint) {
   const free = joint.type === "prismatic" ? 1 : Math.PI;
@@ -176,6 +181,14 @@ export class Joints {
     this.onMove = onMove;
     byId("poses").addEventListener("change", () => this.takePose(byId("poses").value));
     byId("reset").addEventListener("click", () => this.takePose("start"));
+    byId("joint-search").addEventListener("input", () => this.fill());
+    this.isInDegrees = true;
+    byId("unit").addEventListener("click", () => {
+      this.isInDegrees = !this.isInDegrees;
+      byId("unit").textContent = this.isInDegrees ? "deg" : "rad";
+      this.fill();
+      this.choose(this.chosen);
+    });
   }
 
   use(scene, motion) {
@@ -183,17 +196,24 @@ export class Joints {
     this.motion = motion;
     this.entity = undefined;
     this.taken = new Map(); // the pose of each entity, "" when it was moved by hand
+    this.model = undefined;
+    this.movable = [];
+    this.rows = [];
+    this.choose();
   }
 
   show(entity, isWhole = false) {
     if (this.entity === entity && !isWhole) return;
     this.entity = entity;
     this.model = this.scene.entities[entity]?.model;
-    const movable = this.model?.joints.filter(isMovable) ?? [];
-    byId("joint-tools").hidden = movable.length === 0;
+    this.movable = this.model?.joints.filter(isMovable) ?? [];
+    byId("joint-tools").hidden = this.movable.length === 0;
+    byId("joint-search").hidden = this.movable.length <= kFewJoints;
+    byId("joint-search").value = "";
     byId("joints-of").textContent =
       this.model && this.scene.entities.length > 1 ? ` of ${this.scene.entities[entity].title}` : "";
-    this.showRows(movable, isWhole);
+    this.isWhole = isWhole;
+    this.fill();
     const poses = [
       element("option", { value: "start" }, "as in the scene"),
       element("option", { value: "zero" }, "all at zero"),
@@ -207,46 +227,76 @@ export class Joints {
     this.update();
   }
 
-  showRows(movable, isWhole) {
-    const shown = isWhole ? movable : movable.slice(0, kMostSliders);
+  /** The rows of the joints whose names contain the searched text. */
+  fill() {
+    const wanted = byId("joint-search").value.trim().toLowerCase();
+    const found = this.movable.filter(({ name }) => name.toLowerCase().includes(wanted));
+    const shown = this.isWhole ? found : found.slice(0, kMostSliders);
     this.rows = shown.map((joint) => this.row(joint, joint.index));
     const lines = this.rows.map(({ line }) => line);
     const why = this.model ? "No joint of this model moves." : "Select a model to move its joints.";
-    if (movable.length === 0) lines.push(element("p", { class: "empty" }, why));
-    if (shown.length < movable.length) {
-      const all = `Show all ${counted(movable.length, "joint")}`;
+    if (this.movable.length === 0) lines.push(element("p", { class: "empty" }, why));
+    else if (found.length === 0) lines.push(element("p", { class: "empty" }, "No joint has such a name."));
+    if (shown.length < found.length) {
+      const all = `Show all ${counted(found.length, "joint")}`;
       lines.push(element("button", { type: "button", onclick: () => this.show(this.entity, true) }, all));
     }
     byId("sliders").replaceChildren(...lines);
+    this.update();
+  }
+
+  /** Shows the slider of a joint beside what is selected, too; of none without one. */
+  choose(joint) {
+    this.chosen = joint;
+    const host = byId("selected-joint");
+    this.chosenRow = joint && this.row(joint, joint.index);
+    if (joint)
+      host.replaceChildren(
+        this.chosenRow.line,
+        element("p", {}, "Drag the link in the picture to move this joint."),
+      );
+    else host.replaceChildren();
+    this.update();
+  }
+
+  /** {text: of the unit, factor: from radians or metres} */
+  unitOf(joint) {
+    if (joint.type === "prismatic") return { text: "m", factor: 1 };
+    return this.isInDegrees ? { text: "°", factor: kDegrees } : { text: "rad", factor: 1 };
   }
 
   row(joint, index) {
     const [min, max] = spanOf(joint);
-    const unit = joint.type === "prismatic" ? "m" : "rad";
-    const label = `${joint.name}, ${unit}`;
+    const { text, factor } = this.unitOf(joint);
+    const words = text === "°" ? "degrees" : text;
     const isLed = joint.leader !== undefined;
-    const move = (event) => {
-      const value = event.target.valueAsNumber;
+    const moveTo = (value) => {
       if (Number.isFinite(value)) this.moveBy(joint, Math.min(max, Math.max(min, value)));
     };
-    const shared = { min, max, step: "any", disabled: isLed || min === max };
-    const slider = element("input", { type: "range", ...shared, "aria-label": label, oninput: move });
+    const disabled = isLed || min === max;
+    const slider = element("input", {
+      type: "range",
+      ...{ min, max, step: "any", disabled, "aria-label": `${joint.name}, rad or m` },
+      oninput: () => moveTo(slider.valueAsNumber),
+    });
     const number = element("input", {
       type: "number",
-      ...shared,
-      "aria-label": `${label}, as a number`,
-      onchange: move,
+      ...{ step: "any", disabled, "aria-label": `${joint.name}, ${words}` },
+      onchange: () => moveTo(number.valueAsNumber / factor),
     });
-    const note = isLed ? `follows ${this.model.joints[joint.leader].name}` : unit;
+    const isFree = joint.type === "continuous" || (joint.lower === undefined && joint.upper === undefined);
+    const [from, to] = isFree ? ["", "no limits"] : [round(min * factor), round(max * factor)];
+    const ends = isLed
+      ? ["", `= ${short(joint.multiplier)} × ${this.model.joints[joint.leader].name}`]
+      : [from, to];
     const line = element(
       "div",
       { class: "joint" },
-      element("span", { class: "name", title: joint.name }, joint.name),
-      element("span", { class: "note" }, note),
-      slider,
-      number,
+      element("span", { class: "name", title: `${joint.name} (${joint.type})` }, joint.name),
+      element("span", { class: "value" }, number, element("span", { class: "note" }, text)),
+      element("span", { class: "slide" }, element("span", {}, ends[0]), slider, element("span", {}, ends[1])),
     );
-    return { line, slider, number, index };
+    return { line, slider, number, index, factor };
   }
 
   moveBy(joint, value) {
@@ -277,10 +327,14 @@ export class Joints {
   }
 
   update() {
-    for (const { slider, number, index } of this.rows) {
+    if (!this.model) return;
+    for (const { slider, number, index, factor } of [
+      ...this.rows,
+      ...(this.chosenRow ? [this.chosenRow] : []),
+    ]) {
       const position = this.motion.position(this.entity, index);
       slider.value = position;
-      if (document.activeElement !== number) number.value = short(position);
+      if (document.activeElement !== number) number.value = round(position * factor);
     }
   }
 }

@@ -52,8 +52,9 @@ void main() {
   gl_Position = projectionMatrix * point;
 }`;
 
-// The light comes from above and behind the viewer's left shoulder, and also brightens what faces away from it. Colours
-// are not converted: they are sRGB from the scene to the screen.
+// The light comes from above and behind the viewer's left shoulder, and also brightens what faces away from it. White is
+// never as bright as the screen can be, black has a sheen, and both have a rim, so their forms are visible before any
+// sky. Colours are not converted: they are sRGB from the scene to the screen.
 const kFragment = `
 uniform float opacity;
 varying vec3 color;
@@ -74,16 +75,19 @@ void main() {
   surface = mix(color, color * texel.rgb, texel.a * imageOpacity);
 #endif
 #ifdef UNLIT
-  float light = 1.0;
+  vec3 lit = surface;
 #else
 #ifdef SMOOTH
   vec3 normal = normalize(direction);
 #else
   vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
 #endif
-  float light = 0.78 + 0.34 * dot(normal, vec3(-0.43, 0.64, 0.64));
+  float towards = dot(normal, vec3(-0.43, 0.64, 0.64));
+  float rim = 1.0 - abs(dot(normal, normalize(seen)));
+  vec3 lit = surface * (0.62 + 0.26 * towards) + 0.02 + 0.09 * max(towards, 0.0);
+  lit = mix(lit, vec3(0.42), 0.35 * rim * rim * rim);
 #endif
-  gl_FragColor = vec4(surface * light, opacity);
+  gl_FragColor = vec4(lit, opacity);
 }`;
 
 /** `look`: "SMOOTH", "FLAT" (needs no normals) or "UNLIT". `image`: a texture, for shapes with coordinates. */

@@ -181,7 +181,8 @@ export class Shapes {
     const geometry = this.geometries.get(solid.key);
     const material = materialOf(batch, texture === undefined ? undefined : this.textures.empty);
     batch.mesh = copiesOf(geometry, material, batch.solids.length);
-    batch.mesh.userData = { layer, solids: batch.solids };
+    const castsShadow = layer === Layer.visuals && solid.key !== "plane";
+    batch.mesh.userData = { layer, solids: batch.solids, castsShadow };
     batch.solids.forEach(({ color }, index) => batch.mesh.setColorAt(index, color));
     root.add(batch.mesh);
   }

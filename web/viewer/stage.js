@@ -16,14 +16,24 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 import { element } from "../common/dom.js";
+import { Shadow } from "./shadow.js";
 
 const kDragged = 5; // pixels that a click may move
 const kFarthest = 1e9; // m
+const kMargin = 1.1; // around what is fitted into the view
+const kShadowPause = 200; // ms between two shadows without a graphics card
 
 /** The largest length of at most `length` that is 1, 2 or 5 times a power of ten. */
 function roundStep(length) {
   const power = 10 ** Math.floor(Math.log10(length));
   return [5, 2, 1].map((factor) => factor * power).find((step) => step <= length) ?? power;
+}
+
+function cornersOf({ min, max }) {
+  const corners = [];
+  for (const x of [min.x, max.x])
+    for (const y of [min.y, max.y]) for (const z of [min.z, max.z]) corners.push(new Vector3(x, y, z));
+  return corners;
 }
 
 /**
@@ -51,11 +61,14 @@ export class Stage {
     this.renderer = new WebGLRenderer(made);
     /** Pixels of the picture in one of the page: without a graphics card, more take too long to draw. */
     this.mostPixels = isSoft ? 1 : 2;
+    this.shadowPause = isSoft ? kShadowPause : 0;
     this.canvas = this.renderer.domElement;
     host.prepend(this.canvas);
     this.scene = new Scene();
     this.root = new Group();
     this.scene.add(this.root);
+    this.shadow = new Shadow();
+    this.scene.add(this.shadow.mesh);
     this.camera = new PerspectiveCamera(40, 1, 0.01, 1000);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -89,9 +102,33 @@ export class Stage {
     this.isAsked = true;
     requestAnimationFrame(() => {
       this.isAsked = false;
+      this.drawShadow();
       this.renderer.render(this.scene, this.camera);
       for (const follow of this.afterDraw) follow();
     });
+  }
+
+  /** After shapes have moved, or were shown or hidden. */
+  touch() {
+    this.shadow.isStale = true;
+    this.draw();
+  }
+
+  drawShadow() {
+    if (!this.shadow.isStale || !this.shadow.mesh.visible) return;
+    const left = (this.shadowAt ?? -Infinity) + this.shadowPause - performance.now();
+    if (left > 0) {
+      setTimeout(() => this.draw(), left);
+      return;
+    }
+    this.shadow.draw(this.renderer, this.root);
+    this.shadowAt = performance.now();
+  }
+
+  /** Calls back with a picture of what is shown, as PNG without a background. */
+  takePicture(callback) {
+    this.renderer.render(this.scene, this.camera);
+    this.canvas.toBlob(callback, "image/png");
   }
 
   /** Puts the grid around a box, in the xy plane of the world, or below the box. */
@@ -109,6 +146,7 @@ export class Stage {
     const onGrid = (value) => Math.round(value / step) * step;
     this.grid.position.set(onGrid(center.x), onGrid(center.y), isBelow && !box.isEmpty() ? box.min.z : 0);
     this.scene.add(this.grid);
+    this.shadow.place(box, this.grid.position.z);
   }
 
   /** Brings a whole box into view. `from` points from the box to the camera. */
@@ -118,10 +156,23 @@ export class Stage {
     const sphere = around.getBoundingSphere(new Sphere());
     this.radius = Math.max(sphere.radius, 1e-6);
     const half = (this.camera.fov / 2) * (Math.PI / 180);
-    const narrow = Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect));
-    const distance = (1.04 * this.radius) / Math.sin(narrow);
+    const back = from.clone().normalize();
+    this.camera.position.copy(sphere.center).add(back);
+    this.camera.lookAt(sphere.center);
+    const [right, up] = [new Vector3(), new Vector3()];
+    this.camera.matrix
+      .makeRotationFromQuaternion(this.camera.quaternion)
+      .extractBasis(right, up, new Vector3());
+    const tangent = Math.tan(half);
+    let distance = 1e-6;
+    for (const corner of cornersOf(around)) {
+      const offset = corner.sub(sphere.center);
+      const across = Math.abs(offset.dot(right)) / (tangent * this.camera.aspect);
+      const needed = kMargin * Math.max(across, Math.abs(offset.dot(up)) / tangent);
+      distance = Math.max(distance, offset.dot(back) + needed);
+    }
     this.controls.target.copy(sphere.center);
-    this.camera.position.copy(sphere.center).addScaledVector(from.clone().normalize(), distance);
+    this.camera.position.copy(sphere.center).addScaledVector(back, distance);
     this.setDepths(distance);
     this.controls.update();
     this.draw();
@@ -185,6 +236,32 @@ export class Stage {
       const moved = down ? Math.hypot(event.clientX - down[0], event.clientY - down[1]) : Infinity;
       if (event.button === 0 && moved < kDragged) callback(...this.hitAt(event));
     });
+  }
+
+  /** `grab` gets what is under the pointer that is pressed, and returns {move(x, y)} if it can be dragged. */
+  onGrab(grab) {
+    let held;
+    const place = ({ clientX, clientY }) => {
+      const { left, top } = this.canvas.getBoundingClientRect();
+      return [clientX - left, clientY - top];
+    };
+    // Before the controls, which would turn the view.
+    this.host.addEventListener(
+      "pointerdown",
+      (event) => {
+        held = event.button === 0 && event.target === this.canvas ? grab(...this.hitAt(event)) : undefined;
+        if (!held) return;
+        this.controls.enabled = false;
+        this.canvas.setPointerCapture(event.pointerId);
+      },
+      true,
+    );
+    this.host.addEventListener("pointermove", (event) => held?.move(...place(event)));
+    for (const end of ["pointerup", "pointercancel"])
+      this.host.addEventListener(end, () => {
+        if (held) this.controls.enabled = true;
+        held = undefined;
+      });
   }
 
   hitAt({ clientX, clientY }) {

@@ -25,6 +25,7 @@ export class Tree {
       0,
     );
     if (count <= kOpenAtOnce) for (const row of [...host.children]) this.open(row.firstChild, true, true);
+    else if (scene.entities.length === 1) this.openWidely(host.firstChild.firstChild);
     const first = host.querySelector("[role=treeitem]");
     if (first) first.tabIndex = 0;
   }
@@ -74,6 +75,18 @@ export class Tree {
       this.openBeside(row, isOpen);
     }
     if (isDeep) for (const node of row.nodes) this.open(node.firstChild, isOpen, true);
+  }
+
+  /** Opens rows level by level until enough of them are visible. */
+  openWidely(first) {
+    const rows = [first];
+    let shown = 1;
+    for (const row of rows) {
+      if (shown + row.below.length > kOpenAtOnce) return;
+      shown += row.below.length;
+      this.open(row, true);
+      rows.push(...(row.nodes ?? []).map((node) => node.firstChild));
+    }
   }
 
   addBelow(row) {
