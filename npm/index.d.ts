@@ -71,12 +71,32 @@ export interface Diagnostic extends Partial<Place> {
   fix?: { applicability: "safe" | "unsafe"; edits: Edit[] };
 }
 
+/** Whether a program loads the files (takes), loads them with losses (loses) or fails to load them (refuses). */
+export type Verdict = "takes" | "loses" | "unknown" | "refuses";
+
+/** What becomes of the files in one program: the verdict, and the numbers of findings behind it. */
+export interface Target {
+  verdict: Verdict;
+  refusals: number;
+  unknown: number;
+  losses: number;
+  ignored: number;
+  in_baseline: number;
+  unknown_rules?: string[];
+  /** Of the later releases of the program, when a finding depends on the version. */
+  later_releases?: Record<string, Verdict>;
+  /** The first finding with the worst effect. */
+  first?: Place & { id: string; effect: "changes" | "loses" | "breaks" | "refuses" | "crashes"; makes: string; source: string };
+}
+
 /** The report that `schemas/lint-report.schema.json` describes. */
 export interface LintReport {
   schema_version: string;
   tool: { name: string; version: string };
-  summary: { error: number; warning: number; info: number; suppressed: number; files: number; models: number; scenes: number };
+  summary: { error: number; warning: number; info: number; suppressed: number; files: number; models: number; scenes: number; links?: number };
   diagnostics: Diagnostic[];
+  /** With `--target`: what becomes of the files in each program, by its name. */
+  targets?: Record<string, Target>;
 }
 
 /** The scene that `schemas/flat-scene.schema.json` describes. */

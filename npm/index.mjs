@@ -8,9 +8,12 @@ let loaded;
 async function compile(source) {
   if (source instanceof WebAssembly.Module) return source;
   if (source instanceof Uint8Array || source instanceof ArrayBuffer) return WebAssembly.compile(source);
-  const url = new URL(source ?? "smurf.wasm", import.meta.url);
+  // Bundlers find the file by these two words, which must stand together.
+  const own = source === undefined ? new URL("smurf.wasm", import.meta.url) : undefined;
+  const url = own ?? new URL(source, import.meta.url);
   if (url.protocol === "file:") {
-    const { readFile } = await import("node:fs/promises");
+    const node = "node:fs/promises"; // a variable: bundlers for browsers look for no file
+    const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ node);
     return WebAssembly.compile(await readFile(url));
   }
   const response = await fetch(url);

@@ -64,7 +64,10 @@ export class Checker {
     );
     this.keys = new AbortController();
     const actions = {
-      onEdit: (finding) => this.playground.edit(finding),
+      onEdit: (finding) => {
+        this.page?.picture.close(); // it lies over the text
+        this.playground.edit(finding);
+      },
       onFix: (finding) => this.playground.fix(finding),
     };
     this.page = new Page(report, { actions, signal: this.keys.signal });
@@ -82,8 +85,9 @@ export class Checker {
   showBar({ diagnostics }) {
     const safe = diagnostics.filter(({ fix }) => fix?.is_safe).length;
     byId("fix").hidden = safe === 0;
-    byId("fix").textContent =
-      safe === 1 ? "Apply the safe fix" : `Apply all ${safe.toLocaleString("en")} safe fixes`;
+    if (safe > 0)
+      byId("fix").textContent =
+        safe === 1 ? "Apply the safe fix" : `Apply all ${safe.toLocaleString("en")} safe fixes`;
     byId("show-robot").hidden = byId("conversion").hidden;
   }
 

@@ -11,18 +11,23 @@ const flattened = (format) => (file, output) => [
   "smurfs-flatten",
   ["--format", format, "-o", output, "--", file],
 ];
+/** With the meshes and textures that the result names, so that a download is complete. */
+const withAssets = (format) => (file, output) => [
+  "smurfs-flatten",
+  ["--format", format, "--copy-assets", `${output.replace(/\.[^.]*$/, "")}_assets`, "-o", output, "--", file],
+];
 const exported = (file, output) => ["smurf2urdf", ["-o", output, "--", file]];
-const imported = (file, output) => ["urdf2smurf", ["-o", output, "--", file]];
+const imported = (file, output) => ["urdf2smurf", ["--copy-meshes", "-o", output, "--", file]];
 
 const kScene = ["urdf", "smurf", "smurfs", "smurfa", "zsmurf", "zsmurfs"];
 /** [title of the result, end of its file name, extensions of the input, command] */
 const kForms = [
   ["URDF", ".urdf", ["smurf"], exported],
   ["SMURF", "_smurf", ["urdf"], imported],
-  ["SDF (Gazebo)", ".sdf", kScene, flattened("sdf")],
+  ["SDF (Gazebo)", ".sdf", kScene, withAssets("sdf")],
   ["MJCF (MuJoCo)", ".xml", kScene, flattened("mjcf")],
-  ["one merged URDF", ".urdf", ["smurfs", "smurfa", "zsmurfs"], flattened("urdf")],
-  ["OpenUSD (Isaac Sim)", ".usda", kScene, flattened("usda")],
+  ["one merged URDF", ".urdf", ["smurfs", "smurfa", "zsmurfs"], withAssets("urdf")],
+  ["OpenUSD (Isaac Sim)", ".usda", kScene, withAssets("usda")],
   ["glTF (viewers)", ".gltf", kScene, flattened("gltf")],
   ["JSON", ".json", kScene, flattened("json")],
   ["a page in 3D", ".html", kScene, flattened("html")],

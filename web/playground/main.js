@@ -7,10 +7,12 @@ import { Checker } from "./checker.js";
 import { Convert } from "./convert.js";
 import { download } from "./download.js";
 import { Editor } from "./editor.js";
-import { Files, edited, fromJson } from "./files.js";
+import { Files, edited, fromJson, kindOf } from "./files.js";
 import { fromHash, kMostShared, toHash } from "./share.js";
 import { Stopped, Tools } from "./tools.js";
 
+/** Whether a file is a robot, or may be made one. */
+const isRobot = (name) => kindOf(name) !== undefined || /\.(xacro|svg)$/i.test(name);
 const kPatience = 1.5; // s before a message that the tools are working
 
 class Playground {
@@ -40,7 +42,10 @@ class Playground {
       });
     }
     onClick("undo", () => this.files.undo());
-    onClick("save", () => download(this.files.all, "robot"));
+    onClick("save", () => {
+      this.kept = this.files.all;
+      download(this.files.all, "robot");
+    });
     onClick("share", () => this.share());
     onClick("stop", () => this.tools.stop());
     const hasFiles = (event) => event.dataTransfer.types.includes("Files");
@@ -56,6 +61,9 @@ class Playground {
       if (hasFiles(event)) this.take(dropped(event.dataTransfer));
     });
     window.addEventListener("hashchange", () => this.readAddress());
+    window.addEventListener("beforeunload", (event) => {
+      if (this.files.canUndo && this.files.all !== this.kept) event.preventDefault();
+    });
   }
 
   addTargets(targets) {
@@ -95,16 +103,25 @@ class Playground {
     try {
       const files = await contentsOf(await found);
       if (files.size === 0) throw new Error("there are no files in it");
-      this.open(files, this.targets);
+      if (this.files.all.size > 0 && ![...files.keys()].some(isRobot)) this.add(files);
+      else this.open(files, this.targets);
     } catch (error) {
       this.tell(`This cannot be opened: ${error.message}.`);
     }
   }
 
+  /** Adds files that are no robot, such as the meshes of the one that is open. */
+  add(files) {
+    this.files.change(new Map([...this.files.all, ...files]));
+    this.tell(
+      files.size === 1 ? "1 file was added." : `${files.size.toLocaleString("en")} files were added.`,
+    );
+  }
+
   /** Replaces all files. */
   open(files, targets) {
     this.tell("");
-    if (location.hash) history.replaceState(null, "", location.pathname + location.search);
+    this.kept = files;
     byId("result").hidden = true;
     this.shown = undefined;
     this.files.change(files);
@@ -115,6 +132,7 @@ class Playground {
     try {
       const shared = await fromHash(location.hash);
       if (!shared) return;
+      this.shared = shared.files; // a reload opens them again
       this.open(shared.files, shared.targets);
     } catch (error) {
       this.tell(`This link cannot be opened: ${error.message}.`);
@@ -129,6 +147,7 @@ class Playground {
         `These files are too large for a link: it would have ${length} characters, and many programs cut links of more than ${most}. Download them instead.`;
       return;
     }
+    this.kept = this.shared = this.files.all;
     history.replaceState(null, "", hash);
     const isCopied = await navigator.clipboard?.writeText(location.href).then(
       () => true,
@@ -141,6 +160,8 @@ class Playground {
   /** Shows the files as they are now. */
   update() {
     const { all } = this.files;
+    if (location.hash && all !== this.shared)
+      history.replaceState(null, "", location.pathname + location.search);
     document.body.classList.toggle("empty", all.size === 0);
     byId("robot").hidden = all.size === 0;
     byId("findings").hidden = all.size === 0;
