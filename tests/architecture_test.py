@@ -68,9 +68,9 @@ UNPORTABLE = {
 REPLACEMENTS = {"base/ranges.hpp", "base/bits.hpp", "base/exact_math.hpp", "base/exact_math.cpp", "base/floating.cpp"}
 # Headers of a system, and the only files that include them. std::filesystem behaves differently on Windows than
 # base/places.hpp.
-SYSTEM_HEADERS = re.compile(r"(dirent|fcntl|io|poll|shellapi|signal|unistd|windows|winioctl)\.h|sys/.*\.h|filesystem")
+SYSTEM_HEADERS = re.compile(r"(dirent|fcntl|io|poll|shellapi|signal|spawn|unistd|windows|winioctl|winsock2)\.h|(sys|netinet)/.*\.h|filesystem")
 SYSTEM_FILES = re.compile(r"src/base/(places_posix\.cpp|system(_posix|_windows)?\.[ch]pp|windows_paths\.cpp)|"
-                          r"tools/common/process_(posix|windows)\.cpp|tools/smurf-load-check/")
+                          r"tools/(common/(process|browser)|smurf-view/sockets)_(posix|windows)\.cpp|tools/smurf-load-check/")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 LONGEST_FILE = 500
 

@@ -19,7 +19,8 @@ import urllib.request
 
 from .project import ROOT, homepage, version
 
-PROGRAMS = ("smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff", "smurf-load-check")
+PROGRAMS = ("smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff", "smurf-view",
+            "smurf-load-check")
 OPTIONAL = "smurf-load-check"  # needs a physics engine, which is not everywhere
 SUMS = pathlib.Path(__file__).with_name("releases.sha256")
 MODULE = "_smurf" + (sysconfig.get_config_var("EXT_SUFFIX") or ".so")

@@ -7,6 +7,7 @@
     from-urdf   urdf2smurf: makes a model around a URDF
     flatten     smurfs-flatten: expands a scene
     diff        smurf-diff: tells what differs between two versions
+    view        smurf-view: shows a robot or a scene in the browser
     load-check  smurf-load-check: builds models and scenes in a physics engine
     try-all     runs smurf2urdf or smurfs-flatten on every model or scene, and keeps nothing; for hooks
 """
@@ -25,6 +26,7 @@ PROGRAMS = {
     "from-urdf": "urdf2smurf",
     "flatten": "smurfs-flatten",
     "diff": "smurf-diff",
+    "view": "smurf-view",
     "load-check": "smurf-load-check",
 }
 

@@ -226,6 +226,16 @@ class Models(Diff):
                 self.assertEqual((one["new"], one["effect"]), ("forearm", "which was renamed to lower_arm"))
         self.assertRegex(self.expect(1, *mains).stdout, r"is\s+still\s+forearm,\s+which\s+was\s+renamed\s+to\s+lower_arm")
 
+    def test_old_names_in_lists(self):
+        self.copy("models/arm", "old", "new")
+        text = self.read("new/urdf/arm.urdf")
+        self.write("new/urdf/arm.urdf", text.replace('"joint4_wrist"', '"wrist"'))
+        told = " ".join(self.expect(1, "old/smurf/arm.smurf", "new/smurf/arm.smurf").stdout.split())
+        self.assertIn("sensor joint_positions: id still has an old name: joint4_wrist was renamed to wrist", told)
+        self.assertIn("motor joint4_wrist: joint is still joint4_wrist, which was renamed to wrist", told)
+        # The annotation of the joint has the old name, and was not renamed.
+        self.assertNotIn("renamed to joint4_wrist", told)
+
     def test_a_model_and_its_urdf(self):
         smurf2urdf = pathlib.Path(cli.TOOL).parent / "smurf2urdf"
         self.copy("models/arm", "arm")

@@ -633,6 +633,51 @@ class Suggestions(LintTest):
         self.assertEqual(self.help_of("mst"), ("did you mean `mast`?", 1))
         self.assertEqual(self.help_of("bse"), (None, 0))  # the joint would lead to its own parent
 
+    def test_a_renamed_link_is_one_finding(self):
+        links = "".join(f'<link name="{name}"/>' for name in ("base_link", "a", "b", "c", "d"))
+        joints = "".join(f'<joint name="to_{name}" type="fixed"><parent link="base"/><child link="{name}"/></joint>' for name in "abcd")
+        self.write("r.urdf", f'<robot name="r">{links}{joints}</robot>')
+        found = [one for one in json.loads(self.run_tool("--format", "json", "r.urdf").stdout)["diagnostics"] if one["id"] == "SML1201"]
+        self.assertEqual(len(found), 1, found)
+        self.assertEqual(found[0]["help"], "did you mean `base_link`, which no joint names?")
+        self.assertIn("3 more joints name it: joint `to_b`, joint `to_c`, joint `to_d`", found[0]["notes"])
+        self.run_tool("--fix-only", "--unsafe-fixes", "r.urdf")
+        self.assertEqual(self.read("r.urdf").count('"base_link"'), 5)
+        self.assertEqual(self.read("r.urdf").count('"base"'), 0)
+
+    def test_no_motors_are_one_finding(self):
+        shutil.copytree(cli.FIXTURES / "models/arm", self.folder / "arm")
+        self.write("arm/smurf/arm_motors.yml", "motors: []\n")
+        report = json.loads(self.run_tool("--format", "json", "arm").stdout)
+        found = [one for one in report["diagnostics"] if one["id"] == "SML3105"]
+        self.assertEqual([one["notes"] for one in found], [["the model has no motor, and 10 names of motors"]])
+
+    def test_what_is_no_text(self):
+        for begin, what in ((b"PK\x03\x04x", "a zip archive"), (b"\x1f\x8b\x08", "a gzip archive"), (b"\x89PNG\r\n", "a PNG image")):
+            (self.folder / "r.urdf").write_bytes(begin)
+            [found] = json.loads(self.run_tool("--format", "json", "r.urdf").stdout)["diagnostics"]
+            self.assertEqual((found["id"], found["message"]), ("SML0003", f"`r.urdf` is {what}, and not a text file"))
+            self.assertTrue(found["help"])
+
+    def test_a_robot_of_macros_only(self):
+        self.write("r.urdf", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"></robot>')
+        found = json.loads(self.run_tool("--format", "json", "r.urdf").stdout)["diagnostics"]
+        self.assertEqual([one["id"] for one in found], ["SML1115"])
+        self.assertIn("a xacro file that only defines macros makes an empty robot", found[0]["notes"])
+
+    def test_an_inertia_in_other_units(self):
+        link = '<robot name="r"><link name="l"><inertial><mass value="{}"/><inertia ixx="{}" ixy="0" ixz="0" iyy="{}" iyz="0" izz="{}"/></inertial></link></robot>'
+        for mass, moment, wanted in ((6921, 24480, ""), (6921, 99480, "are these g and g mm2? write kg and kg m2"),
+                                     (0.5, 6700, "is this kg mm2? write kg m2"), (500, 1e-4, "is the mass in g? write kg")):
+            self.write("r.urdf", link.format(mass, moment, moment, moment))
+            found = [one for one in json.loads(self.run_tool("--format", "json", "r.urdf").stdout)["diagnostics"] if one["id"] == "SML1523"]
+            self.assertEqual([one["help"] for one in found], [wanted] if wanted else [])
+        zero = link.format(1, 0, 0, 0).replace('ixy="0"', 'ixy="1e-35"')
+        self.write("r.urdf", zero)
+        ids = {one["id"] for one in json.loads(self.run_tool("--format", "json", "r.urdf").stdout)["diagnostics"]}
+        self.assertIn("SML1511", ids)
+        self.assertNotIn("SML1512", ids)
+
     def test_of_equally_near_names_none_is_suggested(self):
         self.assertEqual(self.help_of("mast", "FX_propeller"), (None, 0))
         self.assertEqual(self.help_of("mast", "FL_propelller"), ("did you mean `FL_propeller`?", 1))

@@ -3,7 +3,7 @@
 // Each line of standard input is a list of jobs, and is answered by a line of results.
 // Jobs: [{page, hash, width, height, scheme, steps}]. A page is a file, or an address on this machine. It
 // finds nothing that other pages stored. A step is a script (a text), {key}, {down: KEY}, {up: KEY}, {drag: [x, y, x, y]}, {type: TEXT}, {click: [x, y]}, {shot: FILE, of: SELECTOR}, {axe: true},
-// {until: SCRIPT}, {drop: PATHS}, {choose: SELECTOR, paths}, {downloads: FOLDER}, {file: one that is there soon} or {load: HASH}.
+// {until: SCRIPT}, {drop: PATHS}, {choose: SELECTOR, paths}, {downloads: FOLDER}, {file: one that is there soon}, {write: FILE, text} or {load: HASH}.
 // Results: [{results: one for each step, errors that the page logged, addresses that it asked for}]
 import fs from "node:fs";
 import { createRequire } from "node:module";
@@ -53,6 +53,7 @@ async function take(page, step) {
   if (step.choose) return (await page.$(step.choose)).uploadFile(...step.paths);
   if (step.load !== undefined) return load(page, step.load);
   if (step.file) return appears(step.file);
+  if (step.write) return fs.writeFileSync(step.write, step.text);
   if (step.downloads) {
     const client = await page.createCDPSession();
     return void (await client.send("Page.setDownloadBehavior", { behavior: "allow", downloadPath: step.downloads }));
@@ -76,7 +77,10 @@ async function run(browser, { page: file, hash = "", width = 1280, height = 800,
     if (message.type() !== "log") errors.push(`${message.type()}: ${message.text()}`);
   });
   page.on("pageerror", (error) => errors.push(String(error)));
-  page.on("dialog", (dialog) => errors.push(`dialog: ${dialog.message()}`));
+  page.on("dialog", (dialog) => {
+    if (dialog.type() === "beforeunload") return void dialog.accept(); // a page with changes is left
+    errors.push(`dialog: ${dialog.message()}`);
+  });
   page.on("request", (request) => addresses.push(request.url()));
   await page.setViewport({ width, height });
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);

@@ -211,8 +211,8 @@ class PageTest(viewer.ViewerTest):
         rows = "[...document.querySelectorAll('[role=treeitem]')].filter((row) => row.offsetParent).length"
         close = "smurfViewer.tree.open(smurfViewer.tree.rows.get('0 %d'), false)"
         steps = [READ, f"smurfViewer.select(0, {number - 1})", selected, rows, close % 3000, rows, close % 20, rows,
-                 "[document.querySelectorAll('.joint').length, document.querySelector('#sliders button').click(),"
-                 " document.querySelectorAll('.joint').length]"]
+                 "[document.querySelectorAll('#sliders .joint').length, document.querySelector('#sliders button').click(),"
+                 " document.querySelectorAll('#sliders .joint').length]"]
         results = self.browse({"page": page, "steps": steps})[0]["results"]
         self.assert_poses(results[0], self.data(page)[0], self.flat("chain.urdf")["instances"], "chain")
         self.assertEqual(results[2], [f"l{number - 1}", f"{number + 1}"])
@@ -322,6 +322,67 @@ class PageTest(viewer.ViewerTest):
         self.assertEqual(results[0], expected)
         self.assertEqual(results[2], expected)
         self.assertEqual(results[3], [1], "only what has moved is put into the picture again")
+
+    def test_a_selected_link_is_dragged_by_its_joint(self):
+        forearm = "smurfViewer.scene.entities[0].model.links.findIndex(({ name }) => name === 'forearm')"
+        center = f"""(() => {{
+          const solids = smurfViewer.shapes.solids.filter(({{ link, layer }}) => link === {forearm} && layer === "visuals");
+          const {{ left, top }} = smurfViewer.stage.canvas.getBoundingClientRect();
+          const [x, y] = smurfViewer.stage.toPage(smurfViewer.shapes.boxAround(solids).getCenter(smurfViewer.stage.camera.position.clone()));
+          return [Math.round(left + x), Math.round(top + y)]; }})()"""
+        elbow = "smurfViewer.motion.positions[0].get('joint3_elbow') ?? 0"
+        state = f"[{elbow}, smurfViewer.stage.view() ?? null, document.querySelector('#selected-joint .name')?.textContent ?? null]"
+        page = self.page(ARM)
+        [(x, y)] = self.browse({"page": page, "steps": [center]})[0]["results"]
+        drag = {"drag": [x, y, x + 60, y + 5]}
+        results = self.browse({"page": page, "steps": [
+            state, f"smurfViewer.select(0, {forearm})", state, drag, state, center, {"key": "Escape"}, state, drag, state]})[0]["results"]
+        self.assertEqual(results[0], [0, None, None])
+        self.assertEqual(results[2], [0, None, "joint3_elbow"])
+        self.assertGreater(abs(results[4][0]), 0.1)
+        self.assertEqual(results[4][1:], [None, "joint3_elbow"], "the view has not turned")
+        self.assertAlmostEqual(results[5][0], x + 60, delta=25)
+        self.assertEqual(results[7][2], None)
+        self.assertEqual(results[9][0], results[4][0])
+        self.assertIsNotNone(results[9][1], "what is not selected turns the view")
+
+    def test_joints_have_units_limits_and_a_search(self):
+        joints = "".join(f'<link name="l{i}"/><joint name="joint_{i}" type="revolute"><parent link="base"/><child link="l{i}"/>'
+                         '<axis xyz="0 0 1"/><limit lower="-1" upper="2" effort="1" velocity="1"/></joint>' for i in range(12))
+        self.write("robot.urdf", f'<robot name="r"><link name="base"/>{joints}</robot>')
+        rows = "[...document.querySelectorAll('#sliders .joint')].map((row) => row.innerText.split(/\\s+/).filter(Boolean).join(' '))"
+        type_in = """(() => { const number = document.querySelector("#sliders input[type=number]"); number.value = 45;
+          number.dispatchEvent(new Event("change")); return smurfViewer.motion.position(0, 0); })()"""
+        search = """(() => { const field = document.getElementById("joint-search"); field.value = "T_11";
+          field.dispatchEvent(new Event("input")); })()"""
+        results = self.browse({"page": self.page("robot.urdf"), "steps": [
+            rows, type_in, "document.getElementById('unit').click()", rows,
+            "document.querySelector('#sliders input[type=number]').value", search, rows]})[0]["results"]
+        self.assertEqual((len(results[0]), results[0][1]), (12, "joint_1 \u00b0 -57.3 114.6"))
+        self.assertAlmostEqual(results[1], viewer.math.pi / 4)
+        self.assertEqual(results[3][1], "joint_1 rad -1 2")
+        self.assertEqual(results[4], "0.785")
+        self.assertEqual(results[6], ["joint_11 rad -1 2"])
+
+    def test_lists_fold_and_layers_are_a_menu(self):
+        width = "document.getElementById('stage').clientWidth"
+        hidden = "document.getElementById('layers').hidden"
+        results = self.browse({"page": self.page(ARM), "steps": [
+            width, {"key": "["}, width, "document.getElementById('show-panel').click()", width,
+            "document.getElementById('show-tree').getAttribute('aria-pressed')", {"key": "["}, width, hidden,
+            "document.getElementById('show').click()", hidden, {"axe": True}, "document.getElementById('collisions').click()", hidden,
+            "document.getElementById('collisions').getAttribute('aria-pressed')", {"click": [640, 500]}, hidden]})[0]["results"]
+        self.assertLess(results[0], results[2])
+        self.assertLess(results[2], results[4])
+        self.assertEqual((results[4], results[5]), (1280, "false"))
+        self.assertLess(results[7], 1280)
+        self.assertEqual([results[index] for index in (8, 10, 11, 13, 14, 16)], [True, False, [], False, "true", True])
+
+    def test_the_picture_is_saved(self):
+        folder = self.folder / "saved"
+        folder.mkdir()
+        self.browse({"page": self.page(ARM), "steps": [{"downloads": str(folder)}, {"key": "p"}, {"file": str(folder / "arm.png")}]})
+        self.assertEqual((folder / "arm.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
     def test_two_clicks_measure_a_distance(self):
         self.write("robot.urdf", '<robot name="r"><link name="a"><visual><geometry><box size="1 1 1"/></geometry>'

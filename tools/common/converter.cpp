@@ -320,6 +320,11 @@ bool Conversion::report_losses(const LoadedModel& loaded, std::vector<Diagnostic
   return losses.empty();
 }
 
+Diagnostic Conversion::placed(const LoadedScene& loaded, const Diagnostic& found) const {
+  std::vector<Diagnostic> finished = session_.finish(loaded, {found});
+  return finished.empty() ? found : std::move(finished.front());
+}
+
 ExitCode Conversion::refuse(std::string_view reason) const {
   complain(tool_, "'" + path_ + "' " + std::string(reason) + "; nothing was written");
   return kFindings;

@@ -94,6 +94,9 @@ class Conversion {
   void tell_written(const std::string& what, std::span<const std::string> remarks = {}) const;
   ExitCode fail() const { return kFailed; }
 
+  /// Where a finding of loading belongs: one in an expanded robot to its xacro.
+  Diagnostic placed(const LoadedScene& loaded, const Diagnostic& found) const;
+
   const FileReader& files() const { return session_.files(); }
   const InputFiles& inputs() const { return inputs_; }
 

@@ -102,14 +102,21 @@ InputFiles::InputFiles(const FileReader& behind) : behind_(behind) {
 
 FileContent InputFiles::read(const std::string& path, std::uint64_t max_bytes) const {
   FileContent content = behind_.read(path, max_bytes);
+  note(path);
   if (content.status == ReadStatus::ok || content.status == ReadStatus::too_large) add(path);
   return content;
 }
 
 bool InputFiles::is_file(const std::string& path) const {
+  note(path);
   if (!behind_.is_file(path)) return false;
   add(path);
   return true;
+}
+
+void InputFiles::note(const std::string& path) const {
+  const std::lock_guard lock(mutex_);
+  asked_.insert(path);
 }
 
 void InputFiles::add(const std::string& path) const {

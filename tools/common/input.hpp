@@ -51,13 +51,18 @@ class InputFiles final : public FileReader {
   void add(const std::string& path) const;
   /// True for any name of the file.
   bool contains(const std::string& path) const;
+  /// The paths that were asked for, whether they exist or not: a missing mesh may be added.
+  const std::set<std::string>& asked() const { return asked_; }
 
  private:
+  void note(const std::string& path) const;
+
   using Identity = std::pair<std::uint64_t, std::uint64_t>;  ///< device and inode
 
   const FileReader& behind_;
   mutable std::mutex mutex_;
   mutable std::set<Identity> known_;
+  mutable std::set<std::string> asked_;
 };
 
 /// Reports an error and returns false if one of these files was read. "" and "-" are not files.

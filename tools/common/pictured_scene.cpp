@@ -2,6 +2,7 @@
 #include "common/pictured_scene.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "common/mesh_source.hpp"
 
@@ -25,6 +26,13 @@ PicturedScene::PicturedScene(Session& session, const std::string& path,
       loaded_(session.load_scene(path, settings)),
       flattening_{.current_folder = current, .old_scenes = &loaded_.old_scenes} {}
 
+PicturedScene::PicturedScene(LoadedScene loaded, const FileReader& files, const Limits& limits,
+                             const std::string& current)
+    : files_(files),
+      limits_(limits_of_picture(limits)),
+      loaded_(std::move(loaded)),
+      flattening_{.current_folder = current, .old_scenes = &loaded_.old_scenes} {}
+
 std::optional<SceneExport> PicturedScene::to_write() {
   const SourceMap& sources = *loaded_.sources;
   if (!check_scene_size(loaded_.scene, sources, flattening_, limits_, loaded_.found)) return {};
@@ -36,6 +44,21 @@ std::optional<SceneExport> PicturedScene::to_write() {
                      .losses = loaded_.found,
                      .meshes = mesh_source(flattening_, {}, files_, limits_),
                      .most_bytes = limits_.scene_bytes};
+}
+
+const Diagnostic* first_error(const LoadedScene& loaded) {
+  const Diagnostic* first = nullptr;
+  for (const Diagnostic& one : loaded.found.diagnostics()) {
+    if (one.severity != Severity::error) continue;
+    if (first == nullptr || (one.rule->blocks_building && !first->rule->blocks_building)) {
+      first = &one;
+    }
+  }
+  return first;
+}
+
+bool is_broken_off(const Diagnostic* error) {
+  return error != nullptr && error->rule->blocks_building;
 }
 
 }  // namespace smurf::tools

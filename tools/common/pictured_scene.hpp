@@ -18,6 +18,9 @@ class PicturedScene {
   /// `current` is the absolute path of the current folder.
   PicturedScene(Session& session, const std::string& path, const CheckSettings& settings,
                 const std::string& current);
+  /// A scene that was loaded with `files`, which must outlive it.
+  PicturedScene(LoadedScene loaded, const FileReader& files, const Limits& limits,
+                const std::string& current);
   PicturedScene(const PicturedScene&) = delete;
   PicturedScene& operator=(const PicturedScene&) = delete;
 
@@ -26,6 +29,7 @@ class PicturedScene {
   std::optional<SceneExport> to_write();
   /// What was loaded, with the findings of loading it.
   const LoadedScene& loaded() const { return loaded_; }
+  LoadedScene& loaded() { return loaded_; }
 
  private:
   const FileReader& files_;
@@ -34,5 +38,11 @@ class PicturedScene {
   FlattenOptions flattening_;
   FlatScene flat_;
 };
+
+/// The error that says best why a picture is not what its author wanted: the first one that keeps
+/// robots from being built, or else the first one. Null if there is none.
+const Diagnostic* first_error(const LoadedScene& loaded);
+/// Whether only a part of the robot would be shown, because its file breaks off.
+bool is_broken_off(const Diagnostic* error);
 
 }  // namespace smurf::tools

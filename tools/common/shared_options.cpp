@@ -62,6 +62,14 @@ std::string limits_page() {
 
 }  // namespace
 
+Option open_option(bool& opens) {
+  return {.group = "Output",
+          .name = "open",
+          .help = "Open the result in the browser, as a page: that of --format html, or, without "
+                  "it, one in a temporary file.",
+          .set = set_flag(opens)};
+}
+
 Option color_option(ColorChoice& color) {
   return {.group = "General",
           .name = "color",

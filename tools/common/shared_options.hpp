@@ -21,6 +21,8 @@ Option quiet_option(bool& quiet, std::string_view help);
 Option output_option(std::string& file, std::string_view help);
 /// `name` is "report", or "format" where the report is the result.
 Option report_option(std::string_view name, std::vector<ReportRequest>& reports);
+/// --open
+Option open_option(bool& opens);
 Option fail_on_option(Threshold& threshold);
 Option stdin_filename_option(std::string& path);
 /// NAME=DIR, for package:// addresses.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/places.hpp"
+#include "common/browser.hpp"
 #include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"
@@ -74,6 +75,17 @@ bool find_models(Options& options) {
   return true;
 }
 
+/// Opens the page, after writing it to the file of the user or to a temporary one.
+bool open_page(const Options& options, const std::string& text) {
+  std::string file = options.output;
+  if (file.empty() || file == "-") {
+    file = write_temporary_page(kSmurfDiff, "changes", text);
+  } else if (!write_output(kSmurfDiff, file, text)) {
+    return false;
+  }
+  return !file.empty() && show_page(kSmurfDiff, file);
+}
+
 ExitCode compare_operands(const Options& options) {
   ConfinedFiles disk;
   std::vector<std::string> inputs = options.operands;
@@ -101,7 +113,10 @@ ExitCode compare_operands(const Options& options) {
   if (!compared.is_known()) return kFailed;
   if (!options.quiet) {
     const std::string text = render(compared, session, options, picture);
-    if (!write_output(kSmurfDiff, options.output, text)) return kFailed;
+    if (!(options.opens ? open_page(options, text)
+                        : write_output(kSmurfDiff, options.output, text))) {
+      return kFailed;
+    }
   }
   return compared.differences.empty() ? kDone : kFindings;
 }
@@ -130,6 +145,7 @@ int smurf_diff_main(int argc, char** argv) {
     complain(kSmurfDiff, problem);
     return kFailed;
   }
+  if (options.opens) options.format = DiffFormat::html;
   if (options.for_git) return compare_for_git(options);
   return find_models(options) ? compare_operands(options) : kFailed;
 }

@@ -112,9 +112,10 @@ Command make_command(Options& options) {
   for (Option& option : std::vector<Option>{
            output_option(options.output,
                          "Write the differences to FILE instead of standard output."),
-           stdin_filename_option(options.stdin_filename), package_option(options.packages),
-           xacro_env_option(options.environment), allow_outside_option(options.allow_outside),
-           limit_option(options.limits), color_option(options.color),
+           open_option(options.opens), stdin_filename_option(options.stdin_filename),
+           package_option(options.packages), xacro_env_option(options.environment),
+           allow_outside_option(options.allow_outside), limit_option(options.limits),
+           color_option(options.color),
            quiet_option(options.quiet, "Print no differences; exit with 1 if there are any.")}) {
     command.options.push_back(std::move(option));
   }
@@ -126,7 +127,7 @@ Command make_command(Options& options) {
        "Show robots in git diff, with the line \"*.urdf diff=smurf\" in .gitattributes:"},
       {"smurf-diff --format json -o changes.json old/cell.smurfs new/cell.smurfs",
        "Compare scenes, and write JSON for a program:"},
-      {"smurf-diff --format html -o changes.html old/robot.urdf new/robot.urdf",
+      {"smurf-diff --open old/robot.urdf new/robot.urdf",
        "See both versions over each other in a browser:"},
       {"smurf-diff arm.urdf.xacro side:=left arm.urdf.xacro side:=right",
        "Compare a xacro file with itself, with other arguments:"},
@@ -141,6 +142,7 @@ std::string problem_of(const Options& options) {
                ? ""
                : "--git needs the 7 operands that git passes, and no options after it";
   }
+  if (options.opens && options.quiet) return "--open shows what --quiet leaves out";
   if (count != 2) {
     return "two inputs are compared, not " + std::to_string(count) + "; see --help";
   }

@@ -25,6 +25,7 @@ struct Options {
   DiffFormat format = DiffFormat::text;
   double tolerance = 1e-9;
   bool for_git = false;
+  bool opens = false;  ///< a page, in the browser
   bool quiet = false;
   std::string output;
   std::string stdin_filename;

@@ -12,6 +12,7 @@
 #include "base/counted.hpp"
 #include "base/limits.hpp"
 #include "base/rules.hpp"
+#include "common/browser.hpp"
 #include "common/input.hpp"
 #include "common/process.hpp"
 #include "common/progress.hpp"
@@ -102,6 +103,15 @@ void tell_written(std::span<const ReportRequest> reports, const std::string& pla
   complain(kSmurfLint, files + ": " + summary.substr(0, summary.find('\n')));
 }
 
+/// Opens the page of the report: `page`, or a temporary one if that is no file.
+ExitCode open_report(const Results& results, std::string page) {
+  if (page.empty() || page == "-") {
+    const std::string text = find_report_format("html")->render(results, {});
+    page = write_temporary_page(kSmurfLint, "findings", text);
+  }
+  return !page.empty() && show_page(kSmurfLint, page) ? kDone : kFailed;
+}
+
 /// `place` is the destination of reports without a file.
 ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const std::string& place,
                        const Checked& checked, std::string remarks) {
@@ -128,13 +138,18 @@ ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const s
   ExitCode code = kDone;
   bool is_seen = false;
   bool has_page = false;
+  std::string page;
   for (const ReportRequest& request : settings.reports) {
     const std::string& file = request.file.empty() ? place : request.file;
     const std::string text = request.format->render(results, style_of(options, file));
     if (!write_output(kSmurfLint, file, text)) code = kFailed;
     is_seen = is_seen || file.empty() || file == "-" || file.starts_with("/dev/");
-    has_page = has_page || request.format->name == "html";
+    if (request.format->name == "html") {
+      has_page = true;
+      page = file;
+    }
   }
+  if (options.opens && code == kDone) code = open_report(results, page);
   if (has_page && !is_seen && !options.quiet && code == kDone) {
     tell_written(settings.reports, place, report);
   }
@@ -380,9 +395,7 @@ ExitCode run(const LintOptions& options, std::set<std::string>* seen) {
   ConfinedFiles confined;
   confine_to_found(confined, options, plan);
   const InputFiles read(confined);
-  const SeenFiles noted(read);
-  const FileReader& reader = seen == nullptr ? static_cast<const FileReader&>(read) : noted;
-  Session session(reader, options.limits, stamp_on_disk);
+  Session session(read, options.limits, stamp_on_disk);
   if (const std::string& name = plan.standard_input; !name.empty()) {
     session.set_text(name, files.read(name, options.limits.file_bytes).text);
   }
@@ -401,7 +414,7 @@ ExitCode run(const LintOptions& options, std::set<std::string>* seen) {
     return !plan.problems.empty() ? kFailed : write_baseline(options, session, std::move(found));
   }
   if (renamed) return rename(options, plan, session, *renamed, found);
-  if (seen != nullptr) *seen = noted.paths();
+  if (seen != nullptr) *seen = read.asked();
   const ExitCode code = options.fix || options.fix_only || options.diff
                             ? fix(options, plan, session, std::move(found), check)
                             : report(options, plan, {found, session}, nullptr);

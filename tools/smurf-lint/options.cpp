@@ -295,6 +295,7 @@ std::vector<Option> output_options(LintOptions& options) {
        .name = "watch",
        .help = "Check again after each change of a file, until Ctrl-C.",
        .set = set_flag(options.watch)},
+      open_option(options.opens),
       {.group = "Output",
        .name = "statistics",
        .help = "Count the findings of each rule instead of listing them (full, concise).",
@@ -401,14 +402,13 @@ Command lint_command(LintOptions& options) {
            output_options(options), verdict_options(options), input_options(options)}) {
     std::move(group.begin(), group.end(), std::back_inserter(command.options));
   }
-  command.options.push_back(stdin_filename_option(options.stdin_filename));
-  command.options.push_back(package_option(options.packages));
-  command.options.push_back(xacro_env_option(options.xacro.environment));
-  command.options.push_back(allow_outside_option(options.allow_outside));
-  command.options.push_back(limit_option(options.limits));
-  command.options.push_back(color_option(options.color));
-  command.options.push_back(quiet_option(options.quiet, "Show findings only, no summary."));
-  command.options.push_back(jobs_option(options.jobs));
+  for (Option& option : std::vector<Option>{
+           stdin_filename_option(options.stdin_filename), package_option(options.packages),
+           xacro_env_option(options.xacro.environment), allow_outside_option(options.allow_outside),
+           limit_option(options.limits), color_option(options.color), jobs_option(options.jobs),
+           quiet_option(options.quiet, "Show findings only, no summary.")}) {
+    command.options.push_back(std::move(option));
+  }
   command.set_operand = [&options](std::string_view value) -> std::optional<std::string> {
     if (!take_xacro_argument(value, options.xacro)) options.paths.emplace_back(value);
     return std::nullopt;
@@ -419,8 +419,7 @@ Command lint_command(LintOptions& options) {
        "Check a file for the programs that will load it:"},
       {"smurf-lint --format full --format json=report.json arm.smurf",
        "Write a report for programs beside the one for people:"},
-      {"smurf-lint --format full --format html=report.html arm.smurf",
-       "Write a page for the person who repairs the robot:"},
+      {"smurf-lint --open arm.smurf", "See the findings on the robot, in the browser:"},
       {"smurf-lint --ignore SML19 --severity unknown-joint=warning arm.smurf",
        "Skip the rules about portability, and lower the severity of one rule:"},
       {"smurf-lint arm.urdf.xacro side:=left", "Check a xacro file, with its arguments:"},
@@ -484,6 +483,7 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
   if (options.watch && std::count(options.paths.begin(), options.paths.end(), "-") > 0) {
     return "--watch needs files, not standard input";
   }
+  if (options.watch && options.opens) return "--watch --open: use smurf-view --watch";
   if (options.init && options.paths.size() > 1) return "--init sets up one folder";
   if (options.csv && options.masses.empty()) return "--csv needs --masses";
   if (options.unsafe_fixes && !options.fix && !options.fix_only && !options.diff) {

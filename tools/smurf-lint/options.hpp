@@ -49,6 +49,7 @@ struct LintOptions {
   Shard shard;
   bool merge_reports = false;  ///< `paths` are JSON reports; nothing is checked
   bool init = false;           ///< only write a configuration, a hook and a workflow
+  bool opens = false;          ///< open the page of the report in the browser
   bool watch = false;          ///< check again after each change
   bool list_files = false;     ///< only list the files that would be checked
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The model or scene of a document as a page in 3D, which an editor shows beside the text.
-#include <deque>
-
 #include "base/path.hpp"
 #include "common/input.hpp"
 #include "common/pictured_scene.hpp"
@@ -18,17 +16,6 @@ std::string shown_path(const std::string& path, const std::vector<FileView>& vie
   return first.model != nullptr ? first.model->path : first.scene->path;
 }
 
-const Diagnostic* first_error(const std::deque<Diagnostic>& found) {
-  const Diagnostic* first = nullptr;
-  for (const Diagnostic& one : found) {
-    if (one.severity != Severity::error) continue;
-    if (first == nullptr || (one.rule->blocks_building && !first->rule->blocks_building)) {
-      first = &one;
-    }
-  }
-  return first;
-}
-
 }  // namespace
 
 Workspace::Picture Workspace::picture(const std::string& path) {
@@ -42,13 +29,12 @@ Workspace::Picture Workspace::picture(const std::string& path) {
                              std::string(path::parent(shown)));
   const std::optional<SceneExport> to_write = scene.to_write();
   Picture picture;
-  if (const Diagnostic* error = first_error(scene.loaded().found.diagnostics())) {
+  if (const Diagnostic* error = tools::first_error(scene.loaded())) {
     // An error in an expanded robot belongs to a xacro.
     const std::vector<Diagnostic> placed = session_.finish(scene.loaded(), {*error});
     picture.why = placed.empty() ? *error : placed.front();
   }
-  // Of a file that breaks off, only a part of the robot would be shown.
-  if (!to_write || (picture.why && picture.why->rule->blocks_building)) return picture;
+  if (!to_write || tools::is_broken_off(picture.why ? &*picture.why : nullptr)) return picture;
   picture.page = format.write(*to_write);
   if (picture.page.size() > to_write->most_bytes) picture.page.clear();
   return picture;

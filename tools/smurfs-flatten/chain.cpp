@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "common/command.hpp"
 #include "render/printable.hpp"
 
 namespace smurf::tools {
@@ -58,6 +59,22 @@ std::optional<std::string> describe_chain(const LinkedScene& scene, const Source
   text += padded("in the world", place_width) + padded("", what_width) +
           describe(steps.back().X_W) + "\n";
   return text;
+}
+
+std::string other_instances(const std::string& name, std::span<const std::string_view> known) {
+  constexpr std::size_t kMost = 8;
+  const std::string instance = name.substr(0, name.find("::"));
+  if (instance != name && std::find(known.begin(), known.end(), instance) != known.end()) {
+    return "; name the instance alone, without a link: '" + instance + "'";
+  }
+  const std::string meant = did_you_mean(name, known);
+  if (!meant.empty() || known.empty()) return meant;
+  std::string text;
+  for (std::size_t i = 0; i < known.size() && i < kMost; ++i) {
+    text.append(i == 0 ? "; its instances are " : ", ").append(known[i]);
+  }
+  return text +
+         (known.size() > kMost ? " and " + std::to_string(known.size() - kMost) + " more" : "");
 }
 
 }  // namespace smurf::tools

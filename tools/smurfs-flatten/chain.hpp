@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "smurf/dialect.hpp"
 #include "smurf/flatten.hpp"
@@ -14,5 +16,8 @@ namespace smurf::tools {
 /// if there are more than kMostSteps. Precondition: the instance has a pose; see explain().
 std::optional<std::string> describe_chain(const LinkedScene& scene, const SourceMap& sources,
                                           InstanceIndex instance, const Dialect& dialect);
+
+/// What to name instead of an unknown instance: "; did you mean 'arm'?", or the first instances.
+std::string other_instances(const std::string& name, std::span<const std::string_view> known);
 
 }  // namespace smurf::tools

@@ -6,10 +6,12 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
+#include "common/browser.hpp"
 #include "common/converter.hpp"
 #include "common/file_set.hpp"
 #include "common/mesh_source.hpp"
 #include "common/process.hpp"
+#include "common/shared_options.hpp"
 #include "render/printable.hpp"
 #include "smurf/dialect.hpp"
 #include "smurf/repository.hpp"
@@ -46,6 +48,7 @@ struct Options {
   bool overwrite = false;
   bool links = false;
   bool strict = false;
+  bool opens = false;
 };
 
 /// "sdf, sdf1.6, mjcf": the formats that can add a floor.
@@ -142,6 +145,7 @@ void add_options(Command& command, Options& options) {
   add({.name = "fail-on-loss",
        .help = "Refuse to write when the format cannot express something.",
        .set = set_flag(options.strict)});
+  command.options.push_back(open_option(options.opens));
   // The old name.
   command.options.push_back({.name = "strict", .set = set_flag(options.strict)});
 }
@@ -179,6 +183,8 @@ Command make_command(Options& options) {
 /// returns null.
 const SceneFormat* choose_format(const Options& options) {
   if (!options.format.empty()) return find_scene_format(options.format);
+  if (options.opens && path::extension(options.common.output).empty())
+    return find_scene_format("html");
   const std::string extension = path::to_lower(path::extension(options.common.output));
   // Tables and chains are texts under any name.
   const bool is_text = options.compare_dialects || !options.explained.empty();
@@ -197,23 +203,6 @@ FlattenOptions flatten_options(const Options& options, const std::string& curren
   return {.links = options.links,
           .output_folder = to_stdout ? "." : std::string(path::parent(output)),
           .current_folder = current};
-}
-
-/// "; did you mean 'arm'?", or the first instances.
-std::string other_instances(const std::string& name, std::span<const std::string_view> known) {
-  constexpr std::size_t kMost = 8;
-  const std::string instance = name.substr(0, name.find("::"));
-  if (instance != name && std::find(known.begin(), known.end(), instance) != known.end()) {
-    return "; name the instance alone, without a link: '" + instance + "'";
-  }
-  const std::string meant = did_you_mean(name, known);
-  if (!meant.empty() || known.empty()) return meant;
-  std::string text;
-  for (std::size_t i = 0; i < known.size() && i < kMost; ++i) {
-    text.append(i == 0 ? "; its instances are " : ", ").append(known[i]);
-  }
-  return text +
-         (known.size() > kMost ? " and " + std::to_string(known.size() - kMost) + " more" : "");
 }
 
 int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options& options) {
@@ -255,6 +244,11 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
 
 /// Reports options that exclude each other, and returns false.
 bool check_options(const Options& options) {
+  const bool is_page = options.format.empty() || options.format == "html";
+  if (options.opens && (!is_page || options.compare_dialects || !options.explained.empty())) {
+    complain(kTool, "--open shows the page of --format html");
+    return false;
+  }
   const bool is_scene = options.format == "smurfs";
   if (!options.assets.empty() && (is_scene || options.form == "reference")) {
     complain(kTool, std::string("--copy-assets copies the files that models name, and ") +
@@ -416,6 +410,31 @@ bool lacks_entities(const LinkedScene& scene) {
   return !root.find("entities") && !root.find("smurfs") && !root.find("smurfa");
 }
 
+/// Writes the result and its copies, says so, and opens the page.
+ExitCode write_result(const Conversion& conversion, const LoadedScene& loaded,
+                      const Options& options, const SceneFormat& format, const Result& result) {
+  std::string output = options.common.output;
+  const auto write = [&] {
+    if (!options.opens || (!output.empty() && output != "-")) {
+      return write_output(kTool, output, result.text);
+    }
+    output = write_temporary_page(kTool, "scene", result.text);
+    return !output.empty();
+  };
+  if (!copy_files(kTool, result.copies, conversion.files(), options.common.limits,
+                  options.overwrite, write)) {
+    return kFailed;
+  }
+  if (output.empty() || output == "-" || options.compare_dialects) return kDone;
+  const bool copies_nothing = !options.assets.empty() && result.copies.empty();
+  conversion.tell_written(output + ": " + counted(loaded.scene.instances.size(), "instance") +
+                              " of " + counted(loaded.scene.models.size(), "model") +
+                              (result.has_falling_robots ? "; robots fall, see --ground" : "") +
+                              (copies_nothing ? "; it names no files to copy" : ""),
+                          remarks_on(format, output));
+  return options.opens && !show_page(kTool, output) ? kFailed : kDone;
+}
+
 }  // namespace
 
 int smurfs_flatten_main(int argc, char** argv) {
@@ -472,17 +491,5 @@ int smurfs_flatten_main(int argc, char** argv) {
   }
   if (!write_losses(options, conversion.findings(), sources)) return kFailed;
   if (!result.is_complete && options.strict) return conversion.refuse("has losses");
-  const bool is_written =
-      copy_files(kTool, result.copies, conversion.files(), options.common.limits, options.overwrite,
-                 [&] { return write_output(kTool, options.common.output, result.text); });
-  if (!is_written) return kFailed;
-  const std::string& output = options.common.output;
-  if (output.empty() || output == "-" || options.compare_dialects) return kDone;
-  const bool copies_nothing = !options.assets.empty() && result.copies.empty();
-  conversion.tell_written(output + ": " + counted(loaded->scene.instances.size(), "instance") +
-                              " of " + counted(loaded->scene.models.size(), "model") +
-                              (result.has_falling_robots ? "; robots fall, see --ground" : "") +
-                              (copies_nothing ? "; it names no files to copy" : ""),
-                          remarks_on(format, output));
-  return kDone;
+  return write_result(conversion, *loaded, options, format, result);
 }

@@ -204,6 +204,7 @@ export class Joints {
 
   show(entity, isWhole = false) {
     if (this.entity === entity && !isWhole) return;
+    this.choose(); // the row is that of another entity
     this.entity = entity;
     this.model = this.scene.entities[entity]?.model;
     this.movable = this.model?.joints.filter(isMovable) ?? [];

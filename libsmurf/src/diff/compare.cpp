@@ -175,6 +175,18 @@ class PropertyComparer {
     });
   }
 
+  /// "a was renamed to b, c was renamed to d and 3 more".
+  static std::string listed(const std::map<std::string, std::string, std::less<>>& renamed) {
+    constexpr std::size_t kMost = 3;
+    std::string text;
+    std::size_t count = 0;
+    for (const auto& [name, other] : renamed) {
+      if (++count > kMost) continue;
+      text += (text.empty() ? "" : ", ") + name + " was renamed to " + other;
+    }
+    return count > kMost ? text + " and " + std::to_string(count - kMost) + " more" : text;
+  }
+
   Difference& add(const std::string& path, const Property& property) {
     Difference& difference = out_.emplace_back(frame_);
     difference.property = path;
@@ -189,10 +201,15 @@ class PropertyComparer {
     difference.before = value_of(before);
     difference.after = value_of(after);
     if (difference.before == difference.after) {  // the old name of a renamed thing
+      std::map<std::string, std::string, std::less<>> renamed;
       const DiffValue meant = value_of(before, [&](std::string_view name, Span place) {
-        return renames_.translate(name, place);
+        std::string translated = renames_.translate(name, place);
+        if (translated != name) renamed.try_emplace(std::string(name), translated);
+        return translated;
       });
-      difference.detail = "which was renamed to " + value_text(meant, {}, {});
+      const bool is_list = after.form == Form::texts || after.form == Form::list;
+      difference.detail =
+          is_list ? listed(renamed) : "which was renamed to " + value_text(meant, {}, {});
     }
     difference.old_place = before.span;
     difference.new_place = after.span;
@@ -300,7 +317,9 @@ class Comparison {
     const Difference frame = frame_of(after_, new_thing);
     const std::string name =
         before.names ? before.name : renames_.translate(before.name, before.place);
-    if (name != after.name) {
+    // An annotation may still have the old name of a renamed joint; lists that name it say so.
+    const bool is_left_behind = before.name == after.name;
+    if (name != after.name && !is_left_behind) {
       Difference& difference = out_.emplace_back(frame);
       difference.change = Change::renamed;
       difference.old_name = shown_name(before);

@@ -19,6 +19,11 @@ constexpr int kColumns = 80;
 constexpr int kFewestColumns = 40;
 constexpr std::size_t kIndent = 4;
 
+/// Whether the detail names the items of a list that were renamed.
+bool is_about_names(std::string_view detail) {
+  return !detail.starts_with("which") && detail.find(" was renamed to ") != detail.npos;
+}
+
 std::string sentence_of(const Difference& difference) {
   std::string text;
   switch (difference.change) {
@@ -27,6 +32,9 @@ std::string sentence_of(const Difference& difference) {
   case Change::renamed: break;
   case Change::changed:
     text = ": " + label_in(difference) + " " + shown_value(change_text(difference));
+    if (difference.before == difference.after && is_about_names(difference.detail)) {
+      return ": " + label_in(difference) + " still has an old name: " + difference.detail;
+    }
     if (difference.before == difference.after && !difference.detail.empty()) {
       text = ": " + label_in(difference) + " is still " +
              shown_value(value_text(difference.after, {}, {}));

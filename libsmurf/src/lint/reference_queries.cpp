@@ -230,13 +230,35 @@ Diagnostic* report_unknown(const LinkedModel& model, const Reference& reference,
   return diagnostic;
 }
 
+namespace {
+
+/// One finding for all names of motors, when the model has none.
+void tell_that_there_is_no_motor(Diagnostic& diagnostic, const LinkedModel& model,
+                                 Findings& findings) {
+  const auto& all = findings.doubtful_references();
+  const auto count = std::count_if(all.begin(), all.end(), [](const Reference& one) {
+    return one.kind == NameKind::motor && is_in_yaml(one) && !one.is_known() && !one.is_vague;
+  });
+  diagnostic.note("the model has no motor" +
+                  (count > 1 ? ", and " + std::to_string(count) + " names of motors" : ""));
+  if (model.robot && !model.robot->joints.empty()) {
+    diagnostic.help("write the motors of the joints in the section `motors`");
+  }
+}
+
+}  // namespace
+
 void report_unknown(const LinkedModel& model, NameKind kind, Findings& findings,
                     const std::function<bool(const AnnotationPlace&)>& is_passed_over) {
   for (const Reference& one : findings.doubtful_references()) {
     if (one.kind != kind || !is_in_yaml(one) || one.is_known() || one.is_vague) continue;
     const AnnotationPlace place = annotation_place(model, one);
     if (place.section == "poses" || (is_passed_over && is_passed_over(place))) continue;
-    report_unknown(model, one, findings);
+    Diagnostic* diagnostic = report_unknown(model, one, findings);
+    if (kind == NameKind::motor && model.annotations.motors.empty() && diagnostic != nullptr) {
+      tell_that_there_is_no_motor(*diagnostic, model, findings);
+      return;
+    }
   }
 }
 

@@ -45,19 +45,27 @@ UnusedNames links_without_joint(const LinkedModel& model) {
   return unused;
 }
 
-/// The only link that no joint names, if the robot has others.
-UnusedNames link_without_any_joint(const LinkedModel& model) {
+/// The only link that no joint names, if the robot has others; otherwise "".
+std::string_view lone_link(const LinkedModel& model) {
   Names named;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (joint.parent) named.insert(*joint.parent);
     if (joint.child) named.insert(*joint.child);
   });
-  UnusedNames unused{{}, {}, "which no joint names"};
+  std::string_view lone;
+  std::size_t count = 0;
   for_each_link(model, [&](const urdf::Link& link) {
-    if (link.name && !named.contains(*link.name)) unused.names.push_back(*link.name);
+    if (!link.name || named.contains(*link.name)) return;
+    lone = *link.name;
+    ++count;
   });
-  if (unused.names.size() != 1) unused.names.clear();
-  return unused;
+  return count == 1 && model.robot->links.size() > 1 ? lone : std::string_view();
+}
+
+/// Whether one is the other with something added: `base` and `base_link`.
+bool is_extended(std::string_view one, std::string_view other) {
+  if (one.empty() || other.empty()) return false;
+  return one.find(other) != one.npos || other.find(one) != other.npos;
 }
 
 /// Joints that name the same absent link, of which the first is reported.
@@ -98,18 +106,20 @@ bool is_above(const LinkedModel& model, std::string_view above, std::string_view
 }
 
 /// A joint does not lead from a link to itself, or back to a link above.
-Meanings meanings_of(const LinkedModel& model, xml::View end) {
+Meanings meanings_of(const LinkedModel& model, xml::View end, std::string_view name,
+                     std::string_view lone) {
   const std::string_view other = other_link(end);
   Meanings meanings;
   meanings.own = other;
   meanings.is_impossible = [&model, other,
-                            is_child = end.name() == "child"](std::string_view name) {
-    return is_child ? is_above(model, name, other) : is_above(model, other, name);
+                            is_child = end.name() == "child"](std::string_view meant) {
+    return is_child ? is_above(model, meant, other) : is_above(model, other, meant);
   };
-  meanings.unused = [&model, is_child = end.name() == "child"] {
-    UnusedNames lone = link_without_any_joint(model);
-    return is_child && lone.names.empty() ? links_without_joint(model) : lone;
-  };
+  if (is_extended(lone, name) && !meanings.is_impossible(lone)) {
+    meanings.unused = [lone] { return UnusedNames{{lone}, lone, "which no joint names"}; };
+  } else if (end.name() == "child") {
+    meanings.unused = [&model] { return links_without_joint(model); };
+  }
   return meanings;
 }
 
@@ -117,6 +127,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (findings.doubtful_references().empty()) return;
   const urdf::Link* unnamed = link_without_name(model);
   const Names driven = joints_with_motor(model);
+  const std::string_view lone = model.robot ? lone_link(model) : std::string_view();
   std::map<std::string_view, Followers> parents;  // by the name of an absent parent
   for (const Reference& one : findings.doubtful_references()) {
     const xml::View end = element_of(model, one);
@@ -128,8 +139,8 @@ void check(const LinkedModel& model, Findings& findings) {
       if (is_driven(end.parent(), driven)) known->second.first->when(kDriven);
       continue;
     }
-    Diagnostic* diagnostic =
-        check_link_of_joint(model, one, subject, unnamed, findings, meanings_of(model, end));
+    Diagnostic* diagnostic = check_link_of_joint(model, one, subject, unnamed, findings,
+                                                 meanings_of(model, end, one.name, lone));
     if (diagnostic != nullptr && end.name() == "parent") parents[one.name].first = diagnostic;
     if (diagnostic != nullptr && is_driven(end.parent(), driven)) diagnostic->when(kDriven);
     if (diagnostic != nullptr && end.name() == "parent" && one.name == "world") {

@@ -13,6 +13,13 @@ namespace {
 constexpr double kShortest = 1e-3;  // m
 constexpr double kLongest = 2;      // m
 
+/// Without an exponent, which only large numbers have.
+std::string shown(double value) {
+  constexpr double kLarge = 100, kLargest = 1e12;
+  return value >= kLarge && value < kLargest ? std::to_string(std::llround(value))
+                                             : format_rounded(value, 2);
+}
+
 /// A question about the unit with which the body would have a likely size; "" if there is none.
 std::string likely_unit(double mass, double radius) {
   constexpr double kHeavy = 1000;        // kg: no link weighs more
@@ -40,9 +47,8 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " does not fit its mass");
-    diagnostic.caret = format_rounded((*moments)[2], 3) + " kg m2 needs all " +
-                       format_rounded(mass, 3) + " kg to be " + format_rounded(radius, 2) +
-                       " m from the axis";
+    diagnostic.caret = shown((*moments)[2]) + " kg m2 needs all " + shown(mass) + " kg to be " +
+                       shown(radius) + " m from the axis";
     if (const std::string unit = likely_unit(mass, radius); !unit.empty()) diagnostic.help(unit);
   });
 }
