@@ -35,6 +35,27 @@ Value bound(Evaluator& evaluator, const Value& self, const Method& method) {
   return evaluator.heap().function(function);
 }
 
+/// `str.lower`: the text is the first parameter.
+Value call_unbound(Call& call) {
+  if (call.values.empty() || !call.values[0].is_text()) {
+    return call.evaluator.fail("`str." + std::string(call.name) + "()` needs a text");
+  }
+  Call inner{call.evaluator,
+             call.name,
+             call.values[0],
+             {call.values.begin() + 1, call.values.end()},
+             call.keywords};
+  return text_method(call.name)->call(inner);
+}
+
+Value unbound(Evaluator& evaluator, const Value& type, const Method& method) {
+  const Value function = bound(evaluator, type, method);
+  if (function.is_failed()) return function;
+  Function made = *function.function;
+  made.call = call_unbound;
+  return evaluator.heap().function(made);
+}
+
 const Method* method_of(const Value& value, std::string_view name) {
   switch (value.kind) {
   case Kind::text: return text_method(name);
@@ -42,10 +63,13 @@ const Method* method_of(const Value& value, std::string_view name) {
   case Kind::tuple: {
     const Method* method = list_method(name);
     const bool is_of_both = name == "index" || name == "count";
-    return value.kind == Kind::list || is_of_both ? method : nullptr;
+    return (value.kind == Kind::list && value.list->type == Type::list) ||
+                   (value.kind == Kind::tuple && is_of_both)
+               ? method
+               : nullptr;
   }
   case Kind::dict: return dict_method(name);
-  default: return nullptr;
+  default: return number_method(value, name);
   }
 }
 
@@ -54,9 +78,8 @@ std::optional<std::int64_t> whole(const Value& value) {
   return to_big(value).to_int64();
 }
 
-/// The positions that a slice takes from a sequence of a size, as CPython's PySlice_AdjustIndices.
-bool positions_of(Evaluator& evaluator, const Slice& slice, std::int64_t size,
-                  std::vector<std::size_t>& positions) {
+/// What a slice takes from a sequence of a size, as CPython's PySlice_AdjustIndices.
+std::optional<Range> ends_of(Evaluator& evaluator, const Slice& slice, std::int64_t size) {
   const auto part = [&](const Value& value, std::optional<std::int64_t>& result) {
     if (value.kind == Kind::none) return true;
     result = whole(value);
@@ -65,11 +88,12 @@ bool positions_of(Evaluator& evaluator, const Slice& slice, std::int64_t size,
     return result.has_value();
   };
   std::optional<std::int64_t> begin, end, step;
-  if (!part(slice.begin, begin) || !part(slice.end, end) || !part(slice.step, step)) return false;
-  const std::int64_t by = step.value_or(1);
+  if (!part(slice.begin, begin) || !part(slice.end, end) || !part(slice.step, step)) return {};
+  constexpr std::int64_t kMost = std::int64_t{1} << 61U;
+  const std::int64_t by = std::clamp(step.value_or(1), -kMost, kMost);
   if (by == 0) {
     evaluator.fail("the step of a slice is 0");
-    return false;
+    return {};
   }
   const std::int64_t lowest = by < 0 ? -1 : 0;
   const std::int64_t highest = by < 0 ? size - 1 : size;
@@ -77,12 +101,17 @@ bool positions_of(Evaluator& evaluator, const Slice& slice, std::int64_t size,
     if (at < 0) at = at < -size ? -1 : at + size;
     return std::clamp(at, lowest, highest);
   };
-  std::int64_t at = begin ? inside(*begin) : (by < 0 ? highest : lowest);
-  const std::int64_t stop = end ? inside(*end) : (by < 0 ? lowest : highest);
-  while (by > 0 ? at < stop : at > stop) {
-    positions.push_back(static_cast<std::size_t>(at));
-    if (by > size || -by > size) break;
-    at += by;
+  return Range{begin ? inside(*begin) : (by < 0 ? highest : lowest),
+               end ? inside(*end) : (by < 0 ? lowest : highest), by};
+}
+
+/// The positions that a slice takes.
+bool positions_of(Evaluator& evaluator, const Slice& slice, std::int64_t size,
+                  std::vector<std::size_t>& positions) {
+  const auto ends = ends_of(evaluator, slice, size);
+  if (!ends) return false;
+  for (std::int64_t i = 0; i < ends->size(); ++i) {
+    positions.push_back(static_cast<std::size_t>(ends->begin + i * ends->step));
   }
   return evaluator.step(positions.size() / 16);
 }
@@ -143,10 +172,25 @@ Value subscript_list(Evaluator& evaluator, const Value& value, const Value& inde
   return result;
 }
 
+/// A part of a range is a range.
+Value subscript_range(Evaluator& evaluator, const Range& range, const Slice& slice) {
+  const auto ends = ends_of(evaluator, slice, range.size());
+  if (!ends) return Value::failure();
+  constexpr std::int64_t kMost = std::int64_t{1} << 30U;
+  if (std::max({range.step, -range.step, ends->step, -ends->step}) > kMost) {
+    return evaluator.fail_unsupported("a part of a range with so long a step");
+  }
+  return evaluator.heap().range({range.begin + ends->begin * range.step,
+                                 range.begin + ends->end * range.step, range.step * ends->step});
+}
+
 }  // namespace
 
 Value attribute_of(Evaluator& evaluator, const Value& value, std::string_view name) {
   if (const Method* method = method_of(value, name)) return bound(evaluator, value, *method);
+  if (value.kind == Kind::type && value.type == Type::text) {
+    if (const Method* method = text_method(name)) return unbound(evaluator, value, *method);
+  }
   if (name == "__class__") return Value::of(type_of(value));
   if (name.starts_with('_')) return evaluator.fail("names that begin with `_` are not allowed");
   if (value.kind == Kind::name_space) {
@@ -164,8 +208,13 @@ Value attribute_of(Evaluator& evaluator, const Value& value, std::string_view na
     return evaluator.wrapped(*member);
   }
   if (value.is_number() || value.kind == Kind::complex) {
-    const auto whole_value = to_real(value);
-    if (name == "real" && whole_value) return value;
+    const bool is_whole = value.is_integral();
+    if (name == "real" && is_whole) return evaluator.integer(to_big(value));
+    if (name == "numerator" && is_whole) return evaluator.integer(to_big(value));
+    if (name == "denominator" && is_whole) return Value::of(std::int64_t{1});
+    if (name == "imag" && is_whole) return Value::of(std::int64_t{0});
+    if (name == "real" && value.kind == Kind::real) return value;
+    if (name == "imag" && value.kind == Kind::real) return Value::of(0.0);
     if (value.kind == Kind::complex && name == "real") return Value::of(value.complex->real());
     if (value.kind == Kind::complex && name == "imag") return Value::of(value.complex->imag());
   }
@@ -186,6 +235,7 @@ Value subscript_of(Evaluator& evaluator, const Value& value, const Value& index)
     if (value.list->type != Type::list) break;
     return subscript_list(evaluator, value, index);
   case Kind::range: {
+    if (index.kind == Kind::slice) return subscript_range(evaluator, *value.range, *index.slice);
     std::size_t at = 0;
     const auto size = static_cast<std::size_t>(value.range->size());
     if (!position_of(evaluator, index, size, at)) return Value::failure();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The functions that expressions know by name, in the global table, `python.` and `xacro.`.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "base/rules.hpp"
+#include "base/utf8.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 
@@ -170,32 +172,6 @@ Value repr(Call& call) {
   return call.evaluator.has_failed() ? Value::failure() : call.evaluator.text(std::move(text));
 }
 
-Value sorted(Call& call) {
-  const Value* key = call.take(~std::size_t{0}, "key");
-  const Value* reverse = call.take(~std::size_t{0}, "reverse");
-  const bool has_key = key != nullptr && key->kind != Kind::none;
-  const Value key_function = has_key ? *key : Value();
-  const bool is_reversed = reverse != nullptr && is_true(*reverse);
-  std::vector<Value> items;
-  Evaluator& evaluator = call.evaluator;
-  if (!call.has_count(1, 3) || !evaluator.items_of(call.values[0], items)) return Value::failure();
-  std::vector<std::pair<Value, Value>> keyed;
-  for (const Value& item : items) {
-    keyed.emplace_back(has_key ? evaluator.call(key_function, {item}) : item, item);
-    if (keyed.back().first.is_failed()) return Value::failure();
-    const auto order = compare(keyed.front().first, keyed.back().first);
-    if (!order) return evaluator.fail("`sorted()` cannot order " + std::string(kind_name(item)));
-  }
-  if (!evaluator.step(items.size() * 20)) return Value::failure();
-  std::stable_sort(keyed.begin(), keyed.end(), [&](const auto& a, const auto& b) {
-    const auto order = compare(is_reversed ? b.first : a.first, is_reversed ? a.first : b.first);
-    return order && *order == -1;
-  });
-  items.clear();
-  for (const auto& [by, item] : keyed) items.push_back(item);
-  return evaluator.list(std::move(items));
-}
-
 Value sum(Call& call) {
   const Value* start = call.take(1, "start");
   Value total = start != nullptr ? *start : Value::of(std::int64_t{0});
@@ -214,6 +190,39 @@ Value sum(Call& call) {
 Value unsupported(Call& call) {
   return call.evaluator.fail_unsupported("`" + std::string(call.name) + "()`");
 }
+
+}  // namespace
+
+Value sorted(Call& call) {
+  const Value* key = call.take(~std::size_t{0}, "key");
+  const Value* reverse = call.take(~std::size_t{0}, "reverse");
+  const bool has_key = key != nullptr && key->kind != Kind::none;
+  const Value key_function = has_key ? *key : Value();
+  const bool is_reversed = reverse != nullptr && is_true(*reverse);
+  std::vector<Value> items;
+  Evaluator& evaluator = call.evaluator;
+  if (!call.has_count(1, 3) || !evaluator.items_of(call.values[0], items)) return Value::failure();
+  std::vector<std::pair<Value, Value>> keyed;
+  for (const Value& item : items) {
+    keyed.emplace_back(has_key ? evaluator.call(key_function, {item}) : item, item);
+    if (keyed.back().first.is_failed()) return Value::failure();
+    const auto order = compare(keyed.front().first, keyed.back().first);
+    if (!order) return evaluator.fail("`sorted()` cannot order " + std::string(kind_name(item)));
+  }
+  if (!evaluator.step(items.size() * 20)) return Value::failure();
+  bool can_order = true;
+  std::stable_sort(keyed.begin(), keyed.end(), [&](const auto& a, const auto& b) {
+    const auto order = compare(is_reversed ? b.first : a.first, is_reversed ? a.first : b.first);
+    can_order = can_order && order.has_value();
+    return order && *order == -1;
+  });
+  if (!can_order) return evaluator.fail("`sorted()` cannot order the items");
+  items.clear();
+  for (const auto& [by, item] : keyed) items.push_back(item);
+  return evaluator.list(std::move(items));
+}
+
+namespace {
 
 // xacro.
 
@@ -236,27 +245,99 @@ Value argument(Call& call) {
   return call.evaluator.host().argument(*call.values[0].text);
 }
 
+/// What stands between `[` and `]` of a regular expression: characters, ranges, `^` and classes.
+class Separators {
+ public:
+  /// False if it means something else: such a text ends before its end, or is no expression.
+  bool read(std::string_view text) {
+    if (text.starts_with('^')) {
+      is_negated_ = true;
+      text.remove_prefix(1);
+    }
+    if (text.empty()) return false;
+    for (bool is_first = true; !text.empty(); is_first = false) {
+      char32_t from = 0;
+      if (text[0] == ']' && !is_first) return false;
+      if (!take(text, from)) return false;
+      if (from == kClass) continue;
+      char32_t to = from;
+      if (text.size() > 1 && text[0] == '-') {
+        text.remove_prefix(1);
+        if (text[0] == ']' || !take(text, to) || to == kClass || to < from) return false;
+      }
+      ranges_.emplace_back(from, to);
+    }
+    return true;
+  }
+  bool has(char32_t c) const {
+    const bool is_in = std::any_of(ranges_.begin(), ranges_.end(), [&](const auto& range) {
+      return c >= range.first && c <= range.second;
+    });
+    return (is_in || (has_blanks_ && is_python_blank(c))) != is_negated_;
+  }
+
+ private:
+  static constexpr char32_t kClass = 0xFFFFFFFF;
+
+  /// The next character; kClass for `\s`, which is kept.
+  bool take(std::string_view& text, char32_t& character) {
+    const utf8::CodePoint point = utf8::decode(text);
+    text.remove_prefix(point.size);
+    character = point.value;
+    if (character != '\\') return true;
+    if (text.empty()) return false;
+    const char escaped = text[0];
+    text.remove_prefix(1);
+    if (escaped == 's') {
+      has_blanks_ = true;
+      character = kClass;
+      return true;
+    }
+    constexpr std::string_view kNames = "tnrfv";
+    constexpr std::string_view kMeanings = "\t\n\r\f\v";
+    const std::size_t name = kNames.find(escaped);
+    character =
+        static_cast<unsigned char>(name != std::string_view::npos ? kMeanings[name] : escaped);
+    const bool is_mark = std::ispunct(static_cast<unsigned char>(escaped)) != 0;
+    return name != std::string_view::npos || is_mark;
+  }
+
+  std::vector<std::pair<char32_t, char32_t>> ranges_;
+  bool has_blanks_ = false;
+  bool is_negated_ = false;
+};
+
 Value tokenize(Call& call) {
   const Value* separators = call.take(1, "sep");
   const Value* skip_empty = call.take(2, "skip_empty");
+  const Value* whole = call.take(0, "s");
   Evaluator& evaluator = call.evaluator;
-  if (call.values.empty() || !call.values[0].is_text() ||
+  if (whole == nullptr || !whole->is_text() || !call.has_count(1, 3) ||
       (separators != nullptr && !separators->is_text())) {
     return evaluator.fail("`tokenize()` needs texts");
   }
-  const std::string marks = separators != nullptr ? *separators->text : ",; ";
-  if (marks.find_first_of("^-\\]") != std::string::npos) {
-    return evaluator.fail_unsupported("`^`, `-`, `]` or `\\` as separator");
+  Separators marks;
+  if (!marks.read(separators != nullptr ? *separators->text : ",; ")) {
+    return evaluator.fail_unsupported("this list of separators");
   }
   const bool keeps_empty = skip_empty != nullptr && !is_true(*skip_empty);
   std::vector<Value> items;
-  const std::string& text = *call.values[0].text;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find_first_of(marks, begin), text.size());
+  const std::string_view text = *whole->text;
+  if (!evaluator.step(text.size())) return Value::failure();
+  std::size_t begin = 0;
+  const auto add = [&](std::size_t end) {
     if (end > begin || keeps_empty)
-      items.push_back(evaluator.text(text.substr(begin, end - begin)));
-    begin = end + 1;
+      items.push_back(evaluator.text(std::string(text.substr(begin, end - begin))));
+  };
+  for (std::size_t at = 0; at < text.size();) {
+    const utf8::CodePoint point = utf8::decode(text.substr(at));
+    if (marks.has(point.value)) {
+      add(at);
+      begin = at + point.size;
+    }
+    at += point.size;
   }
+  add(text.size());
   return evaluator.list(std::move(items));
 }
 

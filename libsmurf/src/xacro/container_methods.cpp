@@ -83,28 +83,156 @@ Value copy_dict(Call& call) {
   return call.evaluator.heap().dict(*call.self.dict);
 }
 
-constexpr std::array kList = {
-    Method{"append", nullptr},    Method{"clear", nullptr},  Method{"copy", copy_list},
-    Method{"count", count_items}, Method{"extend", nullptr}, Method{"index", index_of},
-    Method{"insert", nullptr},    Method{"pop", pop},        Method{"remove", nullptr},
-    Method{"reverse", nullptr},   Method{"sort", nullptr}};
-
-constexpr std::array kDict = {
-    Method{"clear", nullptr},  Method{"copy", copy_dict},  Method{"fromkeys", nullptr},
-    Method{"get", get},        Method{"items", members},   Method{"keys", members},
-    Method{"pop", nullptr},    Method{"popitem", nullptr}, Method{"setdefault", nullptr},
-    Method{"update", nullptr}, Method{"values", members}};
-
-template <class Rows>
-const Method* find_row(const Rows& rows, std::string_view name) {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [&](const Method& one) { return one.name == name; });
-  return found == rows.end() ? nullptr : &*found;
+/// Whether the list or dictionary may get these items.
+bool may_get(Call& call, const std::vector<Value>& items) {
+  if (!call.evaluator.heap().adopt(call.self, items)) {
+    call.evaluator.fail_unsupported("a list that gets lists while it is in another list");
+    return false;
+  }
+  const std::size_t size =
+      call.self.kind == Kind::dict ? call.self.dict->items.size() : call.self.list->items.size();
+  if (size + items.size() > call.evaluator.limits().xacro_items) {
+    call.evaluator.list(std::vector<Value>(call.evaluator.limits().xacro_items + 1));
+    return false;
+  }
+  return call.evaluator.step(items.size());
 }
+
+/// append(), extend() and insert().
+Value add_items(Call& call) {
+  const std::size_t count = call.name == "insert" ? 2 : 1;
+  if (!call.has_count(count, count)) return Value::failure();
+  std::vector<Value>& items = call.self.list->items;
+  std::vector<Value> added{call.values.back()};
+  if (call.name == "extend" && !call.evaluator.items_of(call.values[0], added)) {
+    return Value::failure();
+  }
+  if (!may_get(call, added)) return Value::failure();
+  auto place = items.end();
+  if (call.name == "insert") {
+    const auto size = static_cast<std::int64_t>(items.size());
+    const auto at = call.values[0].is_integral() ? to_big(call.values[0]).to_int64() : std::nullopt;
+    if (!at) return call.evaluator.fail("`insert()` needs an integer and a value");
+    const std::int64_t from_begin = *at < 0 ? std::max<std::int64_t>(*at, -size) + size : *at;
+    place = items.begin() + std::min(from_begin, size);
+  }
+  items.insert(place, added.begin(), added.end());
+  return {};
+}
+
+Value remove_item(Call& call) {
+  const Value at = index_of(call);
+  if (at.is_failed()) return at;
+  std::vector<Value>& items = call.self.list->items;
+  items.erase(items.begin() + at.integer);
+  return {};
+}
+
+Value reverse(Call& call) {
+  if (!call.has_count(0, 0)) return Value::failure();
+  std::reverse(call.self.list->items.begin(), call.self.list->items.end());
+  return {};
+}
+
+Value sort(Call& call) {
+  if (call.count() > 0) return call.evaluator.fail("`sort()` has parameters with names only");
+  call.values = {call.self};
+  const Value result = sorted(call);
+  if (result.is_failed()) return result;
+  call.self.list->items = result.list->items;
+  return {};
+}
+
+/// The value of a dictionary of YAML is a copy whenever it is looked up; changing it has no effect,
+/// except on the outermost one.
+bool is_changeable(Call& call) {
+  if (!call.self.is_wrapped) return true;
+  call.evaluator.fail_unsupported("a change of a dictionary of YAML");
+  return false;
+}
+
+Value clear(Call& call) {
+  if (!call.has_count(0, 0) || !is_changeable(call)) return Value::failure();
+  if (call.self.kind == Kind::list) {
+    call.self.list->items.clear();
+  } else {
+    call.self.dict->items.clear();
+    call.self.dict->by_key.clear();
+  }
+  return {};
+}
+
+Value take_member(Call& call, std::size_t at) {
+  Dict& dict = *call.self.dict;
+  const Value value = dict.items[at].second;
+  if (!call.evaluator.step(dict.items.size())) return Value::failure();
+  dict.items.erase(dict.items.begin() + static_cast<std::ptrdiff_t>(at));
+  std::erase_if(dict.by_key, [&](const auto& one) { return one.second == at; });
+  for (auto& [key, index] : dict.by_key) index -= index > at ? 1 : 0;
+  return value;
+}
+
+Value pop_member(Call& call) {
+  if (!call.has_count(1, 2) || !is_changeable(call)) return Value::failure();
+  const auto key = hash_key(call.values[0]);
+  const auto found = key ? call.self.dict->by_key.find(*key) : call.self.dict->by_key.end();
+  if (found != call.self.dict->by_key.end()) return take_member(call, found->second);
+  if (key && call.count() == 2) return call.values[1];
+  return call.evaluator.fail("the dictionary has no such key");
+}
+
+Value pop_last_member(Call& call) {
+  if (!call.has_count(0, 0) || !is_changeable(call)) return Value::failure();
+  const Dict& dict = *call.self.dict;
+  if (dict.items.empty()) return call.evaluator.fail("the dictionary is empty");
+  const Value key = dict.items.back().first;
+  const Value value = take_member(call, dict.items.size() - 1);
+  return value.is_failed() ? value : call.evaluator.list({key, value}, Kind::tuple);
+}
+
+Value set_default(Call& call) {
+  if (!call.has_count(1, 2) || !is_changeable(call)) return Value::failure();
+  const Value known = get(call);
+  if (known.is_failed()) return known;
+  if (call.self.dict->find(*hash_key(call.values[0])) != nullptr) return known;
+  const Value value = call.count() == 2 ? call.values[1] : Value();
+  if (!may_get(call, {value})) return Value::failure();
+  insert(*call.self.dict, call.values[0], value);
+  return value;
+}
+
+Value update(Call& call) {
+  if (!is_changeable(call)) return Value::failure();
+  const Value added = call_type(call.evaluator, Type::dict, call);
+  if (added.is_failed()) return added;
+  std::vector<Value> values;
+  for (const auto& [key, value] : added.dict->items) values.push_back(value);
+  if (!may_get(call, values)) return Value::failure();
+  for (const auto& [key, value] : added.dict->items) insert(*call.self.dict, key, value);
+  return {};
+}
+
+constexpr std::array kList = {
+    Method{"append", add_items},  Method{"clear", clear},      Method{"copy", copy_list},
+    Method{"count", count_items}, Method{"extend", add_items}, Method{"index", index_of},
+    Method{"insert", add_items},  Method{"pop", pop},          Method{"remove", remove_item},
+    Method{"reverse", reverse},   Method{"sort", sort}};
+
+constexpr std::array kDict = {Method{"clear", clear},
+                              Method{"copy", copy_dict},
+                              Method{"fromkeys", nullptr},
+                              Method{"get", get},
+                              Method{"items", members},
+                              Method{"keys", members},
+                              Method{"pop", pop_member},
+                              Method{"popitem", pop_last_member},
+                              Method{"setdefault", set_default},
+                              Method{"update", update},
+                              Method{"values", members}};
 
 }  // namespace
 
-const Method* list_method(std::string_view name) { return find_row(kList, name); }
-const Method* dict_method(std::string_view name) { return find_row(kDict, name); }
+const Method* list_method(std::string_view name) { return find_method(kList, name); }
+const Method* dict_method(std::string_view name) { return find_method(kDict, name); }
 
 }  // namespace smurf::xacro

@@ -102,13 +102,18 @@ Value Evaluator::integer(BigInt value) {
 }
 
 std::string Evaluator::string_of(const Value& value) {
-  if (value.is_text()) return *value.text;
-  return repr(value);
+  NoText problem;
+  std::string text = text_of(value, problem);
+  return checked_text(value, std::move(text), problem);
 }
 
 std::string Evaluator::repr(const Value& value) {
   NoText problem;
   std::string text = repr_of(value, problem);
+  return checked_text(value, std::move(text), problem);
+}
+
+std::string Evaluator::checked_text(const Value& value, std::string text, const NoText& problem) {
   if (!problem.reason.empty()) {
     fail("the text of " + std::string(kind_name(value)) + " is unknown: " + problem.reason);
   }
@@ -184,14 +189,6 @@ Value Evaluator::name(const Syntax& syntax, const Scope& scope) {
   const std::string_view name = syntax.text;
   if (scope.locals != nullptr) {
     if (const Value* local = scope.locals->find(name)) return *local;
-    Table* root = scope.table->root();
-    if (Table::Entry* entry = root->own(name)) return entry->value;
-    const bool is_property = static_cast<bool>(scope.table->find(name));
-    return fail(rules::sml3301_xacro_unknown_name,
-                is_property ? quoted(name) + " is not visible inside of a comprehension or a lambda"
-                            : "there is no " + quoted(name),
-                is_property ? "move it into the list of the first `for`, or compute it before"
-                            : "");
   }
   if (name.starts_with("__")) return fail("names that begin with `__` are not allowed");
   if (const Table::Found found = scope.table->find(name)) {
@@ -221,8 +218,12 @@ Value Evaluator::parts_of(const Syntax& syntax, const Scope& scope, Kind kind) {
   std::vector<Value> items;
   items.reserve(syntax.parts.size());
   for (const Syntax* part : syntax.parts) {
-    items.push_back(evaluate(*part, scope));
-    if (items.back().is_failed()) return items.back();
+    const bool is_star = part->kind == SyntaxKind::star;
+    const Value value = evaluate(is_star ? *part->parts[0] : *part, scope);
+    if (value.is_failed()) return value;
+    std::vector<Value> inner{value};
+    if (is_star && !items_of(value, inner)) return Value::failure();
+    items.insert(items.end(), inner.begin(), inner.end());
   }
   return list(std::move(items), kind);
 }
@@ -253,20 +254,39 @@ Value Evaluator::call(const Value& function, std::vector<Value> values,
     return fail(std::string(kind_name(function)) + " cannot be called");
   }
   const Function& called = *function.function;
-  if (called.lambda != nullptr) return call_lambda(called, values);
   Call call{*this, called.name, called.self, std::move(values), std::move(keywords)};
-  return called.call(call);
+  return called.lambda != nullptr ? call_lambda(called, call) : called.call(call);
 }
 
-Value Evaluator::call_lambda(const Function& function, const std::vector<Value>& values) {
+Locals& Evaluator::kept_locals() {
+  heap_.charge(sizeof(Locals) + 4 * sizeof(Value));
+  return captured_.emplace_back();
+}
+
+Value Evaluator::call_lambda(const Function& function, const Call& call) {
   const Syntax& lambda = *function.lambda;
-  if (values.size() != lambda.names.size()) {
-    return fail("the lambda needs " + std::to_string(lambda.names.size()) + " parameters");
-  }
-  Locals locals;
+  const std::size_t count = lambda.names.size();
+  const std::size_t needed = count - (lambda.parts.size() - 1);
+  Locals own;
+  Locals& locals = lambda.parts[0]->has_lambda ? kept_locals() : own;
   locals.outer = function.captured;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    locals.names.emplace_back(lambda.names[i], values[i]);
+  std::size_t named = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string_view name = lambda.names[i];
+    const auto keyword = std::find_if(call.keywords.begin(), call.keywords.end(),
+                                      [&](const auto& one) { return one.first == name; });
+    const bool has_keyword = keyword != call.keywords.end();
+    const bool has_value = i < call.count();
+    if (has_keyword == has_value && (has_value || i < needed)) {
+      return fail("the lambda needs " + quoted(name) + " once");
+    }
+    named += has_keyword ? 1 : 0;
+    locals.names.emplace_back(name, has_value     ? call.values[i]
+                                    : has_keyword ? keyword->second
+                                                  : function.captured->defaults[i - needed]);
+  }
+  if (call.count() > count || named != call.keywords.size()) {
+    return fail("the lambda needs " + std::to_string(count) + " parameters");
   }
   return evaluate(*lambda.parts[0], {function.self.table, &locals});
 }
@@ -281,6 +301,20 @@ Value Evaluator::call_syntax(const Syntax& syntax, const Scope& scope) {
     if (value.is_failed()) return value;
     if (syntax.names[i].empty()) {
       values.push_back(value);
+    } else if (syntax.names[i] == "*") {
+      std::vector<Value> items;
+      if (!items_of(value, items)) return Value::failure();
+      values.insert(values.end(), items.begin(), items.end());
+    } else if (syntax.names[i] == "**") {
+      if (value.kind != Kind::dict) return fail("`**` needs a dictionary");
+      for (const auto& [key, member] : value.dict->items) {
+        if (!key.is_text()) return fail("`**` needs keys that are texts");
+        if (std::any_of(keywords.begin(), keywords.end(),
+                        [&](const auto& one) { return one.first == *key.text; })) {
+          return fail("the parameter " + quoted(*key.text) + " is given twice");
+        }
+        keywords.emplace_back(*key.text, member);
+      }
     } else {
       keywords.emplace_back(syntax.names[i], value);
     }
@@ -338,7 +372,8 @@ bool Evaluator::run_clauses(const Syntax& syntax, std::size_t index, const Scope
 }
 
 Value Evaluator::comprehension(const Syntax& syntax, const Scope& scope) {
-  Locals locals;
+  Locals own;
+  Locals& locals = syntax.has_lambda ? kept_locals() : own;
   locals.outer = scope.locals;
   std::vector<Value> items;
   if (!run_clauses(syntax, 0, scope, locals, items)) return Value::failure();
@@ -380,6 +415,7 @@ Value Evaluator::evaluate(const Syntax& syntax, const Scope& scope) {
   case SyntaxKind::constant: return syntax.value;
   case SyntaxKind::tuple: return parts_of(syntax, scope, Kind::tuple);
   case SyntaxKind::list: return parts_of(syntax, scope, Kind::list);
+  case SyntaxKind::star: return fail("`*` is allowed in lists and tuples only");
   case SyntaxKind::comprehension: return comprehension(syntax, scope);
   case SyntaxKind::unary: {
     const Value value = part(0);
@@ -437,13 +473,15 @@ Value Evaluator::evaluate(const Syntax& syntax, const Scope& scope) {
     function.lambda = &syntax;
     function.self.kind = Kind::name_space;
     function.self.table = scope.table;
-    if (scope.locals != nullptr) {
-      // The names are gone when the lambda is called.
-      Locals& captured = captured_.emplace_back();
-      for (const Locals* at = scope.locals; at != nullptr; at = at->outer) {
-        captured.names.insert(captured.names.begin(), at->names.begin(), at->names.end());
+    function.captured = scope.locals;
+    if (syntax.parts.size() > 1) {
+      Locals& captured = kept_locals();
+      captured.outer = scope.locals;
+      for (std::size_t i = 1; i < syntax.parts.size(); ++i) {
+        const Value value = part(i);
+        if (value.is_failed()) return value;
+        captured.defaults.push_back(value);
       }
-      heap_.charge(captured.names.size() * sizeof captured.names[0]);
       function.captured = &captured;
     }
     return heap_.function(function);

@@ -2,6 +2,7 @@
 // Computes expressions. A failure is kept; it becomes a finding where the place is known.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -122,6 +123,7 @@ class Evaluator {
   const Limits& limits() const { return limits_; }
 
  private:
+  std::string checked_text(const Value& value, std::string text, const NoText& problem);
   Value name(const Syntax& syntax, const Scope& scope);
   void remark_on(const Syntax& comparison, std::size_t index, const Value& left,
                  const Value& right);
@@ -132,7 +134,9 @@ class Evaluator {
   bool run_clauses(const Syntax& syntax, std::size_t clause, const Scope& scope, Locals& locals,
                    std::vector<Value>& items);
   bool bind(const Syntax& target, const Value& value, Locals& locals);
-  Value call_lambda(const Function& function, const std::vector<Value>& values);
+  /// Names that a lambda may see after their loop; with the values that they have then.
+  Locals& kept_locals();
+  Value call_lambda(const Function& function, const Call& call);
   Value parts_of(const Syntax& syntax, const Scope& scope, Kind kind);
   bool check_names(const Syntax& syntax);
 
@@ -163,6 +167,7 @@ bool is_subtype(Type type, Type of);
 Value percent_format(Evaluator& evaluator, const std::string& format, const Value& values);
 Value brace_format(Call& call);
 // builtins.cpp, math_functions.cpp
+Value sorted(Call& call);
 /// Fills the table of functions.
 void add_functions(Table& root, Heap& heap, std::deque<Table>& tables);
 /// Fills the table of `$(eval ...)`.
@@ -174,8 +179,11 @@ struct Method {
   std::string_view name;
   Value (*call)(Call& call);  ///< null: not supported
 };
+/// The row of a table; null if it has none.
+const Method* find_method(std::span<const Method> rows, std::string_view name);
 const Method* text_method(std::string_view name);
 const Method* list_method(std::string_view name);
 const Method* dict_method(std::string_view name);
+const Method* number_method(const Value& value, std::string_view name);
 
 }  // namespace smurf::xacro

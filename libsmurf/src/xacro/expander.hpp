@@ -174,6 +174,10 @@ class Expander final : public Host {
   Value yaml_value(yaml::View view, std::string_view source);
   Value yaml_mapping(yaml::View view, std::string_view source);
   Value yaml_scalar(std::string_view text, yaml::Style style, std::string_view tag, Span span);
+  std::optional<Value> yaml_integer(std::string_view text);
+  std::optional<Value> yaml_float(std::string_view text);
+  Value yaml_tagged(std::string_view text, std::string_view tag, Span span);
+  Value fail_yaml(const std::string& message, Span span, bool is_unsupported);
   Value yaml_unit(std::string_view text, double factor, Span span);
 
   /// Reports the failure of the evaluator, or one of an element.

@@ -10,22 +10,10 @@
 #include "base/utf8.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
+#include "xacro/text_methods.hpp"
 
 namespace smurf::xacro {
 namespace {
-
-const std::string& self_of(const Call& call) { return *call.self.text; }
-
-/// The parameter as a text; null, with a failure, if it is something else.
-const std::string* text_at(Call& call, std::size_t position) {
-  if (position < call.count() && call.values[position].is_text()) {
-    return call.values[position].text;
-  }
-  call.evaluator.fail("`" + std::string(call.name) + "()` needs a text");
-  return nullptr;
-}
-
-bool is_ascii(std::string_view text) { return utf8::ascii_prefix(text) == text.size(); }
 
 /// Changes of case are known for ASCII only.
 Value with_case(Call& call, std::string (*change)(std::string)) {
@@ -39,7 +27,6 @@ Value with_case(Call& call, std::string (*change)(std::string)) {
 
 char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 Value to_lower(Call& call) {
   return with_case(call, [](std::string text) { return path::to_lower(text); });
@@ -227,54 +214,6 @@ Value join(Call& call) {
   return call.evaluator.text(std::move(text));
 }
 
-/// Begins or ends with one of several texts.
-Value has_end(Call& call) {
-  const bool at_begin = call.name == "startswith";
-  if (call.count() > 1)
-    return call.evaluator.fail_unsupported("a position in `" + std::string(call.name) + "()`");
-  if (!call.has_count(1, 1)) return Value::failure();
-  std::vector<Value> ends{call.values[0]};
-  if (call.values[0].kind == Kind::tuple) ends = call.values[0].list->items;
-  for (const Value& end : ends) {
-    if (!end.is_text())
-      return call.evaluator.fail("`" + std::string(call.name) + "()` needs a text");
-    const std::string& text = self_of(call);
-    if (at_begin ? text.starts_with(*end.text) : text.ends_with(*end.text)) return Value::of(true);
-  }
-  return Value::of(false);
-}
-
-Value find(Call& call) {
-  const std::string* wanted = text_at(call, 0);
-  if (wanted == nullptr) return Value::failure();
-  if (call.count() > 1)
-    return call.evaluator.fail_unsupported("a position in `" + std::string(call.name) + "()`");
-  const std::string& text = self_of(call);
-  const bool from_end = call.name == "rfind" || call.name == "rindex";
-  const std::size_t at = from_end ? text.rfind(*wanted) : text.find(*wanted);
-  if (at != std::string::npos) {
-    const std::size_t count = utf8::count_code_points(std::string_view(text).substr(0, at));
-    return Value::of(static_cast<std::int64_t>(count));
-  }
-  if (call.name == "find" || call.name == "rfind") return Value::of(std::int64_t{-1});
-  return call.evaluator.fail("the text " + quoted(*wanted) + " is not in it");
-}
-
-Value count_text(Call& call) {
-  const std::string* wanted = text_at(call, 0);
-  if (wanted == nullptr || !call.has_count(1, 1)) return Value::failure();
-  const std::string& text = self_of(call);
-  if (wanted->empty()) {
-    return Value::of(static_cast<std::int64_t>(utf8::count_code_points(text)) + 1);
-  }
-  std::int64_t count = 0;
-  for (std::size_t at = text.find(*wanted); at != std::string::npos;
-       at = text.find(*wanted, at + wanted->size())) {
-    ++count;
-  }
-  return Value::of(count);
-}
-
 Value replace(Call& call) {
   const std::string* old = text_at(call, 0);
   const std::string* with = old != nullptr ? text_at(call, 1) : nullptr;
@@ -282,9 +221,21 @@ Value replace(Call& call) {
   std::int64_t left =
       call.count() == 3 && call.values[2].kind == Kind::integer ? call.values[2].integer : -1;
   const std::string& text = self_of(call);
-  if (old->empty()) return call.evaluator.fail_unsupported("`replace()` of an empty text");
   std::string result;
   std::size_t begin = 0;
+  if (old->empty()) {
+    // The new text comes before each character, and at the end.
+    for (; left != 0 && begin <= text.size(); --left) {
+      result += *with;
+      if (begin == text.size()) break;
+      const std::size_t size = utf8::decode(std::string_view(text).substr(begin)).size;
+      result.append(text, begin, size);
+      begin += size;
+      if (result.size() > call.evaluator.limits().xacro_text_bytes) break;
+    }
+    result.append(text, begin);
+    return call.evaluator.text(std::move(result));
+  }
   for (; left != 0; --left) {
     const std::size_t at = text.find(*old, begin);
     if (at == std::string::npos) break;
@@ -342,40 +293,30 @@ Value fill(Call& call) {
   return call.evaluator.text(std::move(text));
 }
 
-/// isdigit(), isalpha() and their kind, for ASCII.
-Value is_class(Call& call) {
-  if (!call.has_count(0, 0)) return Value::failure();
-  const std::string& text = self_of(call);
-  if (!is_ascii(text)) {
-    return call.evaluator.fail_unsupported("`" + std::string(call.name) +
-                                           "()` of other letters than ASCII");
-  }
-  const std::string_view name = call.name;
-  if (name == "isupper" || name == "islower") {
-    const bool wants_upper = name == "isupper";
-    bool has_letter = false;
-    for (const char c : text) {
-      if (!is_letter(c)) continue;
-      has_letter = true;
-      if ((std::isupper(static_cast<unsigned char>(c)) != 0) != wants_upper)
-        return Value::of(false);
+Value expand_tabs(Call& call) {
+  const Value* width = call.take(0, "tabsize");
+  if (!call.has_count(0, 1)) return Value::failure();
+  const auto given = width == nullptr       ? 8
+                     : width->is_integral() ? to_big(*width).to_int64()
+                                            : std::nullopt;
+  if (!given) return call.evaluator.fail("`expandtabs()` needs an integer");
+  const std::uint64_t most = call.evaluator.limits().xacro_text_bytes;
+  const std::size_t size = *given <= 0 ? 0 : std::min(static_cast<std::uint64_t>(*given), most + 1);
+  std::string result;
+  std::size_t column = 0;
+  for (const char c : self_of(call)) {
+    if (c == '\t' && size > 0) {
+      const std::size_t blanks = size - column % size;
+      result.append(blanks, ' ');
+      column += blanks;
+    } else if (c != '\t') {
+      result.push_back(c);
+      column += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
+      if (c == '\n' || c == '\r') column = 0;
     }
-    return Value::of(has_letter);
+    if (result.size() > most) break;
   }
-  if (name == "isidentifier") {
-    const bool begins = !text.empty() && (is_letter(text[0]) || text[0] == '_');
-    return Value::of(begins && std::all_of(text.begin(), text.end(), [](char c) {
-                       return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-                     }));
-  }
-  const auto belongs = [&](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (name == "isalpha") return std::isalpha(byte) != 0;
-    if (name == "isalnum") return std::isalnum(byte) != 0;
-    if (name == "isspace") return is_python_blank(byte);
-    return std::isdigit(byte) != 0;
-  };
-  return Value::of(!text.empty() && std::all_of(text.begin(), text.end(), belongs));
+  return call.evaluator.text(std::move(result));
 }
 
 constexpr std::array kText = {Method{"capitalize", capitalize},
@@ -384,22 +325,22 @@ constexpr std::array kText = {Method{"capitalize", capitalize},
                               Method{"count", count_text},
                               Method{"encode", nullptr},
                               Method{"endswith", has_end},
-                              Method{"expandtabs", nullptr},
-                              Method{"find", find},
+                              Method{"expandtabs", expand_tabs},
+                              Method{"find", find_text},
                               Method{"format", brace_format},
                               Method{"format_map", nullptr},
-                              Method{"index", find},
+                              Method{"index", find_text},
                               Method{"isalnum", is_class},
                               Method{"isalpha", is_class},
-                              Method{"isascii", nullptr},
+                              Method{"isascii", is_class},
                               Method{"isdecimal", is_class},
                               Method{"isdigit", is_class},
                               Method{"isidentifier", is_class},
                               Method{"islower", is_class},
                               Method{"isnumeric", is_class},
-                              Method{"isprintable", nullptr},
+                              Method{"isprintable", is_class},
                               Method{"isspace", is_class},
-                              Method{"istitle", nullptr},
+                              Method{"istitle", is_class},
                               Method{"isupper", is_class},
                               Method{"join", join},
                               Method{"ljust", fill},
@@ -410,8 +351,8 @@ constexpr std::array kText = {Method{"capitalize", capitalize},
                               Method{"removeprefix", remove_end},
                               Method{"removesuffix", remove_end},
                               Method{"replace", replace},
-                              Method{"rfind", find},
-                              Method{"rindex", find},
+                              Method{"rfind", find_text},
+                              Method{"rindex", find_text},
                               Method{"rjust", fill},
                               Method{"rpartition", partition},
                               Method{"rsplit", split},
@@ -428,10 +369,12 @@ constexpr std::array kText = {Method{"capitalize", capitalize},
 
 }  // namespace
 
-const Method* text_method(std::string_view name) {
+const Method* find_method(std::span<const Method> rows, std::string_view name) {
   const auto found =
-      std::find_if(kText.begin(), kText.end(), [&](const Method& one) { return one.name == name; });
-  return found == kText.end() ? nullptr : &*found;
+      std::find_if(rows.begin(), rows.end(), [&](const Method& one) { return one.name == name; });
+  return found == rows.end() ? nullptr : &*found;
 }
+
+const Method* text_method(std::string_view name) { return find_method(kText, name); }
 
 }  // namespace smurf::xacro

@@ -319,6 +319,12 @@ Value compute(Evaluator& evaluator, Operation operation, const Value& a, const V
                           operation == Operation::bit_xor || operation == Operation::subtract;
     if (is_known) return set_operation(evaluator, operation, a, b);
   }
+  if (operation == Operation::bit_or && a.kind == Kind::dict && b.kind == Kind::dict) {
+    Dict both = *a.dict;
+    for (const auto& [key, value] : b.dict->items) insert(both, key, value);
+    return evaluator.step(both.items.size()) ? evaluator.heap().dict(std::move(both))
+                                             : Value::failure();
+  }
   const Value fault = type_fault(evaluator, operation, a, b);
   const bool has_text = operation == Operation::add && (a.is_text() || b.is_text());
   if (has_text && evaluator.failure().help.empty()) {

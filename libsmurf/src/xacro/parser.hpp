@@ -71,11 +71,13 @@ class Parser {
     node.begin = begin;
     node.end = at_ == 0 ? 0 : tokens_[at_ - 1].end;
     node.parts = std::move(parts);
+    node.has_lambda = kind == SyntaxKind::lambda;
     for (const Syntax* part : node.parts) deepen(node, part);
     return node;
   }
   void deepen(Syntax& node, const Syntax* part) {
     if (part == nullptr) return;
+    node.has_lambda = node.has_lambda || part->has_lambda;
     node.depth = std::max(node.depth, static_cast<std::uint16_t>(part->depth + 1));
     if (node.depth > kDeepest) fail("the expression is nested too deeply");
   }
@@ -98,8 +100,11 @@ class Parser {
   }
 
   const Syntax* starred_or_test() {
-    if (peek().is("*")) return unsupported("`*` in front of a list");
-    return test();
+    if (!peek().is("*")) return test();
+    const std::uint32_t begin = peek().begin;
+    ++at_;
+    const Syntax* items = binary(0);
+    return items == nullptr ? nullptr : &make(SyntaxKind::star, begin, {items});
   }
 
   /// `(x := 1)` is allowed in brackets only.
@@ -149,17 +154,25 @@ class Parser {
     const std::uint32_t begin = peek().begin;
     ++at_;
     std::vector<std::string_view> names;
+    std::vector<const Syntax*> defaults;
     while (peek().kind == Token::Kind::name) {
       names.push_back(peek().text);
       ++at_;
-      if (peek().is("=")) return unsupported("a default of a lambda");
+      if (accept("=")) {
+        defaults.push_back(test());
+        if (defaults.back() == nullptr) return nullptr;
+      } else if (!defaults.empty()) {
+        fail("a parameter without a default follows one with a default");
+        return nullptr;
+      }
       if (!accept(",")) break;
     }
     if (peek().is("*") || peek().is("**")) return unsupported("`*` in a lambda");
     if (!expect(":")) return nullptr;
     const Syntax* body = test();
     if (body == nullptr) return nullptr;
-    Syntax& node = make(SyntaxKind::lambda, begin, {body});
+    defaults.insert(defaults.begin(), body);
+    Syntax& node = make(SyntaxKind::lambda, begin, std::move(defaults));
     node.names = std::move(names);
     return &node;
   }

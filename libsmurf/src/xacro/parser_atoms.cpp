@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What binds closest: names, constants, brackets, calls, indices.
+#include <algorithm>
+
+#include "base/quoted.hpp"
 #include "base/words.hpp"
 #include "xacro/parser.hpp"
 
@@ -34,12 +37,23 @@ const Syntax* Parser::call(std::uint32_t begin, const Syntax* function) {
   std::vector<const Syntax*> parts{function};
   std::vector<std::string_view> names;
   while (!peek().is(")")) {
-    if (peek().is("*") || peek().is("**")) return unsupported("`*` in a call");
     std::string_view name;
-    if (peek().kind == Token::Kind::name && peek(1).is("=")) {
+    if (peek().is("*") || peek().is("**")) {
       name = peek().text;
+      if (name == "*" && std::find(names.begin(), names.end(), "**") != names.end()) {
+        fail("`*` follows `**`");
+        return nullptr;
+      }
+      ++at_;
+    } else if (peek().kind == Token::Kind::name && peek(1).is("=")) {
+      name = peek().text;
+      if (std::find(names.begin(), names.end(), name) != names.end()) {
+        fail("the parameter " + quoted(name) + " is given twice");
+        return nullptr;
+      }
       at_ += 2;
-    } else if (!names.empty() && !names.back().empty()) {
+    } else if (std::any_of(names.begin(), names.end(),
+                           [](std::string_view one) { return !one.empty() && one != "*"; })) {
       fail("a parameter without a name follows one with a name");
       return nullptr;
     }

@@ -101,6 +101,7 @@ std::string repr_of(const Value& value, NoText& problem) {
       return "<built-in function " + std::string(value.function->name) + ">";
     }
     break;
+  case Kind::date: problem.reason = "Python writes it in another way; put it in quotes"; return {};
   default: break;
   }
   problem.reason = "Python prints an address for it, which differs from run to run";
@@ -108,7 +109,9 @@ std::string repr_of(const Value& value, NoText& problem) {
 }
 
 std::string text_of(const Value& value, NoText& problem) {
-  return value.is_text() ? *value.text : repr_of(value, problem);
+  constexpr std::size_t kDate = 10;  // "2020-01-31"
+  const bool is_date = value.kind == Kind::date && value.text->size() == kDate;
+  return value.is_text() || is_date ? *value.text : repr_of(value, problem);
 }
 
 }  // namespace smurf::xacro

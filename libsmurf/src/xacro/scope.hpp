@@ -14,6 +14,7 @@ namespace smurf::xacro {
 struct Locals {
   const Locals* outer = nullptr;
   std::vector<std::pair<std::string_view, Value>> names;
+  std::vector<Value> defaults;  ///< of the last parameters of a lambda
 
   const Value* find(std::string_view name) const;
 };

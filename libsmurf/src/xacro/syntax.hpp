@@ -17,6 +17,7 @@ namespace smurf::xacro {
 enum class SyntaxKind : std::uint8_t {
   name,
   constant,
+  star,  ///< of a list or a tuple: the items of parts[0]
   tuple,
   list,
   comprehension,  ///< parts: item, target, iterable, conditions; more clauses nest in `clauses`
@@ -27,12 +28,12 @@ enum class SyntaxKind : std::uint8_t {
   logical_or,
   logical_not,
   conditional,  ///< parts: value, condition, other value
-  call,         ///< parts: function, arguments; `names` of the keywords, "" for others
-  attribute,    ///< parts[0], text
-  subscript,    ///< parts: value, index
-  slice,        ///< parts; null if absent
-  lambda,       ///< parts: body, defaults; `names`
-  assign        ///< a name and a value: `(x := 1)`
+  call,       ///< parts: function, arguments; `names` of the keywords, "" for others, "*" and "**"
+  attribute,  ///< parts[0], text
+  subscript,  ///< parts: value, index
+  slice,      ///< parts; null if absent
+  lambda,     ///< parts: body, defaults; `names`
+  assign      ///< a name and a value: `(x := 1)`
 };
 
 enum class Operation : std::uint8_t {
@@ -82,6 +83,7 @@ struct Syntax {
   };
   std::vector<Clause> clauses;  ///< of a comprehension
   bool is_generator = false;    ///< of a comprehension
+  bool has_lambda = false;      ///< this, or something in it
 };
 
 /// Why a text is no expression.

@@ -227,6 +227,7 @@ bool Expander::trace(const TracedText& in, Table& symbols, TracedText& out) {
   }
   if (pieces.size() == 1) pieces[0].size = offset(text.size());
   out.value = value.is_text() ? std::string_view(*value.text) : heap_.keep(std::move(text));
+  out.pieces = 0;
   out.whole = in.whole;
   out.whole.size = offset(out.value.size());
   out.whole.is_exact = false;

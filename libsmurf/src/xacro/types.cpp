@@ -10,10 +10,30 @@
 namespace smurf::xacro {
 namespace {
 
+/// The base of an integer as Python's source has it; 1 for `007`, which is none.
+int written_base(std::string_view text) {
+  text = without_blanks(text);
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  if (!text.starts_with('0')) return 10;
+  const char mark = text.size() > 1 ? text[1] : '0';
+  switch (mark) {
+  case 'x':
+  case 'X': return 16;
+  case 'o':
+  case 'O': return 8;
+  case 'b':
+  case 'B': return 2;
+  default: return text.find_first_not_of("0_") == std::string_view::npos ? 10 : 1;
+  }
+}
+
 Value to_integer(Evaluator& evaluator, Call& call) {
   const Value* base = call.take(1, "base");
   if (!call.has_count(0, 2)) return Value::failure();
-  if (call.values.empty()) return Value::of(std::int64_t{0});
+  if (call.values.empty() && base == nullptr) return Value::of(std::int64_t{0});
+  if (call.values.empty() || (base != nullptr && !call.values[0].is_text())) {
+    return evaluator.fail("`int()` with a base needs a text");
+  }
   const Value& value = call.values[0];
   if (value.is_integral()) return evaluator.integer(to_big(value));
   if (value.kind == Kind::real) {
@@ -23,8 +43,14 @@ Value to_integer(Evaluator& evaluator, Call& call) {
     return evaluator.integer(BigInt::from_double(value.real));
   }
   if (value.is_text()) {
-    std::int64_t radix = base != nullptr && base->kind == Kind::integer ? base->integer : 10;
-    if (radix < 2 || radix > 36) return evaluator.fail_unsupported("this base of `int()`");
+    const auto given = base == nullptr       ? std::optional<std::int64_t>(10)
+                       : base->is_integral() ? to_big(*base).to_int64()
+                                             : std::nullopt;
+    std::int64_t radix = given.value_or(-1);
+    if (radix == 0) radix = written_base(*value.text);
+    if (radix < 2 || radix > 36) {
+      return evaluator.fail("the base of `int()` is no integer from 2 to 36, or 0");
+    }
     const auto read = read_integer(*value.text, evaluator.heap(), static_cast<unsigned>(radix));
     if (read) return *read;
     return evaluator.fail("the text " + quoted(*value.text) + " is no integer");

@@ -47,18 +47,28 @@ Value Heap::complex(std::complex<double> number) {
   return value;
 }
 
+namespace {
+
+bool is_list(const Value& value) {
+  return value.kind == Kind::list || value.kind == Kind::tuple || value.kind == Kind::set ||
+         value.kind == Kind::iterator;
+}
+
+}  // namespace
+
+int Heap::depth_of(const Value& value) {
+  return is_list(value) ? value.list->depth : value.kind == Kind::dict ? value.dict->depth : 0;
+}
+
 template <class Items, class Get>
 std::uint16_t Heap::depth_of(const Items& items, const Get& get) {
   constexpr std::uint16_t kMost = 100;  // levels
   std::uint16_t depth = 1;
   for (const auto& item : items) {
     const Value& value = get(item);
-    const bool is_list = value.kind == Kind::list || value.kind == Kind::tuple ||
-                         value.kind == Kind::set || value.kind == Kind::iterator;
-    const int inner = is_list                    ? value.list->depth
-                      : value.kind == Kind::dict ? value.dict->depth
-                                                 : 0;
-    depth = std::max(depth, static_cast<std::uint16_t>(inner + 1));
+    depth = std::max(depth, static_cast<std::uint16_t>(depth_of(value) + 1));
+    if (is_list(value)) value.list->is_part = true;
+    if (value.kind == Kind::dict) value.dict->is_part = true;
   }
   is_too_deep_ = is_too_deep_ || depth > kMost;
   return depth;
@@ -89,6 +99,19 @@ Value Heap::dict(Dict dict) {
   value.dict = &dicts_.emplace_back(std::move(dict));
   value.dict->depth = depth_of(value.dict->items, [](const auto& item) { return item.second; });
   return value;
+}
+
+bool Heap::adopt(const Value& owner, std::span<const Value> items) {
+  const bool is_dict = owner.kind == Kind::dict;
+  std::uint16_t& depth = is_dict ? owner.dict->depth : owner.list->depth;
+  const bool is_part = is_dict ? owner.dict->is_part : owner.list->is_part;
+  for (const Value& item : items) {
+    if (depth_of(item) > 0 && (is_part || item.list == owner.list)) return false;
+  }
+  depth = std::max(depth, depth_of(items, [](const Value& item) { return item; }));
+  constexpr std::size_t kMemberBytes = 150;  // of a dictionary, with its key in the tree
+  charge(items.size() * (is_dict ? kMemberBytes : sizeof(Value)));
+  return true;
 }
 
 Value Heap::range(Range range) {
@@ -186,6 +209,7 @@ std::string_view kind_name(const Value& value) {
   case Kind::complex: return "a complex number";
   case Kind::text: return "a text";
   case Kind::bytes: return "bytes";
+  case Kind::date: return "a date";
   case Kind::list: return "a list";
   case Kind::tuple: return "a tuple";
   case Kind::set: return "a set";
@@ -297,7 +321,8 @@ bool are_equal(const Value& a, const Value& b) {
   switch (a.kind) {
   case Kind::none: return true;
   case Kind::text:
-  case Kind::bytes: return *a.text == *b.text;
+  case Kind::bytes:
+  case Kind::date: return *a.text == *b.text;
   case Kind::list:
   case Kind::tuple: return are_equal_lists(*a.list, *b.list);
   case Kind::set: return are_equal_sets(*a.list, *b.list);

@@ -39,6 +39,7 @@ enum class Kind : std::uint8_t {
   complex,
   text,
   bytes,
+  date,  ///< of YAML; only its text is known
   list,
   tuple,
   set,
@@ -99,7 +100,7 @@ struct Value {
     double real;
     const BigInt* big;
     const std::complex<double>* complex;
-    const std::string* text;  ///< also of bytes
+    const std::string* text;  ///< also of bytes and dates
     List* list;               ///< also of tuples, sets and iterators
     Dict* dict;
     const Range* range;
@@ -164,12 +165,14 @@ struct List {
   Type type = Type::list;
   std::uint16_t depth = 1;  ///< of nested lists
   bool is_wrapped = false;  ///< a list of YAML whose members are wrapped when they are looked up
+  bool is_part = false;     ///< of another list or dictionary
 };
 
 struct Dict {
   std::vector<std::pair<Value, Value>> items;  ///< in the order of insertion
   std::map<std::string, std::size_t, std::less<>> by_key;
   std::uint16_t depth = 1;
+  bool is_part = false;  ///< of a list or another dictionary
 
   const Value* find(std::string_view key) const {
     const auto found = by_key.find(key);
@@ -216,6 +219,9 @@ class Heap {
   Value range(Range range);
   Value slice(Slice slice);
   Value function(Function function);
+  /// Before a list or a dictionary gets more items: false if one of them is not allowed, because
+  /// the list is a part of another one. So no list contains itself, and depths stay true.
+  bool adopt(const Value& owner, std::span<const Value> items);
   /// A text that lives as long as the heap.
   std::string_view keep(std::string text);
 
@@ -231,6 +237,7 @@ class Heap {
   /// One more than the deepest of the items.
   template <class Items, class Get>
   std::uint16_t depth_of(const Items& items, const Get& get);
+  static int depth_of(const Value& value);
 
   std::uint64_t most_bytes_;
   std::uint64_t used_ = 0;

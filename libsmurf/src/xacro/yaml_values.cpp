@@ -24,6 +24,26 @@ constexpr std::array kUnits = {Unit{"!radians", 1.0}, Unit{"!degrees", std::numb
                                Unit{"!meters", 1.0},  Unit{"!millimeters", 0.001},
                                Unit{"!foot", 0.3048}, Unit{"!inches", 0.0254}};
 
+/// The word that ends at a place, and where it begins.
+std::string_view word_before(std::string_view source, std::size_t& end) {
+  while (end > 0 && is_blank(source[end - 1])) --end;
+  std::size_t begin = end;
+  while (begin > 0 && !is_blank(source[begin - 1]) && source[begin - 1] != ',' &&
+         source[begin - 1] != '[' && source[begin - 1] != '{') {
+    --begin;
+  }
+  const std::string_view word = source.substr(begin, end - begin);
+  end = begin;
+  return word;
+}
+
+/// Whether a place is in a comment that ends its line.
+bool is_in_comment(std::string_view source, std::size_t at) {
+  const std::size_t line = source.rfind('\n', at) + 1;
+  const std::string_view before = source.substr(line, at - line);
+  return before.starts_with('#') || before.find(" #") != std::string_view::npos;
+}
+
 /// The tag in front of a value, such as "!degrees"; it is not part of the value's bytes.
 std::string_view tag_before(std::string_view source, Span value) {
   std::size_t end = value.begin;
@@ -32,14 +52,12 @@ std::string_view tag_before(std::string_view source, Span value) {
                          std::min(source.find_first_of(" \t\r\n,]}", value.begin), source.size()) -
                              value.begin);
   }
-  while (end > 0 && is_blank(source[end - 1])) --end;
-  std::size_t begin = end;
-  while (begin > 0 && !is_blank(source[begin - 1]) && source[begin - 1] != ',' &&
-         source[begin - 1] != '[' && source[begin - 1] != '{') {
-    --begin;
-  }
-  const std::string_view word = source.substr(begin, end - begin);
-  return word.starts_with('!') ? word : std::string_view();
+  std::string_view word = word_before(source, end);
+  if (word.starts_with('&')) word = word_before(source, end);
+  if (!word.starts_with('!')) return {};
+  const bool is_on_line =
+      source.substr(end, value.begin - end).find('\n') == std::string_view::npos;
+  return is_on_line || !is_in_comment(source, end) ? word : std::string_view();
 }
 
 /// "1:30:00" in base 60.
@@ -52,6 +70,19 @@ std::optional<double> sexagesimal(std::string_view digits) {
     value = value * 60 + *part;
     if (colon == digits.size()) return value;
     digits.remove_prefix(colon + 1);
+  }
+}
+
+/// "30:00": numbers below 60.
+bool are_sixtieths(std::string_view text) {
+  while (true) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const std::string_view number = text.substr(0, colon);
+    const bool is_part = !number.empty() && number.size() <= 2 &&
+                         std::all_of(number.begin(), number.end(), is_digit) &&
+                         (number.size() == 1 || number[0] <= '5');
+    if (!is_part || colon == text.size()) return is_part;
+    text.remove_prefix(colon + 1);
   }
 }
 
@@ -79,15 +110,7 @@ bool is_yaml_integer(std::string_view text, std::string& digits, unsigned& base)
   } else if (text.find(':') != std::string_view::npos) {
     base = 60;
     if (text[0] == '0' || !only(text.substr(0, text.find(':')), "0123456789_")) return false;
-    for (std::string_view part = text.substr(text.find(':') + 1);;) {
-      const std::size_t colon = std::min(part.find(':'), part.size());
-      const std::string_view number = part.substr(0, colon);
-      const bool is_part = !number.empty() && number.size() <= 2 && only(number, "0123456789") &&
-                           (number.size() == 1 || number[0] <= '5');
-      if (!is_part) return false;
-      if (colon == part.size()) break;
-      part.remove_prefix(colon + 1);
-    }
+    if (!are_sixtieths(text.substr(text.find(':') + 1))) return false;
   } else if (!only(text, "0123456789_")) {
     return false;
   }
@@ -98,15 +121,17 @@ bool is_yaml_integer(std::string_view text, std::string& digits, unsigned& base)
 
 /// A float of YAML 1.1 has a point, and its exponent a sign.
 bool is_yaml_float(std::string_view text) {
-  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  // "-.5" is a text, as in PyYAML.
+  if (text.size() > 1 && (text[0] == '-' || text[0] == '+') && text[1] != '.')
+    text.remove_prefix(1);
   const std::size_t point = text.find('.');
   if (point == std::string_view::npos) return false;
   const std::string_view whole = text.substr(0, point);
   std::string_view rest = text.substr(point + 1);
   constexpr std::string_view kDigits = "0123456789_";
   if (whole.find(':') != std::string_view::npos) {
-    return is_digit(whole[0]) &&
-           whole.find_first_not_of("0123456789_:") == std::string_view::npos &&
+    return is_digit(whole[0]) && are_sixtieths(whole.substr(whole.find(':') + 1)) &&
+           whole.substr(0, whole.find(':')).find_first_not_of(kDigits) == std::string_view::npos &&
            rest.find_first_not_of(kDigits) == std::string_view::npos;
   }
   if (whole.find_first_not_of(kDigits) != std::string_view::npos) return false;
@@ -147,6 +172,52 @@ std::optional<bool> truth_of_word(std::string_view text) {
   return std::nullopt;
 }
 
+/// "2020-01-31", alone or before a time of day: a date in YAML 1.1.
+bool is_timestamp(std::string_view text) {
+  constexpr std::string_view kDate = "0000-00-00";
+  const auto is_like = [](std::string_view part, std::string_view form) {
+    return part.size() == form.size() &&
+           std::equal(part.begin(), part.end(), form.begin(),
+                      [](char c, char of) { return of == '0' ? is_digit(c) : c == of; });
+  };
+  if (is_like(text, kDate)) return true;
+  if (text.size() < 5 || !is_like(text.substr(0, 5), kDate.substr(0, 5))) return false;
+  const std::size_t blank = text.find_first_of("tT \t");
+  if (blank == std::string_view::npos) return false;
+  const std::string_view day = text.substr(0, blank);
+  const std::string_view time = without_blanks(text.substr(blank + 1));
+  return day.size() <= kDate.size() && day.find_first_not_of("0123456789-") == day.npos &&
+         std::count(day.begin(), day.end(), '-') == 2 &&
+         std::count(time.begin(), time.end(), ':') >= 2 &&
+         time.find_first_not_of("0123456789:.+-Z \t") == time.npos;
+}
+
+/// The first tab outside of quotes, block scalars and comments, which PyYAML refuses.
+std::optional<std::uint32_t> refused_tab(const yaml::Document& document, std::string_view source) {
+  if (source.find('\t') == std::string_view::npos) return std::nullopt;
+  std::vector<Span> texts;
+  for (const yaml::Node& node : document.nodes) {
+    const Span key = node.key_span();
+    if (!key.empty() && (source[key.begin] == '"' || source[key.begin] == '\''))
+      texts.push_back(key);
+    if (node.kind() == yaml::Kind::scalar && node.style != yaml::Style::plain)
+      texts.push_back(node.span);
+  }
+  std::sort(texts.begin(), texts.end(), [](Span a, Span b) { return a.begin < b.begin; });
+  auto text = texts.begin();
+  for (std::size_t at = 0; at < source.size(); ++at) {
+    while (text != texts.end() && text->end <= at) ++text;
+    if (text != texts.end() && text->begin <= at) {
+      at = text->end - 1;
+    } else if (source[at] == '#' && (at == 0 || is_blank(source[at - 1]))) {
+      at = std::min(source.find('\n', at), source.size());
+    } else if (source[at] == '\t') {
+      return offset(at);
+    }
+  }
+  return std::nullopt;
+}
+
 /// The exact bytes of a scalar, without quotes.
 Place place_of(std::string_view source, std::string_view text, Span span) {
   const std::string_view written = source.substr(span.begin, span.end - span.begin);
@@ -177,6 +248,65 @@ Value Expander::yaml_unit(std::string_view text, double factor, Span span) {
   return Value::of(*number * factor).at(heap_.add({span, false}));
 }
 
+Value Expander::fail_yaml(const std::string& message, Span span, bool is_unsupported) {
+  const Value fault =
+      is_unsupported ? evaluator_.fail_unsupported(message) : evaluator_.fail(message);
+  evaluator_.failure().span = span;
+  return fault;
+}
+
+std::optional<Value> Expander::yaml_integer(std::string_view text) {
+  std::string digits;
+  unsigned base = 10;
+  if (!is_yaml_integer(text, digits, base)) return std::nullopt;
+  const bool is_negative = text[0] == '-';
+  if (base == 60) {
+    const auto value = static_cast<std::int64_t>(sexagesimal(digits).value_or(0));
+    return Value::of(is_negative ? -value : value);
+  }
+  return read_integer((is_negative ? "-" : "") + digits, heap_, base);
+}
+
+std::optional<Value> Expander::yaml_float(std::string_view text) {
+  if (is_yaml_float(text)) {
+    std::string plain(text);
+    std::erase(plain, '_');
+    const bool is_negative = plain[0] == '-';
+    if (is_negative || plain[0] == '+') plain.erase(0, 1);
+    const auto value =
+        plain.find(':') != std::string::npos ? sexagesimal(plain) : read_float(plain);
+    if (value) return Value::of(is_negative ? -*value : *value);
+  }
+  const bool has_sign = text.starts_with('-') || text.starts_with('+');
+  if (is_special(text.substr(has_sign ? 1 : 0), ".inf")) {
+    const double infinity = *read_float("inf");
+    return Value::of(text[0] == '-' ? -infinity : infinity);
+  }
+  if (is_special(text, ".nan")) return Value::of(*read_float("nan"));
+  return std::nullopt;
+}
+
+Value Expander::yaml_tagged(std::string_view text, std::string_view tag, Span span) {
+  std::optional<Value> value;
+  if (tag == "!!null") value = Value();
+  if (tag == "!!int") value = yaml_integer(text);
+  if (tag == "!!float") {
+    value = yaml_float(text);
+    const auto whole = value ? std::nullopt : read_float(text);
+    if (whole) value = Value::of(*whole);
+  }
+  if (tag == "!!bool") {
+    if (const auto truth = truth_of_word(path::to_lower(text))) value = Value::of(*truth);
+  }
+  if (value) return *value;
+  if (is_one_of(tag, {"!!binary", "!!timestamp"}))
+    return fail_yaml("the tag " + quoted(tag), span, true);
+  return fail_yaml(is_one_of(tag, {"!!int", "!!float", "!!bool"})
+                       ? quoted(text) + " is no value for the tag " + quoted(tag)
+                       : "the tag " + quoted(tag) + " is unknown",
+                   span, false);
+}
+
 Value Expander::yaml_scalar(std::string_view text, yaml::Style style, std::string_view tag,
                             Span span) {
   const OriginId origin = heap_.add(place_of(context_.sources.text(span.source), text, span));
@@ -184,46 +314,21 @@ Value Expander::yaml_scalar(std::string_view text, yaml::Style style, std::strin
     for (const Unit& unit : kUnits) {
       if (unit.tag == tag) return yaml_unit(text, unit.factor, span);
     }
-    if (!is_one_of(tag, {"!!int", "!!float", "!!bool", "!!null"})) {
-      const Value fault = evaluator_.fail("the tag " + quoted(tag) + " is unknown");
-      evaluator_.failure().span = span;
-      return fault;
-    }
+    return yaml_tagged(text, tag, span).at(origin);
   }
-  if (style != yaml::Style::plain || tag == "!" || tag == "!!str") {
+  if (style != yaml::Style::plain || tag == "!!str") {
     return heap_.text(std::string(text)).at(origin);
   }
   if (text.empty() || is_one_of(text, {"~", "null", "Null", "NULL"})) return Value().at(origin);
   if (const auto truth = truth_of_word(text)) return Value::of(*truth).at(origin);
-  std::string digits;
-  unsigned base = 10;
-  if (is_yaml_integer(text, digits, base)) {
-    const bool is_negative = text[0] == '-';
-    if (base == 60) {
-      const auto value = static_cast<std::int64_t>(sexagesimal(digits).value_or(0));
-      return Value::of(is_negative ? -value : value).at(origin);
-    }
-    if (const auto value = read_integer((is_negative ? "-" : "") + digits, heap_, base)) {
-      return value->at(origin);
-    }
+  if (const auto integer = yaml_integer(text)) return integer->at(origin);
+  if (const auto real = yaml_float(text)) return real->at(origin);
+  if (text == "=" || text == "<<") {
+    return fail_yaml(quoted(text) + " is no value; put it in quotes", span, false);
   }
-  if (is_yaml_float(text)) {
-    std::string plain(text);
-    std::erase(plain, '_');
-    const bool is_negative = plain[0] == '-';
-    if (is_negative || plain[0] == '+') plain.erase(0, 1);
-    if (const auto value =
-            plain.find(':') != std::string::npos ? sexagesimal(plain) : read_float(plain)) {
-      return Value::of(is_negative ? -*value : *value).at(origin);
-    }
-  }
-  const bool has_sign = text[0] == '-' || text[0] == '+';
-  if (is_special(text.substr(has_sign ? 1 : 0), ".inf")) {
-    const double infinity = *read_float("inf");
-    return Value::of(text[0] == '-' ? -infinity : infinity).at(origin);
-  }
-  if (is_special(text, ".nan")) return Value::of(*read_float("nan")).at(origin);
-  return heap_.text(std::string(text)).at(origin);
+  Value value = heap_.text(std::string(text));
+  if (is_timestamp(text)) value.kind = Kind::date;
+  return value.at(origin);
 }
 
 Value Expander::yaml_mapping(yaml::View view, std::string_view source) {
@@ -250,6 +355,10 @@ Value Expander::yaml_mapping(yaml::View view, std::string_view source) {
     const bool is_quoted = first == '\'' || first == '"';
     if (member.key() == "<<" && !is_quoted) continue;
     const yaml::Style style = is_quoted ? yaml::Style::single_quoted : yaml::Style::plain;
+    const std::string_view tag = tag_before(source, member.key_span());
+    if (!tag.empty() && !is_one_of(tag, {"!", "!!map", "!!str"})) {
+      return fail_yaml("the tag " + quoted(tag) + " of a key", member.key_span(), true);
+    }
     const Value key = yaml_scalar(member.key(), style, {}, member.key_span());
     if (key.is_failed()) return key;
     const Value value = yaml_value(member, source);
@@ -263,6 +372,15 @@ Value Expander::yaml_mapping(yaml::View view, std::string_view source) {
 Value Expander::yaml_value(yaml::View view, std::string_view source) {
   if (!view) return {};
   if (!evaluator_.step(2)) return Value::failure();
+  const yaml::Node& node = view.document().nodes[static_cast<std::size_t>(view.id())];
+  if (node.is_alias()) return yaml_value(yaml::View(view.document(), node.target()), source);
+  if (view.is_mapping() || view.is_sequence()) {
+    const std::string_view tag = tag_before(source, view.span());
+    if (!tag.empty() && tag != "!" && tag != (view.is_mapping() ? "!!map" : "!!seq")) {
+      return fail_yaml("the tag " + quoted(tag) + " in front of a list or a mapping", view.span(),
+                       true);
+    }
+  }
   if (view.is_mapping()) return yaml_mapping(view, source);
   if (view.is_sequence()) {
     std::vector<Value> items;
@@ -288,12 +406,18 @@ Value Expander::load_yaml(const std::string& written) {
     DiagnosticSink found(context_.limits);
     const auto document = parse_yaml(context_.sources, file->source, context_.limits, found);
     for (const Diagnostic& one : found.diagnostics()) {
-      if (one.severity != Severity::error || one.rule == &rules::sml0011_duplicate_key) continue;
+      const bool is_several = one.rule == &rules::sml0013_several_documents;
+      if (one.severity != Severity::error && !is_several) continue;
+      if (one.rule == &rules::sml0011_duplicate_key) continue;
       const Value fault = evaluator_.fail(*one.rule, one.message, one.help_text);
       evaluator_.failure().span = one.span;
       return fault;
     }
     if (!document) return evaluator_.fail("the file " + quoted(file->path) + " is not YAML");
+    if (const auto tab = refused_tab(*document, context_.sources.text(file->source))) {
+      return fail_yaml("a tab is not allowed here; write blanks", {file->source, *tab, *tab + 1},
+                       false);
+    }
     file_stack_.push_back(file->path);
     value = yaml_value(document->view(), context_.sources.text(file->source));
     file_stack_.pop_back();

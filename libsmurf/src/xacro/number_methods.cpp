@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Methods of integers and floats.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "xacro/evaluator.hpp"
+
+namespace smurf::xacro {
+namespace {
+
+Value is_integer(Call& call) {
+  if (!call.has_count(0, 0)) return Value::failure();
+  return Value::of(std::isfinite(call.self.real) && call.self.real == std::trunc(call.self.real));
+}
+
+Value bit_length(Call& call) {
+  if (!call.has_count(0, 0)) return Value::failure();
+  return Value::of(static_cast<std::int64_t>(to_big(call.self).bits()));
+}
+
+/// An integer stands for a truth value.
+Value conjugate(Call& call) {
+  if (!call.has_count(0, 0)) return Value::failure();
+  if (call.self.kind == Kind::real) return call.self;
+  return call.evaluator.integer(to_big(call.self));
+}
+
+Value ratio(Call& call) {
+  if (!call.has_count(0, 0)) return Value::failure();
+  Evaluator& evaluator = call.evaluator;
+  BigInt above(0);
+  BigInt below(1);
+  if (call.self.kind == Kind::real) {
+    if (!std::isfinite(call.self.real)) return evaluator.fail("the number is no ratio of integers");
+    int exponent = 0;
+    double fraction = std::frexp(call.self.real, &exponent);
+    for (; fraction != std::trunc(fraction); --exponent) fraction *= 2;
+    above = BigInt::from_double(fraction);
+    for (; exponent > 0; --exponent) above = above + above;
+    for (; exponent < 0; ++exponent) below = below + below;
+  } else {
+    above = to_big(call.self);
+  }
+  const Value first = evaluator.integer(std::move(above));
+  const Value second = evaluator.integer(std::move(below));
+  if (first.is_failed() || second.is_failed()) return Value::failure();
+  return evaluator.list({first, second}, Kind::tuple);
+}
+
+constexpr std::array kReal = {Method{"as_integer_ratio", ratio}, Method{"conjugate", conjugate},
+                              Method{"fromhex", nullptr}, Method{"hex", nullptr},
+                              Method{"is_integer", is_integer}};
+constexpr std::array kInteger = {Method{"as_integer_ratio", ratio}, Method{"bit_count", nullptr},
+                                 Method{"bit_length", bit_length},  Method{"conjugate", conjugate},
+                                 Method{"from_bytes", nullptr},     Method{"to_bytes", nullptr}};
+
+}  // namespace
+
+const Method* number_method(const Value& value, std::string_view name) {
+  if (value.kind == Kind::real) return find_method(kReal, name);
+  return value.is_integral() ? find_method(kInteger, name) : nullptr;
+}
+
+}  // namespace smurf::xacro
