@@ -158,6 +158,7 @@ class Viewer {
     this.shapes = new Shapes(this.scene, this.motion, this.stage.root, this.textures);
     const all = this.boxOfAll();
     this.stage.setGround(all, this.isSingle);
+    this.stage.boxOfShadow = () => this.shapes.boxAround();
     this.overlays = new Overlays(this.scene, this.motion, this.stage, this.sizes());
     if (isFirst || this.stage.fitted) this.stage.fit(all, isFirst ? undefined : this.stage.direction());
   }

@@ -115,12 +115,13 @@ export class Stage {
   }
 
   drawShadow() {
-    if (!this.shadow.isStale || !this.shadow.mesh.visible) return;
+    if (!this.shadow.isStale || !this.boxOfShadow) return;
     const left = (this.shadowAt ?? -Infinity) + this.shadowPause - performance.now();
     if (left > 0) {
       setTimeout(() => this.draw(), left);
       return;
     }
+    this.shadow.place(this.boxOfShadow(), this.grid.position.z); // joints may have moved parts far away
     this.shadow.draw(this.renderer, this.root);
     this.shadowAt = performance.now();
   }
@@ -146,7 +147,7 @@ export class Stage {
     const onGrid = (value) => Math.round(value / step) * step;
     this.grid.position.set(onGrid(center.x), onGrid(center.y), isBelow && !box.isEmpty() ? box.min.z : 0);
     this.scene.add(this.grid);
-    this.shadow.place(box, this.grid.position.z);
+    this.shadow.isStale = true;
   }
 
   /** Brings a whole box into view. `from` points from the box to the camera. */
