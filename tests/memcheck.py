@@ -30,6 +30,7 @@ TOOLS = {
     "urdf2smurf": lambda path, out: [path, "--dry-run", "-o", out],
     "smurfs-flatten": lambda path, out: [path, "--links", "-o", out],
     "smurf-diff": lambda path, out: [path, path],
+    "smurf-view": lambda path, out: [path, "--no-open", "-o", out],
     "smurf-load-check": lambda path, out: [path, "--time", "0.01", "--time-limit", "60"],
 }
 KINDS = {"smurf2urdf": (".smurf",), "urdf2smurf": (".urdf",)}

@@ -659,6 +659,19 @@ class Suggestions(LintTest):
             self.assertEqual((found["id"], found["message"]), ("SML0003", f"`r.urdf` is {what}, and not a text file"))
             self.assertTrue(found["help"])
 
+    def test_a_package_without_package_xml(self):
+        shape = '<collision><geometry><mesh filename="package://go2/{}"/></geometry></collision>'
+        robot = '<robot name="r"><link name="a">{}</link><link name="b">{}</link></robot>'
+        (self.folder / "go2/collisions").mkdir(parents=True)
+        shutil.copy(cli.FIXTURES / "models/arm/meshes/forearm_hull.stl", self.folder / "go2/collisions/base.stl")
+        for first, rule, words in (("collisions/Base.STL", "SML1605", "write `package://go2/collisions/base.stl`"),
+                                   ("collisions/bse.stl", "SML1604", "did you mean `base.stl`?")):
+            self.write("go2/urdf/r.urdf", robot.format(shape.format(first), shape.format("collisions/base.stl")))
+            report = json.loads(self.run_tool("--format", "json", "--select", "SML16", "go2/urdf/r.urdf").stdout)
+            self.assertEqual([(one["id"], one["help"]) for one in report["diagnostics"]], [(rule, words)])
+        self.write("go2/urdf/r.urdf", robot.format(shape.format("other/x.stl"), shape.format("collisions/base.stl")))
+        self.assertIn("the folder `go2` above the URDF does not contain it", self.run_tool("go2/urdf/r.urdf").stdout)
+
     def test_a_robot_of_macros_only(self):
         self.write("r.urdf", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"></robot>')
         found = json.loads(self.run_tool("--format", "json", "r.urdf").stdout)["diagnostics"]

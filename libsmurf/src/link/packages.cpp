@@ -60,7 +60,16 @@ Packages::Place Packages::find(const std::string& name_and_rest) {
   }
   // Another file of the package was found.
   const auto other = guessed_.find(name);
-  return other == guessed_.end() ? Place{} : Place{path::join(other->second, rest)};
+  if (other != guessed_.end()) return {path::join(other->second, rest)};
+  // A package without package.xml: the folder of the file is there, and the file may be in it under
+  // a similar name.
+  const bool is_in_folder = rest.find('/') != std::string::npos;
+  for (const std::string& folder : folders_) {
+    if (!is_in_folder) break;
+    std::string inner = path::join(folder, name + "/" + rest);
+    if (!index_.list(std::string(path::parent(inner))).empty()) return {std::move(inner)};
+  }
+  return {};
 }
 
 bool Packages::is_called(const std::string& folder, const std::string& name) {

@@ -29,7 +29,7 @@ class Packages {
   /// The file for NAME/REST. It is looked up in the folder given for the package; then in the
   /// nearest parent folder that is called NAME, that contains REST (Phobos uses the parent of
   /// urdf/, whatever its name), or whose package.xml has this name; then in the folders that
-  /// contain packages.
+  /// contain packages. If it is nowhere, the place where the folder of REST is in a folder NAME.
   Place find(const std::string& name_and_rest);
 
  private:

@@ -166,7 +166,8 @@ void report_turned(const std::vector<const MeshReference*>& turned, std::string 
   if (files.size() > 1) {
     diagnostic.note("this applies to " + std::to_string(files.size()) + " " + std::string(kind));
   }
-  diagnostic.help("add a .bobj beside it, which MARS loads instead and does not turn");
+  diagnostic.help(
+      "export a .bobj beside it with Phobos: MARS loads that instead, and does not turn it");
 }
 
 }  // namespace smurf

@@ -14,7 +14,10 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   const Field<std::string>& name = model.robot->name;
   if (name.written && !trimmed(*name).empty()) return;
-  if (!name.written && model.robot->links.empty()) return;  // SML1115: it has nothing at all
+  const xml::View root(model.robot->document, model.robot->document.root);
+  // A robot of macros only has nothing at all: SML1115.
+  const bool is_of_macros = root.attribute("xmlns:xacro") != nullptr && model.robot->links.empty();
+  if (!name.written && is_of_macros) return;
   const Span tag = tag_name(model, model.robot->document.root);
   if (!name.written && is_slip(model, model.robot->document.root, "name", findings)) return;
   Diagnostic& diagnostic =

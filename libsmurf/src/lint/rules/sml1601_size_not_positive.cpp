@@ -64,7 +64,8 @@ extern constinit const Rule sml1601_size_not_positive{
     .name = "size-not-positive",
     .severity = Severity::error,
     .summary = "A size, radius or length of a shape is zero or negative.",
-    .remedy = "Write the full extent, in metres.",
+    .remedy =
+        "Write a length above 0, in metres: the radius of a round shape, the whole sides of a box.",
     .check_model = check,
     .facts = kFacts};
 

@@ -25,6 +25,12 @@ bool lies_in(const LinkedModel& model, std::string_view name) {
   return !name.empty() && folders.find("/" + std::string(name) + "/") != std::string::npos;
 }
 
+std::string why_not_found(const LinkedModel& model, std::string_view package) {
+  return lies_in(model, package)
+             ? "the folder " + quoted(package) + " above the URDF does not contain it"
+             : "in no folder above the URDF";
+}
+
 /// A package without any file on this machine is one finding, and not an error: it may be
 /// elsewhere.
 void report_package(const std::vector<const MeshReference*>& uses, std::string_view package,
@@ -33,9 +39,7 @@ void report_package(const std::vector<const MeshReference*>& uses, std::string_v
   Diagnostic& diagnostic =
       findings.report(uses.front()->span, "cannot find any file of the package " + quoted(package));
   const bool is_here = lies_in(model, package);
-  diagnostic.caret = is_here
-                         ? "the folder " + quoted(package) + " above the URDF does not contain it"
-                         : "in no folder above the URDF";
+  diagnostic.caret = why_not_found(model, package);
   diagnostic.severity = Severity::warning;
   diagnostic.when(kPackage);
   if (uses.size() > 1) {
@@ -82,7 +86,7 @@ void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_
                                      " file not found: " + quoted(mesh.filename));
   diagnostic.when(mesh.is_texture ? kTexture : kMesh);
   if (mesh.path.empty()) {
-    diagnostic.caret = "in no folder above the URDF";
+    diagnostic.caret = why_not_found(model, package_of(mesh.filename));
   } else if (mesh.path != mesh.filename) {
     diagnostic.caret = "resolved to " + quoted(mesh.path);
   }

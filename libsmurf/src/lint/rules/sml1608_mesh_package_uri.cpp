@@ -20,7 +20,8 @@ void check(const LinkedModel& model, Findings& findings) {
   if (count > 1) {
     diagnostic.note("the URDF names " + std::to_string(count) + " meshes in this way");
   }
-  diagnostic.help("write paths that resolve from both the URDF and the .smurf");
+  diagnostic.help("write relative paths that lead to the file from the folder of the URDF and from "
+                  "that of the .smurf, such as `../meshes/arm.obj`");
 }
 
 constexpr Fact kFacts[] = {
