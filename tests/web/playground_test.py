@@ -207,13 +207,13 @@ class ConvertTest(PlaygroundTest):
     # (example, file, the name of the form, tool, options, output)
     CASES = (
         (ARM, "smurf/arm.smurf", "URDF", "smurf2urdf", [], "arm.urdf"),
-        (ARM, "smurf/arm.smurf", "SDF (Gazebo)", "smurfs-flatten", ["--format", "sdf"], "arm.sdf"),
+        (ARM, "smurf/arm.smurf", "SDF (Gazebo)", "smurfs-flatten", ["--format", "sdf", "--copy-assets", "arm_assets"], "arm.sdf"),
         (ARM, "smurf/arm.smurf", "MJCF (MuJoCo)", "smurfs-flatten", ["--format", "mjcf"], "arm.xml"),
-        (ARM, "urdf/arm.urdf", "SMURF", "urdf2smurf", [], "arm_smurf"),
-        (SCENE, "base.smurf", "OpenUSD (Isaac Sim)", "smurfs-flatten", ["--format", "usda"], "base.usda"),
-        (SCENE, "outer.smurfs", "SDF (Gazebo)", "smurfs-flatten", ["--force", "--format", "sdf"], "outer.sdf"),
+        (ARM, "urdf/arm.urdf", "SMURF", "urdf2smurf", ["--copy-meshes"], "arm_smurf"),
+        (SCENE, "base.smurf", "OpenUSD (Isaac Sim)", "smurfs-flatten", ["--format", "usda", "--copy-assets", "base_assets"], "base.usda"),
+        (SCENE, "outer.smurfs", "SDF (Gazebo)", "smurfs-flatten", ["--force", "--format", "sdf", "--copy-assets", "outer_assets"], "outer.sdf"),
         (SCENE, "outer.smurfs", "MJCF (MuJoCo)", "smurfs-flatten", ["--force", "--format", "mjcf"], "outer.xml"),
-        (SCENE, "outer.smurfs", "one merged URDF", "smurfs-flatten", ["--force", "--format", "urdf"], "outer.urdf"),
+        (SCENE, "outer.smurfs", "one merged URDF", "smurfs-flatten", ["--force", "--format", "urdf", "--copy-assets", "outer_assets"], "outer.urdf"),
         (SCENE, "outer.smurfs", "glTF (viewers)", "smurfs-flatten", ["--force", "--format", "gltf"], "outer.gltf"),
         (SCENE, "outer.smurfs", "JSON", "smurfs-flatten", [], "outer.json"),
     )
@@ -294,6 +294,28 @@ class OpenTest(PlaygroundTest):
             results = self.play(way, CHECKED, {"until": f"{PAGE}.files.all.size > 0"}, CHECKED, FILES, FINDINGS)
             self.assertEqual(results[4], inner, way)
             self.assertEqual([one[:5] for one in results[5]], [one[:5] for one in expected], way)
+
+    def test_meshes_are_added_to_the_robot_that_is_open(self):
+        robot = (cli.FIXTURES / "models/arm/urdf/arm.urdf").read_text().replace("../meshes/", "meshes/")
+        self.write("arm.urdf", robot)
+        meshes = self.folder / "more/meshes"
+        shutil.copytree(cli.FIXTURES / "models/arm/meshes", meshes)
+        missing = f"{PAGE}.checker.page.report.diagnostics.filter(({{ id }}) => id === 'SML1604').length"
+        names = f"[...{PAGE}.files.all.keys()].sort()"
+        results = self.play({"drop": [str(self.folder / "arm.urdf")]}, CHECKED, missing, {"drop": [str(meshes)]},
+                            {"until": f"{PAGE}.files.all.size > 1"}, CHECKED, missing, names, MESSAGE, click("#undo"), names)
+        self.assertGreater(results[2], 0)
+        self.assertEqual(results[6], 0)
+        self.assertEqual(results[7], sorted(["arm.urdf", *(f"meshes/{path.name}" for path in meshes.iterdir())]))
+        self.assertEqual(results[8], f"{len(results[7]) - 1} files were added.")
+        self.assertEqual(results[10], ["arm.urdf"])
+
+    def test_a_shared_address_stays_until_something_changes(self):
+        shared = {"until": "document.getElementById('shared').textContent !== ''"}
+        hash = self.play(example(URDF), CHECKED, click("#share"), shared, "location.hash")[4]
+        opened = self.play({"until": f"{PAGE}.files.all.size > 0"}, CHECKED, "location.hash",
+                           f"{PAGE}.files.set('more.txt', new Uint8Array(1), 'step')", "location.hash", hash=hash)
+        self.assertEqual((opened[2], opened[4]), (hash, ""))
 
     def test_what_cannot_be_opened_is_said(self):
         whole = pathlib.Path(self.archive({"a.urdf": "<robot/>" * 100})).read_bytes()
@@ -386,6 +408,13 @@ class UseTest(PlaygroundTest):
         self.assertEqual(results[4][1]["entity"], 0)
         self.assertEqual((results[5], results[10]), ([], []))
         self.assertEqual(results[13], [1, None])
+
+    def test_the_text_is_not_behind_the_picture(self):
+        edit = "[...document.querySelectorAll('#report button')].find((button) => button.textContent === 'Edit').click()"
+        is_open = f"{PAGE}.checker.page.picture.isOpen"
+        results = self.play(example(ARM), CHECKED, click("#show-robot"), {"until": is_open}, edit,
+                            f"[{is_open}, document.activeElement.id]")
+        self.assertEqual(results[5], [False, "text"])
 
     def test_an_edit_keeps_the_search_and_the_view(self):
         viewer = "document.getElementById('viewer').contentWindow.smurfViewer"

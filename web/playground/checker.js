@@ -62,6 +62,9 @@ export class Checker {
     JSON.parse(stdout).diagnostics.forEach(
       ({ fix }, index) => (report.diagnostics[index].edits = fix?.edits),
     );
+    report.remarks = ""; // they name options; the page has buttons
+    report.advice =
+      'To learn whether a certain program loads the files, choose it under "Judge for programs".';
     this.keys = new AbortController();
     const actions = {
       onEdit: (finding) => {

@@ -140,10 +140,11 @@ export function showTargets({ targets = {}, diagnostics }, onTarget) {
   byId("targets").hidden = rows.length === 0;
 }
 
-/** The text of a page without findings. */
-export function showNothingFound({ targets, summary, tool }) {
+/** The text of a page without findings. `advice`: for people without a command line. */
+export function showNothingFound({ targets, summary, tool, advice }) {
   const lines = [];
   if (targets) lines.push("Everything that was checked is fine for these programs.");
+  else if (advice) lines.push(advice);
   else if (tool.name === "smurf-lint")
     lines.push(
       "To learn whether a certain program loads the files, check again with `--target`:",
