@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "fuzz/parts.hpp"
+#include "fuzz/xacro_changes.hpp"
 
 namespace smurf::test {
 namespace {
@@ -287,6 +288,11 @@ std::string mutated_bundle(const std::string& bundle, const std::string& other, 
                            Random& random) {
   std::string result = bundle;
   for (std::size_t changes = 1 + random.below(3); changes > 0; --changes) {
+    std::string xacro = result;
+    if (random.one_in(2) && XacroChange(xacro, random).run()) {
+      if (xacro.size() <= most) result = std::move(xacro);
+      continue;
+    }
     auto changed = Mutation(result, other, random).run();
     if (changed && changed->size() <= most) result = std::move(*changed);
   }

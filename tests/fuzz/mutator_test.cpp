@@ -6,7 +6,10 @@
 #include <doctest/doctest.h>
 
 #include "fuzz/bundle.hpp"
+#include "fuzz/xacro_changes.hpp"
+#include "smurf/load.hpp"
 
+using namespace smurf;
 using namespace smurf::test;
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t*, std::size_t size, std::size_t) {
@@ -42,6 +45,31 @@ TEST_CASE("mutations of a model differ, repeat themselves, and mostly can be rea
   MESSAGE(all.size() << " texts, " << readable << " of " << kCount << " can be read");
   CHECK(all.size() > kCount / 2);
   CHECK(readable > kCount / 2);
+}
+
+TEST_CASE("expressions and elements of xacro change, and often still expand") {
+  const std::string robot =
+      "%%% r.urdf.xacro\n<robot name='r' xmlns:xacro='x'><xacro:property name='x' value='2'/>"
+      "<xacro:macro name='m' params='x *b'><link name=\"${'l%d' % x}\"/></xacro:macro>"
+      "<xacro:m x='${x + 1}'><a/></xacro:m></robot>\n";
+  constexpr std::uint64_t kCount = 500;
+  std::set<std::string> all;
+  std::size_t expanded = 0;
+  for (std::uint64_t seed = 0; seed < kCount; ++seed) {
+    Random random(seed);
+    std::string text = robot;
+    if (!XacroChange(text, random).run()) continue;
+    all.insert(text);
+    const MemoryFiles files = unbundle(text, "r.urdf.xacro");
+    SourceMap sources;
+    const Limits limits;
+    DiagnosticSink sink(limits);
+    LoadContext context{sources, files, sink, limits, {}};
+    expanded += load_xacro("r.urdf.xacro", context).is_complete ? 1U : 0U;
+  }
+  MESSAGE(all.size() << " texts, " << expanded << " expand");
+  CHECK(all.size() > kCount / 2);
+  CHECK(expanded > kCount / 10);
 }
 
 TEST_CASE("what is no tree stays as it is") {

@@ -28,6 +28,8 @@ def main() -> None:
 
     for data in streams():
         add("lsp", data)
+    for data in xacros(fixtures / "xacro" / "language.tsv"):
+        add("xacro", data)
     for data in gltfs():
         add("meshes", data)
     for path in sorted(fixtures.rglob("*")):
@@ -82,6 +84,20 @@ def streams() -> list[bytes]:
     malformed = [framed(b"{"), framed(b"[[[["), framed(b"\xff"), b"Content-Length: 99\r\n\r\n{}",
                  b"Content-Length: -1\r\n\r\n{}"]
     return [b"".join(whole), b"".join(whole[2:]), *(b"".join([*whole[:3], one, *whole[4:]]) for one in malformed)]
+
+
+def xacros(table: pathlib.Path) -> list[bytes]:
+    """One robot a row, with its other files."""
+    def plain(text: str) -> str:
+        return "\\".join(part.replace("\\n", "\n").replace("\\t", "\t").replace("\\r", "\r") for part in text.split("\\\\"))
+
+    found = []
+    for row in table.read_text("utf8").split("\n")[1:-1]:
+        document, _, *files = map(plain, row.split("\t"))
+        texts = [f'%%% r.urdf.xacro\n<robot name="r" xmlns:xacro="x">{document}</robot>\n']
+        texts += [f"%%% {name}\n{content}\n" for name, content in zip(files[::2], files[1::2])]
+        found.append("".join(texts).encode())
+    return found
 
 
 def gltfs() -> list[bytes]:

@@ -29,6 +29,7 @@ Value pop(Call& call) {
 Value index_of(Call& call) {
   if (!call.has_count(1, 1)) return Value::failure();
   const std::vector<Value>& items = call.self.list->items;
+  if (!may_compare(call.evaluator, call.self, call.values[0])) return Value::failure();
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (are_equal(items[i], call.values[0])) return Value::of(static_cast<std::int64_t>(i));
   }
@@ -38,6 +39,7 @@ Value index_of(Call& call) {
 Value count_items(Call& call) {
   if (!call.has_count(1, 1)) return Value::failure();
   const std::vector<Value>& items = call.self.list->items;
+  if (!may_compare(call.evaluator, call.self, call.values[0])) return Value::failure();
   return Value::of(
       static_cast<std::int64_t>(std::count_if(items.begin(), items.end(), [&](const Value& item) {
         return are_equal(item, call.values[0]);

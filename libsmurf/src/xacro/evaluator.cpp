@@ -102,22 +102,20 @@ Value Evaluator::integer(BigInt value) {
 }
 
 std::string Evaluator::string_of(const Value& value) {
-  NoText problem;
-  std::string text = text_of(value, problem);
-  return checked_text(value, std::move(text), problem);
+  return value.is_text() ? *value.text : written(value, text_of);
 }
 
-std::string Evaluator::repr(const Value& value) {
-  NoText problem;
-  std::string text = repr_of(value, problem);
-  return checked_text(value, std::move(text), problem);
-}
+std::string Evaluator::repr(const Value& value) { return written(value, repr_of); }
 
-std::string Evaluator::checked_text(const Value& value, std::string text, const NoText& problem) {
-  if (!problem.reason.empty()) {
+std::string Evaluator::written(const Value& value, std::string (*write)(const Value&, NoText&)) {
+  NoText problem{{}, limits_.xacro_text_bytes};
+  std::string result = write(value, problem);
+  if (result.size() > problem.most) {
+    text(std::move(result));  // fails
+  } else if (!problem.reason.empty()) {
     fail("the text of " + std::string(kind_name(value)) + " is unknown: " + problem.reason);
   }
-  return text;
+  return result;
 }
 
 Value Evaluator::wrapped(const Value& value) {
@@ -308,12 +306,11 @@ Value Evaluator::call_syntax(const Syntax& syntax, const Scope& scope) {
     } else if (syntax.names[i] == "**") {
       if (value.kind != Kind::dict) return fail("`**` needs a dictionary");
       for (const auto& [key, member] : value.dict->items) {
-        if (!key.is_text()) return fail("`**` needs keys that are texts");
-        if (std::any_of(keywords.begin(), keywords.end(),
-                        [&](const auto& one) { return one.first == *key.text; })) {
-          return fail("the parameter " + quoted(*key.text) + " is given twice");
-        }
-        keywords.emplace_back(*key.text, member);
+        const std::string_view text = key.is_text() ? *key.text : std::string_view();
+        const auto is_same = [&](const auto& one) { return one.first == text; };
+        if (text.empty() || std::any_of(keywords.begin(), keywords.end(), is_same))
+          return fail("`**` needs keys that are texts, and each of them once");
+        keywords.emplace_back(text, member);
       }
     } else {
       keywords.emplace_back(syntax.names[i], value);

@@ -123,7 +123,7 @@ class Evaluator {
   const Limits& limits() const { return limits_; }
 
  private:
-  std::string checked_text(const Value& value, std::string text, const NoText& problem);
+  std::string written(const Value& value, std::string (*write)(const Value&, NoText&));
   Value name(const Syntax& syntax, const Scope& scope);
   void remark_on(const Syntax& comparison, std::size_t index, const Value& left,
                  const Value& right);
@@ -155,6 +155,8 @@ class Evaluator {
 // operators.cpp
 Value compute(Evaluator& evaluator, Operation operation, const Value& a, const Value& b);
 Value compute(Evaluator& evaluator, Operation operation, const Value& a);
+/// Counts the work of a comparison; false, with a failure, if it is too much.
+bool may_compare(Evaluator& evaluator, const Value& a, const Value& b);
 /// True or false, or a failure.
 Value compare_values(Evaluator& evaluator, Operation operation, const Value& a, const Value& b);
 // attributes.cpp

@@ -188,6 +188,13 @@ int read_count(std::string_view text, std::size_t& at) {
   return count;
 }
 
+bool is_too_wide(Evaluator& evaluator, const Spec& spec) {
+  if (spec.width < kMostWidth && spec.precision < kMostWidth) return false;
+  evaluator.fail(rules::sml3312_xacro_limit,
+                 "the format is wider than " + std::to_string(kMostWidth - 1) + " characters");
+  return true;
+}
+
 class PercentFormatter {
  public:
   PercentFormatter(Evaluator& evaluator, const std::string& format, const Value& values)
@@ -245,6 +252,7 @@ class PercentFormatter {
       ++at;
       spec.precision = std::max(0, read_count(format_, at));
     }
+    if (is_too_wide(evaluator_, spec)) return;
     if (at >= format_.size()) {
       evaluator_.fail("the format ends after `%`");
       return;
@@ -422,6 +430,7 @@ Value brace_format(Call& call) {
     const std::string_view wanted =
         std::string_view(field).substr(std::min(colon + 1, field.size()));
     if (!read_spec(wanted, spec)) return evaluator.fail_unsupported("the format " + quoted(wanted));
+    if (is_too_wide(evaluator, spec)) return Value::failure();
     if (wanted.empty()) {
       result += evaluator.string_of(value);
     } else {

@@ -277,7 +277,7 @@ bool Expander::pass_parameters(const Node& in, const Macro& macro, Table& inner,
     if (functions_->own(attribute.name) != nullptr)
       set(inner, attribute.name, value, false, attribute.name_span);
     if (shown.size() < kMostShown) {
-      NoText problem;
+      NoText problem{{}, kMostShown};
       const std::string text = text_of(value, problem);
       if (!shown.empty()) shown += " ";
       shown += std::string(attribute.name) + "=" + text.substr(0, kMostShown);

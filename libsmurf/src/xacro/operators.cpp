@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/exact_math.hpp"
+#include "base/limits.hpp"
 #include "base/rules.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
@@ -415,7 +416,18 @@ Value compare_sets(Operation operation, const Value& a, const Value& b) {
 
 }  // namespace
 
+bool may_compare(Evaluator& evaluator, const Value& a, const Value& b) {
+  const std::size_t most = evaluator.limits().xacro_items * 10;
+  const std::size_t parts = std::min(count_parts(a, most), count_parts(b, most));
+  if (parts <= most) return evaluator.step(parts / 4);
+  evaluator.fail(rules::sml3312_xacro_limit,
+                 "the values to compare have more than " + std::to_string(most) + " parts",
+                 raise_limit("xacro-items"));
+  return false;
+}
+
 Value compare_values(Evaluator& evaluator, Operation operation, const Value& a, const Value& b) {
+  if (!may_compare(evaluator, a, b)) return Value::failure();
   switch (operation) {
   case Operation::equal: return Value::of(are_equal(a, b));
   case Operation::not_equal: return Value::of(!are_equal(a, b));

@@ -24,11 +24,14 @@ std::string complex_text(const std::complex<double>& value) {
          (has_sign || std::isnan(value.imag()) ? (has_sign ? "" : "+") : "+") + imaginary + ")";
 }
 
+constexpr std::string_view kTooLong = "it is too long";
+
 std::string joined(const std::vector<Value>& items, NoText& problem) {
   std::string text;
   for (const Value& item : items) {
     if (!text.empty()) text += ", ";
     text += repr_of(item, problem);
+    if (text.size() > problem.most) problem.reason = kTooLong;
     if (!problem.reason.empty()) break;
   }
   return text;
@@ -39,6 +42,7 @@ std::string dict_text(const Dict& dict, NoText& problem) {
   for (const auto& [key, value] : dict.items) {
     if (text.size() > 1) text += ", ";
     text += repr_of(key, problem) + ": " + repr_of(value, problem);
+    if (text.size() > problem.most) problem.reason = kTooLong;
     if (!problem.reason.empty()) break;
   }
   return text + "}";

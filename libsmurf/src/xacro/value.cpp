@@ -315,6 +315,22 @@ std::optional<int> compare_numbers(const Value& a, const Value& b) {
 
 }  // namespace
 
+std::size_t count_parts(const Value& value, std::size_t most) {
+  std::size_t count = 1;
+  if (is_list(value)) {
+    for (const Value& item : value.list->items) {
+      if (count > most) break;
+      count += count_parts(item, most - count);
+    }
+  } else if (value.kind == Kind::dict) {
+    for (const auto& [key, item] : value.dict->items) {
+      if (count > most) break;
+      count += count_parts(item, most - count);
+    }
+  }
+  return count;
+}
+
 bool are_equal(const Value& a, const Value& b) {
   if (is_numeric(a) && is_numeric(b)) return are_equal_numbers(a, b);
   if (a.kind != b.kind) return false;
@@ -376,6 +392,8 @@ std::optional<std::string> hash_key(const Value& value) {
       const auto key = hash_key(item);
       if (!key) return std::nullopt;
       all += std::to_string(key->size()) + ":" + *key;
+      constexpr std::size_t kMost = 1'000'000;
+      if (all.size() > kMost) return std::nullopt;
     }
     return all;
   }

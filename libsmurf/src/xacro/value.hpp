@@ -264,6 +264,8 @@ std::string_view kind_name(const Value& value);
 
 bool is_true(const Value& value);
 bool are_equal(const Value& a, const Value& b);
+/// The values in a value, with those that it has twice counted twice; not counted beyond `most`.
+std::size_t count_parts(const Value& value, std::size_t most);
 /// Negative, 0 or positive; 2 if one is not a number (NaN); none if the two cannot be ordered.
 std::optional<int> compare(const Value& a, const Value& b);
 /// Equal for keys that are equal; none for values that cannot be keys.
@@ -273,6 +275,7 @@ void insert(Dict& dict, const Value& key, const Value& value);
 /// Why a value has no text.
 struct NoText {
   std::string reason;
+  std::size_t most = ~std::size_t{0};  ///< bytes; longer texts have a reason and are incomplete
 };
 /// As str() and repr(); on failure, `problem` says why.
 std::string text_of(const Value& value, NoText& problem);
