@@ -87,7 +87,16 @@ class Companions(cli.CliTest):
         return self.read("lamp_moveit_config/config/" + name)
 
     def test_a_clean_robot_has_no_findings(self):
-        self.assertIn("no findings", self.expect(0, ".").stdout)
+        self.assertEqual(self.expect(0, ".").stdout, "no findings in 6 files (1 model), checked with 1 SRDF, "
+                         "1 controllers.yaml, 1 joint_limits.yaml, 1 kinematics.yaml and 1 moveit_controllers.yaml\n")
+
+    def test_a_xacro_that_was_found_is_compared_with_its_companions(self):
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        self.write("lamp_description/urdf/lamp.urdf.xacro", URDF.replace("<robot ", '<robot xmlns:xacro="x" '))
+        self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace('value="0.5"', 'value="5"'))
+        done = self.expect(0, ".")
+        self.assertIn("SML3513", done.stdout)
+        self.assertIn("checked with 1 SRDF", done.stdout)
 
     def test_files_in_a_package_that_depends_on_the_description(self):
         self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace('"shoulder"', '"sholder"'))
@@ -142,6 +151,36 @@ class Companions(cli.CliTest):
         self.assertIn("demo.launch.py' still names `shoulder` in line 2; change it there", done.stderr)
         self.assertIn("show.launch.xml' still names `shoulder` in line 1", done.stderr)
         self.assertEqual(done.stderr.count("still names"), 2)
+
+    def test_xacro_files_that_were_not_loaded_and_still_name_it_are_listed(self):
+        self.write("lamp_moveit_config/config/lamp.urdf.xacro",
+                   '<robot xmlns:xacro="x" name="lamp2">\n  <xacro:include filename="${where}"/>\n  <joint name="shoulder"/>\n'
+                   "  ${keys['shoulder']}\n</robot>\n")
+        done = self.run_tool("--rename", "joint:shoulder=hinge", "lamp_description/urdf/lamp.urdf", "lamp_moveit_config/config/lamp.srdf")
+        self.assertIn("lamp.urdf.xacro' still names `shoulder` in line 3; change it there", done.stderr)
+        self.assertEqual(done.stderr.count("still names"), 1)
+
+    def test_an_srdf_in_xacro(self):
+        (self.folder / "lamp_moveit_config/config/lamp.srdf").unlink()
+        macro = SRDF.replace('<robot name="lamp">', '<robot xmlns:xacro="x">\n<xacro:macro name="groups" params="name">') \
+            .replace("</robot>", "</xacro:macro>\n</robot>")
+        self.write("lamp_moveit_config/config/groups.srdf.xacro", macro)
+        self.write("lamp_moveit_config/config/lamp.srdf.xacro",
+                   '<robot xmlns:xacro="x" name="$(arg name)">\n  <xacro:arg name="name" default="lamp"/>\n'
+                   '  <xacro:include filename="groups.srdf.xacro"/>\n  <xacro:groups name="arm"/>\n</robot>\n')
+        self.assertIn("checked with 1 SRDF", self.expect(0, ".").stdout)
+        self.write("lamp_moveit_config/config/groups.srdf.xacro", macro.replace('"shoulder"', '"sholder"'))
+        for paths in ((".",), ("lamp_description/urdf/lamp.urdf",), ("lamp_moveit_config/config/lamp.srdf.xacro", "name:=lamp")):
+            done = self.expect(1, *paths)
+            self.assertIn("groups.srdf.xacro:", done.stdout)
+            self.assertIn("did you mean `shoulder`?", done.stdout)
+
+    def test_a_file_of_several_robots_is_judged_with_the_one_that_it_fits(self):
+        self.write("lamp_description/urdf/fixed.urdf", URDF.replace('"shoulder"', '"stiff"').replace('name="lamp"', 'name="fixed"'))
+        more = URDF.replace('<command_interface name="position"/>', '<command_interface name="velocity"/>')
+        self.write("lamp_description/urdf/fast.urdf", more.replace('name="lamp"', 'name="fast"'))
+        self.assertIn("SML3705", self.expect(1, "lamp_description/urdf/fast.urdf").stdout)
+        self.assertNotIn("SML3705", self.expect(0, ".").stdout)
 
     def test_rename_of_a_group(self):
         self.expect(0, "--rename", "group:arm=manipulator", ".")

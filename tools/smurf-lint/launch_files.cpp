@@ -13,8 +13,10 @@ constexpr std::size_t kMostEntries = 20'000;
 constexpr std::uint64_t kMostBytes = 1U << 20U;  // of a launch file
 constexpr std::size_t kMostPlaces = 20;
 
-bool is_launch_file(std::string_view name) {
-  for (const std::string_view end : {".launch", ".launch.py", ".launch.xml", ".launch.yaml"}) {
+/// Xacro files may belong to robots that were not loaded, or make the name in an expression.
+bool may_name_parts(std::string_view name) {
+  for (const std::string_view end :
+       {".launch", ".launch.py", ".launch.xml", ".launch.yaml", ".xacro"}) {
     if (name.ends_with(end)) return true;
   }
   return false;
@@ -40,7 +42,7 @@ class Search {
     for (const std::string& name : files_.list(folder)) {
       if (++entries_ > kMostEntries || name.starts_with('.')) continue;
       const std::string path = path::join(folder, name);
-      if (is_launch_file(name)) {
+      if (may_name_parts(name)) {
         read(path);
       } else if (depth < kDeepest && name.find('.') == std::string::npos) {
         look_in(path, depth + 1);
@@ -58,6 +60,8 @@ class Search {
       for (std::size_t at = content.text.find(rename.from); at != std::string::npos;
            at = content.text.find(rename.from, at + 1)) {
         if (!is_whole(content.text, at, at + rename.from.size())) continue;
+        // The key of a table that a xacro file reads, such as `positions['elbow']`.
+        if (path.ends_with(".xacro") && at > 1 && content.text[at - 2] == '[') continue;
         const auto line =
             1 + std::count(content.text.begin(),
                            content.text.begin() + static_cast<std::ptrdiff_t>(at), '\n');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Launch files that still contain a name after it was renamed elsewhere.
+// Launch and xacro files that still contain a name after it was renamed elsewhere.
 #pragma once
 
 #include <span>
@@ -11,8 +11,9 @@
 
 namespace smurf::tools {
 
-/// Sentences about launch files in the packages of the changed files. Launch files are programs, so
-/// they are searched for the names in quotes, and not changed.
+/// Sentences about launch and xacro files in the packages of the changed files. Launch files are
+/// programs, and xacro files may belong to robots that were not loaded, so they are searched for
+/// the names in quotes, and not changed.
 std::vector<std::string> launch_files_with(std::span<const Rename> renames,
                                            std::span<const std::string> changed,
                                            const FileReader& files);

@@ -268,6 +268,7 @@ class Planner {
 
   /// A xacro file that no user named.
   void add_part_of_robot(const std::string& path) {
+    if (is_companion_path(path)) return;  // read with its robot
     const std::size_t before = plan_.strays.size();
     add(plan_.strays, path);
     if (plan_.strays.size() > before) plan_.strays.back().may_be_part = true;
@@ -284,7 +285,9 @@ class Planner {
       known->second.emplace(xacro_files_around(path, files_, options_.limits, is_left_out));
     }
     const std::vector<std::string> roots = known->second->roots_of(path);
-    for (const std::string& root : roots) add_part_of_robot(root);
+    for (const std::string& root : roots) {
+      is_companion_path(root) ? add(plan_.strays, root) : add_part_of_robot(root);
+    }
     if (roots.empty()) add(plan_.strays, path);
   }
 

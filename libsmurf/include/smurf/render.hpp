@@ -25,6 +25,8 @@ struct Summary {
   std::size_t files = 0;
   std::size_t models = 0;
   std::size_t scenes = 0;
+  /// Kinds of companions ("SRDF") and how many of each were compared with robots.
+  std::vector<std::pair<std::string_view, std::size_t>> companions = {};
   std::size_t links = 0;  ///< symbolic links that lead out of a folder, which were not followed
 };
 /// Counts findings by severity; the caller sets the other counts.

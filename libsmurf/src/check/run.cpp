@@ -13,6 +13,7 @@
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "check/parallel.hpp"
+#include "lint/companions/ros2_control.hpp"
 
 namespace smurf {
 namespace {
@@ -103,9 +104,18 @@ class Run {
     if (!is_cancelled_) {
       std::erase_if(memory_.outcomes, [&](const auto& one) { return !used_.contains(one.first); });
     }
+    for (SharedCompanions::Found& one : shared_.finish()) {
+      found_[one.config].diagnostics.push_back(std::move(one.diagnostic));
+    }
     Report report = make_report(std::move(found_), memory_.groups, workshop_.desk, sources_);
     report.summary.models = models_.size();
     report.summary.scenes = scenes_.size();
+    for (const CompanionSpec& spec : companion_kinds()) {
+      const auto count = std::count_if(companions_.begin(), companions_.end(),
+                                       [&](const auto& one) { return one.second == spec.kind; });
+      if (count == 0) continue;
+      report.summary.companions.emplace_back(spec.title, static_cast<std::size_t>(count));
+    }
     report.problems = plan.problems;
     report.robots = std::move(robots_);
     if (plan.problems.empty()) return report;
@@ -179,6 +189,7 @@ class Run {
     copy.sources = kept.sources;
     copy.judged = kept.judged;
     copy.models = kept.models;
+    copy.companions = kept.companions;
     copy.scenes = kept.scenes;
     copy.read = kept.read;
     return copy;
@@ -245,6 +256,8 @@ class Run {
     return outcome;
   }
 
+  static constexpr std::size_t kFewestNames = 4;  // fewer may be the same by chance
+
   /// The meshes of the last check, if only texts have changed.
   void keep_meshes(Outcome&& known, Outcome& outcome) const {
     std::erase_if(known.answers, [&](const auto& one) {
@@ -296,16 +309,22 @@ class Run {
       if (!planned.shown.empty()) {
         for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
       }
-      take_companions(robot.companions, outcome);
+      take_companions(robot.companions, model, outcome);
       if (!robot.companions.is_alone) take_files(std::move(model), outcome);
     }
   }
 
   /// A robot of xacro that no user named may have other arguments, and so other joints and links,
-  /// than the one that its companions are for.
+  /// than the one that its companions are for. Nearly all names in them must be its names.
   static Accompanied load(const PlannedFile& planned, LoadContext& context) {
-    if (planned.may_be_part) return {load_model(planned.path, context), {}};
-    return load_accompanied(planned.path, context);
+    if (!planned.may_be_part) return load_accompanied(planned.path, context);
+    Accompanied robot{load_model(planned.path, context), {}};
+    if (!robot.model.robot || robot.model.robot->links.empty()) return robot;
+    robot.companions = load_companions(robot.model, context);
+    std::erase_if(robot.companions.files, [](const Companion& one) {
+      return one.names < kFewestNames || one.known_names * 10 < one.names * 9;
+    });
+    return robot;
   }
 
   /// Whether a xacro file is only a part of robots, because it makes no link, or needs values that
@@ -324,13 +343,18 @@ class Run {
   /// A robot that was found in a folder may need values that only its users know.
   static void excuse_arguments(std::vector<Diagnostic>& found) {
     for (Diagnostic& one : found) {
-      if (one.rule == &rules::sml3313_xacro_unknown_argument) one.severity = Severity::info;
+      const bool is_open =
+          one.rule == &rules::sml3313_xacro_unknown_argument || one.cases.contains(kNoPlugin);
+      if (is_open) one.severity = Severity::info;
     }
   }
 
-  void take_companions(const Companions& companions, Outcome& outcome) const {
+  void take_companions(const Companions& companions, const LinkedModel& model,
+                       Outcome& outcome) const {
     for (const Companion& one : companions.files) {
-      outcome.read.insert(identity_of(outcome.sources.path(one.source)));
+      const std::string file = identity_of(outcome.sources.path(one.source));
+      if (model.robot) outcome.companions.emplace(file, fit_of(one, model));
+      outcome.read.insert(file);
     }
     if (!companions.is_alone) return;
     // The robot with which it was compared was not asked for.
@@ -414,6 +438,14 @@ class Run {
     const SourceShift by = sources_.take(std::move(outcome.sources), common);
     for (Diagnostic& diagnostic : outcome.judged.diagnostics) shift(diagnostic, by);
     judge_robot(outcome, planned);
+    for (const auto& [file, fit] : outcome.companions) companions_.emplace(file, fit.kind);
+    // The variants of a configuration are all meant.
+    if (planned.shown.empty()) {
+      const auto file_of = [&](const Diagnostic& one) {
+        return identity_of(sources_.path(one.span.source));
+      };
+      shared_.take(outcome.companions, planned.config, file_of, outcome.judged.diagnostics);
+    }
     append(std::move(outcome.judged.diagnostics), found_[planned.config].diagnostics);
     found_[planned.config].comments.take(std::move(outcome.judged.comments), by);
     models_.merge(outcome.models);
@@ -426,15 +458,17 @@ class Run {
   Memory& memory_;
   SourceMap& sources_;
   const std::size_t jobs_;
-  MeshLibrary shared_meshes_;                     ///< of all threads, if nothing is kept
-  std::vector<Judged> found_;                     ///< by configuration
-  std::set<std::string> models_, scenes_, read_;  ///< by identity
-  std::set<std::string> sources_read_;            ///< by identity
-  std::uint64_t rechecked_ = 0;                   ///< bytes of files that were read before
-  std::uint64_t count_found_ = 0;                 ///< before settings and comments are applied
-  bool is_over_ = false;                          ///< the remaining files are not checked
-  std::set<std::string> used_;                    ///< paths of the outcomes used here
-  std::size_t parsed_bytes_ = 0;                  ///< of the texts whose trees are kept
+  MeshLibrary shared_meshes_;                        ///< of all threads, if nothing is kept
+  std::vector<Judged> found_;                        ///< by configuration
+  std::set<std::string> models_, scenes_, read_;     ///< by identity
+  std::map<std::string, CompanionKind> companions_;  ///< by identity
+  SharedCompanions shared_;                          ///< findings in them
+  std::set<std::string> sources_read_;               ///< by identity
+  std::uint64_t rechecked_ = 0;                      ///< bytes of files that were read before
+  std::uint64_t count_found_ = 0;                    ///< before settings and comments are applied
+  bool is_over_ = false;                             ///< the remaining files are not checked
+  std::set<std::string> used_;                       ///< paths of the outcomes used here
+  std::size_t parsed_bytes_ = 0;                     ///< of the texts whose trees are kept
   std::atomic<bool> is_cancelled_ = false;
   std::atomic<std::size_t> done_ = 0;
   std::size_t expected_ = 0;

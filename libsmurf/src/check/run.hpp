@@ -14,6 +14,7 @@
 #include "base/canonical_paths.hpp"
 #include "check/group.hpp"
 #include "check/pipeline.hpp"
+#include "check/shared_companions.hpp"
 #include "check/snapshot.hpp"
 #include "link/parsed_files.hpp"
 
@@ -23,8 +24,9 @@ namespace smurf {
 struct Outcome {
   SourceMap sources;
   Judged judged;
-  std::set<std::string> models, scenes, read;  ///< by identity
-  MeshLibrary meshes;                          ///< opened for it
+  std::set<std::string> models, scenes, read;           ///< by identity
+  std::map<std::string, CompanionFit> companions = {};  ///< of robots, by identity
+  MeshLibrary meshes;                                   ///< opened for it
   ParsedFiles parsed;
   Recorder::Answers answers;  ///< queries on which the result depends
   std::size_t config = 0;     ///< see PlannedFile::config

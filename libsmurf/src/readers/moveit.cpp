@@ -6,8 +6,8 @@ namespace smurf::readers::moveit_file {
 
 extern constinit const Reader moveit{.name = "moveit",
                                      .title = "MoveIt",
-                                     .basis = "MoveIt 2 8fcb5d2 (2026-08) and srdfdom e23af6e "
-                                              "(2024-10) read; as for urdfdom",
+                                     .basis = "MoveIt 2 8fcb5d2 (2026-08) read, srdfdom e23af6e "
+                                              "(2024-10) run; as for urdfdom",
                                      .like = &urdfdom};
 
 }  // namespace smurf::readers::moveit_file

@@ -5,10 +5,10 @@
 namespace smurf::readers::ros_file {
 namespace {
 
-// rosdistro, pull requests 32566, 45868 and 50827.
-constexpr ReaderVersion kHumble[] = {{&urdfdom, {3, 0, 2}}};
-constexpr ReaderVersion kJazzy[] = {{&urdfdom, {4, 0, 2}}};
-constexpr ReaderVersion kRolling[] = {{&urdfdom, {6, 0}}};
+// rosdistro, pull requests 32566, 45868 and 50827. The number of ROS is the year of the release.
+constexpr ReaderVersion kHumble[] = {{&urdfdom, {3, 0, 2}}, {&ros, {2022}}};
+constexpr ReaderVersion kJazzy[] = {{&urdfdom, {4, 0, 2}}, {&ros, {2024}}};
+constexpr ReaderVersion kRolling[] = {{&urdfdom, {6, 0}}, {&ros, {2026}}};
 
 constexpr Reader humble{.name = "ros:humble",
                         .title = "ROS Humble",

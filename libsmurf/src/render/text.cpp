@@ -179,6 +179,21 @@ std::string render_brief(const Diagnostic& diagnostic, const SourceMap& sources,
   return out + remarks(advice, sources, 2, paint);
 }
 
+namespace {
+
+/// "2 SRDFs and 1 controllers.yaml"
+std::string companions_of(const Summary& summary) {
+  std::vector<std::string> parts;
+  for (const auto& [title, count] : summary.companions) {
+    const bool is_file_name = title.find('.') != std::string_view::npos;
+    parts.push_back(is_file_name ? std::to_string(count) + " " + std::string(title)
+                                 : counted(count, title));
+  }
+  return enumerate(parts);
+}
+
+}  // namespace
+
 std::string render_summary(const Summary& summary, const TextStyle& style) {
   const Painter paint(style.color);
   std::vector<std::string> found;
@@ -198,6 +213,7 @@ std::string render_summary(const Summary& summary, const TextStyle& style) {
   } else if (loaded.size() == 1) {
     out += " (" + loaded[0] + ")";
   }
+  if (!summary.companions.empty()) out += ", checked with " + companions_of(summary);
   out += "\n";
   if (summary.suppressed > 0) out += std::to_string(summary.suppressed) + " suppressed\n";
   if (summary.links > 0) {

@@ -14,9 +14,7 @@ bool holds(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-bool is_srdf(std::string_view name, std::string_view) {
-  return path::to_lower(path::extension(name)) == ".srdf";
-}
+bool is_srdf(std::string_view name, std::string_view) { return is_companion_path(name); }
 
 bool is_controllers(std::string_view, std::string_view text) {
   return holds(text, "ros__parameters:") &&

@@ -10,6 +10,7 @@
 #include "link/companions/companion_names.hpp"
 #include "link/companions/places.hpp"
 #include "link/read_file.hpp"
+#include "link/xacro_model.hpp"
 #include "smurf/companions.hpp"
 #include "syntax/xml_reader.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -18,6 +19,7 @@ namespace smurf {
 namespace {
 
 constexpr std::size_t kMostCandidates = 400;  // files that may be companions
+constexpr std::size_t kMostRobots = 6;        // that are tried for an SRDF
 /// Companions of other robots, and lists of parameters of other programs, are larger.
 constexpr std::uint64_t kMostBytesOfYaml = 1U << 20U;
 
@@ -41,11 +43,14 @@ bool is_promising(std::string_view name) {
 std::vector<std::string> candidates(const std::string& folder,
                                     std::initializer_list<std::string_view> extensions,
                                     const LoadContext& context) {
+  const bool wants_srdf =
+      std::find(extensions.begin(), extensions.end(), ".srdf") != extensions.end();
   std::vector<std::string> found;
   std::set<std::string> seen;
   for (const std::string& place : companion_places(folder, context.files)) {
     for (const std::string& name : context.files.list(place)) {
-      if (!has_extension(name, extensions) || !is_promising(name)) continue;
+      const bool is_srdf = wants_srdf && is_companion_path(name);
+      if (!is_srdf && (!has_extension(name, extensions) || !is_promising(name))) continue;
       std::string path = path::join(place, name);
       if (!seen.insert(context.files.identity(path)).second) continue;
       found.push_back(std::move(path));
@@ -70,8 +75,10 @@ class Loader {
  public:
   explicit Loader(LoadContext& context) : context_(context) {}
 
-  /// Reads a file as a companion of this kind; none if it cannot be parsed.
-  std::optional<Companion> read(const std::string& path, const CompanionSpec& spec) {
+  /// Reads a file as a companion of this kind; none if it cannot be parsed. A xacro file that was
+  /// found for a robot may need arguments or packages that are not known here, which is no finding.
+  std::optional<Companion> read(const std::string& path, const CompanionSpec& spec,
+                                const LinkedModel* robot = nullptr) {
     const auto source = read_source(path, {}, rules::sml0001_unreadable_file, context_);
     if (!source) return std::nullopt;
     Companion companion;
@@ -83,9 +90,12 @@ class Loader {
                         spec.kind == CompanionKind::moveit_controllers ||
                         is_in_ros2_package(path, context_.files);
     if (spec.is_xml) {
-      auto document = parse_xml(context_.sources, *source, context_.limits, context_.sink);
+      const auto text = xacro::is_xacro_file(path) ? expanded(*source, robot) : source;
+      if (!text) return std::nullopt;
+      auto document = parse_xml(context_.sources, *text, context_.limits, context_.sink);
       if (!document) return std::nullopt;
       companion.srdf = srdf::read(std::move(*document));
+      if (text != source && !companion.srdf->name) return std::nullopt;  // a part of others
     } else {
       // It may be a template, which a launch file fills in.
       DiagnosticSink ignored(context_.limits);
@@ -96,6 +106,21 @@ class Loader {
   }
 
  private:
+  std::optional<SourceId> expanded(SourceId root, const LinkedModel* robot) {
+    DiagnosticSink ignored(context_.limits);
+    LoadContext quiet{context_.sources, context_.files,    ignored,
+                      context_.limits,  context_.packages, context_.package_folders,
+                      context_.meshes,  context_.schemas,  context_.read,
+                      context_.parsed,  context_.xacro,    context_.expansions};
+    // Launch files often pass the name of the robot.
+    if (robot != nullptr) quiet.xacro.arguments.emplace("name", robot->robot->name.value_or(""));
+    xacro::Expansion expansion = expand_xacro(root, robot != nullptr ? quiet : context_);
+    if (!expansion.is_complete) return std::nullopt;
+    const SourceId source = expansion.source;
+    context_.expansions->emplace(source, std::move(expansion));
+    return source;
+  }
+
   LoadContext& context_;
 };
 
@@ -162,14 +187,19 @@ class Finder {
 
  private:
   void look_at(const std::string& path) {
-    const bool is_srdf = path::to_lower(path::extension(path)) == ".srdf";
+    const bool is_srdf = is_companion_path(path);
     const FileContent content =
         context_.files.read(path, is_srdf ? context_.limits.srdf_bytes : kMostBytesOfYaml);
     if (content.status != ReadStatus::ok) return;
     const CompanionSpec* spec = find_companion_kind(path, content.text);
     if (spec == nullptr) return;
-    if (is_srdf && !may_be_for(robot_name_in(content.text))) return;
-    if (auto companion = loader_.read(path, *spec)) {
+    const bool is_xacro = xacro::is_xacro_file(path);
+    const std::string_view name = is_srdf ? robot_name_in(content.text) : std::string_view();
+    // A xacro file without a name is a part of others, and an expression may be any name.
+    if (is_xacro && name.empty()) return;
+    const bool is_computed = is_xacro && name.find('$') != std::string_view::npos;
+    if (is_srdf && !is_computed && !may_be_for(name)) return;
+    if (auto companion = loader_.read(path, *spec, is_xacro ? &model_ : nullptr)) {
       found_.files.push_back(std::move(*companion));
     }
   }
@@ -222,16 +252,20 @@ class Finder {
   std::set<std::string> own_;                       ///< files of the model, by identity
 };
 
-/// The URDF around a companion that has the robot name of an SRDF; "" if there is none.
-std::string find_robot_of(const Companion& companion, const LoadContext& context) {
+/// The robots around an SRDF with its robot name, URDFs before xacro files; else the only URDF.
+std::vector<std::string> robots_of(const Companion& companion, const LoadContext& context) {
   const srdf::Text& name = companion.srdf->name;
   const std::string folder(path::parent(context.sources.path(companion.source)));
-  const std::vector<std::string> robots = candidates(folder, {".urdf"}, context);
-  const auto found = std::find_if(robots.begin(), robots.end(), [&](const std::string& path) {
-    return name && has_robot({path}, *name, context);
-  });
-  if (found != robots.end()) return *found;
-  return robots.size() == 1 ? robots.front() : std::string();
+  const std::vector<std::string> urdfs = candidates(folder, {".urdf"}, context);
+  std::vector<std::string> found;
+  for (const auto& all : {urdfs, candidates(folder, {".xacro"}, context)}) {
+    for (const std::string& path : all) {
+      if (!name || is_companion_path(path) || found.size() >= kMostRobots) continue;
+      if (has_robot({path}, *name, context)) found.push_back(path);
+    }
+  }
+  if (found.empty() && urdfs.size() == 1) found.push_back(urdfs.front());
+  return found;
 }
 
 Accompanied load_companion(const std::string& path, LoadContext& context) {
@@ -243,10 +277,12 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
     loaded.model.is_complete = false;
     return loaded;
   }
-  if (const std::string robot = find_robot_of(*companion, context); !robot.empty()) {
+  for (const std::string& robot : robots_of(*companion, context)) {
     LinkedModel found = load_model(robot, context);
     count_names(found, *companion);
-    if (found.robot && belongs_to(found, *companion)) loaded.model = std::move(found);
+    if (!found.robot || !belongs_to(found, *companion)) continue;
+    loaded.model = std::move(found);
+    break;
   }
   loaded.companions.files.push_back(std::move(*companion));
   return loaded;
@@ -255,7 +291,8 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
 }  // namespace
 
 bool is_companion_path(std::string_view path) {
-  return path::to_lower(path::extension(path)) == ".srdf";
+  const std::string lower = path::to_lower(path);
+  return lower.ends_with(".srdf") || lower.ends_with(".srdf.xacro");
 }
 
 Companions load_companions(const LinkedModel& model, LoadContext& context) {

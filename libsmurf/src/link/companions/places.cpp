@@ -36,9 +36,8 @@ class Search {
       package = path::join(package, "..");
       ++level;
     }
-    if (level == kLevels) {
-      add_usual(folder);
-    } else {
+    add_usual(folder);
+    if (level < kLevels) {
       add_package(package);
       add_related(package);
     }
@@ -59,7 +58,8 @@ class Search {
   void add_usual(const std::string& folder) {
     for (const std::string_view name :
          {"srdf", "config", "../srdf", "../config", "../urdf", "../robots"}) {
-      add(path::join(folder, name));
+      const std::string one = path::normalize(path::join(folder, name));
+      if (!files_.list(one).empty()) add(one);
     }
   }
 

@@ -55,6 +55,13 @@ std::string title_of(const Hardware& hardware);
 /// "joint `elbow` of ros2_control `arm`"
 std::string title_of(const HardwarePart& part, const Hardware& hardware);
 
+/// SML3601: the hardware has no plugin at all; that of a xacro file may need an argument.
+inline constexpr Circumstance kNoPlugin{"no plugin"};
+
+/// The first version with the parser of Jazzy, for facts about ros2_control and about ROS.
+inline constexpr Version kParserOfJazzy{4};
+inline constexpr Version kRosJazzy{2024};
+
 /// An exception of the parser: no hardware of the robot is loaded.
 constexpr Fact
 no_hardware(Where where = {},
@@ -65,6 +72,18 @@ no_hardware(Where where = {},
 constexpr Fact no_hardware_in_ros(Where where = {}) {
   return {&readers::ros, Effect::breaks, "ros2_control loads no hardware",
           "ros2_control hardware_interface/src/component_parser.cpp", where};
+}
+
+/// What Humble does with a mistake that later versions refuse.
+constexpr Fact in_humble(Effect effect, std::string_view makes, Where where = {}) {
+  where.until = kParserOfJazzy;
+  return {&readers::ros2_control, effect, makes,
+          "ros2_control hardware_interface/src/component_parser.cpp, branch humble", where};
+}
+constexpr Fact in_ros_humble(Effect effect, std::string_view makes, Where where = {}) {
+  where.until = kRosJazzy;
+  return {&readers::ros, effect, makes,
+          "ros2_control hardware_interface/src/component_parser.cpp, branch humble", where};
 }
 
 }  // namespace smurf

@@ -9,6 +9,8 @@
 namespace smurf::rules::sml3504_srdf_unknown_element_file {
 namespace {
 
+constexpr Circumstance kRoot{"root"};
+
 /// The known name that a name was probably meant to be; none for names that other programs read.
 std::optional<std::string_view> meant_by(std::string_view name,
                                          const std::vector<std::string_view>& known) {
@@ -46,7 +48,17 @@ void check_element(xml::View parent, xml::View element, Findings& findings) {
         report(one.name_span(), "attribute", one.name(), *meant, findings);
       }
     }
-    return check_children(element, findings);
+    // The groups in a group are names only.
+    if (parent.name() != "group" || element.name() != "group") {
+      return check_children(element, findings);
+    }
+    for (const xml::View child : element) {
+      findings
+          .report(child.name_span(), "MoveIt does not read " + quoted(child.name()) +
+                                         " in a group that is itself in a group")
+          .help("move it into the group of that name");
+    }
+    return;
   }
   if (const std::string_view other = other_parent(parent.name(), element.name()); !other.empty()) {
     findings
@@ -71,11 +83,18 @@ void check_children(xml::View parent, Findings& findings) {
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_srdf(companions, [&](const srdf::Description& srdf) {
     const xml::View root = srdf.document.view();
-    if (root && root.name() == "robot") check_children(root, findings);
+    if (!root) return;
+    if (root.name() == "robot") return check_children(root, findings);
+    Diagnostic& found = findings.report(root.name_span(), "an SRDF begins with `robot`, not with " +
+                                                              quoted(root.name()));
+    found.severity = Severity::error;
+    found.when(kRoot).help("write `robot`");
   });
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::moveit, Effect::refuses, "refuses the file", "srdfdom 2.0.7 model.cpp initXml, run",
+     when(kRoot)},
     {&readers::moveit, Effect::loses, "ignores it without a message", "srdfdom model.cpp"},
 };
 

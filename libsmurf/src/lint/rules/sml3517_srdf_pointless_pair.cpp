@@ -2,37 +2,58 @@
 #include <map>
 #include <tuple>
 
+#include "base/counted.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3517_srdf_pointless_pair_file {
 namespace {
 
-Diagnostic& report(const srdf::Description& srdf, const srdf::LinkPair& pair, std::string message,
-                   Findings& findings) {
-  const xml::View element(srdf.document, pair.element);
-  Diagnostic& found = findings.report(element.name_span(), std::move(message));
-  found.help("delete it");
-  found.fixes.push_back({Applicability::safe, {{element.span(), ""}}});
-  return found;
-}
+/// The pairs of one SRDF that add nothing: one finding and one fix for all of them.
+class Pointless {
+ public:
+  explicit Pointless(Findings& findings) : findings_(findings) {}
+
+  void add(const srdf::Description& srdf, const srdf::LinkPair& pair, const std::string& message,
+           const srdf::LinkPair* first = nullptr) {
+    const xml::View element(srdf.document, pair.element);
+    if (found_ == nullptr) {
+      found_ = &findings_.report(element.name_span(), message);
+      if (first != nullptr) found_->label(tag_of(srdf, first->element), "it is first here");
+      found_->help("delete it");
+      found_->fixes.push_back({Applicability::safe, {}});
+    }
+    ++count_;
+    found_->fixes.front().edits.push_back({element.span(), ""});
+  }
+
+  void finish() {
+    if (count_ > 1) found_->note(counted(count_ - 1, "more pair") + " of this SRDF add nothing");
+  }
+
+ private:
+  Findings& findings_;
+  Diagnostic* found_ = nullptr;
+  std::size_t count_ = 0;
+};
 
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_srdf(companions, [&](const srdf::Description& srdf) {
+    Pointless pointless(findings);
     std::map<std::tuple<bool, std::string_view, std::string_view>, const srdf::LinkPair*> known;
     for (const srdf::LinkPair& pair : srdf.pairs) {
       if (!pair.link1 || !pair.link2) continue;
       std::string_view a = *pair.link1, b = *pair.link2;
       if (a == b) {
-        report(srdf, pair, "this pair names the link " + quoted(a) + " twice", findings);
+        pointless.add(srdf, pair, "this pair names the link " + quoted(a) + " twice");
         continue;
       }
       if (b < a) std::swap(a, b);
       const auto [first, is_new] = known.emplace(std::tuple(pair.is_enabled, a, b), &pair);
       if (is_new) continue;
-      report(srdf, pair, "the pair of " + quoted(a) + " and " + quoted(b) + " is here again",
-             findings)
-          .label(tag_of(srdf, first->second->element), "it is first here");
+      pointless.add(srdf, pair, "the pair of " + quoted(a) + " and " + quoted(b) + " is here again",
+                    first->second);
     }
+    pointless.finish();
   });
 }
 

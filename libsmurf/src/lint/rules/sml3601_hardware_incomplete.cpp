@@ -6,6 +6,8 @@
 namespace smurf::rules::sml3601_hardware_incomplete_file {
 namespace {
 
+constexpr Circumstance kNew{"not read by Humble"};
+
 /// What an element must have, by the name of the element above it.
 struct Need {
   std::string_view parent, element, attribute;
@@ -47,7 +49,9 @@ void check_element(xml::View element, Findings& findings) {
     missing += (missing.empty() ? " has no " : " and no ") + quoted(need.attribute);
   }
   if (!missing.empty()) {
-    findings.report(element.name_span(), title(element) + missing).help("write the attribute");
+    Diagnostic& found = findings.report(element.name_span(), title(element) + missing);
+    if (element.name() == "limits") found.when(kNew);
+    found.help("write the attribute");
   }
   for (const xml::View child : element) {
     const bool is_read = child.name() != "properties" && element.name() != "param";
@@ -68,7 +72,8 @@ void check_plugin(xml::View element, const Hardware& hardware, Findings& finding
       }
     }
     findings.report(element.name_span(), what + " has no `plugin`")
-        .help("write `<plugin>PACKAGE/CLASS</plugin>`");
+        .help("write `<plugin>PACKAGE/CLASS</plugin>`")
+        .when(kNoPlugin);
   } else if (trimmed(plugin.text()).empty()) {
     findings.report(plugin.name_span(), "the plugin of " + what + " is empty")
         .help("write the name of a class, PACKAGE/CLASS");
@@ -86,7 +91,10 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
   }
 }
 
-constexpr Fact kFacts[] = {no_hardware(), no_hardware_in_ros()};
+constexpr std::string_view kUnread = "ros2_control does not read `limits`";
+constexpr Fact kFacts[] = {in_humble(Effect::ignores, kUnread, when(kNew)), no_hardware(),
+                           in_ros_humble(Effect::ignores, kUnread, when(kNew)),
+                           no_hardware_in_ros()};
 
 }  // namespace
 

@@ -7,8 +7,15 @@ namespace {
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
   for (const Hardware& hardware : hardware_of(model)) {
     for (const HardwarePart& part : hardware.parts) {
-      if (!part.is_joint() || part.name.empty()) continue;
+      if (!part.is_joint() || part.element.attribute("name") == nullptr) continue;
       const Span place = place_of(part.element, "name");
+      if (part.name.empty()) {
+        findings
+            .report(part.element.name_span(),
+                    "a joint of " + title_of(hardware) + " has an empty name")
+            .help("write the name of a joint of the robot");
+        continue;
+      }
       const urdf::Joint* joint = model.find_joint(part.name);
       if (joint == nullptr) {
         const std::string subject = title_of(hardware);
@@ -23,10 +30,11 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
   }
 }
 
-constexpr Fact kFacts[] = {
-    no_hardware({}, "throws an exception and loads no hardware (from Jazzy on; Humble accepts it, "
-                    "and the hardware fails later)"),
-    no_hardware_in_ros()};
+constexpr std::string_view kLater = "loads the hardware, which fails later";
+
+constexpr Fact kFacts[] = {no_hardware(since(kParserOfJazzy)), in_humble(Effect::breaks, kLater),
+                           no_hardware_in_ros(since(kRosJazzy)),
+                           in_ros_humble(Effect::breaks, kLater)};
 
 }  // namespace
 

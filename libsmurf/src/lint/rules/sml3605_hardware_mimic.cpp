@@ -45,10 +45,11 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
   }
 }
 
-constexpr Fact kFacts[] = {
-    no_hardware({}, "throws an exception and loads no hardware (from Jazzy on; Humble does not "
-                    "read `<mimic>` here)"),
-    no_hardware_in_ros()};
+constexpr std::string_view kUnread = "ros2_control does not look at `<mimic>` of the robot";
+
+constexpr Fact kFacts[] = {no_hardware(since(kParserOfJazzy)), in_humble(Effect::ignores, kUnread),
+                           no_hardware_in_ros(since(kRosJazzy)),
+                           in_ros_humble(Effect::ignores, kUnread)};
 
 }  // namespace
 

@@ -12,8 +12,13 @@ namespace {
 constexpr Circumstance kInitial{"initial"};
 constexpr Circumstance kNotANumber{"not a number"};
 constexpr Circumstance kWider{"wider"};
+constexpr Circumstance kOther{"other interface"};
 
 constexpr double kSlack = 1e-6;  // rad or m: rounding errors
+
+bool is_limited_interface(std::string_view name) {
+  return is_one_of(name, {"position", "velocity", "effort", "acceleration", "jerk"});
+}
 
 struct Limit {
   xml::View element;
@@ -27,7 +32,11 @@ Limit read_limit(const HardwareInterface& one, std::string_view name, const std:
   if (!element) return {};
   const std::string_view text = trimmed(element.text());
   const auto value = parse_number(text);
-  if (value || is_one_of(text, {"inf", "-inf", "nan", ".inf", "-.inf"})) return {element, value};
+  // An interface of other names has no limits.
+  const bool is_infinite = is_one_of(text, {"inf", "-inf", "nan", ".inf", "-.inf"});
+  if (value || is_infinite || !is_limited_interface(one.name)) {
+    return {element, value};
+  }
   const Span place = element.text_span().empty() ? element.name_span() : element.text_span();
   Diagnostic& found = findings.report(
       place, quoted(name) + " of the " + quoted(one.name) + " interface of " + title +
@@ -66,6 +75,33 @@ void check_range(const HardwareInterface& one, const std::string& title, const u
       .help("write limits within those of the joint; the narrower ones count");
 }
 
+/// A limit that is no finite number makes ros2_control skip the other one, too.
+void check_finite(const HardwareInterface& one, const std::string& title, const Limit& bad,
+                  const Limit& other, Findings& findings) {
+  const auto is_finite = [](const Limit& limit) {
+    return limit.value && std::isfinite(*limit.value);
+  };
+  if (!bad.element || is_finite(bad) || !is_finite(other)) return;
+  const std::string_view name = attribute_text(bad.element, "name");
+  Diagnostic& found = findings.report(
+      bad.element.text_span(), quoted(name) + " of the " + quoted(one.name) + " interface of " +
+                                   title + " is not finite, so the other limit is lost, too");
+  found.when(kNotANumber);
+  found.help("write a number, or delete both limits");
+}
+
+/// ros2_control knows no limits of other quantities.
+void check_other(const HardwareInterface& one, const std::string& title, const Limit& min,
+                 const Limit& max, Findings& findings) {
+  const xml::View element = min.element ? min.element : max.element;
+  if (!element || is_limited_interface(one.name)) return;
+  Diagnostic& found =
+      findings.report(element.name_span(), "the " + quoted(one.name) + " interface of " + title +
+                                               " has a limit, which ros2_control does not apply");
+  found.when(kOther);
+  found.help("delete it, or write position, velocity, effort, acceleration or jerk");
+}
+
 void check_initial(const HardwareInterface& one, const std::string& title, const Limit& min,
                    const Limit& max, Findings& findings) {
   const xml::View element = one.parameter_element("initial_value");
@@ -94,7 +130,12 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
       for (const HardwareInterface& one : part.interfaces) {
         const Limit min = read_limit(one, "min", title, findings);
         const Limit max = read_limit(one, "max", title, findings);
-        if (one.is_command) check_range(one, title, joint, min, max, findings);
+        if (one.is_command) {
+          check_finite(one, title, min, max, findings);
+          check_finite(one, title, max, min, findings);
+          check_range(one, title, joint, min, max, findings);
+          check_other(one, title, min, max, findings);
+        }
         check_initial(one, title, min, max, findings);
       }
     }
@@ -106,6 +147,10 @@ constexpr Fact kFacts[] = {
     {&readers::ros2_control, Effect::loses,
      "reports it and has no limit there (from Jazzy on; Humble leaves limits to the hardware)",
      kParser, when(kNotANumber)},
+    {&readers::ros2_control, Effect::loses, "reports it and limits nothing", kParser,
+     when(kOther).since(kParserOfJazzy)},
+    {&readers::ros2_control, Effect::ignores, "leaves limits to the hardware", kParser,
+     when(kOther)},
     {&readers::ros2_control, Effect::ignores, "uses the narrower limits", kParser, when(kWider)},
     {&readers::ros2_control, Effect::changes, "leaves the value to the hardware or the simulator",
      kParser, when(kInitial)},

@@ -14,12 +14,12 @@ void check_transmission(const Hardware& hardware, xml::View element, Findings& f
     if (child.name() != "joint") continue;
     ++joints;
     const std::string_view joint = attribute_text(child, "name");
-    if (joint.empty() || hardware.find_joint(joint) != nullptr) continue;
+    if (child.attribute("name") == nullptr || hardware.find_joint(joint) != nullptr) continue;
     std::vector<std::string_view> known;
     for (const HardwarePart& part : hardware.parts) {
       if (part.is_joint()) known.push_back(part.name);
     }
-    const Span place = place_of(child, "name");
+    const Span place = joint.empty() ? child.name_span() : place_of(child, "name");
     Diagnostic& found = findings.report(place, title + " names the joint " + quoted(joint) +
                                                    ", which this ros2_control does not have");
     if (const auto near = findings.suggest(joint, known)) {

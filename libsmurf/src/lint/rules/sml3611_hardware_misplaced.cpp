@@ -1,31 +1,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/suggest.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3611_hardware_misplaced_file {
 namespace {
 
-void look_into(xml::View element, Findings& findings) {
-  for (const xml::View child : element) {
-    if (child.name() == "ros2_control") {
-      findings
-          .report(child.name_span(), "ros2_control does not find this `ros2_control`, because it "
-                                     "is in " +
-                                         quoted(element.name()))
-          .help("move it directly into `robot`");
-    } else {
-      look_into(child, findings);
+constexpr std::array<std::string_view, 1> kTag = {"ros2_control"};
+
+constexpr Circumstance kOnly{"no other one"};
+
+class Search {
+ public:
+  Search(bool is_only, Findings& findings) : is_only_(is_only), findings_(findings) {}
+
+  void look_into(xml::View element) {
+    for (const xml::View child : element) {
+      if (child.name() == "ros2_control") {
+        report(child, "ros2_control does not find this `ros2_control`, because it is in " +
+                          quoted(element.name()))
+            .help("move it directly into `robot`");
+      } else {
+        look_into(child);
+      }
     }
   }
-}
+
+  void look_at(xml::View child) {
+    if (only_nearest(child.name(), kTag)) {
+      report(child, "ros2_control does not look at " + quoted(child.name()))
+          .help("did you mean `ros2_control`?");
+    }
+    look_into(child);
+  }
+
+ private:
+  Diagnostic& report(xml::View element, std::string message) {
+    Diagnostic& found = findings_.report(element.name_span(), std::move(message));
+    if (is_only_) found.when(kOnly);
+    return found;
+  }
+
+  bool is_only_;
+  Findings& findings_;
+};
 
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
   if (!model.robot) return;
+  Search search(hardware_of(model).empty(), findings);
   for (const xml::View child : model.robot->document.view()) {
-    if (child.name() != "ros2_control") look_into(child, findings);
+    if (child.name() != "ros2_control") search.look_at(child);
   }
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::ros2_control, Effect::refuses, "finds no `ros2_control` and throws an exception",
+     "ros2_control hardware_interface/src/component_parser.cpp, run", when(kOnly)},
     {&readers::ros2_control, Effect::loses, "does not see it",
      "ros2_control hardware_interface/src/component_parser.cpp parse_control_resources_from_urdf"},
     {&readers::ros, Effect::loses, "ros2_control does not see it",
@@ -38,8 +72,8 @@ extern constinit const Rule sml3611_hardware_misplaced{
     .id = "SML3611",
     .name = "hardware-misplaced",
     .severity = Severity::warning,
-    .summary = "An element `ros2_control` is not directly in `robot`.",
-    .remedy = "Move it directly into `robot`.",
+    .summary = "An element `ros2_control` is misspelt, or not directly in `robot`.",
+    .remedy = "Correct its name, or move it directly into `robot`.",
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3611_hardware_misplaced_file

@@ -22,7 +22,15 @@ void check_type(const RosController& controller, Findings& findings) {
   const std::vector<std::string_view> known = controller_class_names();
   const std::string_view type = trimmed(controller.type.text());
   const auto near = only_nearest(type, known);
-  if (!near || is_placeholder(type)) return;  // of another package
+  // Other packages have controllers of similar names.
+  const auto package = [](std::string_view one) { return one.substr(0, one.find('/')); };
+  const bool is_own = std::any_of(known.begin(), known.end(), [&](std::string_view one) {
+    return package(one) == package(type);
+  });
+  constexpr int kMostEdits = 2;  // in the name of a package
+  const bool is_slip =
+      near && edit_distance(package(*near), package(type), kMostEdits) <= kMostEdits;
+  if (!near || is_placeholder(type) || !(is_own || is_slip)) return;
   Diagnostic& found = findings.report(
       controller.type.span(), title_of(controller) + " has the unknown type " + quoted(type));
   found.when(kType);

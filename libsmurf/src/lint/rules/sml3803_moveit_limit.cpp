@@ -17,6 +17,9 @@ std::optional<double> number_of(yaml::View joint, std::string_view key) {
   return value && value.is_scalar() ? value.number() : std::nullopt;
 }
 
+/// Authors round velocities: 9.6 for 9.599 rad/s.
+constexpr double kRounded = 1e-3;
+
 /// `has_velocity_limits: true` without `max_velocity`.
 void check_missing(yaml::View joint, std::string_view what, Findings& findings) {
   const std::string has = "has_" + std::string(what) + "_limits";
@@ -33,7 +36,7 @@ void check_missing(yaml::View joint, std::string_view what, Findings& findings) 
 void check_velocity(yaml::View joint, const urdf::Joint& one, Findings& findings) {
   const auto velocity = number_of(joint, "max_velocity");
   if (!velocity || !one.limit || !one.limit->velocity || *one.limit->velocity <= 0) return;
-  if (*velocity <= *one.limit->velocity + kSlack) return;
+  if (*velocity <= *one.limit->velocity * (1 + kRounded)) return;
   findings
       .report(joint.find("max_velocity").span(),
               "joint " + quoted(joint.key()) + " may move with " + format_rounded(*velocity) +

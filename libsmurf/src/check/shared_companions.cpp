@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check/shared_companions.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace smurf {
+
+CompanionFit fit_of(const Companion& companion, const LinkedModel& model) {
+  bool has_hardware = false;
+  if (model.robot) {
+    for (const xml::View child : model.robot->document.view()) {
+      has_hardware = has_hardware || child.name() == "ros2_control";
+    }
+  }
+  return {companion.kind, companion.known_names * 2 + (has_hardware ? 1 : 0)};
+}
+
+void SharedCompanions::add(const Key& key, std::size_t rank, bool is_first, Found found) {
+  Entry& entry = entries_[key];
+  if (rank < entry.rank) return;
+  if (rank > entry.rank) entry = {rank, 0, {}};
+  if (is_first) ++entry.robots;
+  if (entry.robots == 1) entry.found.push_back(std::move(found));
+}
+
+void SharedCompanions::note(const std::string& file, std::size_t rank) {
+  Best& best = best_[file];
+  if (rank < best.rank) return;
+  if (rank > best.rank) best = {rank, 0};
+  ++best.robots;
+}
+
+std::vector<SharedCompanions::Found> SharedCompanions::finish() {
+  std::vector<Found> all;
+  for (auto& [key, entry] : entries_) {
+    const Best& best = best_[key.file];
+    if (entry.rank != best.rank || entry.robots != best.robots) continue;
+    for (Found& one : entry.found) all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace smurf

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Findings in files that belong to several robots, such as the variants of one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "smurf/companions.hpp"
+#include "smurf/diagnostic.hpp"
+
+namespace smurf {
+
+/// How well a companion fits a robot: the number of its names that the robot has, doubled, and one
+/// more for a robot with hardware of ros2_control.
+struct CompanionFit {
+  CompanionKind kind{};
+  std::size_t rank = 0;
+};
+CompanionFit fit_of(const Companion& companion, const LinkedModel& model);
+
+/// Collects the findings in companions. A companion is judged with the robots that it fits best; a
+/// finding that only some of them have is about a variant that the file is not for.
+class SharedCompanions {
+ public:
+  /// Takes the findings in these companions, by identity, out of those of one robot.
+  /// `file_of` returns the identity of the file of a finding.
+  template <class FileOf>
+  void take(const std::map<std::string, CompanionFit>& companions, std::size_t config,
+            const FileOf& file_of, std::vector<Diagnostic>& found) {
+    std::set<Key> seen;
+    std::vector<Diagnostic> others;
+    for (Diagnostic& one : found) {
+      const std::string file = companions.empty() ? std::string() : file_of(one);
+      const auto companion = companions.find(file);
+      if (companion == companions.end()) {
+        others.push_back(std::move(one));
+      } else {
+        const Key key{file, one.rule, one.span.begin, one.span.end};
+        add(key, companion->second.rank, seen.insert(key).second, {config, std::move(one)});
+      }
+    }
+    for (const auto& [file, fit] : companions) note(file, fit.rank);
+    found = std::move(others);
+  }
+
+  struct Found {
+    std::size_t config = 0;
+    Diagnostic diagnostic;
+  };
+  /// The findings that all robots have which the file fits best, each once.
+  std::vector<Found> finish();
+
+ private:
+  struct Key {
+    std::string file;
+    const Rule* rule = nullptr;
+    std::uint32_t begin = 0, end = 0;
+    auto operator<=>(const Key&) const = default;
+  };
+  struct Entry {
+    std::size_t rank = 0, robots = 0;
+    std::vector<Found> found;  ///< of the first robot of this rank
+  };
+  struct Best {
+    std::size_t rank = 0, robots = 0;
+  };
+
+  void add(const Key& key, std::size_t rank, bool is_first, Found found);
+  void note(const std::string& file, std::size_t rank);
+
+  std::map<Key, Entry> entries_;
+  std::map<std::string, Best> best_;  ///< by file
+};
+
+}  // namespace smurf
