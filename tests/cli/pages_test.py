@@ -68,7 +68,7 @@ class Pages(cli.CliTest):
         self.assertEqual(self.complete("--severity", "SML3101"), ["SML3101"])
         self.assertEqual(self.complete("--severity", "SML3101", "=", "w"), ["warning"])
         self.assertEqual(self.complete("--severity", "SML3101", "="), ["error", "warning", "info"])
-        self.assertEqual(self.complete("--target", "muj"), ["mujoco", "mujoco:2.2", "mujoco:3.14"])
+        self.assertEqual(self.complete("--target", "muj"), ["mujoco", "mujoco:2.3", "mujoco:3.1", "mujoco:3.3", "mujoco:3.14", "mujoco:4.0"])
         self.assertIn("SML3101=error", self.generate("fish"))
 
     def test_help_begins_with_examples_and_ends_with_shared_options(self):

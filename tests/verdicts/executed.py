@@ -67,6 +67,19 @@ def readers(build):
             found.append(Reader(name, [path], version))
         else:
             absent.append(name)
+    for version, program in (("4.0.1", "urdfdom4_robot"), ("6.0.0", "urdfdom6_robot")):
+        name = f"urdfdom-{version[0]}"
+        if (build / program).exists():
+            found.append(Reader(name, [build / program], version))
+        else:
+            absent.append(name)
+    for version in ("2.3.7", "3.1.6", "3.3.7"):
+        name = f"MuJoCo-{version[:3]}"
+        folder = PYTHON.parent.parent.parent / f"mujoco-{version}"
+        if folder.is_dir():
+            found.append(Reader(name, ["env", f"PYTHONPATH={folder}", PYTHON, HERE / "mujoco_robot.py"], version))
+        else:
+            absent.append(name)
     for name, program, package in (("MuJoCo", "mujoco_robot.mjs", "@mujoco/mujoco"),
                                    ("urdf-loader", "urdf_loader_robot.mjs", "urdf-loader")):
         if shutil.which("node") and (NODE_MODULES / package).is_dir():

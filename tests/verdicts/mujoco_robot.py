@@ -6,6 +6,11 @@ from run_reader import run_reader
 TYPES = ["free", "ball", "slide", "hinge"]
 
 
+def force_of(model, joint):
+    """Absent before 2.3.4."""
+    return [model.jnt_actfrclimited[joint], *model.jnt_actfrcrange[joint]] if hasattr(model, "jnt_actfrclimited") else []
+
+
 def read(file):
     model = mujoco.MjModel.from_xml_path(file)
     robot = {}
@@ -20,7 +25,8 @@ def read(file):
         robot[f"joints:{joint.name}"] = [TYPES[joint.type[0]], model.body(joint.bodyid[0]).name]
         robot[f"axes:{joint.name}"] = [*joint.axis, *joint.pos]
         robot[f"dynamics:{joint.name}"] = [*joint.damping.ravel(), *joint.frictionloss]
-        robot[f"limits:{joint.name}"] = [*joint.limited, *joint.range, model.jnt_actfrclimited[index], *model.jnt_actfrcrange[index]]
+        robot[f"limits:{joint.name}"] = [*joint.limited, *joint.range,
+                                        *force_of(model, index)]
     for index in range(model.ngeom):
         geom = model.geom(index)
         moves = geom.contype[0] != 0 or geom.conaffinity[0] != 0

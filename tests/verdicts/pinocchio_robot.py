@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Robots as Pinocchio reads them: the model and both geometries, with mimicking joints."""
+"""Robots as Pinocchio reads them: the model and both geometries, as a call without further arguments gives them."""
 import pathlib
 
 import pinocchio
@@ -11,7 +11,7 @@ def pose(placement):
 
 
 def read(file):
-    model = pinocchio.buildModelFromUrdf(file, True)
+    model = pinocchio.buildModelFromUrdf(file)
     robot = {}
     for number in range(1, model.njoints):
         name, joint = model.names[number], model.joints[number]
@@ -28,7 +28,7 @@ def read(file):
     for frame in model.frames:
         robot[f"links:{frame.name}:{frame.type}"] = [model.names[frame.parentJoint], *pose(frame.placement)]
     for kind, what in ((pinocchio.GeometryType.VISUAL, "visuals"), (pinocchio.GeometryType.COLLISION, "collisions")):
-        shapes = pinocchio.buildGeomFromUrdf(model, file, kind, str(pathlib.Path(file).parent))
+        shapes = pinocchio.buildGeomFromUrdf(model, file, kind, package_dirs=[str(pathlib.Path(file).parent)])
         for shape in shapes.geometryObjects:
             robot[f"{what}:{shape.name}"] = [shape.meshPath, shape.meshScale, *pose(shape.placement),
                                              str(shape.geometry.getNodeType()) if shape.geometry else ""]

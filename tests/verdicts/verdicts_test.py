@@ -26,13 +26,17 @@ import robot
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
 import cases as drivers  # noqa: E402
 
-TARGETS = {"ros": "urdfdom", "gazebo": "libsdformat", "dart": "DART", "mujoco": "MuJoCo", "pybullet": "Bullet"}
+TARGETS = {"ros": "urdfdom", "ros:jazzy": "urdfdom-4", "ros:rolling": "urdfdom-6", "gazebo": "libsdformat", "dart": "DART",
+           "mujoco": "MuJoCo", "mujoco:2.3": "MuJoCo-2.3", "mujoco:3.1": "MuJoCo-3.1", "mujoco:3.3": "MuJoCo-3.3",
+           "mujoco:4.0": "MuJoCo-4", "pybullet": "Bullet", "pinocchio": "Pinocchio"}
 WITH_OBJ = {"drake": "Drake"}  # see executed.with_obj
 COUNTS = ("all-clears", "alarms", "not-known", "others")
 # Upper limits, which should only become smaller. For ros, 18 of those not known name a package that only a machine
 # with ROS may have.
-BOUNDS = {"ros": (0, 2, 26, 53), "gazebo": (0, 9, 10, 43), "dart": (0, 2, 8, 12), "mujoco": (0, 6, 4, 9),
-          "pybullet": (23, 14, 58, 35), "drake": (87, 94, 41, 12)}
+BOUNDS = {"ros": (0, 2, 26, 53), "ros:jazzy": (0, 1, 26, 53), "ros:rolling": (0, 1, 22, 53), "gazebo": (0, 9, 10, 43),
+          "dart": (0, 2, 8, 12), "mujoco": (0, 3, 4, 9), "mujoco:2.3": (5, 50, 4, 13), "mujoco:3.1": (3, 6, 4, 13),
+          "mujoco:3.3": (0, 5, 4, 13), "mujoco:4.0": (0, 3, 4, 9), "pybullet": (23, 14, 58, 35), "drake": (87, 94, 41, 12),
+          "pinocchio": (1, 5, 4, 30)}
 LEAST = 7000
 
 

@@ -90,7 +90,7 @@ std::string_view target_help() {
       list.append(list.empty() ? "" : ", ").append(name);
     }
     return "Judge the files for these readers, and report whether each loads them: " + names +
-           ". Without a release, the oldest is meant. Releases: " + releases + ".";
+           ". Without a release, the oldest supported one is meant. Releases: " + releases + ".";
   }();
   return help;
 }

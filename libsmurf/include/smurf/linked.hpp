@@ -77,6 +77,8 @@ struct MeshReference {
 
   std::string path;     ///< resolved; empty when it cannot be (unknown package, other scheme)
   bool exists = false;  ///< also true outside of the project, where files are not looked up
+  /// Whether the folder of the URDF has a file of its name, whatever folder is written before it.
+  bool lies_beside = false;
   /// If there is no file at `path`: a file whose path differs only in case or in `/` for `\`.
   std::string similar;
   /// If that file does not exist either: a path that was probably meant, as it would be written. It

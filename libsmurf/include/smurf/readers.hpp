@@ -44,8 +44,11 @@ struct Reader {
   Version number{};
   /// Of a release such as "ros:jazzy": the versions in it, of readers that it is like.
   std::span<const ReaderVersion> parts{};
-  /// Its releases, oldest first: "ros:humble". Without a release, the oldest is meant.
+  /// Its releases that are supported, oldest first: "ros:humble". Without a release, the oldest is
+  /// meant.
   std::span<const Reader* const> releases{};
+  /// Releases before these, oldest first. They can be targets, too.
+  std::span<const Reader* const> earlier{};
   /// Adds to findings in a model the circumstances that facts about this reader need. May be null.
   void (*see)(const LinkedModel&, std::span<Diagnostic* const>) = nullptr;
   /// Of findings in parts that it reads, but does not build: only facts of `like` are about them.

@@ -10,6 +10,7 @@
 #include "ast/urdf_numbers.hpp"
 #include "base/cases.hpp"
 #include "base/numbers.hpp"
+#include "base/path.hpp"
 #include "base/quantity.hpp"
 #include "base/quoted.hpp"
 #include "base/ranges.hpp"
@@ -391,6 +392,7 @@ std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sin
     diagnostic.when(is_sdf                    ? cases::kSdf
                     : root.name() == "mujoco" ? cases::kMjcf
                                               : cases::kForeign);
+    if (path::to_lower(root.name()) == "robot") diagnostic.when(cases::kCased);
     return std::nullopt;
   }
   report_xacro(document, sink);

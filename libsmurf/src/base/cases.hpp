@@ -44,6 +44,7 @@ inline constexpr Circumstance kDeclarations{"declarations"};
 inline constexpr Circumstance kSdf{"SDF"};
 inline constexpr Circumstance kMjcf{"MJCF"};
 inline constexpr Circumstance kForeign{"foreign"};
+inline constexpr Circumstance kCased{"Robot"};
 // SML1113: what has no name. SML1114: which element.
 inline constexpr Circumstance kLinkTag{"link"};
 inline constexpr Circumstance kJointTag{"joint"};

@@ -48,8 +48,6 @@ inline constexpr std::string_view kPlaceNames[] = {
     "@velocity",
     "@version",
     "@xyz",
-    "ROBOT",
-    "Robot",
     "SMURF version",
     "ambientColor",
     "anchor",

@@ -240,8 +240,10 @@ const Reader* find_target(std::string_view name) {
   for (const Reader* reader : kReaders) {
     if (!reader->is_target) continue;
     if (reader->name == name) return reader;
-    for (const Reader* release : reader->releases) {
-      if (release->name == name) return release;
+    for (const auto releases : {reader->earlier, reader->releases}) {
+      const auto known = std::find_if(releases.begin(), releases.end(),
+                                      [&](const Reader* one) { return one->name == name; });
+      if (known != releases.end()) return *known;
     }
   }
   return nullptr;
@@ -251,6 +253,7 @@ std::vector<std::string_view> target_names() {
   std::vector<std::string_view> names;
   for (const Reader* reader : kReaders) {
     if (reader->is_target) names.push_back(reader->name);
+    for (const Reader* release : reader->earlier) names.push_back(release->name);
     for (const Reader* release : reader->releases) names.push_back(release->name);
   }
   return names;

@@ -34,6 +34,7 @@ class Resolver {
     const bool is_denied =
         !is_found && !reference.path.empty() && context_.files.is_denied(reference.path);
     reference.exists = is_found || is_denied;
+    reference.lies_beside = is_beside(*filename);
     if (!reference.exists) reference.similar = find_similar(reference);
     if (!reference.exists && reference.similar.empty()) reference.meant = find_meant(reference);
     if (has_main_ && !filename->empty() && !is_address(*filename)) see_as_mars(reference);
@@ -59,6 +60,11 @@ class Resolver {
   }
 
  private:
+  bool is_beside(std::string_view filename) {
+    const std::string_view name = filename.substr(filename.find_last_of("/\\") + 1);
+    return !name.empty() && index_.exists(path::join(urdf_folder_, name));
+  }
+
   static bool is_address(std::string_view filename) {
     return filename.find("://") != std::string_view::npos;
   }

@@ -17,6 +17,8 @@ namespace smurf {
 // Every URDF reader: in joints of these types, and in the inertial of the link `world`.
 inline constexpr Circumstance kInFixed{"in a fixed joint"};
 inline constexpr Circumstance kInFloating{"in a floating joint"};
+inline constexpr Circumstance kInContinuous{"in a continuous joint"};
+inline constexpr Circumstance kInPlanar{"in a planar joint"};
 inline constexpr Circumstance kOfWorld{"of the world"};
 
 // MuJoCo: in inertials, by what moves the link.
@@ -27,6 +29,12 @@ inline constexpr Circumstance kAlone{"alone"};      ///< the only inertial of a 
 inline constexpr Circumstance kVisualsKept{"visuals kept"};
 inline constexpr Circumstance kBalanced{"balanced"};
 inline constexpr Circumstance kElsewhere{"in another folder"};
+// MuJoCo: a file of the name of the mesh is in the folder of the URDF.
+inline constexpr Circumstance kBeside{"beside the URDF"};
+inline constexpr Fact kMujocoLooksBeside{
+    &readers::mujoco, Effect::takes,
+    "looks beside the URDF for a file of that name, whatever its folder", "3.6.0, run",
+    when(kBeside).before({3, 7})};
 
 // Gazebo: in joints and links that it drops, and on names of links that it drops or merges.
 inline constexpr Circumstance kDroppedByGazebo{"dropped by Gazebo"};

@@ -15,6 +15,7 @@ constexpr FamilyFact kFamilies[] = {
 
 constexpr std::string_view kVisuals = "discards visuals, except for their materials";
 constexpr std::string_view kIgnores = "does not look at it";
+constexpr std::string_view kUnbounded = "does not read the bounds of such a joint";
 
 constexpr Fact kUnread[] = {
     {&mujoco, ignores, kVisuals, "MuJoCo (discardvisual), run",
@@ -27,6 +28,11 @@ constexpr Fact kUnread[] = {
     {&mujoco, ignores, kIgnores, kRun, at("joint/dynamics").when(kInFixed)},
     {&mujoco, ignores, kIgnores, kRun, at("joint/mimic").when(kInFixed)},
     {&mujoco, ignores, kIgnores, kRun, at("joint/mimic").when(kInFloating)},
+    {&mujoco, ignores, "does not read `mimic`", "3.12.0, run", at("joint/mimic").before({3, 13})},
+    {&mujoco, ignores, kUnbounded, "4.0.0, run",
+     at("joint/limit/@lower").when(kInContinuous).since({4, 0})},
+    {&mujoco, ignores, kUnbounded, "4.0.0, run",
+     at("joint/limit/@upper").when(kInContinuous).since({4, 0})},
     {&mujoco, ignores, kIgnores, kRun, at("texture").unless(kVisualsKept)},
     {&mujoco, ignores, kIgnores, kRun, at("calibration")},
     {&mujoco, ignores, kIgnores, kRun, at("safety_controller")},
@@ -76,35 +82,60 @@ void see(const LinkedModel& model, std::span<Diagnostic* const> found) {
     if (is_in_inertial) motion.see(*finding);
     if (are_balanced && is_in_inertial) finding->when(kBalanced);
     if (has_visuals && contains(place, at("visual"))) finding->when(kVisualsKept);
-    if (looks_elsewhere && contains(place, at("mesh/@filename"))) finding->when(kElsewhere);
+    if (!contains(place, at("mesh/@filename"))) continue;
+    if (looks_elsewhere) finding->when(kElsewhere);
+    const MeshReference* mesh = mesh_at(model, finding->span.begin);
+    if (mesh != nullptr && mesh->lies_beside) finding->when(kBeside);
   }
 }
 
-constexpr ReaderVersion kOld[] = {{&mujoco, {2, 2}}};
-constexpr ReaderVersion kNew[] = {{&mujoco, {3, 14}}};
-constexpr Reader old_release{.name = "mujoco:2.2",
-                             .title = "MuJoCo 2.2",
-                             .basis = "2.2, not executed",
-                             .like = &mujoco,
-                             .parts = kOld};
-constexpr Reader new_release{.name = "mujoco:3.14",
-                             .title = "MuJoCo 3.14",
-                             .basis = "3.14.0 (npm), executed",
-                             .like = &mujoco,
-                             .parts = kNew};
-constexpr const Reader* kReleases[] = {&old_release, &new_release};
+constexpr ReaderVersion kV2_3[] = {{&mujoco, {2, 3, 7}}};
+constexpr Reader v2_3{.name = "mujoco:2.3",
+                      .title = "MuJoCo 2.3",
+                      .basis = "2.3.7, executed",
+                      .like = &mujoco,
+                      .parts = kV2_3};
+constexpr ReaderVersion kV3_1[] = {{&mujoco, {3, 1, 6}}};
+constexpr Reader v3_1{.name = "mujoco:3.1",
+                      .title = "MuJoCo 3.1",
+                      .basis = "3.1.6, executed",
+                      .like = &mujoco,
+                      .parts = kV3_1};
+constexpr ReaderVersion kV3_3[] = {{&mujoco, {3, 3, 7}}};
+constexpr Reader v3_3{.name = "mujoco:3.3",
+                      .title = "MuJoCo 3.3",
+                      .basis = "3.3.7, executed",
+                      .like = &mujoco,
+                      .parts = kV3_3};
+constexpr ReaderVersion kV3_14[] = {{&mujoco, {3, 14}}};
+constexpr Reader v3_14{.name = "mujoco:3.14",
+                       .title = "MuJoCo 3.14",
+                       .basis = "3.14.0, executed",
+                       .like = &mujoco,
+                       .parts = kV3_14};
+constexpr ReaderVersion kV4_0[] = {{&mujoco, {4, 0}}};
+constexpr Reader v4_0{.name = "mujoco:4.0",
+                      .title = "MuJoCo 4.0",
+                      .basis = "4.0.0, executed",
+                      .like = &mujoco,
+                      .parts = kV4_0};
+// Only the newest releases are maintained; of these, 3.14 is the one that has been executed most.
+constexpr const Reader* kEarlier[] = {&v2_3, &v3_1, &v3_3};
+constexpr const Reader* kReleases[] = {&v3_14, &v4_0};
 
 }  // namespace
 
 extern constinit const Reader mujoco{.name = "mujoco",
                                      .title = "MuJoCo",
-                                     .basis = "3.14.0 (npm), executed; a725507 (about 3.12) read",
+                                     .basis = "3.14.0 (npm), executed; a725507 (about 3.12) read; "
+                                              "changes between releases from 17 of them, executed",
                                      .like = &urdf,
                                      .version = "MuJoCo 3.14",
                                      .families = kFamilies,
                                      .unread = kUnread,
                                      .number = {3, 14},
                                      .releases = kReleases,
+                                     .earlier = kEarlier,
                                      .see = see};
 
 }  // namespace smurf::readers::mujoco_file

@@ -10,6 +10,8 @@ void see_joint(const LinkedModel& model, Diagnostic& finding) {
   if (joint == nullptr) return;
   if (joint->type == urdf::JointType::fixed) finding.when(kInFixed);
   if (joint->type == urdf::JointType::floating) finding.when(kInFloating);
+  if (joint->type == urdf::JointType::planar) finding.when(kInPlanar);
+  if (joint->type == urdf::JointType::continuous) finding.when(kInContinuous);
 }
 
 void see(const LinkedModel& model, std::span<Diagnostic* const> found) {

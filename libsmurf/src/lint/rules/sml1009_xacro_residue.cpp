@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "base/rules.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1009_xacro_residue_file {
 namespace {
@@ -23,6 +24,8 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::loses, "drops the material with a message", kRun, at("material")},
     {&readers::urdfdom, Effect::loses,
      "ignores the element, so everything it would expand to is missing", kRun, at("xacro:")},
+    {&readers::pinocchio, Effect::refuses,
+     "uses the text literally, finds no file, and refuses the shapes", kRun, at("mesh/@filename")},
     {&readers::urdfdom, Effect::changes, "uses the text literally", kRun, at("@filename")},
     {&readers::urdfdom, Effect::changes, "uses the text literally", kRun, at("@name")},
     {&readers::urdfdom, Effect::refuses, "refuses the number, and with it the file", kRun,
@@ -42,6 +45,7 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfParser.cpp (atof), run"},
     {&readers::mujoco, Effect::loses,
      "ignores the element, so everything it would expand to is missing", kRun, at("xacro:")},
+    kMujocoLooksBeside,
     {&readers::mujoco, Effect::refuses, "uses the text literally, and finds no file", kRun,
      at("@filename")},
     {&readers::mujoco, Effect::changes, "finds no joint of that name, so the joint moves freely",

@@ -8,6 +8,8 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::refuses, "finds no robot after the declarations", kRun,
+     when(cases::kDeclarations).before({4, 0})},
+    {&readers::urdfdom, Effect::takes, "skips the declarations", "4.0.1, run",
      when(cases::kDeclarations)},
     {&readers::mujoco, Effect::takes, "skips the declarations", kRun, when(cases::kDeclarations)},
 };

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses the file", "tinyxml2, run"},
-    {&readers::urdfdom, Effect::takes, "skips it", "TinyXML, run"},
+    {&readers::urdfdom, Effect::takes, "skips it", "TinyXML; 4.0.1, run", before({4, 0})},
     {&readers::gazebo, Effect::refuses, "refuses the file", "tinyxml2, run"},
     {&readers::phobos, Effect::takes, "skips it", "expat, run; lxml"},
 };

@@ -7,7 +7,8 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses the file", "tinyxml2, run"},
-    {&readers::urdfdom, Effect::takes, "reads the value up to a space, `/` or `>`", "TinyXML, run"},
+    {&readers::urdfdom, Effect::takes, "reads the value up to a space, `/` or `>`",
+     "TinyXML; 4.0.1, run", before({4, 0})},
     {&readers::gazebo, Effect::refuses, "refuses the file", "tinyxml2, run"},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, run; lxml"},
 };

@@ -16,9 +16,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::refuses, kRefuses, kEvidence, when(cases::kSdf)},
     {&readers::mujoco, Effect::refuses, kRefuses, kRun, when(cases::kSdf)},
     {&readers::mujoco, Effect::takes, "compares the name without case", "MuJoCo xml.cc:293, run",
-     at("Robot")},
-    {&readers::mujoco, Effect::takes, "compares the name without case", "MuJoCo xml.cc:293, run",
-     at("ROBOT")},
+     when(cases::kCased)},
 };
 
 }  // namespace

@@ -47,12 +47,11 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::takes, "does not look at the version", kRun},
     {&readers::urdfdom, Effect::refuses, "refuses every version but 1.0",
      "urdfdom model.cpp:126-137, run", before({5, 1})},
-    {&readers::urdfdom, Effect::takes, "knows version 1.1", "urdfdom 5.1.0, read",
-     when(kVersion11)},
-    {&readers::urdfdom, Effect::takes, "knows version 1.2", "urdfdom 6.0.0, read",
+    {&readers::urdfdom, Effect::takes, "knows version 1.1", "urdfdom 6.0.0, run", when(kVersion11)},
+    {&readers::urdfdom, Effect::takes, "knows version 1.2", "urdfdom 6.0.0, run",
      when(kVersion12).since({6, 0})},
     {&readers::urdfdom, Effect::refuses, "refuses versions that it does not know",
-     "urdfdom 5.1.0, read"},
+     "urdfdom 6.0.0, run"},
     {&readers::phobos, Effect::ignores, "does not look at the version", kRun},
 };
 

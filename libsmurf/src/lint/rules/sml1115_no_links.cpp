@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
+#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1115_no_links_file {
@@ -9,6 +10,9 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || !model.robot->links.empty()) return;
   const xml::Document& document = model.robot->document;
   Diagnostic& diagnostic = findings.report(tag_name(model, document.root), "the robot has no link");
+  if (!model.robot->name.written) {  // SML1102 does not report a robot that has nothing at all
+    diagnostic.consequences.push_back(&rules::sml1102_robot_name_missing);
+  }
   if (xml::View(document, document.root).attribute("xmlns:xacro") == nullptr) return;
   diagnostic.note("a xacro file that only defines macros makes an empty robot");
   diagnostic.help("expand the file that uses its macros");

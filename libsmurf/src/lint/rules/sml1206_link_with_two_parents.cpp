@@ -91,6 +91,8 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses several parents", kRun},
     {&readers::drake, Effect::refuses, "refuses the model when it is finalised",
      "Drake issue 19034"},
+    {&readers::pinocchio, Effect::refuses, "finds no body of that name, and refuses the file",
+     kRun},
 };
 
 }  // namespace

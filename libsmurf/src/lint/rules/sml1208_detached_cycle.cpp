@@ -55,6 +55,7 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::refuses, "refuses the model when it is finalised",
      "Drake issue 19034"},
     {&readers::phobos, Effect::changes, "accepts the ring", kRun},
+    {&readers::pinocchio, Effect::loses, "leaves the ring out", kRun},
 };
 
 }  // namespace

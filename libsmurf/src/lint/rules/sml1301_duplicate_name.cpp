@@ -27,7 +27,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, sdformat, MuJoCo, Bullet, run"},
-    {&readers::mujoco, Effect::takes, "accepts joints of equal names", kRun, at("joint")},
+    {&readers::mujoco, Effect::takes, "accepts joints of equal names", kRun,
+     at("joint").since({3, 14})},
 };
 constexpr std::string_view kFormer[] = {"SML1302", "duplicate-link", "duplicate-joint"};
 

@@ -53,9 +53,9 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::takes, "supports spherical joints", "Bullet UrdfParser.cpp, run",
      when(kSpherical)},
     {&readers::mujoco, Effect::refuses, "refuses a ball joint whose range does not begin at 0",
-     kRun, when(kSpherical, kLimited)},
+     kRun, when(kSpherical, kLimited).since({3, 2})},
     {&readers::mujoco, Effect::takes, "makes it a ball joint", "MuJoCo xml_urdf.cc, run",
-     when(kSpherical)},
+     when(kSpherical).since({3, 2})},
 };
 
 }  // namespace

@@ -21,7 +21,8 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::ignores, "keeps the limits, and its users ignore them", kRun},
     {&readers::pybullet, Effect::ignores, "ignores the limits", "URDF2Bullet.cpp:541"},
-    {&readers::mujoco, Effect::changes, "enforces the limits", kRun},
+    {&readers::mujoco, Effect::changes, "enforces the limits", kRun, before({4, 0})},
+    {&readers::mujoco, Effect::ignores, "ignores the limits", "4.0.0, run"},
     {&readers::drake, Effect::changes, "enforces the limits",
      "Drake detail_urdf_parser.cc:628-643"},
 };

@@ -2,6 +2,7 @@
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1415_limit_negative_file {
 namespace {
@@ -32,6 +33,10 @@ constexpr Fact kFacts[] = {
      "Drake detail_urdf_parser.cc:930-1001", at("@effort")},
     {&readers::drake, Effect::refuses, "throws an exception", "Drake joint.h:435"},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
+    {&readers::pinocchio, Effect::takes, "has no limits of such a joint", kRun, when(kInFixed)},
+    {&readers::pinocchio, Effect::takes, "has no limits of such a joint", kRun, when(kInFloating)},
+    {&readers::pinocchio, Effect::takes, "has no limits of such a joint", kRun, when(kInPlanar)},
+    {&readers::pinocchio, Effect::refuses, "refuses the joint", kRun},
 };
 constexpr std::string_view kFormer[] = {"SML1417", "effort-negative", "velocity-negative"};
 

@@ -30,6 +30,8 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::ignores, "reads the dynamics of joints with one axis only", kRun},
     {&readers::drake, Effect::refuses, "refuses negative damping", "Drake revolute_joint.h:125"},
     {&readers::mujoco, Effect::changes, "reads the number", kRun},
+    {&readers::pinocchio, Effect::refuses, "refuses the joint", kRun,
+     at("@friction").when(kOneAxis)},
 };
 
 }  // namespace

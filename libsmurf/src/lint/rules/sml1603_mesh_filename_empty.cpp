@@ -19,6 +19,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun,
+     at("mesh")},
     {&readers::urdfdom, Effect::takes, "needs no texture", kRun, at("texture")},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, at("mesh")},
     urdfdom_drops_shapes(),

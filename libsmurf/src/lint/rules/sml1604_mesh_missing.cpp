@@ -167,6 +167,7 @@ constexpr Fact kFacts[] = {
      when(kMesh)},
     {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun,
      when(kPackage)},
+    kMujocoLooksBeside,
     {&readers::mujoco, Effect::takes, "looks in the folder that its element `compiler` names", kRun,
      when(kElsewhere)},
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun,
@@ -175,6 +176,10 @@ constexpr Fact kFacts[] = {
      when(kMesh)},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc",
      when(kTexture)},
+    {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun,
+     when(kMesh)},
+    {&readers::pinocchio, Effect::refuses, "finds only packages whose folders it was given", kRun,
+     when(kPackage)},
 };
 
 }  // namespace

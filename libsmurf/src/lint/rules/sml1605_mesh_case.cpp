@@ -2,6 +2,7 @@
 #include "base/path.hpp"
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1605_mesh_case_file {
 namespace {
@@ -40,9 +41,11 @@ constexpr Fact kFacts[] = {
     ros_without_mesh(),
     gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
+    kMujocoLooksBeside,
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc"},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
+    {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
 };
 
 }  // namespace

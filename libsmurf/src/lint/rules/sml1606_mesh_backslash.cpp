@@ -3,6 +3,7 @@
 
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1606_mesh_backslash_file {
 namespace {
@@ -28,11 +29,14 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun,
+     at("mesh")},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, at("mesh")},
     {&readers::drake, Effect::refuses, "refuses the file", kRun, at("mesh")},
     ros_without_mesh(),
     gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
+    kMujocoLooksBeside,
     {&readers::mujoco, Effect::takes, "treats it as a slash", kRun, when(kExists)},
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},

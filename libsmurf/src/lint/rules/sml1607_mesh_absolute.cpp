@@ -4,6 +4,7 @@
 
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1607_mesh_absolute_file {
 namespace {
@@ -47,10 +48,13 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::takes, "opens the file", kRun, when(kExists)},
     {&readers::dart, Effect::refuses,
      "where the file is missing, cannot load the shape, and refuses the file", kRun},
+    kMujocoLooksBeside,
     {&readers::mujoco, Effect::refuses,
      "where the file is missing, cannot open the file, and refuses the model", kRun},
     {&readers::drake, Effect::refuses, "where the file is missing, refuses the file",
      "Drake detail_path_utils.cc"},
+    {&readers::pinocchio, Effect::takes, "opens the file", kRun, when(kExists)},
+    {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
 };
 
 }  // namespace

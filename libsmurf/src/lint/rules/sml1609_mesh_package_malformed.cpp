@@ -4,6 +4,7 @@
 
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1609_mesh_package_malformed_file {
 namespace {
@@ -41,11 +42,13 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses, "looks for a folder called `package:`",
      "resource_retriever, read"},
+    kMujocoLooksBeside,
     {&readers::mujoco, Effect::refuses, "looks for a folder called `package:`", kRun},
     {&readers::drake, Effect::refuses, "refuses the file",
      "Drake detail_urdf_geometry.cc, package URI pattern"},
     gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun},
+    {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
 };
 
 }  // namespace

@@ -2,11 +2,13 @@
 #include "base/readers.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1610_mesh_uri_scheme_file {
 namespace {
 
 constexpr Circumstance kModel{"model"};
+constexpr Circumstance kFound{"found"};
 
 bool has_foreign_scheme(std::string_view path) {
   return path.find("://") != std::string_view::npos && !path.starts_with("package://");
@@ -15,15 +17,18 @@ bool has_foreign_scheme(std::string_view path) {
 /// One finding per file, because exporters write all paths alike.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
-  bool has_model_scheme = false;
+  bool has_model_scheme = false, are_found = true;
   for (const MeshReference& mesh : model.meshes) {
     if (!has_foreign_scheme(mesh.filename)) continue;
     has_model_scheme = has_model_scheme || mesh.filename.starts_with("model://");
+    are_found = are_found && mesh.exists;
     habit.add(mesh.span,
               "the path " + quoted(mesh.filename) + " has a scheme that MuJoCo and MARS refuse");
   }
   Diagnostic* diagnostic = habit.report("such paths", findings);
-  if (diagnostic != nullptr && has_model_scheme) diagnostic->when(kModel);
+  if (diagnostic == nullptr) return;
+  if (has_model_scheme) diagnostic->when(kModel);
+  if (are_found) diagnostic->when(kFound);
 }
 
 constexpr Fact kFacts[] = {
@@ -38,11 +43,14 @@ constexpr Fact kFacts[] = {
      when(kModel)},
     {&readers::dart, Effect::refuses,
      "finds no file, or no retriever for the scheme, and refuses the model", kRun},
+    kMujocoLooksBeside,
     {&readers::mujoco, Effect::refuses, "treats the scheme as a part of the path", kRun},
     ros_without_mesh(),
     {&readers::gazebo, Effect::loses, "does not look for the file, and may leave the shape out",
      "sdformat parser_urdf.cc:2416-2431"},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
+    {&readers::pinocchio, Effect::takes, "opens the file", kRun, when(kFound)},
+    {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
 };
 
 }  // namespace

@@ -42,6 +42,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::takes, "reads it", "MARS gui_helper_functions.cpp", when(kBobj)},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
+    {&readers::pinocchio, Effect::refuses, "cannot load the mesh, and refuses the shapes", kRun},
 };
 
 }  // namespace

@@ -55,6 +55,8 @@ constexpr Fact kFacts[] = {
      "MARS NodePhysics.cpp:626-634", when(kZero)},
     {&readers::dart, Effect::takes, "keeps the scale", kRun, when(kTiny)},
     {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun},
+    {&readers::mujoco, Effect::changes, "keeps a shape without volume", "3.2.7, run",
+     before({3, 3})},
     {&readers::mujoco, Effect::refuses, "refuses a mesh of less than 1e-15 m3", kRun, when(kTiny)},
     {&readers::mujoco, Effect::refuses, "refuses a scale of 0", kRun},
     {&readers::drake, Effect::refuses, "refuses a scale below 1e-8",

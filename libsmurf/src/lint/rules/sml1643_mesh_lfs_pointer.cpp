@@ -21,6 +21,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
+    {&readers::pinocchio, Effect::refuses, "cannot load the mesh, and refuses the shapes", kRun},
 };
 
 }  // namespace

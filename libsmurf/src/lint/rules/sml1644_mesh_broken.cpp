@@ -125,6 +125,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses the file", "MuJoCo stl_decoder.cc"},
     gazebo_without_mesh(),
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
+    {&readers::pinocchio, Effect::refuses, "cannot load the mesh, and refuses the shapes", kRun},
 };
 
 }  // namespace

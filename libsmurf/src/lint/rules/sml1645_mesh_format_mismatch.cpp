@@ -34,6 +34,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::loses, "finds no triangle in it", kRun, when(kObj)},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
+    {&readers::pinocchio, Effect::refuses, "cannot load the mesh, and refuses the shapes", kRun},
 };
 
 }  // namespace

@@ -71,6 +71,8 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::refuses, "finds only packages whose folders it was given", kRun},
     {&readers::gazebo, Effect::loses, "finds no such package, and shows nothing",
      "sdformat keeps the address unchecked", when(kOtherName)},
+    {&readers::pinocchio, Effect::refuses, "finds only packages whose folders it was given", kRun,
+     at("mesh")},
 };
 
 }  // namespace

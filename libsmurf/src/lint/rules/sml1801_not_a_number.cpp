@@ -9,15 +9,20 @@ namespace {
 constexpr std::string_view kAbsent = "reads an empty number as absent";
 
 constexpr Fact kFacts[] = {
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, at("limit/@lower").when(cases::kEmpty)},
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, at("limit/@upper").when(cases::kEmpty)},
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, at("limit/@effort").when(cases::kEmpty)},
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, at("dynamics/@").when(cases::kEmpty)},
-    {&readers::mujoco, Effect::changes, kAbsent, kRun, at("mimic/@").when(cases::kEmpty)},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun,
+     at("limit/@lower").when(cases::kEmpty).since({3, 2, 3})},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun,
+     at("limit/@upper").when(cases::kEmpty).since({3, 2, 3})},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun,
+     at("limit/@effort").when(cases::kEmpty).since({3, 2, 3})},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun,
+     at("dynamics/@").when(cases::kEmpty).since({3, 2, 3})},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun,
+     at("mimic/@").when(cases::kEmpty).since({3, 2, 3})},
     {&readers::mujoco, Effect::takes, "reads an empty vector as absent", kRun,
-     at("origin/@xyz").when(cases::kEmpty)},
+     at("origin/@xyz").when(cases::kEmpty).since({3, 2, 3})},
     {&readers::mujoco, Effect::takes, "reads an empty vector as absent", kRun,
-     at("origin/@rpy").when(cases::kEmpty)},
+     at("origin/@rpy").when(cases::kEmpty).since({3, 2, 3})},
 };
 
 }  // namespace

@@ -110,6 +110,12 @@ constexpr Fact kFacts[] = {
      when(kGltf)},
     {&readers::drake, Effect::refuses, "throws when it needs the hull of the mesh",
      "Drake make_convex_hull_mesh_impl.cc:279-291", at("collision")},
+    {&readers::pinocchio, Effect::refuses, "cannot load the mesh, and refuses the shapes", kRun,
+     when(kBobj)},
+    {&readers::pinocchio, Effect::refuses, "cannot load the mesh, and refuses the shapes", kRun,
+     when(kWrl)},
+    {&readers::pinocchio, Effect::refuses, "cannot load the mesh, and refuses the shapes", kRun,
+     when(kMsh)},
 };
 
 }  // namespace

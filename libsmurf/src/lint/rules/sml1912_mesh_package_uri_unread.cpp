@@ -55,6 +55,7 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses,
      "uses the folder above urdf/ for every package, and stops when the file is not there",
      "Phobos xml.py:89-98, run"},
+    kMujocoLooksBeside,
     {&readers::mujoco, Effect::takes, "looks in the folder that its element `compiler` names", kRun,
      when(kElsewhere)},
     {&readers::mujoco, Effect::refuses, "treats `package://` as a part of the path", kRun},

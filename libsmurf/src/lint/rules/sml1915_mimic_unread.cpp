@@ -54,8 +54,14 @@ constexpr Fact kFacts[] = {
      "sdformat parser_urdf.cc:3152; 12.3, run", before({14, 0})},
     {&readers::gazebo, Effect::takes, "reads `mimic` elements",
      "sdformat 14.0.0 parser_urdf.cc, read"},
+    {&readers::mujoco, Effect::loses,
+     "ignores `mimic` elements before 3.13, so the joint moves independently", "3.12.0, run",
+     before({3, 13})},
+    {&readers::mujoco, Effect::takes, "reads `mimic` elements", kRun},
     {&readers::drake, Effect::changes, "couples the joints in some solvers only",
      "Drake detail_urdf_parser.cc:791-880"},
+    {&readers::pinocchio, Effect::loses,
+     "ignores `mimic` elements, unless it is called with `mimic=True`", kRun},
 };
 
 constexpr std::string_view kFormer[] = {"mimic"};
