@@ -175,7 +175,11 @@ class Finder {
     });
     std::set<std::string> folders;  // of the SRDFs of the robot
     for (const Companion& one : found_.files) {
-      if (one.srdf) folders.insert(one.folder);
+      if (!one.srdf) continue;
+      folders.insert(one.folder);
+      if (path::file_name(one.folder) == "srdf") {
+        folders.insert(path::normalize(path::join(one.folder, "../config")));
+      }
     }
     // Robots of one family have the same names, so an SRDF decides which of them is meant.
     std::erase_if(found_.files, [&](const Companion& one) {

@@ -29,27 +29,26 @@ class Checker {
     if (one.kinds == NameKind::group) return check_group(one, element);
     if (one.is_known() && one.kind == one.kinds.first()) return;
     const bool is_pair = element.name().ends_with("_collisions");
-    if (is_pair && !seen_.insert({one.name, nullptr}).second) {
-      if (Diagnostic* first = seen_[one.name]) add_to(*first, one);
+    const auto [known, is_new] = seen_.insert({{is_pair, one.name}, nullptr});
+    if (!is_new) {
+      if (known->second != nullptr) add_to(*known->second, one);
       return;
     }
     Diagnostic* found = check_reference(model_, one.kinds.first(), one.name, one.span,
                                         subject_of(element).c_str(), findings_);
     if (found == nullptr) return;
-    if (is_pair) {
-      found->severity = Severity::warning;
-      seen_[one.name] = found;
-    }
+    if (is_pair) found->severity = Severity::warning;
+    known->second = found;
   }
 
   void finish() {
     for (const auto& [found, count] : more_) {
-      found->note("the same name is in " + counted(count, "more pair"));
+      found->note("the same name is in " + counted(count, "more place"));
     }
   }
 
  private:
-  /// One finding and one fix for all pairs with the name.
+  /// One finding and one fix for all places of the name; pairs only cost a warning.
   void add_to(Diagnostic& first, const Reference& one) {
     ++more_[&first];
     if (first.fixes.empty()) return;
@@ -75,7 +74,8 @@ class Checker {
   const LinkedModel& model_;
   const srdf::Description& srdf_;
   Findings& findings_;
-  std::map<std::string_view, Diagnostic*> seen_;  ///< unknown names in pairs of links
+  using Place = std::pair<bool, std::string_view>;  ///< whether it is in a pair of links
+  std::map<Place, Diagnostic*> seen_;               ///< the first finding about a name
   std::map<Diagnostic*, std::size_t> more_;
 };
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "base/quoted.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3512_srdf_state_outside_group_file {
@@ -9,16 +12,23 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
       model, companions,
       [&](const srdf::Description& srdf, const srdf::GroupState& state, const GroupJoints& joints) {
         if (!joints.is_complete) return;
+        Diagnostic* first = nullptr;
+        std::string others;
         for (const srdf::StateJoint& one : state.joints) {
           if (!one.name || joints.contains(model, *one.name)) continue;
           const urdf::Joint* joint = model.find_joint(*one.name);
           if (joint == nullptr && srdf.find_virtual_joint(*one.name) == nullptr) continue;
-          findings
-              .report(one.name.span, title_of("state", state.name) + " sets the joint " +
-                                         quoted(*one.name) + ", which is not in the group " +
-                                         quoted(*state.group))
-              .help("add the joint to the group, or delete it from the state");
+          if (first != nullptr) {
+            others += (others.empty() ? "" : ", ") + quoted(*one.name);
+            continue;
+          }
+          first = &findings.report(one.name.span, title_of("state", state.name) +
+                                                      " sets the joint " + quoted(*one.name) +
+                                                      ", which is not in the group " +
+                                                      quoted(*state.group));
+          first->help("add the joint to the group, or delete it from the state");
         }
+        if (!others.empty()) first->note("this also applies to " + shortened(others, 200));
       });
 }
 

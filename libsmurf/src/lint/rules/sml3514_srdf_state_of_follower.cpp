@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "base/quoted.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3514_srdf_state_of_follower_file {
@@ -7,29 +10,61 @@ namespace {
 constexpr Circumstance kFixed{"fixed"};
 constexpr Circumstance kMimic{"mimic"};
 
-void check_joint(const srdf::GroupState& state, const srdf::StateJoint& one,
-                 const urdf::Joint& joint, Findings& findings) {
-  const std::string subject =
-      title_of("state", state.name) + " sets the joint " + quoted(*one.name);
-  if (joint.type == urdf::JointType::fixed) {
-    Diagnostic& found = findings.report(one.name.span, subject + ", which is fixed");
-    found.when(kFixed);
-    found.label(joint.name.span, "the joint is defined here").help("delete it from the state");
-  } else if (joint.mimic && joint.mimic->joint) {
-    Diagnostic& found =
-        findings.report(one.name.span, subject + ", which follows " + quoted(*joint.mimic->joint));
-    found.when(kMimic);
-    found.label(joint.name.span, "the joint is defined here").help("delete it from the state");
+/// One finding for all followers of a state, and one for all its fixed joints.
+class State {
+ public:
+  State(const srdf::GroupState& state, Findings& findings) : state_(state), findings_(findings) {}
+
+  void check(const srdf::StateJoint& one, const urdf::Joint& joint) {
+    const std::string subject =
+        title_of("state", state_.name) + " sets the joint " + quoted(*one.name);
+    if (joint.type == urdf::JointType::fixed) {
+      add(fixed_, one, joint, subject + ", which is fixed", kFixed);
+    } else if (joint.mimic && joint.mimic->joint) {
+      add(mimic_, one, joint, subject + ", which follows " + quoted(*joint.mimic->joint), kMimic);
+    }
   }
-}
+
+  void finish() {
+    for (const Kind* kind : {&fixed_, &mimic_}) {
+      if (!kind->others.empty()) {
+        kind->first->note("this also applies to " + shortened(kind->others, 200));
+      }
+    }
+  }
+
+ private:
+  struct Kind {
+    Diagnostic* first = nullptr;
+    std::string others;
+  };
+
+  void add(Kind& kind, const srdf::StateJoint& one, const urdf::Joint& joint,
+           const std::string& message, const Circumstance& which) {
+    if (kind.first != nullptr) {
+      kind.others += (kind.others.empty() ? "" : ", ") + quoted(*one.name);
+      return;
+    }
+    kind.first = &findings_.report(one.name.span, message);
+    kind.first->when(which);
+    kind.first->label(joint.name.span, "the joint is defined here")
+        .help("delete it from the state");
+  }
+
+  const srdf::GroupState& state_;
+  Findings& findings_;
+  Kind fixed_, mimic_;
+};
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
   for_each_srdf(companions, [&](const srdf::Description& srdf) {
     for (const srdf::GroupState& state : srdf.states) {
+      State checker(state, findings);
       for (const srdf::StateJoint& one : state.joints) {
         const urdf::Joint* joint = one.name ? model.find_joint(*one.name) : nullptr;
-        if (joint != nullptr) check_joint(state, one, *joint, findings);
+        if (joint != nullptr) checker.check(one, *joint);
       }
+      checker.finish();
     }
   });
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/suggest.hpp"
 #include "lint/companions/controllers.hpp"
 
 namespace smurf::rules::sml3701_controller_unknown_joint_file {
 namespace {
 
+constexpr Circumstance kNumbered{"numbered"};
 constexpr Circumstance kSettings{"settings"};
 
 bool is_in(Span inner, Span outer) {
@@ -63,7 +65,18 @@ void check_reference_of(const LinkedModel& model, const RosController& controlle
   // A name with a slash is an interface of another controller.
   if (one.is_known() || one.name.find('/') != std::string_view::npos) return;
   const std::string subject = title_of(controller);
-  check_reference(model, NameKind::joint, one.name, one.span, subject.c_str(), findings);
+  Diagnostic* found =
+      check_reference(model, NameKind::joint, one.name, one.span, subject.c_str(), findings);
+  // Variants of an arm have different numbers of joints.
+  const bool is_numbered = std::any_of(model.robot->joints.begin(), model.robot->joints.end(),
+                                       [&](const urdf::Joint& joint) {
+                                         return joint.name && *joint.name != one.name &&
+                                                differ_only_in_digits(*joint.name, one.name);
+                                       });
+  if (found != nullptr && is_numbered) {
+    found->severity = Severity::warning;
+    found->when(kNumbered);
+  }
 }
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
