@@ -53,8 +53,8 @@ class Writer {
     made.whole = whole;
     made.first_input = piece.first_input;
     made.inputs = piece.inputs;
-    // Escapes change the positions of the bytes behind them.
-    made.is_exact = piece.is_exact && text_.size() - begin == value.size() &&
+    // Escapes change the positions of the bytes behind them; a tab in an attribute becomes a blank.
+    made.is_exact = piece.is_exact && std::string_view(text_).substr(begin) == value &&
                     piece.origin.end - piece.origin.begin == value.size();
   }
 

@@ -409,6 +409,8 @@ Value Expander::load_yaml(const std::string& written) {
       const bool is_several = one.rule == &rules::sml0013_several_documents;
       if (one.severity != Severity::error && !is_several) continue;
       if (one.rule == &rules::sml0011_duplicate_key) continue;
+      if (is_several)
+        return fail_yaml("a second YAML document begins here; xacro fails", one.span, false);
       const Value fault = evaluator_.fail(*one.rule, one.message, one.help_text);
       evaluator_.failure().span = one.span;
       return fault;
