@@ -28,7 +28,7 @@ constexpr Fact kUnread[] = {
 
 extern constinit const Reader urdfdom{.name = "urdfdom",
                                       .title = "urdfdom",
-                                      .basis = "3.0.1 (Debian 12), executed; 4.0 and 5.0 compared",
+                                      .basis = "3.0.1 (Debian 12), 4.0.1 and 6.0.0, executed",
                                       .like = &urdf,
                                       .version = "urdfdom 3.0.1",
                                       .families = kFamilies,
