@@ -96,7 +96,7 @@ void write_disagreements(std::ostream& page) {
   page
       << "\n## What readers disagree on\n\n"
          "One robot, each time with one defect, as the readers were seen to load it: `refuses` and "
-         "`crashes` as below, `other` is another robot than the undamaged one, without a word or "
+         "`crashes` as below, `other` is another robot than the undamaged one, silently or "
          "with a message, and `same` the same robot. MuJoCo and PyBullet look at no visuals here "
          "unless they are told to. For Drake, the meshes were OBJ files, because it refuses STL. "
          "All 7,829 robots stand in `tests/verdicts/executed.tsv`.\n\n| defect |";
