@@ -292,6 +292,13 @@ class Robots(cli.CliTest):
         self.assertNotIn("robots load", self.run_tool("--target", "ros", ".").stdout)
         self.assertNotIn("robots load", self.run_tool(".").stdout)
 
+    def test_long_paths_lose_their_first_folders(self):
+        folder = "/".join(["a_folder_with_a_long_name"] * 4)
+        for name in ("x", "y"):
+            self.write(f"{folder}/{name}.urdf", cli.ARM_URDF.replace('<mass value="1"/>', '<mass value="-1"/>'))
+        text = self.run_tool("--target", "ros,gazebo", ".").stdout
+        self.assertIn("\n.../a_folder_with_a_long_name/x.urdf  loads      fails\n", text)
+
     def test_the_page_has_the_robots(self):
         for name in ("one", "two"):
             self.write(f"{name}.urdf", cli.ARM_URDF)

@@ -143,7 +143,13 @@ export function showFacts(scene, motion, selected, length) {
   const host = byId("facts");
   if (!selected) {
     host.replaceChildren(
-      element("p", { class: "empty" }, "Nothing is selected. Click a shape, or a row of the tree."),
+      element(
+        "p",
+        { class: "empty" },
+        document.documentElement.classList.contains("in-frame")
+          ? "Nothing is selected. Click a shape."
+          : "Nothing is selected. Click a shape, or a row of the tree.",
+      ),
     );
     return;
   }

@@ -15,6 +15,7 @@ namespace smurf {
 namespace {
 
 constexpr std::size_t kMostRows = 20;
+constexpr std::size_t kPathColumns = 48;
 
 std::size_t count_of(const RobotAnswers& robot, Answer answer) {
   return static_cast<std::size_t>(std::count(robot.answers.begin(), robot.answers.end(), answer));
@@ -79,6 +80,23 @@ std::string sentence(std::span<const RobotAnswers> robots, std::size_t target,
 
 }  // namespace
 
+namespace {
+
+/// The path without its first folders, if it is wider: ".../arm/urdf/arm.urdf".
+std::string end_of_path(const std::string& path, std::size_t columns) {
+  constexpr std::string_view kLeftOut = "...";
+  std::string_view rest = path;
+  while (render::width_of(rest) + kLeftOut.size() > columns) {
+    const std::size_t slash = rest.find('/', 1);
+    if (slash == std::string_view::npos) break;
+    rest.remove_prefix(slash);
+  }
+  const bool is_whole = rest.size() == path.size() || render::width_of(path) <= columns;
+  return is_whole ? path : std::string(kLeftOut).append(rest);
+}
+
+}  // namespace
+
 std::string render_robots(std::span<const RobotAnswers> robots,
                           std::span<const TargetVerdict> targets, const TextStyle& style) {
   const std::vector<const RobotAnswers*> rows = worst_first(robots);
@@ -88,7 +106,7 @@ std::string render_robots(std::span<const RobotAnswers> robots,
   std::vector<std::string> paths;
   std::size_t indent = 0;
   for (std::size_t i = 0; i < shown; ++i) {
-    paths.push_back(render::escape(rows[i]->path));
+    paths.push_back(end_of_path(render::escape(rows[i]->path), kPathColumns));
     indent = std::max(indent, render::width_of(paths.back()));
   }
   std::string out(indent, ' ');
