@@ -160,6 +160,12 @@ class Companions(cli.CliTest):
         self.assertIn("lamp.urdf.xacro' still names `shoulder` in line 3; change it there", done.stderr)
         self.assertEqual(done.stderr.count("still names"), 1)
 
+    def test_controllers_of_moveit_in_ros_1_are_renamed(self):
+        lists = "controller_list:\n  - name: arm\n    joints:\n      - shoulder\n  - name: hand\n    joints: []\n"
+        self.write("lamp_moveit_config/config/fake_controllers.yaml", lists)
+        self.expect(0, "--rename", "joint:shoulder=hinge", ".")
+        self.assertEqual(self.companion("fake_controllers.yaml"), lists.replace("shoulder", "hinge"))
+
     def test_an_srdf_in_xacro(self):
         (self.folder / "lamp_moveit_config/config/lamp.srdf").unlink()
         macro = SRDF.replace('<robot name="lamp">', '<robot xmlns:xacro="x">\n<xacro:macro name="groups" params="name">') \

@@ -32,7 +32,9 @@ bool is_kinematics(std::string_view, std::string_view text) {
 }
 
 bool is_moveit_controllers(std::string_view, std::string_view text) {
-  return holds(text, "controller_names:") && holds(text, "action_ns:");
+  // In ROS 1, controllers are in a list, those of the simulation also without an action.
+  return (holds(text, "controller_names:") && holds(text, "action_ns:")) ||
+         (holds(text, "controller_list:") && holds(text, "joints:"));
 }
 
 bool is_ompl_planning(std::string_view, std::string_view text) {

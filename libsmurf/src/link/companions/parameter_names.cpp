@@ -101,6 +101,13 @@ void add_of_kinematics(yaml::View root, ReferenceFinder& finder) {
 
 void add_of_moveit_controllers(yaml::View root, ReferenceFinder& finder) {
   for (const yaml::View member : root) {
+    if (member.is_sequence() && member.key() == "controller_list") {  // ROS 1
+      for (const yaml::View controller : member) {
+        const yaml::View joints =
+            controller.is_mapping() ? controller.find("joints") : yaml::View();
+        if (joints) add_text({NameKind::joint}, joints, finder);
+      }
+    }
     if (!member.is_mapping()) continue;
     if (member.find("controller_names")) {
       for (const yaml::View controller : member) {
