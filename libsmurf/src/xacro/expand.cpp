@@ -7,6 +7,7 @@
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
+#include "base/utf8.hpp"
 #include "base/words.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
@@ -299,12 +300,26 @@ Table* Expander::target_table(const Node& in, std::string_view scope, Table& sym
 
 namespace {
 
+/// Characters beyond ASCII that are no letters: punctuation, symbols, arrows, pictures.
+bool is_sign(char32_t c) {
+  if (c >= 0x80 && c < 0xC0) return c != 0xAA && c != 0xB5 && c != 0xB7 && c != 0xBA;
+  return c == 0xD7 || c == 0xF7 || (c >= 0x2000 && c < 0x203F) || (c > 0x2040 && c < 0x2071) ||
+         (c >= 0x20A0 && c < 0x20D0) || (c >= 0x2190 && c < 0x2C00) ||
+         (c >= 0x3000 && c < 0x3005) || (c >= 0xE000 && c < 0xF900) || c == 0xFEFF ||
+         (c >= 0x1F000 && c < 0x20000);
+}
+
 bool is_property_name(std::string_view name) {
-  if (name.empty() || (name[0] >= '0' && name[0] <= '9')) return false;
+  if (name.empty() || decimal_digit(utf8::decode(name).value) >= 0) return false;
   const bool has_letters_only = std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            static_cast<unsigned char>(c) >= 0x80;
   });
+  for (std::string_view rest = name; has_letters_only && !rest.empty();) {
+    const utf8::CodePoint point = utf8::decode(rest);
+    if (is_sign(point.value)) return false;
+    rest.remove_prefix(point.size);
+  }
   constexpr std::array<std::string_view, 35> kKeywords = {
       "False", "None",     "True",  "and",    "as",   "assert", "async",  "await",    "break",
       "class", "continue", "def",   "del",    "elif", "else",   "except", "finally",  "for",

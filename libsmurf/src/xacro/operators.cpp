@@ -398,6 +398,19 @@ bool are_identical(const Value& a, const Value& b) {
   }
 }
 
+/// Whether it depends on the run of Python if two equal values are one object.
+bool may_be_identical(const Value& a, const Value& b) {
+  if (a.kind != b.kind) return false;
+  constexpr std::int64_t kFirst = -5;  // Python has these integers once
+  constexpr std::int64_t kLast = 256;
+  switch (a.kind) {
+  case Kind::integer: return a.integer == b.integer && (a.integer < kFirst || a.integer > kLast);
+  case Kind::real: return a.real == b.real;
+  case Kind::text: return a.text != b.text && *a.text == *b.text;
+  default: return false;
+  }
+}
+
 /// Whether every item of a is in b.
 bool is_subset(const Value& a, const Value& b) {
   const auto& items = b.list->items;
@@ -431,8 +444,12 @@ Value compare_values(Evaluator& evaluator, Operation operation, const Value& a, 
   switch (operation) {
   case Operation::equal: return Value::of(are_equal(a, b));
   case Operation::not_equal: return Value::of(!are_equal(a, b));
-  case Operation::is: return Value::of(are_identical(a, b));
-  case Operation::is_not: return Value::of(!are_identical(a, b));
+  case Operation::is:
+  case Operation::is_not:
+    if (may_be_identical(a, b)) {
+      return evaluator.fail_unsupported("`is` between equal texts or numbers (write `==`), which");
+    }
+    return Value::of(are_identical(a, b) == (operation == Operation::is));
   case Operation::in: return contains(evaluator, a, b);
   case Operation::not_in: {
     const Value found = contains(evaluator, a, b);
