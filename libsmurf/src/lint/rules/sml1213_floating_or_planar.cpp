@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1213_floating_or_planar_file {
 namespace {
@@ -33,6 +34,8 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::refuses,
      "needs three dampings in a planar joint, and refuses the file", kRun, when(kOneDamping)},
     {&readers::drake, Effect::changes, "drops the origin of a floating joint", "Drake, read"},
+    {&readers::pinocchio, Effect::changes, "ignores the normal of a planar joint", kRun,
+     when(kInPlanar)},
 };
 
 }  // namespace
@@ -42,10 +45,8 @@ extern constinit const Rule sml1213_floating_or_planar{
     .name = "floating-or-planar",
     .severity = Severity::warning,
     .summary = "A joint is floating or planar.",
-    .why = "Pinocchio ignores the normal of a planar joint.",
     .remedy = "Place a free robot in the scene instead; write a planar joint as two prismatic and "
               "one continuous joint.",
-    .sources = "Pinocchio model.cpp:238-254.",
     .check_model = check,
     .facts = kFacts,
     .blocks_building = true};

@@ -71,7 +71,7 @@ extern constinit const Rule sml1303_link_joint_same_name{
     .name = "link-joint-same-name",
     .severity = Severity::warning,
     .summary = "A link and a joint have the same name.",
-    .why = "URDF itself allows it, but Gazebo has one name space for links and joints.",
+    .why = "URDF allows it, SDF does not.",
     .remedy = "Give the joint another name, e.g. with the ending `_joint`.",
     .sources = "9 of 322 files of the Tola/Corke dataset.",
     .check_model = check,

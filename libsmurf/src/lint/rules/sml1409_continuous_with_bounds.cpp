@@ -25,6 +25,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::ignores, "ignores the limits", "4.0.0, run"},
     {&readers::drake, Effect::changes, "enforces the limits",
      "Drake detail_urdf_parser.cc:628-643"},
+    {&readers::pinocchio, Effect::ignores, "ignores the limits", kRun},
 };
 
 }  // namespace
@@ -34,7 +35,7 @@ extern constinit const Rule sml1409_continuous_with_bounds{
     .name = "continuous-with-bounds",
     .severity = Severity::warning,
     .summary = "A continuous joint has position limits.",
-    .why = "Isaac enforces them, Pinocchio ignores them.",
+    .why = "Isaac enforces them.",
     .remedy = "Make the joint revolute, or delete the limits.",
     .check_model = check,
     .facts = kFacts};

@@ -3,6 +3,7 @@
 
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1423_axis_almost_aligned_file {
@@ -33,6 +34,11 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::pinocchio, Effect::takes, "uses a joint model for any axis, which is slower",
+     "Pinocchio model.hxx:564-573"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1423_axis_almost_aligned{
@@ -40,13 +46,12 @@ extern constinit const Rule sml1423_axis_almost_aligned{
     .name = "axis-almost-aligned",
     .severity = Severity::info,
     .summary = "The axis of a joint is a coordinate axis up to rounding errors.",
-    .why = "CAD exporters leave such rounding errors. Every reader tilts the joint by them, and "
-           "Pinocchio uses a slower joint model.",
+    .why = "CAD exporters leave such rounding errors. Every reader tilts the joint by them.",
     .remedy = "Write the coordinate axis, e.g. `0 0 1`.",
-    .sources = "Pinocchio model.hxx:564-573.",
     .check_model = check,
     .tolerance = {.value = 1e-3,
                   .meaning =
-                      "the largest component of an axis that is treated as a rounding error"}};
+                      "the largest component of an axis that is treated as a rounding error"},
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1423_axis_almost_aligned_file

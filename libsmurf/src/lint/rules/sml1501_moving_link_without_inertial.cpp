@@ -43,6 +43,8 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes, "gives the collisions the density of water", kRun},
     {&readers::drake, Effect::changes, "computes with a mass matrix that is singular",
      "Drake, read"},
+    {&readers::pinocchio, Effect::changes, "computes with a mass matrix that is singular",
+     "Pinocchio, read"},
 };
 
 }  // namespace
@@ -52,7 +54,7 @@ extern constinit const Rule sml1501_moving_link_without_inertial{
     .name = "moving-link-without-inertial",
     .severity = Severity::error,
     .summary = "A moving link has no mass, and no link fixed to it has one.",
-    .why = "Pinocchio gets a singular mass matrix.",
+    .why = "Dynamics need the mass of what moves.",
     .remedy = "Add an inertial.",
     .sources = "106 of 322 files of the Tola/Corke dataset.",
     .check_model = check,

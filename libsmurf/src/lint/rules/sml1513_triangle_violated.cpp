@@ -52,6 +52,7 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",
      "Drake detail_common.cc:446-515"},
     {&readers::phobos, Effect::takes, "keeps the numbers", kRun},
+    {&readers::pinocchio, Effect::changes, "computes with it anyway", kRun},
 };
 
 }  // namespace
@@ -61,7 +62,7 @@ extern constinit const Rule sml1513_triangle_violated{
     .name = "triangle-violated",
     .severity = Severity::error,
     .summary = "The principal moments of an inertia break the triangle inequality.",
-    .why = "No mass distribution has such moments; Pinocchio computes wrong motions.",
+    .why = "No mass distribution has such moments.",
     .remedy = "Compute the inertia again, e.g. from the geometry and the mass.",
     .sources = "62 links of the Tola/Corke dataset, all above 1 %.",
     .check_model = check,

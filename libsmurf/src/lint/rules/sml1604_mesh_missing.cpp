@@ -189,7 +189,7 @@ extern constinit const Rule sml1604_mesh_missing{
     .name = "mesh-missing",
     .severity = Severity::error,
     .summary = "A mesh or texture file does not exist.",
-    .why = "Pinocchio refuses a body whose mesh is missing.",
+    .why = "Some readers go on without the shape, others refuse the robot.",
     .remedy =
         "Correct the path (relative to the URDF), add the file, or name the package's folder with "
         "`--package NAME=DIR`.",

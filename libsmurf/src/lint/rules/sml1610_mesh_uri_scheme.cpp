@@ -60,7 +60,7 @@ extern constinit const Rule sml1610_mesh_uri_scheme{
     .name = "mesh-uri-scheme",
     .severity = Severity::error,
     .summary = "A mesh path has a scheme that some readers do not support.",
-    .why = "Pinocchio supports `package://` and `file://` only.",
+    .why = "Most readers know `package://` and `file://` only.",
     .remedy = "Write a path relative to the URDF.",
     .check_model = check,
     .facts = kFacts};
