@@ -105,26 +105,26 @@ void see(const LinkedModel& model, std::span<Diagnostic* const> found) {
   for (Diagnostic* finding : found) sight.see(*finding);
 }
 
-constexpr ReaderVersion kFortress[] = {{&gazebo, {12, 3}}};
-constexpr ReaderVersion kHarmonic[] = {{&gazebo, {14, 0}}};
-constexpr ReaderVersion kIonic[] = {{&gazebo, {15, 0}}};
+constexpr ReaderVersion kInFortress[] = {{&gazebo, {12, 3}}};
+constexpr ReaderVersion kInHarmonic[] = {{&gazebo, {14, 0}}};
+constexpr ReaderVersion kInIonic[] = {{&gazebo, {15, 0}}};
 
-constexpr Reader fortress{.name = "gazebo:fortress",
-                          .title = "Gazebo Fortress",
-                          .basis = "sdformat 12.3.0, executed",
-                          .like = &gazebo,
-                          .parts = kFortress};
-constexpr Reader harmonic{.name = "gazebo:harmonic",
-                          .title = "Gazebo Harmonic",
-                          .basis = "sdformat 14, not executed",
-                          .like = &gazebo,
-                          .parts = kHarmonic};
-constexpr Reader ionic{.name = "gazebo:ionic",
-                       .title = "Gazebo Ionic",
-                       .basis = "sdformat 15, not executed",
-                       .like = &gazebo,
-                       .parts = kIonic};
-constexpr const Reader* kReleases[] = {&fortress, &harmonic, &ionic};
+constexpr Reader kFortress{.name = "gazebo:fortress",
+                           .title = "Gazebo Fortress",
+                           .basis = "sdformat 12.3.0, executed",
+                           .like = &gazebo,
+                           .parts = kInFortress};
+constexpr Reader kHarmonic{.name = "gazebo:harmonic",
+                           .title = "Gazebo Harmonic",
+                           .basis = "sdformat 14, not executed",
+                           .like = &gazebo,
+                           .parts = kInHarmonic};
+constexpr Reader kIonic{.name = "gazebo:ionic",
+                        .title = "Gazebo Ionic",
+                        .basis = "sdformat 15, not executed",
+                        .like = &gazebo,
+                        .parts = kInIonic};
+constexpr const Reader* kReleases[] = {&kFortress, &kHarmonic, &kIonic};
 
 }  // namespace
 

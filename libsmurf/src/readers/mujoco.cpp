@@ -89,39 +89,39 @@ void see(const LinkedModel& model, std::span<Diagnostic* const> found) {
   }
 }
 
-constexpr ReaderVersion kV2_3[] = {{&mujoco, {2, 3, 7}}};
-constexpr Reader v2_3{.name = "mujoco:2.3",
-                      .title = "MuJoCo 2.3",
-                      .basis = "2.3.7, executed",
-                      .like = &mujoco,
-                      .parts = kV2_3};
-constexpr ReaderVersion kV3_1[] = {{&mujoco, {3, 1, 6}}};
-constexpr Reader v3_1{.name = "mujoco:3.1",
-                      .title = "MuJoCo 3.1",
-                      .basis = "3.1.6, executed",
-                      .like = &mujoco,
-                      .parts = kV3_1};
-constexpr ReaderVersion kV3_3[] = {{&mujoco, {3, 3, 7}}};
-constexpr Reader v3_3{.name = "mujoco:3.3",
-                      .title = "MuJoCo 3.3",
-                      .basis = "3.3.7, executed",
-                      .like = &mujoco,
-                      .parts = kV3_3};
-constexpr ReaderVersion kV3_14[] = {{&mujoco, {3, 14}}};
-constexpr Reader v3_14{.name = "mujoco:3.14",
-                       .title = "MuJoCo 3.14",
-                       .basis = "3.14.0, executed",
-                       .like = &mujoco,
-                       .parts = kV3_14};
-constexpr ReaderVersion kV4_0[] = {{&mujoco, {4, 0}}};
-constexpr Reader v4_0{.name = "mujoco:4.0",
-                      .title = "MuJoCo 4.0",
-                      .basis = "4.0.0, executed",
-                      .like = &mujoco,
-                      .parts = kV4_0};
+constexpr ReaderVersion kIn23[] = {{&mujoco, {2, 3, 7}}};
+constexpr Reader kMujoco23{.name = "mujoco:2.3",
+                           .title = "MuJoCo 2.3",
+                           .basis = "2.3.7, executed",
+                           .like = &mujoco,
+                           .parts = kIn23};
+constexpr ReaderVersion kIn31[] = {{&mujoco, {3, 1, 6}}};
+constexpr Reader kMujoco31{.name = "mujoco:3.1",
+                           .title = "MuJoCo 3.1",
+                           .basis = "3.1.6, executed",
+                           .like = &mujoco,
+                           .parts = kIn31};
+constexpr ReaderVersion kIn33[] = {{&mujoco, {3, 3, 7}}};
+constexpr Reader kMujoco33{.name = "mujoco:3.3",
+                           .title = "MuJoCo 3.3",
+                           .basis = "3.3.7, executed",
+                           .like = &mujoco,
+                           .parts = kIn33};
+constexpr ReaderVersion kIn314[] = {{&mujoco, {3, 14}}};
+constexpr Reader kMujoco314{.name = "mujoco:3.14",
+                            .title = "MuJoCo 3.14",
+                            .basis = "3.14.0, executed",
+                            .like = &mujoco,
+                            .parts = kIn314};
+constexpr ReaderVersion kIn40[] = {{&mujoco, {4, 0}}};
+constexpr Reader kMujoco40{.name = "mujoco:4.0",
+                           .title = "MuJoCo 4.0",
+                           .basis = "4.0.0, executed",
+                           .like = &mujoco,
+                           .parts = kIn40};
 // Only the newest releases are maintained; of these, 3.14 is the one that has been executed most.
-constexpr const Reader* kEarlier[] = {&v2_3, &v3_1, &v3_3};
-constexpr const Reader* kReleases[] = {&v3_14, &v4_0};
+constexpr const Reader* kEarlier[] = {&kMujoco23, &kMujoco31, &kMujoco33};
+constexpr const Reader* kReleases[] = {&kMujoco314, &kMujoco40};
 
 }  // namespace
 

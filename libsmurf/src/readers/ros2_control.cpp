@@ -6,35 +6,35 @@ namespace smurf::readers::ros2_control_file {
 namespace {
 
 // rosdistro: ros2_control of each distribution.
-constexpr ReaderVersion kHumble[] = {{&ros2_control, {2, 54}}, {&urdfdom, {3, 0, 2}}};
-constexpr ReaderVersion kJazzy[] = {{&ros2_control, {4, 46}}, {&urdfdom, {4, 0, 2}}};
-constexpr ReaderVersion kKilted[] = {{&ros2_control, {5, 16}}, {&urdfdom, {4, 0, 2}}};
-constexpr ReaderVersion kRolling[] = {{&ros2_control, {6, 8}}, {&urdfdom, {6, 0}}};
+constexpr ReaderVersion kInHumble[] = {{&ros2_control, {2, 54}}, {&urdfdom, {3, 0, 2}}};
+constexpr ReaderVersion kInJazzy[] = {{&ros2_control, {4, 46}}, {&urdfdom, {4, 0, 2}}};
+constexpr ReaderVersion kInKilted[] = {{&ros2_control, {5, 16}}, {&urdfdom, {4, 0, 2}}};
+constexpr ReaderVersion kInRolling[] = {{&ros2_control, {6, 8}}, {&urdfdom, {6, 0}}};
 
-constexpr Reader humble{
+constexpr Reader kHumble{
     .name = "ros2_control:humble",
     .title = "ros2_control of Humble",
     .basis = "ros2_control 2.54.0: its parser (branch humble, 0941f73) run, the rest read",
     .like = &ros2_control,
-    .parts = kHumble};
-constexpr Reader jazzy{
+    .parts = kInHumble};
+constexpr Reader kJazzy{
     .name = "ros2_control:jazzy",
     .title = "ros2_control of Jazzy",
     .basis = "ros2_control 4.46.0: its parser (branch jazzy, 9ffbf97) run, the rest read",
     .like = &ros2_control,
-    .parts = kJazzy};
-constexpr Reader kilted{
+    .parts = kInJazzy};
+constexpr Reader kKilted{
     .name = "ros2_control:kilted",
     .title = "ros2_control of Kilted",
     .basis = "ros2_control 5.16.0: its parser (branch kilted, cbe7d2c) run, the rest read",
     .like = &ros2_control,
-    .parts = kKilted};
-constexpr Reader rolling{.name = "ros2_control:rolling",
-                         .title = "ros2_control of Rolling",
-                         .basis = "ros2_control 6.8.0: its parser (53b9999) run, the rest read",
-                         .like = &ros2_control,
-                         .parts = kRolling};
-constexpr const Reader* kReleases[] = {&humble, &jazzy, &kilted, &rolling};
+    .parts = kInKilted};
+constexpr Reader kRolling{.name = "ros2_control:rolling",
+                          .title = "ros2_control of Rolling",
+                          .basis = "ros2_control 6.8.0: its parser (53b9999) run, the rest read",
+                          .like = &ros2_control,
+                          .parts = kInRolling};
+constexpr const Reader* kReleases[] = {&kHumble, &kJazzy, &kKilted, &kRolling};
 
 }  // namespace
 

@@ -112,7 +112,9 @@ std::string Evaluator::written(const Value& value, std::string (*write)(const Va
   std::string result = write(value, problem);
   if (result.size() > problem.most) {
     text(std::move(result));  // fails
-  } else if (!problem.reason.empty()) {
+    return {};
+  }
+  if (!problem.reason.empty()) {
     fail("the text of " + std::string(kind_name(value)) + " is unknown: " + problem.reason);
   }
   return result;
