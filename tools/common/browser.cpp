@@ -3,27 +3,18 @@
 
 #include <cerrno>
 #include <cstring>
-#include <random>
 
 #include "base/places.hpp"
 #include "base/system.hpp"
 #include "common/new_file.hpp"
 #include "common/output.hpp"
+#include "common/random_word.hpp"
 
 namespace smurf::tools {
 namespace {
 
 constexpr int kAttempts = 100;
-
-std::string random_letters() {
-  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
-  constexpr std::size_t kCount = 10;
-  std::random_device device;
-  std::uniform_int_distribution<std::size_t> any(0, kLetters.size() - 1);
-  std::string letters;
-  for (std::size_t i = 0; i < kCount; ++i) letters += kLetters[any(device)];
-  return letters;
-}
+constexpr std::size_t kRandomLetters = 10;
 
 }  // namespace
 
@@ -33,7 +24,7 @@ std::string write_temporary_page(std::string_view tool, std::string_view stem,
   const std::string begin = temporary_folder() + "/" + safe_name(stem) + "-";
   int error = EEXIST;
   for (int attempt = 0; attempt < kAttempts && error == EEXIST; ++attempt) {
-    const std::string path = begin + random_letters() + ".html";
+    const std::string path = begin + random_word(kRandomLetters) + ".html";
     const int flags = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
     const Descriptor file(sys::open(path.c_str(), flags, kForUser));
     error = file.is_open() ? write_all(file.number(), text) : errno;

@@ -42,7 +42,7 @@ std::string find_program(std::string_view name) {
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find(':'), rest.size());
     const std::string path = std::string(rest.substr(0, end)) + "/" + std::string(name);
-    // Programs in a folder that is named relative to the current one may be those of a stranger.
+    // A relative folder on the PATH may contain programs that somebody else put there.
     if (path.front() == '/' && end > 0 && ::access(path.c_str(), X_OK) == 0) return path;
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }

@@ -103,7 +103,7 @@ void tell_written(std::span<const ReportRequest> reports, const std::string& pla
   complain(kSmurfLint, files + ": " + summary.substr(0, summary.find('\n')));
 }
 
-/// Opens the page of the report: `page`, or a temporary one if that is no file.
+/// Opens the report in the browser: the file `page`, or a temporary file if there is none.
 ExitCode open_report(const Results& results, std::string page) {
   if (page.empty() || page == "-") {
     const std::string text = find_report_format("html")->render(results, {});

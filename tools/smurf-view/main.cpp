@@ -149,7 +149,7 @@ ExitCode show_once(const Options& options, const std::string& current) {
   return present(options, file);
 }
 
-/// Reads the files again; none if that failed, which was reported.
+/// Loads the files again. Reports a failure, and returns nothing then.
 std::optional<Picture> read_again(const Options& options, const std::string& current) {
   Conversion conversion(kTool, options.common, kKinds);
   auto loaded = conversion.load_scene(options.shown);

@@ -5,11 +5,11 @@
 #include <array>
 #include <charconv>
 #include <iterator>
-#include <random>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "common/random_word.hpp"
 #include "smurf-view/frame_page.hpp"
 #include "write/json_text.hpp"
 
@@ -22,16 +22,7 @@ constexpr std::size_t kMostClients = 64;
 constexpr std::size_t kMostRequest = 16384;  ///< bytes
 constexpr auto kLongestRequest = 10s;        ///< browsers connect before they have a question
 constexpr auto kLongestWait = 25s;           ///< for a change; then the page asks again
-
-std::string random_word() {
-  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
-  constexpr std::size_t kCount = 24;
-  std::random_device device;
-  std::uniform_int_distribution<std::size_t> any(0, kLetters.size() - 1);
-  std::string word;
-  for (std::size_t i = 0; i < kCount; ++i) word += kLetters[any(device)];
-  return word;
-}
+constexpr std::size_t kSecretLetters = 24;
 
 struct Request {
   std::string_view method, target, host;
@@ -92,7 +83,7 @@ PageServer::~PageServer() {
 std::string PageServer::start() {
   std::string reason;
   listener_ = sockets::listen_on_loopback(port_, reason);
-  secret_ = random_word();
+  secret_ = random_word(kSecretLetters);
   return reason;
 }
 
@@ -171,7 +162,7 @@ void PageServer::answer(Client& client) {
   } else if (request->method != "GET") {
     client.to_send = response("405 Method Not Allowed", kText, "smurf-view only shows\n");
   } else if (request->target == folder) {
-    client.to_send = response("200 OK", kPage, frame_page(random_word()));
+    client.to_send = response("200 OK", kPage, frame_page(random_word(kSecretLetters)));
   } else if (request->target == folder + "page" && !shown_.page.empty()) {
     client.to_send = response("200 OK", kPage, shown_.page);
   } else if (const std::string ask = folder + "changes?after="; request->target.starts_with(ask)) {

@@ -172,7 +172,7 @@ Value subscript_list(Evaluator& evaluator, const Value& value, const Value& inde
   return result;
 }
 
-/// A part of a range is a range.
+/// A slice of a range is a range, as in Python.
 Value subscript_range(Evaluator& evaluator, const Range& range, const Slice& slice) {
   const auto ends = ends_of(evaluator, slice, range.size());
   if (!ends) return Value::failure();

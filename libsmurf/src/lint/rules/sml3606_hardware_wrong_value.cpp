@@ -61,7 +61,7 @@ constexpr Value kValues[] = {
     {"", "state_interface", "size", is_positive, "a positive whole number"},
 };
 
-/// The parser looks at the priority of a thread only where there is one.
+/// The parser reads the priority only if the component has its own thread.
 bool is_unread(xml::View element, std::string_view attribute) {
   return element.name() == "ros2_control" && attribute == "thread_priority" &&
          path::to_lower(attribute_text(element, "is_async")) != "true";
