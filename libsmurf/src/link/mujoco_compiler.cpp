@@ -3,8 +3,6 @@
 // `strippath="true"`, only the file name is kept.
 #include "link/mujoco_compiler.hpp"
 
-#include <algorithm>
-
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
@@ -91,13 +89,6 @@ bool balances_inertias(const LinkedModel& model) {
 
 bool fuses_fixed_links(const LinkedModel& model) {
   return !says(mujoco_compiler(model), "fusestatic", "false");
-}
-
-const MeshReference* mesh_at(const LinkedModel& model, std::uint32_t begin) {
-  const auto mesh = std::lower_bound(
-      model.meshes.begin(), model.meshes.end(), begin,
-      [](const MeshReference& one, std::uint32_t place) { return one.span.begin < place; });
-  return mesh != model.meshes.end() && mesh->span.begin == begin ? &*mesh : nullptr;
 }
 
 bool is_told_where_meshes_are(const LinkedModel& model) {

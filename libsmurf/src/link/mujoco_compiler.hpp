@@ -2,8 +2,6 @@
 // The settings of a URDF for MuJoCo: the element `compiler` in its element `mujoco`.
 #pragma once
 
-#include <cstdint>
-
 #include "smurf/load.hpp"
 
 namespace smurf {
@@ -16,9 +14,6 @@ xml::View mujoco_compiler(const LinkedModel& model);
 
 /// Whether MuJoCo discards visuals, which is its default.
 bool keeps_visuals(const LinkedModel& model);
-
-/// The mesh whose file name begins at this byte of the URDF; null if there is none.
-const MeshReference* mesh_at(const LinkedModel& model, std::uint32_t begin);
 
 /// Whether it tells MuJoCo to look for meshes in other folders.
 bool is_told_where_meshes_are(const LinkedModel& model);

@@ -113,14 +113,17 @@ std::optional<Solid> solid_of_all(const LinkedModel& model, const Shapes& shapes
 
 }  // namespace
 
+const MeshReference* find_reference(const LinkedModel& model, std::uint32_t begin) {
+  const auto found = std::lower_bound(
+      model.meshes.begin(), model.meshes.end(), begin,
+      [](const MeshReference& one, std::uint32_t place) { return one.span.begin < place; });
+  return found != model.meshes.end() && found->span.begin == begin ? &*found : nullptr;
+}
+
 const MeshReference* find_reference(const LinkedModel& model, const urdf::Mesh& mesh) {
-  const auto found =
-      std::lower_bound(model.meshes.begin(), model.meshes.end(), mesh.filename.span.begin,
-                       [](const MeshReference& reference, std::uint32_t begin) {
-                         return reference.span.begin < begin;
-                       });
-  const bool is_there = found != model.meshes.end() && found->span == mesh.filename.span;
-  return mesh.filename && is_there ? &*found : nullptr;
+  const MeshReference* found = find_reference(model, mesh.filename.span.begin);
+  const bool is_there = found != nullptr && found->span == mesh.filename.span;
+  return mesh.filename && is_there ? found : nullptr;
 }
 
 const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh) {

@@ -2,6 +2,7 @@
 // The bodies that shapes would be if they were full of one material.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "smurf/linked.hpp"
@@ -10,6 +11,8 @@ namespace smurf {
 
 /// The file of a mesh of the URDF; null if it names none.
 const MeshReference* find_reference(const LinkedModel& model, const urdf::Mesh& mesh);
+/// The mesh or texture whose file name begins at this byte of the URDF; null if there is none.
+const MeshReference* find_reference(const LinkedModel& model, std::uint32_t begin);
 /// The facts about a mesh file; null if the file was not opened or cannot be read.
 const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MuJoCo, which has its own URDF reader.
 #include "link/mujoco_compiler.hpp"
+#include "link/shape_solids.hpp"
 #include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
 
@@ -84,7 +85,7 @@ void see(const LinkedModel& model, std::span<Diagnostic* const> found) {
     if (has_visuals && contains(place, at("visual"))) finding->when(kVisualsKept);
     if (!contains(place, at("mesh/@filename"))) continue;
     if (looks_elsewhere) finding->when(kElsewhere);
-    const MeshReference* mesh = mesh_at(model, finding->span.begin);
+    const MeshReference* mesh = find_reference(model, finding->span.begin);
     if (mesh != nullptr && mesh->lies_beside) finding->when(kBeside);
   }
 }

@@ -2,6 +2,7 @@
 #include "base/quoted.hpp"
 #include "base/readers.hpp"
 #include "link/mujoco_compiler.hpp"
+#include "link/shape_solids.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules::sml1653_mesh_folder_dropped_file {
@@ -19,7 +20,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (use.role != GeometryRole::collision || use.mesh() == nullptr || !use.mesh()->filename) {
       return;
     }
-    const MeshReference* mesh = mesh_at(model, use.mesh()->filename.span.begin);
+    const MeshReference* mesh = find_reference(model, *use.mesh());
     if (mesh == nullptr || !is_lost(*mesh)) return;
     if (lost++ == 0) first = mesh;
   });
