@@ -2,6 +2,7 @@
 #include "link/package_search.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/path.hpp"
 #include "link/packages.hpp"
@@ -9,12 +10,22 @@
 namespace smurf {
 namespace {
 
+constexpr std::string_view kPackageFile = "package.xml";
 constexpr int kLevels = 12;  // of folders, upward and downward
 constexpr std::uint64_t kMostEntries = 200'000;
 
 /// Folders of packages seldom have a point in their name; files nearly always do.
 bool may_be_folder(const std::string& name, const std::string& path, const FileReader& files) {
-  return name.find('.') == std::string::npos || !files.is_file(path);
+  const std::size_t point = name.rfind('.');
+  if (point == std::string::npos) return true;
+  // Most files of packages. To ask for each of them takes longer than to expand a robot.
+  constexpr std::array<std::string_view, 36> kOfFiles = {
+      "3dm", "bag",  "bmp",    "cfg", "cpp", "dae", "gif", "gz",   "h",     "hpp", "in",   "jpeg",
+      "jpg", "json", "launch", "md",  "mtl", "obj", "pdf", "png",  "ply",   "py",  "rst",  "rviz",
+      "sdf", "srdf", "step",   "stl", "svg", "tif", "txt", "urdf", "xacro", "xml", "yaml", "yml"};
+  const std::string ending = path::to_lower(std::string_view(name).substr(point + 1));
+  if (std::find(kOfFiles.begin(), kOfFiles.end(), ending) != kOfFiles.end()) return false;
+  return !files.is_file(path);
 }
 
 }  // namespace
@@ -39,10 +50,8 @@ void PackageSearch::search(const std::string& folder, int depth, Packages& found
   }
   const std::vector<std::string> names = context_.files.list(folder);
   entries_ += names.size();
-  if (std::binary_search(names.begin(), names.end(), "package.xml")) {
-    constexpr std::uint64_t kMostBytes = 1U << 20U;
-    const FileContent content = context_.files.read(path::join(folder, "package.xml"), kMostBytes);
-    const std::string name = package_name_in(content.text);
+  if (std::binary_search(names.begin(), names.end(), kPackageFile)) {
+    const std::string& name = name_in(folder);
     if (!name.empty()) found[name].push_back(folder);
   }
   if (depth >= kLevels) return;
@@ -61,12 +70,44 @@ const PackageSearch::Packages& PackageSearch::packages_in(const std::string& fol
   return known_.emplace(folder, std::move(found)).first->second;
 }
 
+const std::string& PackageSearch::name_in(const std::string& folder) {
+  const auto [known, is_new] = names_.try_emplace(folder);
+  if (!is_new) return known->second;
+  constexpr std::uint64_t kMostBytes = 1U << 20U;
+  const std::string path = path::join(folder, std::string(kPackageFile));
+  return known->second = package_name_in(context_.files.read(path, kMostBytes).text);
+}
+
+std::string PackageSearch::package_around(std::string folder) {
+  for (int level = 0; level < kLevels; ++level) {
+    if (!name_in(folder).empty()) return folder;
+    std::string above = path::join(folder, "..");
+    if (above == folder) break;
+    folder = std::move(above);
+  }
+  return {};
+}
+
 std::optional<std::string> PackageSearch::find(const std::string& name, const std::string& near) {
   if (const auto given = context_.packages.find(name); given != context_.packages.end()) {
     return given->second;
   }
-  std::string folder = path::normalize(path::parent(near).empty() ? "." : path::parent(near));
+  const std::string folder = path::normalize(path::parent(near).empty() ? "." : path::parent(near));
+  const auto [answer, is_new] = answers_.try_emplace({name, folder});
+  if (is_new) answer->second = search_around(name, folder);
+  return answer->second;
+}
+
+std::optional<std::string> PackageSearch::search_around(const std::string& name,
+                                                        const std::string& near) {
+  // Most robots name files of their own package.
+  std::string own = package_around(near);
+  if (!own.empty() && is_package(own, name)) return own;
+  std::string folder = near;
   for (int level = 0; level < kLevels; ++level) {
+    // Before all that is in the folder, which may be much.
+    if (is_package(folder, name)) return folder;
+    if (std::string inner = path::join(folder, name); is_package(inner, name)) return inner;
     if (auto found = best(packages_in(folder), name)) return found;
     const std::string above = path::join(folder, "..");
     if (above == folder) break;

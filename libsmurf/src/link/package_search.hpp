@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "smurf/load.hpp"
@@ -16,13 +18,22 @@ class PackageSearch {
  public:
   explicit PackageSearch(const LoadContext& context) : context_(context) {}
 
-  /// The folder of a package: the one that was given for it; then the one nearest to the file at
-  /// `near`, as far as files may be read; then one in the folders that contain packages.
+  /// The folder of a package: the one that was given for it; then that of the file at `near`; then
+  /// the one nearest to it, as far as files may be read; then one in the folders that contain
+  /// packages.
   std::optional<std::string> find(const std::string& name, const std::string& near);
 
  private:
   using Packages = std::map<std::string, std::vector<std::string>>;
 
+  std::optional<std::string> search_around(const std::string& name, const std::string& folder);
+  /// The nearest folder with a package.xml, from `folder` upward; "" if there is none.
+  std::string package_around(std::string folder);
+  /// The name in the package.xml of a folder; "" if there is none.
+  const std::string& name_in(const std::string& folder);
+  bool is_package(const std::string& folder, std::string_view name) {
+    return name_in(folder) == name;
+  }
   /// The packages in a folder and all its subfolders.
   const Packages& packages_in(const std::string& folder);
   void search(const std::string& folder, int depth, Packages& found);
@@ -30,6 +41,8 @@ class PackageSearch {
 
   const LoadContext& context_;
   std::map<std::string, Packages> known_;
+  std::map<std::string, std::string> names_;
+  std::map<std::pair<std::string, std::string>, std::optional<std::string>> answers_;
   std::uint64_t entries_ = 0;
 };
 

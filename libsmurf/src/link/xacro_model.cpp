@@ -22,8 +22,10 @@ xacro::Expansion expand_xacro(SourceId root, LoadContext& context) {
   settings.find_package = [&](const std::string& name, const std::string& near) {
     return packages.find(name, near);
   };
-  settings.absolute = [](const std::string& relative) {
-    return path::normalize(places::absolute(relative));
+  settings.absolute = [here = std::string()](const std::string& relative) mutable {
+    if (path::is_absolute(relative)) return path::normalize(places::absolute(relative));
+    if (here.empty()) here = places::absolute(".");
+    return path::join(here, relative);
   };
   xacro::Context inner{context.sources, context.files, context.sink, context.limits};
   return xacro::expand(root, settings, inner);
