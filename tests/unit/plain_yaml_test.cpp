@@ -108,6 +108,7 @@ TEST_CASE("the scanner takes what people write, and gives up at everything else"
        {"a: 1\n", "a:\n- 1\n- b: 2\n  c: 3\nd: {e: [1, -2.5], f: 'it''s'}\n", "a:\nb: ~\n",
         "# comment\na: \"x: y\" # more\n\nb:\n  - - 1\n    - 2\n  -\n", "a: [1,\n  2, # two\n 3]\n",
         "a: package://b/c#d\n", "- 1", "  a: b\n  c: d", "a:\nnull hypothesis: 1\n",
+        "a: !t 1\nb: !degrees  -90.5 # c\nd: [!t 1, !t 'e']\ng: {h: !t i}\n", "- !t a\n- !t 'b'\n",
         "{\n  \"a\": [\n    1,\n    b\n  ]\n}\n# end\n"}) {
     CAPTURE(text);
     CHECK(compare(text));
@@ -117,7 +118,18 @@ TEST_CASE("the scanner takes what people write, and gives up at everything else"
                            "a: b\n  c",
                            "a: &x 1",
                            "a: *x",
-                           "a: !t 1",
+                           "a: !t null",
+                           "a: !t",
+                           "a: !t [1]",
+                           "a: !t # b",
+                           "a: !t\n  b",
+                           "a: !!t b",
+                           "a: !t !t b",
+                           "a: !t &x b",
+                           "a: !t b\n  c",
+                           "- !t a: b",
+                           "!t a: b",
+                           "[!t a: b]",
                            "a: |\n  b",
                            "? a",
                            "a:\tb",

@@ -75,6 +75,9 @@ class PlainScanner {
     return peek(ahead) == ' ' || peek(ahead) == '\n';
   }
   bool is_dash() const { return peek() == '-' && is_end_of_word(1); }
+  static bool is_of_tag(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  }
   static CharClass class_of(char c) { return kCharClasses[static_cast<unsigned char>(c)]; }
 
   void skip_spaces() {
@@ -183,9 +186,11 @@ class PlainScanner {
     }
     if (peek() == '[' || peek() == '{') return read_flow() && at_end_of_line();
     Scalar first;
-    if (!read_scalar(first, false)) return false;
+    const bool has_tag = peek() == '!';
+    if (!read_tagged_scalar(first, false)) return false;
     const std::uint32_t after = at_;
     skip_spaces();
+    if (peek() == ':' && has_tag) return false;
     if (peek() != ':') return at_end_of_line() && take_value(first);
     if (after != at_ || !is_end_of_word(1) || at_ - first.begin > kLongestKey) return false;
     return take_key(first) && read_value();
@@ -199,7 +204,7 @@ class PlainScanner {
     if (is_dash()) return false;
     if (peek() == '[' || peek() == '{') return read_flow() && at_end_of_line();
     Scalar value;
-    return read_scalar(value, false) && at_end_of_line() && take_value(value);
+    return read_tagged_scalar(value, false) && at_end_of_line() && take_value(value);
   }
 
   bool take_key(const Scalar& key) {
@@ -254,6 +259,17 @@ class PlainScanner {
       if (text[at] == '\'') ++at;
     }
     return single;
+  }
+
+  /// A scalar, perhaps with a tag on its line: `!degrees 90`. Tags are not in the tree.
+  bool read_tagged_scalar(Scalar& scalar, bool in_flow) {
+    if (peek() != '!') return read_scalar(scalar, in_flow);
+    const std::uint32_t begin = ++at_;
+    while (is_of_tag(peek())) ++at_;
+    if (at_ == begin || peek() != ' ') return false;
+    skip_spaces();
+    // With a tag, `null` is a text.
+    return read_scalar(scalar, in_flow) && !is_null(scalar);
   }
 
   bool read_scalar(Scalar& scalar, bool in_flow) {
@@ -339,7 +355,7 @@ class PlainScanner {
         if (!is_empty) continue;
       } else {
         Scalar value;
-        if (!read_scalar(value, true)) return false;
+        if (!read_tagged_scalar(value, true)) return false;
         add(value);
       }
       if (!end_flow_entry(brackets)) return false;
