@@ -49,7 +49,7 @@ bool Expander::rename_element(const Node& in, Node& out, Scope scope) {
     return fail(rules::sml3315_xacro_wrong_element, name->text.whole.use,
                 "the name of the element is empty, or is no text", "write a name");
   }
-  Node& renamed = nodes_.emplace_back(in);
+  Node& renamed = nodes_.make<Node>(in);
   renamed.name = *value.text;
   std::erase_if(renamed.attributes,
                 [](const NodeAttribute& one) { return one.name == "xacro:name"; });

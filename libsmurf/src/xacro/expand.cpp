@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The elements of xacro, in the order of the file.
 #include <algorithm>
-#include <array>
 
 #include "base/limits.hpp"
 #include "base/path.hpp"
@@ -11,6 +10,7 @@
 #include "base/words.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
+#include "xacro/tokens.hpp"
 
 namespace smurf::xacro {
 namespace {
@@ -119,7 +119,7 @@ bool Expander::has_room() {
 
 Node& Expander::new_node(NodeKind kind) {
   heap_.charge(sizeof(Node));
-  Node& node = nodes_.emplace_back();
+  Node& node = nodes_.make<Node>(nodes_);
   node.kind = kind;
   node.frame = frame_;
   return node;
@@ -127,7 +127,7 @@ Node& Expander::new_node(NodeKind kind) {
 
 /// Comments directly before an element of xacro belong to it.
 void Expander::remove_comments(Node& out) {
-  std::vector<Node*>& nodes = out.children;
+  auto& nodes = out.children;
   std::size_t at = nodes.size();
   while (at > 0) {
     std::size_t comment = at - 1;
@@ -213,6 +213,7 @@ bool Expander::evaluate_text_node(const Node& in, Node& out, Table& symbols) {
 }
 
 bool Expander::evaluate_children(const Node& in, Node& out, Scope scope) {
+  out.children.reserve(out.children.size() + in.children.size());
   bool evaluates_comments = false;
   for (Node* const child : in.children) {
     switch (child->kind) {
@@ -221,6 +222,11 @@ bool Expander::evaluate_children(const Node& in, Node& out, Scope scope) {
       if (!evaluate_element(*child, out, scope)) return false;
       break;
     case NodeKind::text:
+      // Blanks between elements stay as they are.
+      if (without_blanks(child->text.value).empty()) {
+        out.children.push_back(child);
+        break;
+      }
       if (!evaluate_text_node(*child, out, scope.symbols)) return false;
       if (!without_blanks(out.children.back()->text.value).empty()) evaluates_comments = false;
       break;
@@ -320,12 +326,7 @@ bool is_property_name(std::string_view name) {
     if (is_sign(point.value)) return false;
     rest.remove_prefix(point.size);
   }
-  constexpr std::array<std::string_view, 35> kKeywords = {
-      "False", "None",     "True",  "and",    "as",   "assert", "async",  "await",    "break",
-      "class", "continue", "def",   "del",    "elif", "else",   "except", "finally",  "for",
-      "from",  "global",   "if",    "import", "in",   "is",     "lambda", "nonlocal", "not",
-      "or",    "pass",     "raise", "return", "try",  "while",  "with",   "yield"};
-  return has_letters_only && std::find(kKeywords.begin(), kKeywords.end(), name) == kKeywords.end();
+  return has_letters_only && !is_keyword(name);
 }
 
 }  // namespace

@@ -196,7 +196,7 @@ class Expander final : public Host {
   Expressions expressions_;
   Evaluator evaluator_;
   Expansion result_;
-  std::deque<Node> nodes_;
+  Arena nodes_;
   std::deque<Table> tables_;
   std::deque<MacroTable> macro_tables_;
   std::deque<Macro> macros_;

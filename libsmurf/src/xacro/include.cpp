@@ -173,7 +173,7 @@ Expander::File* Expander::open(const std::string& written, Span reference) {
   }
   const auto known = files_.find(path);
   if (known != files_.end()) return known->second.get();
-  const FileContent content = context_.files.read(path, context_.limits.file_bytes);
+  FileContent content = context_.files.read(path, context_.limits.file_bytes);
   result_.included.insert(path);
   if (content.status != ReadStatus::ok) {
     evaluator_.fail(rules::sml3310_xacro_missing_file,
@@ -186,7 +186,7 @@ Expander::File* Expander::open(const std::string& written, Span reference) {
   }
   auto file = std::make_unique<File>();
   file->path = path;
-  file->source = context_.sources.add(path, content.text);
+  file->source = context_.sources.add(path, std::move(content.text));
   return files_.emplace(path, std::move(file)).first->second.get();
 }
 

@@ -160,12 +160,11 @@ bool Expander::define_macro(const Node& in, Node& out, MacroTable& macros) {
                 "the name of a macro must not contain `.`", "give it another name");
   }
   if (written.starts_with("xacro:")) written.remove_prefix(6);
-  const MacroTable::Entry* known = macros.own(written);
-  Macro* macro = known != nullptr ? known->macro : nullptr;
-  if (macro == nullptr) macro = &macros_.emplace_back();
+  // A new one, because a macro may define itself again while it is called.
+  heap_.charge(sizeof(Macro));
+  Macro* macro = &macros_.emplace_back();
   macro->name = written;
   macro->body = &in;
-  macro->parameters.clear();
   if (const NodeAttribute* params = in.attribute("params")) {
     read_parameters(*macro, *params);
     check_parameters(*macro, *params);
@@ -223,7 +222,7 @@ bool Expander::call_by_name(const Node& in, Node& out, Scope scope) {
     return fail(rules::sml3315_xacro_wrong_element, macro->text.whole.use,
                 "the name of the macro is empty", "name a macro");
   }
-  Node& call = nodes_.emplace_back(in);
+  Node& call = nodes_.make<Node>(in);
   std::erase_if(call.attributes, [](const NodeAttribute& one) { return one.name == "macro"; });
   return call_macro(call, name, out, scope);
 }
@@ -356,10 +355,11 @@ bool Expander::pass_defaults(const Node& in, const Macro& macro, Table& inner, S
 }
 
 bool Expander::run_macro(const Node& in, const Resolved& resolved, Node& out, Scope scope) {
-  const Macro macro = *resolved.macro;  // the body may define it again
+  const Macro& macro = *resolved.macro;
   Table& inner = tables_.emplace_back(resolved.symbols);
   MacroTable& inner_macros = macro_tables_.emplace_back(resolved.macros);
   std::vector<const Macro::Parameter*> left;
+  left.reserve(macro.parameters.size());
   for (const Macro::Parameter& one : macro.parameters) left.push_back(&one);
   std::string shown;
   if (!pass_parameters(in, macro, inner, scope, left, shown)) return false;

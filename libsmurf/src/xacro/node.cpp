@@ -69,8 +69,9 @@ std::string NodeTree::decoded(std::string_view raw, bool is_attribute, std::uint
 TracedText NodeTree::traced(std::uint32_t begin, std::uint32_t end, bool is_attribute) {
   TracedText result;
   const std::string_view raw = text_.substr(begin, end - begin);
-  const bool is_plain =
-      raw.find_first_of(is_attribute ? "&\r\n\t" : "&\r") == std::string_view::npos;
+  const bool is_plain = std::none_of(raw.begin(), raw.end(), [&](char c) {
+    return c == '&' || c == '\r' || (is_attribute && (c == '\n' || c == '\t'));
+  });
   result.value = is_plain ? raw : heap_.keep(decoded(raw, is_attribute, begin));
   result.whole.size = offset(result.value.size());
   result.whole.is_exact = is_plain;
@@ -79,7 +80,7 @@ TracedText NodeTree::traced(std::uint32_t begin, std::uint32_t end, bool is_attr
 }
 
 void NodeTree::add(Node& parent, NodeKind kind, std::uint32_t begin, std::uint32_t end) {
-  Node& node = nodes_.emplace_back();
+  Node& node = nodes_.make<Node>(nodes_);
   node.kind = kind;
   node.span = node.tag_span = node.name_span = {document_.source, begin, end};
   std::uint32_t inner_begin = begin;
@@ -132,7 +133,7 @@ void NodeTree::content(Node& parent, std::uint32_t begin, std::uint32_t end) {
 }
 
 Node* NodeTree::element(xml::View view) {
-  Node& node = nodes_.emplace_back();
+  Node& node = nodes_.make<Node>(nodes_);
   node.name = view.name();
   node.span = view.span();
   node.tag_span = view.tag_span();
@@ -146,6 +147,9 @@ Node* NodeTree::element(xml::View view) {
     attribute.text = traced(one.value_span().begin, one.value_span().end, true);
   }
   if (node.span.end == node.tag_span.end) return &node;  // <a/>
+  std::size_t count = 0;
+  for (auto child = view.begin(); child != view.end(); ++child) ++count;
+  node.children.reserve(2 * count + 1);  // with the texts between them
   std::uint32_t at = node.tag_span.end;
   for (const xml::View child : view) {
     content(node, at, child.span().begin);

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
+#include <string>
 #include <string_view>
-#include <vector>
 
 #include "smurf/xacro.hpp"
 #include "smurf/xml.hpp"
+#include "xacro/arena.hpp"
 #include "xacro/value.hpp"
 
 namespace smurf::xacro {
@@ -45,13 +45,16 @@ struct NodeAttribute {
 enum class NodeKind : std::uint8_t { element, text, comment, character_data, instruction };
 
 struct Node {
+  explicit Node(Arena& arena)
+      : attributes(ArenaAllocator<NodeAttribute>(arena)), children(ArenaAllocator<Node*>(arena)) {}
+
   NodeKind kind = NodeKind::element;
   FrameId frame = kNoFrame;
   std::string_view name;
   TracedText text;  ///< of other kinds
   Span name_span, tag_span, span;
-  std::vector<NodeAttribute> attributes;
-  std::vector<Node*> children;
+  ArenaVector<NodeAttribute> attributes;
+  ArenaVector<Node*> children;
 
   const NodeAttribute* attribute(std::string_view wanted) const {
     for (const NodeAttribute& one : attributes) {
@@ -64,8 +67,7 @@ struct Node {
 /// The nodes of a file. Texts that contain references are decoded into `heap`.
 class NodeTree {
  public:
-  NodeTree(const xml::Document& document, std::string_view text, Heap& heap,
-           std::deque<Node>& nodes)
+  NodeTree(const xml::Document& document, std::string_view text, Heap& heap, Arena& nodes)
       : document_(document), text_(text), heap_(heap), nodes_(nodes) {}
   Node* read();
   /// An entity that XML does not define; empty if there is none.
@@ -81,7 +83,7 @@ class NodeTree {
   const xml::Document& document_;
   std::string_view text_;
   Heap& heap_;
-  std::deque<Node>& nodes_;
+  Arena& nodes_;
   Span unknown_entity_;
 };
 

@@ -20,6 +20,13 @@ class Writer {
 
  private:
   void escaped(std::string_view value, bool is_attribute) {
+    const auto is_special = [](char c) {
+      return c < ' ' || c == '&' || c == '<' || c == '>' || c == '"';
+    };
+    if (std::none_of(value.begin(), value.end(), is_special)) {
+      text_ += value;
+      return;
+    }
     for (const char c : value) {
       switch (c) {
       case '&': text_ += "&amp;"; break;
@@ -115,7 +122,9 @@ class Writer {
       text_.append(indent, ' ');
     }
     const std::size_t end = text_.size();
-    text_ += "</" + std::string(node.name) + ">";
+    text_ += "</";
+    text_ += node.name;
+    text_.push_back('>');
     Leaf& closing = leaf(Leaf::Kind::end_tag, end, node);
     closing.origin = node.name_span;
     closing.use = node.tag_span;
@@ -152,10 +161,30 @@ class Writer {
   std::vector<Leaf>& leaves_;
 };
 
+/// About how much the result of a node needs.
+struct Needs {
+  std::size_t leaves = 0, bytes = 0;
+
+  void add(const Node& node, std::size_t indent) {
+    leaves += 2 + 2 * node.attributes.size();
+    bytes += indent + 2 * node.name.size() + node.text.value.size() + 8;
+    for (const NodeAttribute& one : node.attributes) {
+      bytes += one.name.size() + one.text.value.size() + 4;
+    }
+    for (const Node* child : node.children) {
+      if (child->kind == NodeKind::element) add(*child, indent + 2);
+    }
+  }
+};
+
 }  // namespace
 
 void write_result(const Node& root, const std::vector<Piece>& pieces, std::string& text,
                   std::vector<Leaf>& leaves) {
+  Needs needs;
+  needs.add(root, 0);
+  leaves.reserve(needs.leaves);
+  text.reserve(needs.bytes);
   Writer(pieces, text, leaves).run(root);
 }
 

@@ -18,7 +18,7 @@ std::string_view text_of(Operation operation) {
 const Expression& Expressions::parse(std::string_view text) {
   const auto known = known_.find(text);
   if (known != known_.end()) return known->second;
-  const auto place = known_.emplace(std::string(text), Expression{}).first;
+  const auto place = known_.emplace(heap_.keep(std::string(text)), Expression{}).first;
   Expression& expression = place->second;
   heap_.charge(text.size() * 20);  // trees need about this much
   expression.root = Parser(*this, place->first, expression.fault).run();

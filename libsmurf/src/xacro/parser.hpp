@@ -205,6 +205,7 @@ class Parser {
   }
 
   bool accept_comparison(Operation& operation) {
+    if (peek().kind != Token::Kind::mark && peek().kind != Token::Kind::keyword) return false;
     struct Row {
       std::string_view mark;
       Operation operation;
@@ -231,15 +232,15 @@ class Parser {
   const Syntax* comparison() {
     const std::uint32_t begin = peek().begin;
     const Syntax* first = binary(0);
+    Operation operation{};
+    if (first == nullptr || !accept_comparison(operation)) return first;
     std::vector<const Syntax*> parts{first};
     std::vector<Operation> operations;
-    Operation operation{};
-    while (parts.back() != nullptr && accept_comparison(operation)) {
+    do {
       operations.push_back(operation);
       parts.push_back(binary(0));
-    }
-    if (parts.back() == nullptr) return nullptr;
-    if (operations.empty()) return first;
+      if (parts.back() == nullptr) return nullptr;
+    } while (accept_comparison(operation));
     Syntax& node = make(SyntaxKind::compare, begin, std::move(parts));
     node.operations = std::move(operations);
     return &node;
@@ -260,17 +261,16 @@ class Parser {
         {4, "-", Operation::subtract},     {5, "*", Operation::multiply},
         {5, "/", Operation::divide},       {5, "//", Operation::floor_divide},
         {5, "%", Operation::modulo},       {5, "@", Operation::matrix_multiply}};
-    constexpr std::size_t kLast = 5;
-    if (level > kLast) return unary();
     const std::uint32_t begin = peek().begin;
-    const Syntax* left = binary(level + 1);
+    const Syntax* left = unary();
     while (left != nullptr && fault_.rule == nullptr) {
+      if (peek().kind != Token::Kind::mark) return left;
       const auto row = std::find_if(std::begin(kRows), std::end(kRows), [&](const BinaryRow& one) {
-        return one.level == level && peek().is(one.mark);
+        return one.level >= level && peek().is(one.mark);
       });
       if (row == std::end(kRows)) return left;
       ++at_;
-      const Syntax* right = binary(level + 1);
+      const Syntax* right = binary(row->level + 1);
       if (right == nullptr) return nullptr;
       Syntax& node = make(SyntaxKind::binary, begin, {left, right});
       node.operation = row->operation;

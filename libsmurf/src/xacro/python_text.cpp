@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 
@@ -105,6 +106,11 @@ bool is_python_blank(char32_t c) {
 }
 
 std::string_view without_blanks(std::string_view text) {
+  const auto is_plain = [](char c) { return c > ' ' && c <= '~'; };
+  if (!text.empty() && is_plain(text.front()) && is_plain(text.back())) return text;
+  std::size_t begin = 0;
+  while (begin < text.size() && (text[begin] == ' ' || text[begin] == '\n')) ++begin;
+  text.remove_prefix(begin);
   while (!text.empty()) {
     const utf8::CodePoint point = utf8::decode(text);
     if (!is_python_blank(point.value)) break;
@@ -220,7 +226,45 @@ std::string quoted_text(std::string_view text) {
   return quoted;
 }
 
+namespace {
+
+/// Whether a text may be a number, by its first character: most texts of robots are names.
+bool may_be_number(std::string_view text) {
+  const char c = text.empty() ? 'a' : text.front();
+  const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  return !is_letter && c != '/' && c != '$' && c != '(';
+}
+
+/// An integer in ASCII of so few digits that it cannot overflow; none for all others.
+std::optional<std::int64_t> short_integer(std::string_view text) {
+  constexpr std::size_t kMostDigits = 18;
+  const bool has_sign = text.starts_with('-') || text.starts_with('+');
+  const std::string_view digits = text.substr(has_sign ? 1 : 0);
+  if (digits.empty() || digits.size() > kMostDigits) return std::nullopt;
+  std::int64_t value = 0;
+  for (const char c : digits) {
+    if (c < '0' || c > '9') return std::nullopt;
+    value = value * 10 + (c - '0');
+  }
+  return text.front() == '-' ? -value : value;
+}
+
+/// Whether a text consists of digits and a point, with a sign.
+bool is_plain_decimal(std::string_view text) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  return !text.empty() && text.size() < 16 && text != "." &&
+         std::all_of(text.begin(), text.end(),
+                     [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
+}
+
+}  // namespace
+
 std::optional<Value> read_integer(std::string_view written, Heap& heap, unsigned base) {
+  if (base == 10) {
+    if (!may_be_number(written)) return std::nullopt;
+    if (const auto value = short_integer(written)) return Value::of(*value);
+    if (is_plain_decimal(written)) return std::nullopt;
+  }
   auto text = in_ascii(without_blanks(written));
   if (!text) return std::nullopt;
   const bool is_negative = text->starts_with('-');
@@ -245,6 +289,19 @@ std::optional<Value> read_integer(std::string_view written, Heap& heap, unsigned
 }
 
 std::optional<double> read_float(std::string_view written) {
+  if (is_plain_decimal(written)) {
+    const bool has_sign = written[0] == '-' || written[0] == '+';
+    const std::string_view digits = written.substr(has_sign ? 1 : 0);
+    double value = 0;
+    const auto [end, error] = read_floating(digits, value);
+    if (end != digits.data() + digits.size()) return std::nullopt;
+    if (error == std::errc{}) return written[0] == '-' ? -value : value;
+  } else if (!may_be_number(written)) {
+    // "inf" and "nan" in any case
+    if (written.empty() || std::string_view("iInN").find(written[0]) == std::string_view::npos) {
+      return std::nullopt;
+    }
+  }
   auto text = in_ascii(without_blanks(written));
   if (!text) return std::nullopt;
   const bool is_negative = text->starts_with('-');

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
@@ -109,7 +110,7 @@ class Expressions {
   friend class Parser;
   Heap& heap_;
   std::deque<Syntax> nodes_;
-  std::map<std::string, Expression, std::less<>> known_;
+  std::unordered_map<std::string_view, Expression> known_;
 };
 
 }  // namespace smurf::xacro

@@ -14,6 +14,7 @@
 namespace smurf::xacro {
 namespace {
 
+/// Sorted.
 constexpr std::array<std::string_view, 35> kKeywords = {
     "False", "None",     "True",  "and",    "as",   "assert", "async",  "await",    "break",
     "class", "continue", "def",   "del",    "elif", "else",   "except", "finally",  "for",
@@ -32,6 +33,7 @@ class Splitter {
       : text_(text), heap_(heap), fault_(fault) {}
 
   std::vector<Token> run() {
+    tokens_.reserve(std::min<std::size_t>(text_.size() / 3, 30) + 2);
     while (fault_.rule == nullptr && skip_blanks()) {
       if (at_ == text_.size()) break;
       next();
@@ -112,8 +114,7 @@ class Splitter {
     while (end < text_.size() && is_name(text_[end])) ++end;
     if (end < text_.size() && (text_[end] == '\'' || text_[end] == '"')) return prefixed(end);
     const std::string_view word = text_.substr(at_, end - at_);
-    const bool is_keyword = std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
-    add(is_keyword ? Token::Kind::keyword : Token::Kind::name, at_, end);
+    add(is_keyword(word) ? Token::Kind::keyword : Token::Kind::name, at_, end);
   }
 
   void prefixed(std::size_t quote) {
@@ -262,30 +263,39 @@ class Splitter {
   }
 
   void mark() {
-    constexpr std::array<std::string_view, 36> kMarks = {
-        "**", "//", "<<", ">>", "<=", ">=", "==", "!=", ":=", "->", "...", "(",
-        ")",  "[",  "]",  "{",  "}",  "+",  "-",  "*",  "/",  "%",  "@",   "&",
-        "|",  "^",  "~",  "<",  ">",  ",",  ":",  ".",  "=",  ";",  "!",   "?"};
-    for (const std::string_view one : kMarks) {
-      if (!text_.substr(at_).starts_with(one)) continue;
-      if (one == "(" || one == "[" || one == "{") {
-        constexpr std::size_t kMostBrackets = 200;  // as Python
-        brackets_.push_back(at_);
-        if (brackets_.size() > kMostBrackets) {
-          return fail(at_, at_ + 1, "there are more than 200 nested brackets");
-        }
-      } else if (one == ")" || one == "]" || one == "}") {
-        const char open = one == ")" ? '(' : one == "]" ? '[' : '{';
-        if (brackets_.empty() || text_[brackets_.back()] != open) {
-          return fail(at_, at_ + 1, "`" + std::string(one) + "` closes nothing");
-        }
-        brackets_.pop_back();
-      }
-      add(Token::Kind::mark, at_, at_ + one.size());
-      return;
+    const std::size_t size = mark_size(text_.substr(at_));
+    const char c = text_[at_];
+    if (size == 0) {
+      return fail(at_, at_ + utf8::decode(text_.substr(at_)).size,
+                  "this character does not belong into an expression");
     }
-    const std::size_t size = utf8::decode(text_.substr(at_)).size;
-    fail(at_, at_ + size, "this character does not belong into an expression");
+    if (c == '(' || c == '[' || c == '{') {
+      constexpr std::size_t kMostBrackets = 200;  // as Python
+      brackets_.push_back(at_);
+      if (brackets_.size() > kMostBrackets) {
+        return fail(at_, at_ + 1, "there are more than 200 nested brackets");
+      }
+    } else if (c == ')' || c == ']' || c == '}') {
+      const char open = c == ')' ? '(' : c == ']' ? '[' : '{';
+      if (brackets_.empty() || text_[brackets_.back()] != open) {
+        return fail(at_, at_ + 1, "`" + std::string(1, c) + "` closes nothing");
+      }
+      brackets_.pop_back();
+    }
+    add(Token::Kind::mark, at_, at_ + size);
+  }
+
+  /// The size of the mark at the beginning; 0 if there is none.
+  static std::size_t mark_size(std::string_view text) {
+    constexpr std::string_view kOfThree = "...";
+    constexpr std::string_view kOfTwo = "** // << >> <= >= == != := -> ";
+    constexpr std::string_view kOfOne = "()[]{}+-*/%@&|^~<>,:.=;!?";
+    if (text.starts_with(kOfThree)) return kOfThree.size();
+    if (kOfOne.find(text.front()) == std::string_view::npos) return 0;
+    for (std::size_t at = 0; text.size() > 1 && at < kOfTwo.size(); at += 3) {
+      if (kOfTwo[at] == text[0] && kOfTwo[at + 1] == text[1]) return 2;
+    }
+    return 1;
   }
 
   std::string_view text_;
@@ -297,6 +307,10 @@ class Splitter {
 };
 
 }  // namespace
+
+bool is_keyword(std::string_view word) {
+  return std::binary_search(kKeywords.begin(), kKeywords.end(), word);
+}
 
 std::vector<Token> split_tokens(std::string_view text, Heap& heap, SyntaxFault& fault) {
   return Splitter(text, heap, fault).run();

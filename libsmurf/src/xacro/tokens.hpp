@@ -19,9 +19,13 @@ struct Token {
   Value value;            ///< of a number or a text
 
   bool is(std::string_view mark) const {
-    return (kind == Kind::mark || kind == Kind::keyword) && text == mark;
+    return (kind == Kind::mark || kind == Kind::keyword) && text.size() == mark.size() &&
+           text.front() == mark.front() && (mark.size() == 1 || text == mark);
   }
 };
+
+/// Whether a word has a meaning of its own in Python, and is no name.
+bool is_keyword(std::string_view word);
 
 /// Empty after a fault.
 std::vector<Token> split_tokens(std::string_view text, Heap& heap, SyntaxFault& fault);

@@ -145,11 +145,12 @@ bool is_yaml_float(std::string_view text) {
   return std::all_of(rest.begin() + 2, rest.end(), is_digit);
 }
 
+bool is_ascii_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 bool is_special(std::string_view text, std::string_view name) {
   // ".inf", ".Inf", ".INF"
   if (text.size() != name.size()) return false;
-  const std::string lower = path::to_lower(text);
-  if (lower != name) return false;
+  if (text.front() != '.' || path::to_lower(text) != name) return false;
   const std::string_view letters = text.substr(1);
   const bool is_lower = letters == name.substr(1);
   const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
@@ -160,8 +161,9 @@ bool is_special(std::string_view text, std::string_view name) {
 
 /// True or false for the words of YAML 1.1.
 std::optional<bool> truth_of_word(std::string_view text) {
+  if (text.size() < 2 || text.size() > 5) return std::nullopt;
   for (const std::string_view word : {"yes", "true", "on", "no", "false", "off"}) {
-    if (path::to_lower(text) != word) continue;
+    if (text.size() != word.size() || path::to_lower(text) != word) continue;
     const bool is_lower = text == word;
     const bool is_title = text.substr(1) == word.substr(1);
     const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
@@ -321,6 +323,7 @@ Value Expander::yaml_scalar(std::string_view text, yaml::Style style, std::strin
   }
   if (text.empty() || is_one_of(text, {"~", "null", "Null", "NULL"})) return Value().at(origin);
   if (const auto truth = truth_of_word(text)) return Value::of(*truth).at(origin);
+  if (is_ascii_letter(text.front())) return heap_.text(std::string(text)).at(origin);
   if (const auto integer = yaml_integer(text)) return integer->at(origin);
   if (const auto real = yaml_float(text)) return real->at(origin);
   if (text == "=" || text == "<<") {
