@@ -25,5 +25,5 @@ install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
 install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
-install(FILES python/examples/plot_scene.ipynb
+install(FILES python/examples/robots.ipynb
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/python/examples COMPONENT documentation)

@@ -101,6 +101,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "lint/annotation_queries.hpp",
     "link/inertia.hpp",
     "lint/queries.hpp",
+    "render/advice.hpp",
     "render/json_text.hpp",
     "render/printable.hpp",
     "render/wrap.hpp",

@@ -6,10 +6,15 @@
     for finding in smurf.check("arm.smurf"):
         print(finding)                          # arm_motors.yml:3:10: error[SML3101] ...
 
-    arm = smurf.load_model("arm.smurf")
+    smurf.check("robots/")                      # all robots of a folder
+
+    arm = smurf.load_model("arm.smurf")         # in a notebook: the robot in 3D
     arm.joint("elbow").limit.upper              # rad
     arm.motors[0].places["joint"]               # where that is written
     arm.forward_kinematics({"elbow": 0.5})      # {link: X_RL}, arrays of shape (4, 4)
+
+    arm.write("mjcf").save("arm.xml")           # or sdf, usda, gltf, html, ...
+    smurf.convert("arm.urdf", "arm/")           # a SMURF model of a URDF
 
     scene = smurf.load_scene("cell.smurfs").flatten()
     scene.X_WE                                  # array of shape (n, 4, 4)
@@ -20,16 +25,19 @@ file does not say is None; nothing is filled in. Objects keep what they were loa
 
 `python3 -m smurf lint ...` runs the program smurf-lint.
 """
+from ._convert import convert, fix
 from ._errors import Error
 from ._smurf import (
     Box,
     Capsule,
     Collision,
     CollisionAnnotation,
+    Comparison,
     Controller,
     Cylinder,
     Dynamics,
     Exoskeleton,
+    Export,
     Finding,
     FlatInstance,
     FlatModel,
@@ -66,17 +74,19 @@ from ._smurf import (
     VisualAnnotation,
     __version__,
     check,
+    diff,
     explain,
     load_model,
     load_scene,
+    parse_urdf,
 )
 
 __all__ = [
-    "Box", "Capsule", "Collision", "CollisionAnnotation", "Controller", "Cylinder", "Dynamics", "Error",
-    "Exoskeleton", "Finding", "FlatInstance", "FlatModel", "FlatScene", "Graphics", "Inertial",
-    "Instance", "Interface", "Joint", "JointAnnotation", "JointPoseSet", "JointTask", "Light", "Limit",
-    "Link", "LinkAnnotation", "Material", "MaterialAnnotation", "Mesh", "Mimic", "Model", "Motor",
-    "NodeAnnotation", "Place", "Report", "Scene", "Sensor", "Session", "Sphere", "Submechanism",
-    "Submodel", "TargetVerdict", "Visual", "VisualAnnotation", "__version__", "check", "explain",
-    "load_model", "load_scene",
+    "Box", "Capsule", "Collision", "CollisionAnnotation", "Comparison", "Controller", "Cylinder",
+    "Dynamics", "Error", "Exoskeleton", "Export", "Finding", "FlatInstance", "FlatModel", "FlatScene",
+    "Graphics", "Inertial", "Instance", "Interface", "Joint", "JointAnnotation", "JointPoseSet",
+    "JointTask", "Light", "Limit", "Link", "LinkAnnotation", "Material", "MaterialAnnotation", "Mesh",
+    "Mimic", "Model", "Motor", "NodeAnnotation", "Place", "Report", "Scene", "Sensor", "Session",
+    "Sphere", "Submechanism", "Submodel", "TargetVerdict", "Visual", "VisualAnnotation", "__version__",
+    "check", "convert", "diff", "explain", "fix", "load_model", "load_scene", "parse_urdf",
 ]

@@ -24,10 +24,14 @@ namespace py = pybind11;
 /// it, so that nothing outlives what it points into.
 struct Owner {
   std::shared_ptr<Session> session;
-  std::optional<LoadedModel> model;  ///< one of the two
-  std::optional<LoadedScene> scene;
+  CheckSettings settings;
+  /// The function of the module that has loaded it, with its arguments: (name, path, settings).
+  /// Null if it may have read texts that are on no disk.
+  py::object recipe = {};
+  std::optional<LoadedModel> model = {};  ///< one of the two
+  std::optional<LoadedScene> scene = {};
   /// Of all URDFs, by where a file is named; made when it is first asked for.
-  std::unordered_map<std::uint64_t, const MeshReference*> meshes;
+  std::unordered_map<std::uint64_t, const MeshReference*> meshes = {};
 
   const SourceMap& sources() const { return session->loaded_sources(); }
   const MeshReference* mesh_at(Span span);
@@ -106,6 +110,14 @@ py::object to_optional(const OwnerPtr& owner, const std::unique_ptr<T>& value) {
 /// ValueError for values that mean nothing.
 CheckSettings settings_of(const py::kwargs& keywords);
 
+/// The files that smurf-lint would check in these paths, which may be folders; raises smurf.Error
+/// for a path that cannot be read.
+Plan plan_of(const std::vector<std::string>& paths, const CheckSettings& settings);
+
+/// A smurf.Scene.
+py::object load_scene(const std::shared_ptr<Session>& session, const std::string& path,
+                      const CheckSettings& settings, bool is_shared, const py::object& recipe);
+
 /// Raises smurf.Error.
 [[noreturn]] void raise_error(const std::string& message, const py::list& findings);
 
@@ -121,5 +133,7 @@ void bind_annotations(py::module_& module);
 void bind_model(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_session(py::module_& module);
+void bind_export(py::module_& module);
+void bind_comparison(py::module_& module);
 
 }  // namespace smurf::python

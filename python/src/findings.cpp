@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "common.hpp"
+#include "render/advice.hpp"
+#include "smurf/fix.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf::python {
@@ -76,7 +78,7 @@ void bind_finding(py::module_& module) {
           "message", [](const Finding& self) { return to_text(self->message); },
           "What is wrong, in one sentence.")
       .def_property_readonly(
-          "help", [](const Finding& self) { return to_text(self->help_text); },
+          "help", [](const Finding& self) { return to_text(render::advice_on(*self)); },
           "What to do about it; may be empty.")
       .def_property_readonly(
           "notes",
@@ -185,6 +187,39 @@ void bind_report(py::module_& module) {
             return to_text(text + render_summary(self.rest.summary, {}));
           },
           "As smurf-lint shows it.")
+      .def(
+          "fixed",
+          [](const CheckReport& self, bool unsafe, bool infos) {
+            std::vector<Diagnostic> chosen(self.diagnostics().begin(), self.diagnostics().end());
+            if (!infos) {
+              std::erase_if(chosen,
+                            [](const Diagnostic& one) { return one.severity == Severity::info; });
+            }
+            const Applicability most = unsafe ? Applicability::unsafe : Applicability::safe;
+            py::dict texts;
+            for (FixedText& file : apply_fixes(chosen, self.found->sources, most).texts) {
+              texts[to_path(file.path)] = py::bytes(file.text);
+            }
+            return texts;
+          },
+          py::arg("unsafe") = false, py::arg("infos") = false,
+          "The files with the safe fixes, or with all fixes, of errors and warnings, and of infos if "
+          "they are asked for: a dict from paths to bytes. Fixes that overlap others are left for "
+          "another round; smurf.fix() makes all rounds.")
+      .def(
+          "_repr_html_",
+          [](const CheckReport& self) {
+            std::string text;
+            for (const Diagnostic& one : self.diagnostics()) {
+              if (one.severity == Severity::info) continue;
+              text += render_full(one, self.found->sources);
+            }
+            text += render_targets(self.rest.targets, self.found->sources, {}) +
+                    render_summary(self.rest.summary, {});
+            const py::object escape = py::module_::import("html").attr("escape");
+            return py::str("<pre>{}</pre>").format(escape(to_text(text)));
+          },
+          "The errors and warnings, for notebooks.")
       .def("__repr__", [](const CheckReport& self) {
         std::string line = render_summary(self.rest.summary, {});
         while (line.ends_with('\n')) line.pop_back();

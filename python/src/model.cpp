@@ -3,7 +3,6 @@
 #include "model.hpp"
 
 #include <array>
-#include <cmath>
 #include <filesystem>
 
 #include "smurf/convert.hpp"
@@ -34,63 +33,10 @@ std::string current_folder() {
 
 namespace {
 
-using Model = Ref<LinkedModel>;
-
 py::list names_to_list(const std::vector<std::string>& names) {
   py::list list;
   for (const std::string& name : names) list.append(to_path(name));
   return list;
-}
-
-double from_position(const py::handle& value, const std::string& joint) {
-  const double position = PyFloat_AsDouble(value.ptr());
-  if (position == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
-  if (!std::isfinite(position)) {
-    throw py::value_error("the position of the joint '" + joint + "' is not finite");
-  }
-  return position;
-}
-
-JointPositions positions_of(const LinkedModel& model, const py::object& positions) {
-  if (positions.is_none()) return {};
-  if (py::isinstance<py::str>(positions)) {
-    const std::string name = from_text(positions, "positions");
-    auto known = joint_positions(model, name);
-    if (!known) throw py::value_error("the model has no joint pose set '" + name + "'");
-    return *std::move(known);
-  }
-  if (!py::isinstance<py::dict>(positions)) {
-    throw py::type_error("positions must be a dict, or the name of a joint pose set");
-  }
-  JointPositions all;
-  for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(positions)) {
-    const std::string joint = from_text(key, "the name of a joint");
-    if (!model.joint_names.contains(joint)) {
-      throw py::value_error("the model has no joint '" + joint + "'");
-    }
-    all[joint] = from_position(value, joint);
-  }
-  return all;
-}
-
-py::dict link_poses(const Model& self, const py::object& positions) {
-  const auto poses = forward_kinematics(*self, positions_of(*self, positions));
-  py::dict X_RL;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Field<std::string>& name = self->robot->links[i].name;
-    // The first of equal names is the link that has the name.
-    if (!poses[i] || !name || self->link_names.find(*name) != i) continue;
-    X_RL[to_text(*name)] = to_matrix4(*poses[i]);
-  }
-  return X_RL;
-}
-
-py::object named_positions(const Model& self, const py::object& pose) {
-  py::dict positions;
-  for (const auto& [joint, position] : positions_of(*self, pose)) {
-    positions[to_text(joint)] = position;
-  }
-  return positions;
 }
 
 /// A word of an enumeration, in its order.
@@ -329,15 +275,6 @@ void bind_elements(py::class_<Model>& model) {
 void bind_functions(py::class_<Model>& model) {
   model
       .def(
-          "forward_kinematics", &link_poses, py::arg("positions") = py::none(),
-          "The poses of the links: a dict from names of links to X_RL, the pose of the link L in the "
-          "first root link R, an array of shape (4, 4), m.\n\n"
-          "`positions` is a dict from names of joints to rad or m, or the name of a joint pose set; "
-          "joints that it leaves out are at zero, and those that mimic others follow them. Links "
-          "that the root does not reach are left out.")
-      .def("joint_positions", &named_positions, py::arg("pose"),
-           "The positions of a joint pose set by joints: a dict, rad or m.")
-      .def(
           "check",
           [](const Model& self) {
             if (!self.owner->model) {
@@ -374,6 +311,9 @@ void bind_model(py::module_& module) {
   bind_files(model);
   bind_elements(model);
   bind_functions(model);
+  bind_kinematics(model);
+  bind_exports(model);
+  bind_pickle(model);
 }
 
 }  // namespace smurf::python

@@ -23,8 +23,10 @@ PYBIND11_MODULE(_smurf, module) {
   bind_findings(module);
   bind_robot(module);
   bind_annotations(module);
+  bind_export(module);
   bind_model(module);
   bind_scene(module);
   bind_session(module);
+  bind_comparison(module);
   forbid_construction(module);
 }

@@ -60,6 +60,11 @@ class ReferenceClass {
         name, [member](const Ref<T>& self) { return to_object((*self).*member); }, doc);
     return *this;
   }
+  template <class Call>
+  ReferenceClass& method(const char* name, const Call& call) {
+    class_.def(name, call);
+    return *this;
+  }
   /// What is made of a reference.
   template <class Get>
   ReferenceClass& attribute(const char* name, const Get& get, const char* doc) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <variant>
 
+#include "model.hpp"
 #include "reference.hpp"
 #include "smurf/urdf.hpp"
 
@@ -115,6 +116,7 @@ void bind_parts(py::module_& module) {
           [](const Ref<urdf::Collision>& self) { return geometry_of(self.owner, self->geometry); },
           "smurf.Box, Sphere, Cylinder, Capsule or Mesh; None when there is none.");
   ReferenceClass<urdf::Link>(module, "Link", "A link.")
+      .method("__reduce__", [](const Ref<urdf::Link>& self) { return reduce(self); })
       .field("name", &urdf::Link::name, "Name.")
       .attribute(
           "inertial",
@@ -143,6 +145,7 @@ void bind_joint(py::module_& module) {
       .field("multiplier", &urdf::Mimic::multiplier, "1 when it is not written.")
       .field("offset", &urdf::Mimic::offset, "rad or m; 0 when it is not written.");
   ReferenceClass<urdf::Joint>(module, "Joint", "A joint.")
+      .method("__reduce__", [](const Ref<urdf::Joint>& self) { return reduce(self); })
       .field("name", &urdf::Joint::name, "Name.")
       .attribute(
           "type", [](const Ref<urdf::Joint>& self) { return name_of(self->type); },

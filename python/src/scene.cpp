@@ -13,7 +13,6 @@
 namespace smurf::python {
 namespace {
 
-using Scene = Ref<LinkedScene>;
 using SceneInstance = Ref<Instance>;
 
 const LinkedScene& scene_of(const SceneInstance& instance) { return instance.owner->scene->scene; }
@@ -104,6 +103,15 @@ class OtherDialect {
   std::vector<JointPositions> joint_poses_;
 };
 
+[[noreturn]] void raise_found(const Scene& self, const std::string& what, DiagnosticSink found) {
+  LoadedScene& loaded = *self.owner->scene;
+  raise_error(
+      "'" + self->path + "' " + what,
+      to_findings(self.owner->session->finish(loaded, found.take()), self.owner->sources()));
+}
+
+}  // namespace
+
 const Dialect& from_dialect(const py::object& name) {
   const std::string text = from_text(name, "dialect");
   if (const Dialect* dialect = find_dialect(text)) return *dialect;
@@ -112,12 +120,20 @@ const Dialect& from_dialect(const py::object& name) {
   throw py::value_error("'" + text + "' is not one of the dialects:" + known);
 }
 
-[[noreturn]] void raise_found(const Scene& self, const std::string& what, DiagnosticSink found) {
-  LoadedScene& loaded = *self.owner->scene;
-  raise_error(
-      "'" + self->path + "' " + what,
-      to_findings(self.owner->session->finish(loaded, found.take()), self.owner->sources()));
+void refuse_unknown_poses(const Scene& scene, bool force) {
+  LoadedScene& loaded = *scene.owner->scene;
+  // Findings that leave a pose unknown; those of rules never do.
+  const auto is_loss = [&](const Diagnostic& one) {
+    return loss_in_scene(one, *loaded.sources).has_value();
+  };
+  const auto& unread = loaded.found.diagnostics();
+  if (std::any_of(unread.begin(), unread.end(), is_loss)) {
+    raise_found(scene, "has errors", loaded.found);
+  }
+  if (!force) refuse_errors(*scene.owner, scene->path, is_loss);
 }
+
+namespace {
 
 Flat flatten_scene(const Scene& self, const py::object& dialect, bool links,
                    const py::object& output_folder, bool force) {
@@ -127,15 +143,7 @@ Flat flatten_scene(const Scene& self, const py::object& dialect, bool links,
                          .output_folder = from_path(output_folder),
                          .current_folder = current_folder(),
                          .old_scenes = &loaded.old_scenes};
-  // Findings that leave a pose unknown; those of rules never do.
-  const auto is_loss = [&](const Diagnostic& one) {
-    return loss_in_scene(one, *loaded.sources).has_value();
-  };
-  const auto& unread = loaded.found.diagnostics();
-  if (std::any_of(unread.begin(), unread.end(), is_loss)) {
-    raise_found(self, "has errors", loaded.found);
-  }
-  if (!force) refuse_errors(*self.owner, self->path, is_loss);
+  refuse_unknown_poses(self, force);
   const OtherDialect other(read_as, loaded);
   DiagnosticSink found;
   const Limits& limits = self.owner->session->limits();
@@ -382,7 +390,8 @@ void bind_scene(py::module_& module) {
   bind_instance(module);
   bind_flat_instance(module);
   bind_flat_scene(module);
-  py::class_<Scene>(module, "Scene", "A scene with all scenes and models in it.")
+  py::class_<Scene> scene(module, "Scene", "A scene with all scenes and models in it.");
+  scene
       .def_property_readonly(
           "path", [](const Scene& self) { return to_path(self->path); },
           "The path it was loaded by.")
@@ -440,6 +449,8 @@ void bind_scene(py::module_& module) {
       .def("__repr__", [](const Scene& self) {
         return py::str("<smurf.Scene {!r}>").format(to_path(self->path));
       });
+  bind_exports(scene);
+  bind_pickle(scene);
 }
 
 }  // namespace smurf::python

@@ -2,7 +2,12 @@
 // Checking and loading. A function with a separate session lets other Python threads run.
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "common.hpp"
 #include "smurf/archive_files.hpp"
@@ -47,10 +52,33 @@ auto run_alone(bool is_shared, const Run& run) {
   return run();
 }
 
-py::object check(Session& session, const std::string& path, const CheckSettings& settings,
-                 bool is_shared) {
-  Report report = run_alone(is_shared, [&] { return session.check(path, settings); });
+bool is_folder(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::is_directory(path, error);
+}
+
+py::object check(Session& session, const std::vector<std::string>& paths,
+                 const CheckSettings& settings, bool is_shared) {
+  const bool is_one = paths.size() == 1 && !is_folder(paths.front());
+  Report report = run_alone(is_shared, [&] {
+    return is_one ? session.check(paths.front(), settings)
+                  : session.check(plan_of(paths, settings), settings);
+  });
   return to_report(std::move(report), session.sources());
+}
+
+bool is_path(const py::handle& value) {
+  return py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value) ||
+         py::hasattr(value, "__fspath__");
+}
+
+/// A path, or an iterable of them.
+std::vector<std::string> from_paths(const py::handle& value) {
+  if (is_path(value)) return {from_path(value)};
+  std::vector<std::string> paths;
+  for (const py::handle one : py::iter(value)) paths.push_back(from_path(one));
+  if (paths.empty()) throw py::value_error("there is no path to check");
+  return paths;
 }
 
 /// What is loaded for a path that may be that of an archive.
@@ -85,52 +113,76 @@ template <class Loaded>
 }
 
 py::object load_model(const std::shared_ptr<Session>& session, const std::string& path,
-                      const CheckSettings& settings, bool is_shared) {
+                      const CheckSettings& settings, bool is_shared, const py::object& recipe) {
   const std::string main = main_file(path, *session);
   const InputKind kind = input_kind(main);
   if (kind == InputKind::scene || kind == InputKind::drawing) {
     throw py::value_error(
         py::str("{!r} is a scene, which load_scene() loads").format(to_path(path)));
   }
-  auto owner = std::make_shared<Owner>(Owner{session, {}, {}, {}});
+  auto owner = std::make_shared<Owner>(Owner{session, settings, recipe});
   run_alone(is_shared, [&] { owner->model.emplace(session->load_model(main, settings)); });
   if (!has_content(owner->model->model)) raise_unreadable(main, *session, *owner->model);
   const LinkedModel* model = &owner->model->model;
   return py::cast(Ref<LinkedModel>{std::move(owner), model});
 }
 
-py::object load_scene(const std::shared_ptr<Session>& session, const std::string& path,
-                      const CheckSettings& settings, bool is_shared) {
-  const std::string main = main_file(path, *session);
-  auto owner = std::make_shared<Owner>(Owner{session, {}, {}, {}});
-  run_alone(is_shared, [&] { owner->scene.emplace(session->load_scene(main, settings)); });
-  if (!has_content(owner->scene->scene)) raise_unreadable(main, *session, *owner->scene);
-  const LinkedScene* scene = &owner->scene->scene;
-  return py::cast(Ref<LinkedScene>{std::move(owner), scene});
-}
-
-/// Paths without the lock may be long in coming: network drives.
+/// Loads with a separate session, which lets other threads run: network drives are slow.
 template <class Load>
-auto with_own_session(const Load& load) {
-  return [load](const py::object& path, const py::kwargs& settings) {
-    return load(std::make_shared<Session>(), from_path(path), settings_of(settings), false);
+auto with_own_session(const char* name, const Load& load) {
+  return [name, load](const py::object& path, const py::kwargs& settings) {
+    return load(std::make_shared<Session>(), from_path(path), settings_of(settings), false,
+                py::make_tuple(name, path, settings));
   };
 }
 template <class Load>
 auto with_session(const Load& load) {
   return [load](const std::shared_ptr<Session>& self, const py::object& path,
                 const py::kwargs& settings) {
-    return load(self, from_path(path), settings_of(settings), true);
+    return load(self, from_path(path), settings_of(settings), true, py::object());
   };
 }
 
-constexpr auto kCheck = [](const std::shared_ptr<Session>& session, const std::string& path,
-                           const CheckSettings& settings,
-                           bool is_shared) { return check(*session, path, settings, is_shared); };
+py::object check_alone(const py::object& paths, const py::kwargs& settings) {
+  Session session;
+  return check(session, from_paths(paths), settings_of(settings), false);
+}
+
+py::object check_in_session(const std::shared_ptr<Session>& self, const py::object& paths,
+                            const py::kwargs& settings) {
+  return check(*self, from_paths(paths), settings_of(settings), true);
+}
+
+std::string text_or_bytes(const py::object& text) {
+  return py::isinstance<py::bytes>(text) ? std::string(py::reinterpret_borrow<py::bytes>(text))
+                                         : from_text(text, "text");
+}
+
+/// A text that has to be expanded first.
+bool is_xacro_text(std::string_view text) {
+  return text.find("xmlns:xacro") != std::string_view::npos;
+}
+
+py::object parse_urdf(const py::object& text, const py::object& filename,
+                      const py::kwargs& settings) {
+  const std::string urdf = text_or_bytes(text);
+  std::string name = is_xacro_text(urdf) ? "robot.urdf.xacro" : "robot.urdf";
+  if (!filename.is_none()) name = from_path(filename);
+  auto session = std::make_shared<Session>();
+  session->set_text(name, urdf);
+  const py::dict all = settings.attr("copy")();
+  if (!filename.is_none()) all["filename"] = filename;
+  return load_model(session, name, settings_of(settings), false,
+                    py::make_tuple("parse_urdf", text, all));
+}
 
 constexpr const char* kCheckDoc =
-    "Checks a model, URDF, xacro, scene or annotation file with all that it loads, and returns a "
-    "smurf.Report. Raises smurf.Error when the file cannot be read.";
+    "Checks a model, URDF, xacro, scene or annotation file with all that it loads, or all such files "
+    "in a folder, or an iterable of files and folders, and returns a smurf.Report. Raises "
+    "smurf.Error when a path cannot be read.";
+constexpr const char* kParseDoc =
+    "Loads the text of a URDF (str or bytes) and returns a smurf.Model; the text of a xacro file is "
+    "expanded. Relative paths in it start at the folder of `filename`, or at the current folder.";
 constexpr const char* kModelDoc =
     "Loads a .smurf, a .urdf, a .xacro, an annotation file or an archive (.zsmurf), and returns a "
     "smurf.Model. What is wrong in it is told by its check(); smurf.Error is raised when there is "
@@ -142,14 +194,29 @@ constexpr const char* kSceneDoc =
 
 }  // namespace
 
+py::object load_scene(const std::shared_ptr<Session>& session, const std::string& path,
+                      const CheckSettings& settings, bool is_shared, const py::object& recipe) {
+  const std::string main = main_file(path, *session);
+  auto owner = std::make_shared<Owner>(Owner{session, settings, recipe});
+  run_alone(is_shared, [&] { owner->scene.emplace(session->load_scene(main, settings)); });
+  if (!has_content(owner->scene->scene)) raise_unreadable(main, *session, *owner->scene);
+  const LinkedScene* scene = &owner->scene->scene;
+  return py::cast(Ref<LinkedScene>{std::move(owner), scene});
+}
+
 void bind_session(py::module_& module) {
   const auto doc = [](const char* what) { return std::string(what) + kSettings; };
   const std::string check_doc = doc(kCheckDoc);
   const std::string model_doc = doc(kModelDoc);
   const std::string scene_doc = doc(kSceneDoc);
-  module.def("check", with_own_session(kCheck), py::arg("path"), check_doc.c_str());
-  module.def("load_model", with_own_session(load_model), py::arg("path"), model_doc.c_str());
-  module.def("load_scene", with_own_session(load_scene), py::arg("path"), scene_doc.c_str());
+  const std::string parse_doc = doc(kParseDoc);
+  module.def("check", &check_alone, py::arg("path"), check_doc.c_str());
+  module.def("load_model", with_own_session("load_model", load_model), py::arg("path"),
+             model_doc.c_str());
+  module.def("load_scene", with_own_session("load_scene", load_scene), py::arg("path"),
+             scene_doc.c_str());
+  module.def("parse_urdf", &parse_urdf, py::arg("text"), py::arg("filename") = py::none(),
+             parse_doc.c_str());
   py::class_<Session, std::shared_ptr<Session>>(
       module, "Session",
       "Files on the disk with unsaved texts in front of them, for editors: a second check reads "
@@ -158,10 +225,7 @@ void bind_session(py::module_& module) {
       .def(
           "set_text",
           [](const std::shared_ptr<Session>& self, const py::object& path, const py::object& text) {
-            self->set_text(from_path(path),
-                           py::isinstance<py::bytes>(text)
-                               ? std::string(py::reinterpret_borrow<py::bytes>(text))
-                               : from_text(text, "text"));
+            self->set_text(from_path(path), text_or_bytes(text));
           },
           py::arg("path"), py::arg("text"), "Puts a str or bytes in the place of a file.")
       .def(
@@ -170,7 +234,7 @@ void bind_session(py::module_& module) {
             self->clear_text(from_path(path));
           },
           py::arg("path"), "What is on the disk counts again.")
-      .def("check", with_session(kCheck), py::arg("path"), check_doc.c_str())
+      .def("check", &check_in_session, py::arg("path"), check_doc.c_str())
       .def("load_model", with_session(load_model), py::arg("path"), model_doc.c_str())
       .def("load_scene", with_session(load_scene), py::arg("path"), scene_doc.c_str());
 }

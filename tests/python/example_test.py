@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The notebook and the examples of the documentation run unchanged."""
+"""The notebook and the examples of the documentation run unchanged; the notebook has its outputs."""
 import json
 import os
 import pathlib
@@ -20,12 +20,17 @@ def run(code, folder):
 
 def test_notebook(tmp_path):
     pytest.importorskip("matplotlib")
-    notebook = json.loads((ROOT / "python/examples/plot_scene.ipynb").read_text())
-    assert notebook["nbformat"] == 4 and not any(cell.get("outputs") for cell in notebook["cells"])
-    code = "\n".join("".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code")
-    code = code.replace('"../../fixtures/scenes/nested/outer.smurfs"', repr(str(inputs.NESTED)))
+    notebook = json.loads((ROOT / "python/examples/robots.ipynb").read_text())
+    cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    assert all(cell["outputs"] for cell in cells)  # execute_notebook.py writes them
+    pictures = [output["data"]["image/png"] for cell in cells for output in cell["outputs"] if "image/png" in output.get("data", {})]
+    assert len(pictures) >= 3 and all(len(picture) > 10_000 for picture in pictures)
+    printed = [text for cell in cells for output in cell["outputs"] for text in output.get("text", [])]
+    code = "\n".join("".join(cell["source"]) for cell in cells)
+    code = code.replace("../../fixtures", str(inputs.FIXTURES))
     done = run(code + "\nfigure.savefig('scene.png')\n", tmp_path)
     assert done.returncode == 0, done.stderr
+    assert done.stdout == "".join(printed)
     assert (tmp_path / "scene.png").stat().st_size > 10_000
 
 

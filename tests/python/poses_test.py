@@ -136,3 +136,33 @@ def test_copies():
     flat = smurf.load_scene(inputs.NESTED).flatten()
     flat.X_WE[:] = 7
     assert not (flat.X_WE == 7).any()
+
+
+def test_many_configurations_at_once():
+    """Arrays of shape (n, joints), arrays of shape (n,) by joint, and single configurations are equal."""
+    arm = smurf.load_model(inputs.ARM)
+    names = [joint.name for joint in arm.free_joints]
+    assert names and all(arm.joint(name).mimic is None for name in names)
+    q = np.random.default_rng(1).uniform(-0.5, 0.5, (20, len(names)))
+    X = arm.forward_kinematics(q)
+    assert X["forearm"].shape == (20, 4, 4)
+    by_joint = arm.forward_kinematics({name: q[:, i] for i, name in enumerate(names)})
+    turned = arm.forward_kinematics(q[:, ::-1], joints=names[::-1])
+    for link, poses in X.items():
+        assert np.array_equal(poses, by_joint[link]) and np.array_equal(poses, turned[link])
+        for i, row in enumerate(q):
+            assert np.array_equal(poses[i], arm.forward_kinematics(row)[link])
+            assert np.array_equal(poses[i], arm.forward_kinematics(dict(zip(names, row)))[link])
+    mixed = arm.forward_kinematics({names[0]: q[:, 0], names[1]: 0.25})
+    assert np.array_equal(mixed["forearm"][3], arm.forward_kinematics({names[0]: q[3, 0], names[1]: 0.25})["forearm"])
+    assert arm.forward_kinematics(q[:0])["forearm"].shape == (0, 4, 4)
+    for wrong in (q[:, :-1], q[None], np.nan * q, {names[0]: [1, 2], names[1]: [1, 2, 3]}, {names[0]: q}):
+        with pytest.raises(ValueError):
+            arm.forward_kinematics(wrong)
+    for wrong in ({names[0]: "x"}, 3, {names[0]: None}, object(), np.float64(3)):
+        with pytest.raises(TypeError):
+            arm.forward_kinematics(wrong)
+    with pytest.raises(TypeError):
+        arm.forward_kinematics({}, joints=names)
+    with pytest.raises(ValueError):
+        arm.forward_kinematics(q, joints=[*names[:-1], "nothing"])

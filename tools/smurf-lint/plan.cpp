@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -120,9 +121,11 @@ bool has_key(std::string_view text, std::string_view name) {
 
 class Planner {
  public:
-  Planner(const LintOptions& options, MemoryFiles& files)
+  Planner(const LintOptions& options, MemoryFiles& files,
+          const std::function<void(const std::string&)>& tell)
       : options_(options),
         files_(files),
+        tell_(tell),
         current_folder_(identity(".")),
         ignore_files_(files, options.limits.ignore_checks),
         models_(files) {}
@@ -165,7 +168,7 @@ class Planner {
   }
 
   void fail(const std::string& message) {
-    complain(kSmurfLint, message);
+    tell_(message);
     plan_.problems.push_back(message);
   }
 
@@ -354,6 +357,7 @@ class Planner {
 
   const LintOptions& options_;
   MemoryFiles& files_;
+  const std::function<void(const std::string&)>& tell_;
   const std::string current_folder_;
   LintPlan plan_;
   std::set<std::string> planned_;
@@ -414,8 +418,9 @@ void confine_to_changeable(ConfinedFiles& files, const LintOptions& options, con
   confine_to_projects(files, inputs);
 }
 
-LintPlan make_plan(const LintOptions& options, MemoryFiles& files) {
-  return Planner(options, files).run();
+LintPlan make_plan(const LintOptions& options, MemoryFiles& files,
+                   const std::function<void(const std::string&)>& tell) {
+  return Planner(options, files, tell).run();
 }
 
 }  // namespace smurf::tools

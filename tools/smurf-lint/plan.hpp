@@ -2,8 +2,10 @@
 // The files to load, with their kinds and configurations.
 #pragma once
 
+#include <functional>
 #include <string>
 
+#include "common/output.hpp"
 #include "smurf-lint/options.hpp"
 #include "smurf/check.hpp"
 #include "smurf/config.hpp"
@@ -28,8 +30,13 @@ void confine_to_found(ConfinedFiles& files, const LintOptions& options, const Li
 /// all files.
 void confine_to_changeable(ConfinedFiles& files, const LintOptions& options, const LintPlan& plan);
 
-/// If standard input is an operand, its text is added to `files`.
-LintPlan make_plan(const LintOptions& options, MemoryFiles& files);
+/// If standard input is an operand, its text is added to `files`. `tell` gets each problem as it is
+/// found.
+LintPlan make_plan(
+    const LintOptions& options, MemoryFiles& files,
+    const std::function<void(const std::string&)>& tell = [](const std::string& problem) {
+      complain(kSmurfLint, problem);
+    });
 
 /// Keeps only the files of one shard. The URDF of a planned model is in the shard of the model.
 void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files);

@@ -3,13 +3,10 @@
 #include <algorithm>
 
 #include "base/counted.hpp"
-#include "base/limits.hpp"
 #include "base/path.hpp"
-#include "base/rules.hpp"
 #include "common/browser.hpp"
 #include "common/converter.hpp"
 #include "common/file_set.hpp"
-#include "common/mesh_source.hpp"
 #include "common/process.hpp"
 #include "common/shared_options.hpp"
 #include "render/printable.hpp"
@@ -17,11 +14,10 @@
 #include "smurf/repository.hpp"
 #include "smurf/result_losses.hpp"
 #include "smurf/write_scene.hpp"
-#include "smurfs-flatten/assets.hpp"
-#include "smurfs-flatten/bases.hpp"
 #include "smurfs-flatten/chain.hpp"
 #include "smurfs-flatten/compare.hpp"
 #include "smurfs-flatten/formats.hpp"
+#include "smurfs-flatten/written_scene.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -197,12 +193,10 @@ const SceneFormat* choose_format(const Options& options) {
 }
 
 /// Standard output counts as the current folder.
-FlattenOptions flatten_options(const Options& options, const std::string& current) {
+std::string output_folder(const Options& options) {
   const std::string& output = options.common.output;
   const bool to_stdout = output.empty() || output == "-";
-  return {.links = options.links,
-          .output_folder = to_stdout ? "." : std::string(path::parent(output)),
-          .current_folder = current};
+  return to_stdout ? "." : std::string(path::parent(output));
 }
 
 int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options& options) {
@@ -278,11 +272,6 @@ std::optional<std::string> first_loss(const LoadedScene& loaded) {
   return std::nullopt;
 }
 
-/// Added values are not losses.
-bool is_loss(const Diagnostic& finding) {
-  return finding.rule->reported_by == Tool::converters && finding.rule->id != "SML8212";
-}
-
 bool has_losses(const DiagnosticSink& sink) {
   const auto& findings = sink.diagnostics();
   return std::any_of(findings.begin(), findings.end(), is_loss);
@@ -290,97 +279,28 @@ bool has_losses(const DiagnosticSink& sink) {
 
 /// The form to write; if the format does not support it, reports this and returns none.
 std::optional<SceneForm> choose_form(const SceneFormat& format, const std::string& asked) {
-  const bool can_expand = format.has_expanded_form;
-  if (asked.empty()) return can_expand ? SceneForm::expand : SceneForm::reference;
+  if (asked.empty()) return usual_form(format);
   const SceneForm form = asked == "expand" ? SceneForm::expand : SceneForm::reference;
-  if (form == SceneForm::expand ? can_expand : format.has_reference_form) return form;
+  if (has_form(format, form)) return form;
   complain(kTool, "the format " + std::string(format.name) + " has no form '" + asked + "'");
   return std::nullopt;
 }
 
-struct Result {
-  std::string text;
-  AssetCopies copies;
-  bool is_complete = true;  ///< nothing was lost
-  bool has_falling_robots = false;
-};
-
-/// True when a robot is free to move and nothing in the scene could be a floor.
-bool has_falling_robots(const FlatScene& flat) {
-  const auto is_fixed_thing = [](const FlatInstance& instance) {
-    return !instance.model && !instance.shapes.empty();
-  };
-  const auto is_free = [](const FlatInstance& instance) {
-    return instance.model && instance.anchor.kind == Attachment::Kind::none;
-  };
-  return std::any_of(flat.instances.begin(), flat.instances.end(), is_free) &&
-         std::none_of(flat.instances.begin(), flat.instances.end(), is_fixed_thing);
-}
-
-BaseChoice base_choice(const Options& options) {
-  if (options.base.empty()) return BaseChoice::world_roots_fixed;
-  return options.base == "fixed" ? BaseChoice::fixed : BaseChoice::floating;
-}
-
-Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options& options,
-                     const SceneFormat& format, SceneForm form, const std::string& current) {
-  LinkedScene& scene = loaded.scene;
-  Bases bases(scene);
-  if (!options.base.empty() || format.fixes_world_roots) bases.anchor(base_choice(options));
-  // The rules run later, and judge the scene in the first dialect, as documented.
-  const Dialect* dialect = find_dialect(options.dialect);
-  const bool is_documented = dialect == dialects().front();
-  std::vector<Instance> documented;
-  std::vector<JointPositions> documented_poses;
-  if (!is_documented) {
-    documented = scene.instances;
-    documented_poses = scene.joint_poses;
-    apply_dialect(*dialect, scene, loaded.found);
+WrittenScene flatten_scene(const Conversion& conversion, LoadedScene& loaded,
+                           const Options& options, const SceneFormat& format, SceneForm form,
+                           const std::string& current) {
+  SceneWishes wishes{.format = format,
+                     .form = form,
+                     .dialect = *find_dialect(options.dialect),
+                     .ground = options.ground,
+                     .links = options.links,
+                     .assets = options.assets,
+                     .output_folder = output_folder(options),
+                     .current_folder = current};
+  if (!options.base.empty()) {
+    wishes.base = options.base == "fixed" ? BaseChoice::fixed : BaseChoice::floating;
   }
-  FlattenOptions flattening = flatten_options(options, current);
-  flattening.old_scenes = &loaded.old_scenes;
-  flattening.repeats_models = format.repeats_models && form == SceneForm::expand;
-  if (form == SceneForm::expand) flattening.repeated_parts = format.repeated_parts;
-  if (!check_scene_size(scene, *loaded.sources, flattening, options.common.limits, loaded.found)) {
-    return {};
-  }
-  FlatScene flat = flatten(scene, *loaded.sources, flattening);
-  if (!check_flat_numbers(flat, scene, loaded.found)) return {};
-  Result result;
-  if (!options.assets.empty()) {
-    result.copies = redirect_assets(flat, options.assets, flattening, conversion.files(),
-                                    options.common.limits);
-  }
-  const SceneExport written{
-      .flat = flat,
-      .scene = scene,
-      .sources = *loaded.sources,
-      .losses = loaded.found,
-      .links = options.links,
-      .form = form,
-      .ground = options.ground,
-      .names_copies = !options.assets.empty(),
-      .meshes = mesh_source(flattening, result.copies, conversion.files(), options.common.limits),
-      .most_bytes = options.common.limits.scene_bytes};
-  if (options.ground) bases.stand_on_floor(flat, written);
-  result.text = format.write(written);
-  result.copies = named_copies(result.copies, result.text, flattening);
-  if (result.text.size() > options.common.limits.scene_bytes) {
-    const Span place{scene.scenes.front().source, 0, 0};
-    loaded.found
-        .report(rules::sml5022_too_many_instances, place,
-                "the result has more than " + std::to_string(options.common.limits.scene_bytes) +
-                    " bytes")
-        .help(raise_limit("scene-bytes"));
-    return {};
-  }
-  result.is_complete = !has_losses(loaded.found);
-  result.has_falling_robots = format.has_ground && !options.ground && has_falling_robots(flat);
-  if (!is_documented) {
-    scene.instances = std::move(documented);
-    scene.joint_poses = std::move(documented_poses);
-  }
-  return result;
+  return write_scene(loaded, wishes, conversion.files(), options.common.limits, loaded.found);
 }
 
 bool write_losses(const Options& options, std::span<const Diagnostic> findings,
@@ -412,7 +332,8 @@ bool lacks_entities(const LinkedScene& scene) {
 
 /// Writes the result and its copies, says so, and opens the page.
 ExitCode write_result(const Conversion& conversion, const LoadedScene& loaded,
-                      const Options& options, const SceneFormat& format, const Result& result) {
+                      const Options& options, const SceneFormat& format,
+                      const WrittenScene& result) {
   std::string output = options.common.output;
   const auto write = [&] {
     if (!options.opens || (!output.empty() && output != "-")) {
@@ -464,12 +385,14 @@ int smurfs_flatten_main(int argc, char** argv) {
   auto loaded = conversion.load_scene(options.scene);
   if (!loaded) return conversion.fail();
   const SourceMap& sources = *loaded->sources;
-  Result result;
+  WrittenScene result;
+  bool is_complete = true;
   const bool is_sound = !first_loss(*loaded);
   if (is_sound && options.compare_dialects) {
     result.text = compare_dialects(loaded->scene, sources, wants_json(options));
   } else if (is_sound && options.explained.empty()) {
     result = flatten_scene(conversion, *loaded, options, format, *form, *current);
+    is_complete = !has_losses(loaded->found);
   }
   const std::vector<std::string> copies = places_of(result.copies, conversion.inputs());
   if (!conversion.keeps_inputs({options.common.output, options.loss_report})) return kFailed;
@@ -490,6 +413,6 @@ int smurfs_flatten_main(int argc, char** argv) {
     return conversion.refuse("has no `entities`; see --force");
   }
   if (!write_losses(options, conversion.findings(), sources)) return kFailed;
-  if (!result.is_complete && options.strict) return conversion.refuse("has losses");
+  if (!is_complete && options.strict) return conversion.refuse("has losses");
   return write_result(conversion, *loaded, options, format, result);
 }
