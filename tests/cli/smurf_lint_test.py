@@ -22,6 +22,12 @@ BROKEN_URDF = URDF.replace('child link="forearm"', 'child link="forarm"')
 BROKEN_MOTORS = MOTORS.replace("joint: elbow", "joint: elbwo")
 
 
+def suggested(finding):
+    """The help of a finding in JSON if it suggests a name, and is not only the remedy of the rule."""
+    text = finding.get("help", "")
+    return text if text.startswith("did you mean") else None
+
+
 class LintTest(cli.CliTest):
     def write_model(self, folder="arm", motors=MOTORS, urdf=URDF):
         self.write(f"{folder}/smurf/arm.smurf", SMURF)
@@ -403,7 +409,7 @@ class Fixes(LintTest):
             self.write("r.urdf", text)
             found = [d for d in json.loads(self.run_tool("--format", "json", "r.urdf").stdout)["diagnostics"]
                      if d["id"] == "SML1432"]
-            self.assertEqual([d.get("help", "") for d in found], [f"did you mean `{meant}`?" if meant else ""])
+            self.assertEqual([suggested(d) for d in found], [f"did you mean `{meant}`?" if meant else None])
         self.write("r.urdf", robot("b", "a", "b"))
         motor = "- {{name: {0}, joint: {0}, type: DC, maxEffort: 1, maxSpeed: 1{1}}}\n"
         self.write("r.smurf", "files: [r.urdf]\nmotors:\n" + motor.format("a", ", mimic_motor: drive") + motor.format("b", ""))
@@ -626,7 +632,7 @@ class Suggestions(LintTest):
         self.write("r.urdf", f'<robot name="r">{self.LINKS}{joints}</robot>')
         report = json.loads(self.expect(1, "--select", "SML1201", "--format", "json", "r.urdf").stdout)
         [found] = report["diagnostics"]
-        return found.get("help"), int("fix" in found)
+        return suggested(found), int("fix" in found)
 
     def test_a_child_is_a_link_without_a_joint(self):
         self.assertEqual(self.help_of("Z_propeller"), ("did you mean `top_propeller`, to which no joint leads?", 1))
@@ -644,6 +650,24 @@ class Suggestions(LintTest):
         self.run_tool("--fix-only", "--unsafe-fixes", "r.urdf")
         self.assertEqual(self.read("r.urdf").count('"base_link"'), 5)
         self.assertEqual(self.read("r.urdf").count('"base"'), 0)
+
+    def test_a_renamed_joint_is_shown_once(self):
+        """Eight places name it; all are in reports for programs, and are fixed."""
+        shutil.copytree(cli.FIXTURES / "models/arm", self.folder / "arm")
+        urdf = self.read("arm/urdf/arm.urdf").replace('<joint name="joint2_shoulder"', '<joint name="joint2_sholder"')
+        self.write("arm/urdf/arm.urdf", urdf)
+        said = self.expect(1, "arm").stdout
+        self.assertLess(len(said.splitlines()), 25)
+        self.assertEqual(said.count("error[") + said.count("warning["), 1)
+        self.assertIn("7 more findings in 3 files have this cause: `--all` shows where else `joint2_shoulder` is named", said)
+        line = urdf[:urdf.index('"joint2_sholder"')].count("\n") + 1
+        self.assertIn(f"Or was it renamed by mistake? Then write `joint2_shoulder` at arm/urdf/arm.urdf:{line} [unsafe fix]", said)
+        self.assertEqual(self.expect(1, "--all", "arm").stdout.count("did you mean `joint2_sholder`?"), 8)
+        self.assertEqual(len(json.loads(self.run_tool("--format", "json", "arm").stdout)["diagnostics"]), 8)
+        # Two findings are shown one by one.
+        self.write("arm/smurf/arm_submechanisms.yml", "submechanisms: []\n")
+        self.write("arm/smurf/arm_sensors.yml", "sensors: []\n")
+        self.assertNotIn("have this cause", self.expect(1, "arm").stdout)
 
     def test_no_motors_are_one_finding(self):
         shutil.copytree(cli.FIXTURES / "models/arm", self.folder / "arm")

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/command.hpp"
+#include "render/advice.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/uri.hpp"
 #include "smurf/readers.hpp"
@@ -52,7 +53,7 @@ bool has_no_effect(const Diagnostic& diagnostic) {
 
 std::string message_of(const Diagnostic& diagnostic) {
   std::string text = diagnostic.message;
-  if (!diagnostic.help_text.empty()) text += "\n" + diagnostic.help_text;
+  if (const std::string help = render::advice_on(diagnostic); !help.empty()) text += "\n" + help;
   for (const std::string& note : diagnostic.notes) text += "\n" + note;
   return text;
 }

@@ -2,6 +2,11 @@
 // The JSON report and the JSON rule list.
 #include "render/report_json.hpp"
 
+#include <string>
+#include <utility>
+
+#include "render/advice.hpp"
+
 namespace smurf {
 namespace {
 
@@ -72,7 +77,7 @@ Json finding_json(const Diagnostic& diagnostic, const SourceMap& sources) {
   json["message"] = diagnostic.message;
   add_place(json, diagnostic.span, sources);
   if (!diagnostic.pointer.empty()) json["pointer"] = diagnostic.pointer;
-  if (!diagnostic.help_text.empty()) json["help"] = diagnostic.help_text;
+  if (std::string help = advice_on(diagnostic); !help.empty()) json["help"] = std::move(help);
   if (!diagnostic.notes.empty()) json["notes"] = diagnostic.notes;
   for (const Label& label : diagnostic.labels) {
     Json place;

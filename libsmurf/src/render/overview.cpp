@@ -4,11 +4,13 @@
 #include <array>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/counted.hpp"
+#include "render/causes.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"
 #include "render/wrap.hpp"
@@ -23,7 +25,7 @@ constexpr std::size_t kMostLines = 140;
 constexpr std::size_t kMostNames = 15;  ///< number of files listed by name only
 constexpr std::size_t kFewest = 3;      ///< fewer findings are shown instead of counted
 constexpr std::size_t kScreen = 8;      ///< findings that fit on about one screen
-constexpr std::size_t kColumns = 80;
+constexpr std::size_t kOverviewColumns = 80;
 
 /// The findings of one severity in one file.
 struct Section {
@@ -37,9 +39,12 @@ class Overview {
   Overview(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
            const OverviewOptions& options, const TextStyle& style)
       : sources_(sources), options_(options), style_(style), paint_(style.color) {
+    if (!options.shows_all) causes_.emplace(diagnostics, sources);
     std::array<std::vector<Section>, 3> by_severity;
-    for (const Diagnostic& one : diagnostics) {
-      if (one.severity < options.least) continue;
+    for (const Diagnostic& each : diagnostics) {
+      const Diagnostic* shown = causes_ ? causes_->shown(each) : &each;
+      if (shown == nullptr || shown->severity < options.least) continue;
+      const Diagnostic& one = *shown;
       const SourceId file = one.span.source;
       auto& sections = by_severity[static_cast<std::size_t>(one.severity)];
       if (sections.empty() || sections.back().file != file) {
@@ -174,7 +179,8 @@ class Overview {
     }
     if (text.empty()) return text;
     const std::string_view them = count == 1 ? "it" : "them";
-    return render::wrap(text + " in this file; --all shows " + std::string(them), 0, kColumns) +
+    return render::wrap(text + " in this file; --all shows " + std::string(them), 0,
+                        kOverviewColumns) +
            "\n";
   }
 
@@ -209,6 +215,7 @@ class Overview {
   const OverviewOptions& options_;
   const TextStyle& style_;
   render::Painter paint_;
+  std::optional<render::Causes> causes_;
   std::vector<Section> sections_;
   std::map<std::pair<const Rule*, std::string_view>, Repeated> repeated_;
   std::map<std::pair<const Rule*, Circumstances>, Harm> harms_;
