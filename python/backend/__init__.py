@@ -18,8 +18,8 @@ if not sys.dont_write_bytecode:
 
 from .archives import write_sdist, write_wheel  # noqa: E402
 from .elf import tag_of  # noqa: E402
-from .programs import NoPrograms, gather  # noqa: E402
-from .project import ROOT, VIEWER, metadata, stem, version  # noqa: E402
+from .programs import MODULE, NoPrograms, gather  # noqa: E402
+from .project import ROOT, VIEWER, metadata, stem  # noqa: E402
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
@@ -28,15 +28,12 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
             programs, modules = gather(pathlib.Path(work))
         except NoPrograms as problem:
             sys.exit(f"smurf-tools: {problem}")
-    tag = tag_of([*programs.values(), *modules.values()], bool(modules))
+    tag = tag_of([*programs.values(), *modules.values()], list(modules) == [MODULE])
     print(f"smurf-tools: the wheel is for {tag}", file=sys.stderr)
     name = stem()
     suffixes = (".py", ".pyi", ".typed") if modules else (".py",)  # types are those of the module
     sources = [file for file in (ROOT / "python/smurf").iterdir() if file.suffix in suffixes]
     files = {f"smurf/{source.name}": source.read_bytes() for source in sources}
-    if not modules:
-        text = pathlib.Path(__file__).with_name("without_module.py").read_text(encoding="utf-8")
-        files["smurf/__init__.py"] = text.replace("@VERSION@", version()).encode()
     files |= {f"smurf/{module}": content for module, content in modules.items()}
     files |= {f"{name}.data/scripts/{program}": content for program, content in programs.items()}
     files |= _dist_info(tag, bool(modules))

@@ -97,7 +97,7 @@ def _platforms(files):
     return ".".join(names)
 
 
-def tag_of(files, has_module):
-    """The tag of a wheel with these programs, and with the module of this Python or none."""
+def tag_of(files, is_for_this_python):
+    """The tag of a wheel with these programs and modules. With modules for several Pythons, it is for all of them."""
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    return f"{python}-{python}-{_platforms(files)}" if has_module else f"py3-none-{_platforms(files)}"
+    return f"{python}-{python}-{_platforms(files)}" if is_for_this_python else f"py3-none-{_platforms(files)}"

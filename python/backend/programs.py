@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where the programs of a wheel come from. In this order, and it says which:
 
-SMURF_PREBUILT   a folder with the programs, and the Python module if it is to be installed
+SMURF_PREBUILT   a folder with the programs, and with the Python modules that are to be installed, one for each CPython
 the release      the archive that releases.sha256 names for this version and system; SMURF_RELEASES is another place
                  that has it (a URL, file: too), SMURF_FROM_SOURCE=1 leaves it alone
 the sources      compiled here, with CMake
@@ -31,7 +31,7 @@ class NoPrograms(Exception):
 
 
 def gather(work):
-    """Two dictionaries, the programs and the module of this Python (or nothing): contents by name."""
+    """Two dictionaries, the programs and the modules: contents by name."""
     programs, modules = _find(work)
     missing = [name for name in PROGRAMS if name not in map(_plain, programs)]
     if missing == [OPTIONAL]:
@@ -54,7 +54,7 @@ def _find(work):
     archive = f"smurf-tools-{version()}-{system()}.tar.gz"
     known = dict(reversed(line.split()) for line in SUMS.read_text().splitlines() if line and line[0] != "#")
     if archive in known and not os.environ.get("SMURF_FROM_SOURCE"):
-        return from_release(archive, known[archive]), {}
+        return from_release(archive, known[archive])
     offered = ", ".join(sorted(name for name in known if f"-{version()}-" in name))
     reason = f"the release has no programs for {system()} (it has {offered})" if offered else "there is no release of it"
     return from_source(work, f"version {version()}: {reason}")
@@ -72,8 +72,11 @@ def system():
 def from_folder(folder, module_folder):
     names = [name + suffix for name in PROGRAMS for suffix in ("", ".exe")]
     programs = {name: (folder / name).read_bytes() for name in names if (folder / name).is_file()}
-    module = module_folder / MODULE
-    return programs, {MODULE: module.read_bytes()} if module.is_file() else {}
+    return programs, {file.name: file.read_bytes() for file in sorted(module_folder.glob("_smurf.*")) if is_module(file.name)}
+
+
+def is_module(name):
+    return name.startswith("_smurf.") and name.endswith((".so", ".pyd"))
 
 
 LARGEST = 200_000_000  # bytes of an archive of a release; they have a quarter of it
@@ -97,8 +100,12 @@ def from_release(archive, sum_):
                          "Nothing was installed")
     with tarfile.open(fileobj=io.BytesIO(content)) as files:
         members = {pathlib.PurePosixPath(member.name): member for member in files if member.isfile()}
-        return {path.name: files.extractfile(member).read() for path, member in members.items()
-                if path.parent.name == "bin" and _plain(path.name) in PROGRAMS}
+        taken = {(path.parent.name, path.name): member for path, member in members.items()
+                 if (path.parent.name == "bin" and _plain(path.name) in PROGRAMS)
+                 or (path.parent.name == "python" and is_module(path.name))}
+        contents = {place: files.extractfile(member).read() for place, member in taken.items()}
+    return tuple({name: content for (folder, name), content in contents.items() if folder == wanted}
+                 for wanted in ("bin", "python"))
 
 
 def from_source(work, reason):

@@ -7,8 +7,6 @@ import subprocess
 from collections.abc import Iterable
 from typing import Any, Dict, List, Union
 
-from . import _smurf
-from .__main__ import find_program
 from ._errors import Error
 
 Path = Union[str, "os.PathLike[str]"]
@@ -27,6 +25,8 @@ def convert(source: Path, output: Path, arguments: Dict[str, Any] | None = None,
     `package={"arm": "/robots/arm"}` is --package arm=/robots/arm. `arguments` are those of a xacro file.
     Raises smurf.Error with the words of the program when nothing was written.
     """
+    from .__main__ import find_program  # not before, because `python3 -m smurf` runs it
+
     source, output = os.fspath(source), os.fspath(output)
     name = _program_for(source, output, options)
     program = find_program(name)
@@ -80,7 +80,9 @@ def fix(path: Path | Iterable[Path], unsafe: bool = False, infos: bool = False, 
 
     `settings` are the keyword arguments of smurf.check().
     """
-    session = _smurf.Session()
+    from ._smurf import Session  # conversions need only the programs
+
+    session = Session()
     fixed: Dict[str, bytes] = {}
     paths: Any = path if isinstance(path, (str, bytes, os.PathLike)) else list(path)
     for _ in range(ROUNDS):

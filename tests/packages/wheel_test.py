@@ -103,6 +103,11 @@ class Sources(Case):
         with zipfile.ZipFile(self.folder / "out" / done.stdout.strip()) as wheel:
             self.assertIn(f"smurf/{name}", wheel.namelist())
             self.assertIn(b"from ._smurf import", wheel.read("smurf/__init__.py"))
+        shutil.copy("/bin/true", folder / "_smurf.cpython-399-x86_64-linux-gnu.so")  # modules of several: for every Python
+        done = self.build(SMURF_PREBUILT=str(folder))
+        self.assertIn("-py3-none-", done.stdout)
+        with zipfile.ZipFile(self.folder / "out" / done.stdout.strip()) as wheel:
+            self.assertEqual(len([file for file in wheel.namelist() if file.startswith("smurf/_smurf.") and file.endswith(".so")]), 2)
 
     def test_a_release(self):
         archive = add_release(self.project, self.folder / "release", self.small)
@@ -246,7 +251,11 @@ class Pip(Case):
         done = self.call(*run, "try-all", "smurf2urdf", "--", ARM.parent, PATH="/nowhere")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         done = self.call(environment / "bin/python", "-c", "import smurf; smurf.check('a')")
-        self.assertIn("AttributeError: smurf.check needs the Python module", done.stderr)
+        self.assertIn("AttributeError: smurf.check needs the compiled module for Python 3.", done.stderr)
+        self.assertIn("and this package has the programs only", done.stderr)
+        done = self.call(environment / "bin/python", "-c", "import smurf; print(smurf.convert('" + str(ARM) + "', 'arm.xml', format='mjcf'))")
+        self.assertIn("smurfs-flatten: wrote arm.xml", done.stdout, done.stderr)
+        (self.project / "arm.xml").unlink()
         done = self.call(environment / "bin/python", "-c", "import smurf; print(smurf.__version__, hasattr(smurf, 'check'))")
         self.assertRegex(done.stdout, r"^\d+\.\d+\.\d+ False\n$")
         self.assertEqual(self.call(environment / "bin/pip", "uninstall", "-y", "smurf-tools").returncode, 0)
