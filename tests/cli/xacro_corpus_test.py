@@ -71,8 +71,13 @@ def first_difference(expected, lines):
     return "" if len(expected) == len(lines) else f"{len(expected)} lines, but {len(lines)}"
 
 
+def entries_of(shared):
+    """Repository, file, arguments and more of each robot."""
+    return [line.split("\t") for line in (shared / "entries.tsv").read_text("utf8").splitlines() if line[0] != "#"]
+
+
 def check_entries(tool, shared):
-    rows = [line.split("\t") for line in (shared / "entries.tsv").read_text("utf8").splitlines() if line[0] != "#"]
+    rows = entries_of(shared)
     failures = []
     for number, row in enumerate(rows, 1):
         corpus = shared / "corpus"

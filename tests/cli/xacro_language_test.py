@@ -43,16 +43,26 @@ def answer(text):
         path.split("/")[-1] + ("=" + value if value or "@" in path else "") for path, value in lines))
 
 
-def check(row, command, folder, number):
-    document, expected, *files = row
-    folder = pathlib.Path(folder) / str(number)
-    path = folder / "robot.xacro"
+def rows_of(table):
+    return [line.split("\t") for line in table.read_text("utf8").split("\n") if line and not line.startswith("#")]
+
+
+def write_row(row, folder):
+    """Writes the document as robot.xacro, and its other files."""
+    document, _, *files = row
     for name, content in zip(files[::2], files[1::2]):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(without_escapes(content), encoding="utf8", newline="")
     folder.mkdir(exist_ok=True)
+    path = folder / "robot.xacro"
     path.write_text('<robot xmlns:xacro="x">' + without_escapes(document) + "</robot>", encoding="utf8")
-    done = subprocess.run([*command, path.name], cwd=folder, capture_output=True, timeout=SLOWEST, check=False)
+
+
+def check(row, command, folder, number):
+    document, expected, *_ = row
+    folder = pathlib.Path(folder) / str(number)
+    write_row(row, folder)
+    done = subprocess.run([*command, "robot.xacro"], cwd=folder, capture_output=True, timeout=SLOWEST, check=False)
     if done.returncode not in (0, 1):
         return f"{document}: exit code {done.returncode}: {done.stderr[-300:]}"
     said = answer(done.stdout) if done.returncode == 0 else "ERROR"
@@ -66,8 +76,7 @@ def check(row, command, folder, number):
 def main():
     tool, table = sys.argv[1], pathlib.Path(sys.argv[2])
     command = [sys.argv[3], "-c", ASK] if len(sys.argv) > 3 else [tool]
-    lines = table.read_text("utf8").split("\n")
-    rows = [line.split("\t") for line in lines if line and not line.startswith("#")]
+    rows = rows_of(table)
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
         found = pool.map(lambda item: check(item[1], command, folder, item[0]), enumerate(rows))
         failures = [failure for failure in found if failure]

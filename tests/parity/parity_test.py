@@ -9,12 +9,12 @@ SMURF_PARITY_SHARD=K/N compares the K-th of N parts only.
 """
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
 
-from builds import BUILDS, Native, sum_of
+from builds import BUILDS, Native
+from comparison import are_equal
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
 import formats  # noqa: E402
@@ -22,7 +22,6 @@ import formats  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 FIXTURES = ROOT / "fixtures"
 PRESETS = ("ros2", "gazebo", "mujoco", "drake")
-MOST_SHOWN = 20
 
 
 def lint_jobs(roots):
@@ -73,29 +72,6 @@ def comparison_jobs(roots):
         yield from (("smurf-diff", ["--format=json", old, new], root) for old, new in zip(paths, paths[1:]))
 
 
-def written(folder, build):
-    """The contents of a folder, which is then emptied."""
-    found = {}
-    for path in sorted(folder.rglob("*")):
-        if path.is_file():
-            found[str(path.relative_to(folder))] = sum_of(build.shared(path.read_bytes()))
-    for path in folder.iterdir():
-        shutil.rmtree(path) if path.is_dir() else path.unlink()
-    return found
-
-
-def show(native, other, job):
-    """The differences, for debugging."""
-    outputs = []
-    for build in (native, other):
-        done = build.run_alone(job)
-        outputs.append([f"exit code {done.returncode}", *(done.stdout + done.stderr).decode(errors="replace").splitlines()])
-    for lines in zip(*outputs):
-        if lines[0] != lines[1]:
-            print(f"    native {lines[0][:300]}\n    other  {lines[1][:300]}")
-            return
-
-
 def main():
     tools, kind, folder = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2], pathlib.Path(sys.argv[3]).resolve()
     BUILDS[kind].skip_without(tools, folder)
@@ -106,27 +82,13 @@ def main():
         print("there is no corpus; only the fixtures are compared")
     part, parts = map(int, os.environ.get("SMURF_PARITY_SHARD", "1/1").split("/"))
     native, other = Native(tools), BUILDS[kind](folder)
-    different = 0
     help_page = subprocess.run([tools / "smurfs-flatten", "--format", "help"], capture_output=True, text=True, check=True)
     scene_formats = formats.listed(help_page.stdout)
     with tempfile.TemporaryDirectory(prefix="smurf-parity-") as scratch:
         scratch = pathlib.Path(scratch)
         jobs = [*lint_jobs(roots), *conversion_jobs(roots, scratch, scene_formats), *comparison_jobs(roots)]
         jobs = [job for job in jobs if job[0] in other.tools][part - 1 :: parts]
-        for job in jobs:
-            expected = [native.run(job), written(scratch, native)]
-            found = [other.run(job), written(scratch, other)]
-            if expected == found:
-                continue
-            different += 1
-            if different <= MOST_SHOWN:
-                print("differs:", job[0], *job[1], "in", job[2])
-                if expected[0] == found[0]:
-                    print("    in what was written:", expected[1], found[1])
-                show(native, other, job)
-                written(scratch, other)
-    print(f"{len(jobs) - different} of {len(jobs)} runs are equal")
-    sys.exit(different > 0)
+        sys.exit(not are_equal(native, other, jobs, scratch))
 
 
 main()
