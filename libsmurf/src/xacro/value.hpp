@@ -275,7 +275,7 @@ void insert(Dict& dict, const Value& key, const Value& value);
 /// Why a value has no text.
 struct NoText {
   std::string reason;
-  std::size_t most = ~std::size_t{0};  ///< bytes; longer texts have a reason and are incomplete
+  std::uint64_t most = ~std::uint64_t{0};  ///< bytes; longer texts have a reason and are incomplete
 };
 /// As str() and repr(); on failure, `problem` says why.
 std::string text_of(const Value& value, NoText& problem);
