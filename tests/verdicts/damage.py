@@ -19,6 +19,7 @@ from robot import Element
 
 # Everything here is damaged in every way; similar parts elsewhere get a selection of the damages.
 THOROUGH = {"link.arm", "joint.shoulder", "material.red"}
+DRAKE_ROBOT = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures/rules/SML1450-drake-element/good/robot.urdf"
 LIKE_OTHERS = {"link.slide", "link.wheel", "link.finger", "joint.knuckle", "material.grey"}
 SHAPES = {
     "box": [Element("box", [("size", "0.2 0.3 0.6")])],
@@ -248,6 +249,32 @@ def damage_typed_part(cases, robot, twin, joint, part):
                 found.set(attribute, kinds[kind][0])
             cases.add(f"{twin}/{label}@{attribute}:{kind}", changed, twin,
                       kind != "dropped" and kinds[kind][1])
+
+
+def drake_cases():
+    """A robot with the elements that only Drake reads, and its damages."""
+    cases = Cases()
+    base = robots.parse(DRAKE_ROBOT.read_text("utf-8"))
+    cases.add("robot", base, "robot", True)
+    for label, element, _ in list(labelled(base, "robot")):
+        if "drake:distance_constraint" in label:
+            continue  # Drake 1.51 does not read it
+        if "drake:" not in label and not label.startswith(("robot.frame", "frame.", "transmission.")):
+            continue
+        damage_element(cases, base, "robot", label, False)
+        for attribute, _ in element.attributes:
+            damage_attribute(cases, base, "robot", label, attribute, False)
+    for part in ("link.upper_arm", "joint.shoulder", "joint.hook"):
+        changed = base.copy()
+        find(changed, part)[0].set("drake_ignore", "true")
+        cases.add(f"{part}@drake_ignore:added", changed)
+    for kind, element in (("loop", Element("loop_joint", [("name", "loop"), ("type", "revolute")], [
+            Element("link1", [("link", "cord")]), Element("link2", [("link", "bulb")])])),
+                          ("foreign", Element("drake:foreign"))):
+        changed = base.copy()
+        changed.children.append(element)
+        cases.add(f"robot:{kind}", changed)
+    return cases.by_name
 
 
 def all_cases():

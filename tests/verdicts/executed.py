@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What readers did with the damaged robots: running them, and the table of it, executed.tsv.
+"""What readers did with the damaged robots: running them, and the tables of it.
 
 A cell says `refuses`, `crashes` (or hangs), `same` (the robot of the case without the damage), or
 what is another: `masses,limits`; `taken` where the reader does not take the other case.
@@ -17,6 +17,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 NODE_MODULES = HERE.parent.parent / "build/readers/node_modules"
 PYTHON = HERE.parent.parent / "build/readers/python/bin/python"
 TABLE = HERE / "executed.tsv"
+DRAKE_TABLE = HERE / "drake_executed.tsv"  # of robots with elements that only Drake reads
 FILES_A_RUN = 400
 SECONDS_A_RUN = 900
 TOLERANCE = 1e-9  # relative, because a reader gives the same results for the same numbers
@@ -165,19 +166,19 @@ def judge(cases, paths, said):
     return cells
 
 
-def read_table():
+def read_table(table=TABLE):
     """{reader: version}, {name: {reader: cell}}"""
-    lines = TABLE.read_text(encoding="utf-8").splitlines()
+    lines = table.read_text(encoding="utf-8").splitlines()
     versions = dict(re.findall(r"([\w-]+) ([\w.+-]+)(?:,|$)", lines[1].lstrip("# ")))
     heading = lines[2].split("\t")[1:]
     rows = (line.split("\t") for line in lines[3:])
     return versions, {row[0]: dict(zip(heading, row[1:])) for row in rows}
 
 
-def write_table(date, versions, rows):
+def write_table(table, date, versions, rows):
     names = list(versions)
     lines = [f"# What readers did with the robots of damage.py on {date}; written by record.py, not to be edited.",
              "# " + ", ".join(f"{name} {version}" for name, version in versions.items()),
              "\t".join(["case", *names])]
     lines += ["\t".join([name, *(cells[reader] for reader in names)]) for name, cells in rows.items()]
-    TABLE.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    table.write_text("\n".join(lines) + "\n", encoding="utf-8")

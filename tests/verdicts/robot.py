@@ -183,9 +183,16 @@ def escape(text):
 
 
 def parse(text):
+    def written(name):
+        return name.replace("{http://drake.mit.edu}", "drake:")
+
     def convert(node):
-        return Element(node.tag, node.attrib.items(), map(convert, node), (node.text or "").strip())
-    return convert(xml.etree.ElementTree.fromstring(text))
+        attributes = [(written(name), value) for name, value in node.attrib.items()]
+        return Element(written(node.tag), attributes, map(convert, node), (node.text or "").strip())
+    robot = convert(xml.etree.ElementTree.fromstring(text))
+    if "xmlns:drake" in text:
+        robot.set("xmlns:drake", "http://drake.mit.edu")
+    return robot
 
 
 def document(robot):

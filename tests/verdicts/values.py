@@ -121,4 +121,6 @@ def kinds_of(element, attribute, value, names):
     if attribute in NAMES:
         tag = "joint" if attribute == "joint" or element.tag == "joint" else "link"
         return name_kinds(value, names.get(tag if element.tag not in ("material", "robot") else "", []))
-    return number_kinds(value)
+    if " " in value:
+        return vector_kinds(value)
+    return number_kinds(value) if value[-1].isdigit() else word_kinds(value)

@@ -68,12 +68,21 @@ bool read_plain(std::string_view text, std::span<double> out) {
   return at == text.size();
 }
 
+std::size_t count_between_spaces(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != ' ' && (i == 0 || text[i - 1] == ' ')) ++count;
+  }
+  return count;
+}
+
 class NumberReader {
  public:
   NumberReader(const xml::Attribute& attribute, DiagnosticSink& sink)
       : attribute_(attribute), text_(attribute.value()), sink_(sink) {}
 
   bool read(std::span<double> out) {
+    wanted_ = out.size();
     if (has_residue() || is_comma_separated()) return false;
     const std::vector<Token> tokens = split(text_);
     is_vector_ = out.size() > 1;
@@ -91,6 +100,17 @@ class NumberReader {
   }
 
  private:
+  /// A finding on the number, with what readers of another grammar can make of the whole text.
+  Diagnostic& report(const Rule& rule, Span at, std::string message) {
+    Diagnostic& diagnostic = sink_.report(rule, at, std::move(message));
+    // Drake looks for a space before it reads a scale of three numbers.
+    const bool is_one = attribute_.name() == "scale" && text_.find(' ') == text_.npos;
+    if (read_leading_numbers(text_).size() == (is_one ? 1 : wanted_))
+      diagnostic.when(cases::kEnoughRead);
+    if (count_between_spaces(text_) >= wanted_) diagnostic.when(cases::kEnoughWords);
+    return diagnostic;
+  }
+
   /// Spans into the value are exact as long as no entity was decoded.
   Span place(Token token) const {
     const Span whole = attribute_.value_span();
@@ -124,8 +144,8 @@ class NumberReader {
         fixed += ' ';
     }
     Diagnostic& diagnostic =
-        sink_.report(rules::sml1806_comma_separator, place(whole()),
-                     "commas separate the numbers of `" + std::string(attribute_.name()) + "`");
+        report(rules::sml1806_comma_separator, place(whole()),
+               "commas separate the numbers of `" + std::string(attribute_.name()) + "`");
     diagnostic.help("separate them by single spaces");
     // Not safe: Bullet reads the text as a zero vector.
     diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span(), fixed}}});
@@ -146,36 +166,34 @@ class NumberReader {
                                       : std::string_view(lower);
     const std::string shown = quoted(text);
     if (bare == "nan" || (bare.starts_with("nan(") && bare.ends_with(')'))) {
-      Diagnostic& diagnostic = sink_.report(rules::sml1803_number_nan, place(token),
-                                            shown + " is not a number that a reader can use");
+      Diagnostic& diagnostic = report(rules::sml1803_number_nan, place(token),
+                                      shown + " is not a number that a reader can use");
       add_cases(bare, diagnostic);
     } else if (bare == "inf" || bare == "infinity") {
-      Diagnostic& diagnostic = sink_.report(rules::sml1804_number_infinite, place(token),
-                                            shown + " is infinite, which urdfdom refuses");
+      Diagnostic& diagnostic = report(rules::sml1804_number_infinite, place(token),
+                                      shown + " is infinite, which urdfdom refuses");
       if (lower.starts_with('-')) diagnostic.when(cases::kZeroOrLess);
       add_cases(bare, diagnostic);
     } else if (is_decimal_comma(text)) {
       report_comma(token, text);
     } else if (bare.starts_with("0x") || has_suffix(bare)) {
-      Diagnostic& diagnostic = sink_.report(rules::sml1809_hex_or_suffix, place(token),
-                                            shown + " is not a plain decimal number");
+      Diagnostic& diagnostic = report(rules::sml1809_hex_or_suffix, place(token),
+                                      shown + " is not a plain decimal number");
       add_kind_of_hex(text, diagnostic);
       if (is_vector_) diagnostic.when(cases::kVector);
       if (miscount_ != nullptr) diagnostic.when(*miscount_);
     } else if (std::any_of(text.begin(), text.end(),
                            [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) {
-      sink_
-          .report(rules::sml1811_unicode_digit_or_space, place(token),
-                  shown + " contains the character " + code_point(text) +
-                      ", which only looks like part of a number")
+      report(rules::sml1811_unicode_digit_or_space, place(token),
+             shown + " contains the character " + code_point(text) +
+                 ", which only looks like part of a number")
           .help("type the number again");
     } else if (is_out_of_range(bare)) {
-      sink_
-          .report(rules::sml1810_overflow_underflow, place(token),
-                  shown + " is outside the range of a double")
+      report(rules::sml1810_overflow_underflow, place(token),
+             shown + " is outside the range of a double")
           .when(is_underflow(text) ? cases::kUnderflow : cases::kOverflow);
     } else {
-      sink_.report(rules::sml1801_not_a_number, place(token), shown + " is not a number");
+      report(rules::sml1801_not_a_number, place(token), shown + " is not a number");
     }
     return std::nullopt;
   }
@@ -187,9 +205,8 @@ class NumberReader {
   }
 
   void report_subnormal(Token token, std::string_view text) {
-    sink_
-        .report(rules::sml1810_overflow_underflow, place(token),
-                quoted(text) + " is so small that a double keeps only some of its digits")
+    report(rules::sml1810_overflow_underflow, place(token),
+           quoted(text) + " is so small that a double keeps only some of its digits")
         .when(cases::kSubnormal);
   }
 
@@ -223,8 +240,8 @@ class NumberReader {
   void report_comma(Token token, std::string_view text) {
     std::string point(text);
     std::replace(point.begin(), point.end(), ',', '.');
-    Diagnostic& diagnostic = sink_.report(rules::sml1805_decimal_comma, place(token),
-                                          quoted(text) + " has a decimal comma");
+    Diagnostic& diagnostic =
+        report(rules::sml1805_decimal_comma, place(token), quoted(text) + " has a decimal comma");
     diagnostic.help("write `" + point + "`");
     if (is_vector_) diagnostic.when(cases::kVector);
     // Not safe: Bullet, and Drake in single numbers, read the digits before the comma.
@@ -248,9 +265,8 @@ class NumberReader {
 
   bool check_count(const std::vector<Token>& tokens, std::size_t count) {
     if (tokens.empty()) {
-      sink_
-          .report(rules::sml1801_not_a_number, attribute_.span(),
-                  quoted(attribute_.name()) + " is empty")
+      report(rules::sml1801_not_a_number, attribute_.span(),
+             quoted(attribute_.name()) + " is empty")
           .when(cases::kEmpty);
       return false;
     }
@@ -258,9 +274,10 @@ class NumberReader {
     const std::string_view name = attribute_.name();
     const bool is_scale = name == "scale";
     const bool is_color = name == "rgba";
-    Diagnostic& diagnostic = sink_.report(rules::sml1807_vector_count, place(whole()),
-                                          quoted(name) + " must have " + counted(count, "number") +
-                                              ", not " + std::to_string(tokens.size()));
+    Diagnostic& diagnostic = report(rules::sml1807_vector_count, place(whole()),
+                                    quoted(name) + " must have " + counted(count, "number") +
+                                        ", not " + std::to_string(tokens.size()));
+    diagnostic.when(*miscount_);
     if (is_scale && tokens.size() == 1) {
       // Bullet, Drake and yourdfpy take one number for all three axes.
       const std::string factor(text_.substr(tokens[0].begin, tokens[0].end - tokens[0].begin));
@@ -295,14 +312,14 @@ class NumberReader {
     }
     if (count == 1) {
       if (tokens.back().end == text_.size()) return;  // readers skip blanks in front
-      Diagnostic& diagnostic = sink_.report(rules::sml1802_number_whitespace, place(whole()),
-                                            "white space follows the number `" + fixed + "`");
+      Diagnostic& diagnostic = report(rules::sml1802_number_whitespace, place(whole()),
+                                      "white space follows the number `" + fixed + "`");
       diagnostic.help("delete the white space");
       diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span(), fixed}}});
     } else if (std::any_of(text_.begin(), text_.end(), is_line_or_tab)) {
-      Diagnostic& diagnostic = sink_.report(rules::sml1802_number_whitespace, place(whole()),
-                                            "a tab or line break between the numbers of `" +
-                                                std::string(attribute_.name()) + "`");
+      Diagnostic& diagnostic = report(rules::sml1802_number_whitespace, place(whole()),
+                                      "a tab or line break between the numbers of `" +
+                                          std::string(attribute_.name()) + "`");
       diagnostic.help("separate them by single spaces");
       diagnostic.when(cases::kVector);
       if (are_blanks_leading(tokens)) diagnostic.when(cases::kLeading);
@@ -313,6 +330,7 @@ class NumberReader {
   const xml::Attribute& attribute_;
   std::string_view text_;
   DiagnosticSink& sink_;
+  std::size_t wanted_ = 0;                  ///< how many numbers are expected
   bool is_vector_ = false;                  ///< more than one number is expected
   const Circumstance* miscount_ = nullptr;  ///< too many or too few words
 };

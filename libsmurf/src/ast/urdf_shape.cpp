@@ -296,6 +296,9 @@ class ShapeChecker {
     diagnostic.note("URDF readers silently ignore it, with all its contents");
     if (name == "link") diagnostic.when(cases::kLinkTag);
     if (name == "joint") diagnostic.when(cases::kJointTag);
+    if (name == "material" && parent.name() == "robot") {
+      diagnostic.when(cases::kSharedMaterialTag);
+    }
     // Our own reader accepts the wrong case, so that other rules still find the element.
     const auto missing =
         std::find_if(std::begin(kMissing), std::end(kMissing), [&](const Missing& one) {

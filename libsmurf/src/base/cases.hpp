@@ -48,6 +48,7 @@ inline constexpr Circumstance kCased{"Robot"};
 // SML1113: what has no name. SML1114: which element.
 inline constexpr Circumstance kLinkTag{"link"};
 inline constexpr Circumstance kJointTag{"joint"};
+inline constexpr Circumstance kSharedMaterialTag{"material of the robot"};
 inline constexpr Circumstance kColourless{"without colour"};
 
 // SML8207: a picture is not expected to have it.
@@ -67,6 +68,8 @@ inline constexpr Circumstance kUnderflow{"underflow"};
 inline constexpr Circumstance kOverflow{"overflow"};
 inline constexpr Circumstance kSubnormal{"subnormal"};
 inline constexpr Circumstance kTooLarge{"too large"};
+inline constexpr Circumstance kEnoughRead{"enough numbers readable"};  ///< as `std::cin >>` reads
+inline constexpr Circumstance kEnoughWords{"enough words"};            ///< between spaces
 
 // SML2001, SML2002, SML2009: the file is the URDF.
 inline constexpr Circumstance kTheUrdf{"the URDF"};

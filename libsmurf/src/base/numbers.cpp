@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -63,7 +64,34 @@ std::optional<double> parse_short(std::string_view text) {
   return is_negative ? -value : value;
 }
 
+/// Reads a number like `>>` of a C++ stream, which stops at the first character that cannot be part
+/// of one, does not read "nan" and "inf", and reads 0 for what is too small.
+bool read_number(std::string_view& text, double& value) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\v\f"), text.size()));
+  std::string_view digits = text;
+  const bool has_plus = digits.starts_with('+');
+  if (has_plus) digits.remove_prefix(1);
+  const std::size_t first = !has_plus && digits.starts_with('-') ? 1 : 0;
+  const char c = first < digits.size() ? digits[first] : '\0';
+  if (c != '.' && (c < '0' || c > '9')) return false;
+  const auto [end, error] = read_floating(digits, value);
+  const std::string_view read = digits.substr(0, static_cast<std::size_t>(end - digits.data()));
+  const std::size_t exponent = std::min(read.find_first_of("eE"), read.size());
+  const bool is_too_small = error == std::errc::result_out_of_range &&
+                            read.substr(exponent).find('-') != std::string_view::npos;
+  if (is_too_small) value = 0;
+  if (error != std::errc() && !is_too_small) return false;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return !text.starts_with('e') && !text.starts_with('E');
+}
+
 }  // namespace
+
+std::vector<double> read_leading_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  for (double value = 0; read_number(text, value);) numbers.push_back(value);
+  return numbers;
+}
 
 std::optional<double> parse_number(std::string_view text) {
   if (const std::optional<double> value = parse_short(text)) return value;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace smurf {
 
@@ -13,6 +14,10 @@ namespace smurf {
 /// hex, inf, nan and numbers out of range are not accepted.
 std::optional<double> parse_number(std::string_view text);
 std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// The numbers at the beginning of a text that `stream >> number` of C++ reads, before any other
+/// word, even "nan" and "inf".
+std::vector<double> read_leading_numbers(std::string_view text);
 
 /// The shortest text that reads back as the same double. "-0" becomes "0"; 1e-5 <= |v| < 1e15 is
 /// written without exponent. Precondition: finite.

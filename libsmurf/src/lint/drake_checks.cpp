@@ -25,13 +25,13 @@ Span place_of(xml::View element, std::string_view attribute) {
 
 /// The number in an attribute; none if it is absent or not a number (reported elsewhere).
 std::optional<double> number_in(xml::View element, std::string_view attribute) {
-  const std::vector<double> numbers = read_numbers(value_of(element, attribute));
+  const std::vector<double> numbers = read_leading_numbers(value_of(element, attribute));
   if (numbers.size() != 1) return std::nullopt;
   return numbers.front();
 }
 
 std::optional<Vector3> vector_in(xml::View element, std::string_view attribute) {
-  const std::vector<double> numbers = read_numbers(value_of(element, attribute));
+  const std::vector<double> numbers = read_leading_numbers(value_of(element, attribute));
   if (numbers.size() != 3) return std::nullopt;
   return Vector3{numbers[0], numbers[1], numbers[2]};
 }
@@ -70,7 +70,7 @@ void check_damping(xml::View joint, std::string_view type, Findings& findings) {
   const xml::Attribute* damping = dynamics ? dynamics.attribute("damping") : nullptr;
   if (damping == nullptr || is_xacro(damping->value())) return;
   const std::size_t count = type == "planar" ? 3 : 1;
-  const std::vector<double> numbers = read_numbers(damping->value());
+  const std::vector<double> numbers = read_leading_numbers(damping->value());
   if (numbers.size() != count) {
     findings.report(damping->value_span(), "the damping of a joint of the type " + quoted(type) +
                                                " must be " +
@@ -119,6 +119,9 @@ void check_curves(xml::View curves, Findings& findings) {
   std::size_t count = 0;
   for (const xml::View curve : curves) {
     ++count;
+    if (number_in(curve, "angle") == 0.0) {
+      findings.report(place_of(curve, "angle"), "the angle of an arc must not be 0");
+    }
     if (curve.name() == "drake:line_segment" || curve.name() == "drake:circular_arc") continue;
     findings.report(curve.name_span(), quoted(curve.name()) + " is not a curve for Drake")
         .help("write `drake:line_segment` or `drake:circular_arc`");
@@ -139,6 +142,13 @@ void check_joint(xml::View joint, const Names& names, Findings& findings) {
   const std::string_view link = value_of(joint.child("child"), "link");
   if (!link.empty() && link == value_of(joint.child("parent"), "link")) {
     findings.report(place_of(joint.child("child"), "link"), "this joint connects a link to itself");
+  }
+  if (link == "world") {
+    findings.report(place_of(joint.child("child"), "link"),
+                    "Drake has no reversed joint that leads to the world");
+  } else if (names.closes_loop(joint) && link != value_of(joint.child("parent"), "link")) {
+    findings.report(place_of(joint.child("child"), "link"),
+                    "other joints connect the links of " + quoted(name) + " already");
   }
   if (!is_own_joint_type(type) && type != "planar") return check_type(joint, type, findings);
   check_damping(joint, type, findings);
@@ -214,6 +224,48 @@ void check_ball(xml::View ball, const Names& names, Findings& findings) {
   findings.report(place_of(b, "name"), "both bodies of this constraint are " + quoted(name));
 }
 
+/// What SceneGraph needs to make a hydroelastic shape.
+void check_hydroelastic(xml::View proximity, xml::View kind, Findings& findings) {
+  const xml::View geometry = proximity.parent().child("geometry");
+  bool is_round = false;
+  for (const xml::View shape : geometry) {
+    is_round = is_round || is_one_of(shape.name(), {"sphere", "cylinder", "capsule",
+                                                    "drake:capsule", "drake:ellipsoid"});
+  }
+  const bool is_rigid = kind.name() == "drake:rigid_hydroelastic";
+  for (const std::string_view name : {"drake:mesh_resolution_hint", "drake:hydroelastic_modulus"}) {
+    const bool is_hint = name == "drake:mesh_resolution_hint";
+    if (is_hint ? !is_round : is_rigid) continue;
+    const xml::View needed = proximity.child(name);
+    if (!needed) {
+      findings.report(kind.name_span(),
+                      quoted(kind.name()) + " needs " + quoted(name) + " for this shape");
+    } else if (const auto value = number_in(needed, "value"); value && *value <= 0) {
+      findings.report(place_of(needed, "value"), quoted(name) + " must be positive");
+    }
+  }
+}
+
+void check_frame(xml::View frame, const Names& names, Findings& findings) {
+  if (const xml::View first = names.earlier_frame(frame)) {
+    findings
+        .report(place_of(frame, "name"),
+                "a second frame is named " + quoted(value_of(frame, "name")))
+        .label(place_of(first, "name"), "the first one");
+  }
+}
+
+/// An end of a joint of URDF whose link Drake is told to ignore.
+void check_ends(xml::View joint, const Names& names, Findings& findings) {
+  if (value_of(joint, "type") == "floating") return;
+  for (const std::string_view end : {"parent", "child"}) {
+    const std::string_view link = value_of(joint.child(end), "link");
+    if (names.is_ignored(link)) {
+      Names::report_ignored(link, place_of(joint.child(end), "link"), findings);
+    }
+  }
+}
+
 void check_proximity(xml::View proximity, const Names&, Findings& findings) {
   const xml::View rigid = proximity.child("drake:rigid_hydroelastic");
   const xml::View compliant = proximity.child("drake:compliant_hydroelastic");
@@ -224,6 +276,7 @@ void check_proximity(xml::View proximity, const Names&, Findings& findings) {
             "a collision cannot be `drake:rigid_hydroelastic` and `drake:compliant_hydroelastic`")
         .label(rigid.name_span(), "the other one");
   }
+  if (rigid || compliant) check_hydroelastic(proximity, rigid ? rigid : compliant, findings);
   const xml::View modulus = proximity.child("drake:hydroelastic_modulus");
   if (rigid && modulus) {
     report_unread(modulus, "Drake does not read `drake:hydroelastic_modulus` of a rigid shape",
@@ -242,7 +295,7 @@ void check_proximity(xml::View proximity, const Names&, Findings& findings) {
 std::optional<double> friction(xml::View compliance, std::string_view name, Findings& findings) {
   const xml::View element = compliance.child(name);
   if (!element) return std::nullopt;
-  const std::vector<double> numbers = read_numbers(element.text());
+  const std::vector<double> numbers = read_leading_numbers(element.text());
   if (!numbers.empty() && numbers.front() >= 0) return numbers.front();
   const bool is_empty = element.text_span().empty();
   findings.report(is_empty ? element.name_span() : element.text_span(),
@@ -300,6 +353,8 @@ struct Check {
   void (*run)(xml::View, const Names&, Findings&);
 };
 constexpr Check kChecks[] = {
+    {"joint", check_ends},
+    {"frame", check_frame},
     {"drake:joint", check_joint},
     {"drake:collision_filter_group", check_group},
     {"drake:tendon_constraint", check_tendon},

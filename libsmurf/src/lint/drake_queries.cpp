@@ -1,32 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/drake_queries.hpp"
 
-#include <algorithm>
-
-#include "base/floating.hpp"
 #include "base/quoted.hpp"
 #include "base/words.hpp"
 
 namespace smurf::drake {
-namespace {
-
-/// Reads a number like `>>` of a C++ stream, which stops at the first character that cannot be part
-/// of one, and does not read "nan" and "inf".
-bool read_number(std::string_view& text, double& value) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\v\f"), text.size()));
-  std::string_view digits = text;
-  const bool has_plus = digits.starts_with('+');
-  if (has_plus) digits.remove_prefix(1);
-  const std::size_t first = !has_plus && digits.starts_with('-') ? 1 : 0;
-  const char c = first < digits.size() ? digits[first] : '\0';
-  if (c != '.' && (c < '0' || c > '9')) return false;
-  const auto [end, error] = read_floating(digits, value);
-  if (error != std::errc()) return false;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return !text.starts_with('e') && !text.starts_with('E');
-}
-
-}  // namespace
 
 std::string_view value_of(xml::View element, std::string_view attribute) {
   const xml::Attribute* found = element ? element.attribute(attribute) : nullptr;
@@ -67,26 +45,64 @@ std::set<std::string_view> names_in(const std::vector<xml::View>& elements, std:
   return names;
 }
 
-std::vector<double> read_numbers(std::string_view text) {
-  std::vector<double> numbers;
-  for (double value = 0; read_number(text, value);) numbers.push_back(value);
-  return numbers;
+bool has_empty_part(xml::View element) {
+  if (element.name() != "drake:joint") return false;
+  const auto is_empty = [](xml::View part, std::string_view name) {
+    const xml::Attribute* found = part ? part.attribute(name) : nullptr;
+    return found != nullptr && found->value().empty();
+  };
+  return is_empty(element, "type") || is_empty(element.child("parent"), "link") ||
+         is_empty(element.child("child"), "link");
 }
 
 Names::Names(const LinkedModel& model) : model_(model) {
   for (const xml::View element : model.robot->document.view()) {
     const std::string_view name = value_of(element, "name");
-    if (name.empty() || is_passed_over(element)) continue;
+    if (name.empty()) continue;
+    if (is_passed_over(element)) {
+      if (element.name() == "link") ignored_.insert(name);
+      continue;
+    }
     if (element.name() == "drake:joint") joints_.add(name, element);
     // Drake makes no joint of a floating joint.
     const bool is_joint = element.name() == "joint" && value_of(element, "type") != "floating";
     if (is_joint) joints_.add(name, element);
-    if (element.name() == "frame") frames_.add(name, element);
+    const bool is_frame = element.name() == "frame" && value_of(element, "link") != "world";
+    if (is_frame) frames_.add(name, element);
     if (element.name() == "drake:collision_filter_group") groups_.add(name, element);
   }
   for (const std::string_view link : model.link_names.names()) {
     if (link != "world") frames_.add(link, {});
   }
+  find_loops();
+}
+
+void Names::find_loops() {
+  std::map<std::string_view, std::string_view> above;  // a link that stands for the same tree
+  const auto tree_of = [&](std::string_view link) {
+    for (auto at = above.find(link); at != above.end(); at = above.find(link)) link = at->second;
+    return link;
+  };
+  for (const xml::View joint : model_.robot->document.view()) {
+    if (this->joint(value_of(joint, "name")).id() != joint.id() || has_empty_part(joint)) continue;
+    const std::string_view parent = tree_of(value_of(joint.child("parent"), "link"));
+    const std::string_view child = tree_of(value_of(joint.child("child"), "link"));
+    if (parent == child) {
+      loops_.insert(joint.id());
+    } else {
+      above[child] = parent;
+    }
+  }
+}
+
+xml::View Names::earlier_frame(xml::View frame) const {
+  const xml::View first = frames_.find(value_of(frame, "name"));
+  return first && first.id() != frame.id() ? first : xml::View();
+}
+
+void Names::report_ignored(std::string_view link, Span place, Findings& findings) {
+  findings.report(place, "Drake ignores the link " + quoted(link) + ", and does not find it here")
+      .help("delete `drake_ignore` at the link, or add it here");
 }
 
 void Names::Table::add(std::string_view name, xml::View element) {

@@ -33,8 +33,8 @@ std::string_view value_of(xml::View element, std::string_view attribute);
 /// Whether Drake is told to ignore a link or joint.
 bool is_passed_over(xml::View element);
 
-/// The numbers at the beginning of a text, before any other word, even "nan" and "inf".
-std::vector<double> read_numbers(std::string_view text);
+/// Whether a `drake:joint` has an empty type or an empty name of a link.
+bool has_empty_part(xml::View element);
 
 /// The things that have a name in Drake.
 class Names {
@@ -47,6 +47,13 @@ class Names {
   xml::View group(std::string_view name) const { return groups_.find(name); }
   bool is_body(std::string_view name) const;
   bool is_frame(std::string_view name) const;
+  /// Whether Drake is told to ignore the link of this name.
+  bool is_ignored(std::string_view link) const { return ignored_.contains(link); }
+  static void report_ignored(std::string_view link, Span place, Findings& findings);
+  /// The earlier frame of the same name; false for the first one.
+  xml::View earlier_frame(xml::View frame) const;
+  /// Whether earlier joints connect the two links of a joint already.
+  bool closes_loop(xml::View joint) const { return loops_.contains(joint.id()); }
   /// Reports that there is no joint, frame or group of this name.
   void report_unknown(std::string_view kind, std::string_view name, Span place,
                       const std::string& subject, Findings& findings) const;
@@ -61,7 +68,11 @@ class Names {
   };
 
   const LinkedModel& model_;
+  void find_loops();
+
   Table joints_, frames_, groups_;
+  std::set<std::string_view> ignored_;  ///< links
+  std::set<xml::ElementId> loops_;      ///< joints
 };
 
 }  // namespace smurf::drake

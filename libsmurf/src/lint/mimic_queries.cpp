@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/mimic_queries.hpp"
 
+#include <algorithm>
+
 namespace smurf {
 
 std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_t joint) {
   const std::unique_ptr<urdf::Mimic>& mimic = model.robot->joints[joint].mimic;
   if (!mimic || !mimic->joint) return std::nullopt;
   return model.joint_names.find(*mimic->joint);
+}
+
+bool is_followed(const LinkedModel& model, const urdf::Joint& joint) {
+  const std::vector<urdf::Joint>& joints = model.robot->joints;
+  return joint.name && std::any_of(joints.begin(), joints.end(), [&](const urdf::Joint& other) {
+           return other.mimic && other.mimic->joint && *other.mimic->joint == *joint.name;
+         });
 }
 
 std::vector<bool> endless_mimics(const LinkedModel& model) {

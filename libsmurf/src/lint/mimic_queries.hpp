@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf {
@@ -15,5 +16,14 @@ std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_
 
 /// For each joint, whether its chain of leaders ends in a cycle.
 std::vector<bool> endless_mimics(const LinkedModel& model);
+
+/// Whether another joint mimics this one.
+bool is_followed(const LinkedModel& model, const urdf::Joint& joint);
+
+inline constexpr Circumstance kFollowed{"mimicked by another joint"};
+constexpr Fact drake_misses_leader(Where where) {
+  return {&readers::drake, Effect::refuses,
+          "leaves out the joint, and then does not find what another joint mimics", kRun, where};
+}
 
 }  // namespace smurf

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drake, which has its own URDF reader.
+#include "base/cases.hpp"
 #include "readers/circumstances.hpp"
 
 namespace smurf::readers::drake_file {
@@ -9,15 +10,16 @@ using enum Effect;
 
 constexpr FamilyFact kFamilies[] = {
     {"SML18",
-     {&drake, refuses, "refuses a vector with an unreadable number; reads a single one as 0",
-      "Drake detail_tinyxml.h:60-73"}},
+     {&drake, changes, "reads the numbers up to the first unreadable character", kRun,
+      when(cases::kEnoughRead)}},
+    {"SML18",
+     {&drake, refuses, "cannot read as many numbers as it needs, and refuses the file", kRun}},
 };
 
 constexpr std::string_view kIgnores = "does not look at it";
 
 constexpr Fact kUnread[] = {
-    {&drake, ignores, "does not read what `drake_ignore` marks",
-     "Drake detail_urdf_parser.cc:187-191, 533-538", when(kDrakeIgnored)},
+    {&drake, ignores, "does not read what `drake_ignore` marks", kRun, when(kDrakeIgnored)},
     {&drake, ignores, kIgnores, kRun, at("calibration")},
     {&drake, ignores, kIgnores, kRun, at("safety_controller")},
     {&drake, ignores, kIgnores, kRun, at("gazebo")},

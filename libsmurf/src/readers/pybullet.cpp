@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bullet's URDF reader, which PyBullet uses.
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 
 namespace smurf::readers::pybullet_file {
@@ -8,6 +9,9 @@ namespace {
 using enum Effect;
 
 constexpr FamilyFact kFamilies[] = {
+    {"SML18",
+     {&pybullet, refuses, "refuses an axis that is not a vector", kRun,
+      at("axis").unless(cases::kEnoughWords)}},
     {"SML18",
      {&pybullet, changes, "reads the leading digits, or 0", "Bullet UrdfParser.cpp (atof), run"}},
 };

@@ -13,6 +13,7 @@ constexpr std::string_view kPrintfRun =
 
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "reads the leading digits, or 0", kRun},
+    {&readers::drake, Effect::takes, "keeps the name", kRun, at("material/@name")},
     {&readers::drake, Effect::refuses, "refuses the number", kRun},
     {&readers::urdfdom, Effect::takes, "keeps the text", kRun, at("@reference")},
     {&readers::urdfdom, Effect::takes, "keeps the text", kRun, at("@filename")},

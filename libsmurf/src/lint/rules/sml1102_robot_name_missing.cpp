@@ -9,6 +9,7 @@ namespace smurf::rules::sml1102_robot_name_missing_file {
 namespace {
 
 constexpr Circumstance kEmpty{"empty"};
+constexpr Circumstance kBlank{"blanks"};
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
@@ -23,6 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(tag, name.written ? "the robot has an empty name" : "the robot has no name");
   if (name.written) diagnostic.when(kEmpty);
+  if (name.written && !name->empty()) diagnostic.when(kBlank);
   const std::string stem(path::stem(model.urdf_path));
   if (stem.empty()) return;
   const Edit edit =
@@ -41,8 +43,10 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::refuses, "refuses an empty name", kRun, when(kEmpty)},
     {&readers::mujoco, Effect::takes, "needs no name", kRun},
+    {&readers::drake, Effect::takes, "keeps a name of blanks", kRun, when(kBlank)},
+    {&readers::drake, Effect::crashes, "ends the process at an empty name", kRun, when(kEmpty)},
     {&readers::drake, Effect::refuses, "refuses a robot without a name, unless the caller names it",
-     "Drake detail_urdf_parser.cc:1452"},
+     kRun},
 };
 
 }  // namespace

@@ -68,9 +68,8 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
      at("visual")},
     {&readers::mujoco, Effect::refuses, "refuses a collision without geometry", kRun},
-    {&readers::drake, Effect::takes, "knows the shape", "Drake detail_urdf_geometry.cc:337-346",
-     when(kDrakeShape)},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc:315-352"},
+    {&readers::drake, Effect::takes, "knows the shape", kRun, when(kDrakeShape)},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
     {&readers::phobos, Effect::loses, "keeps a shape without geometry", kRun},
 };
 

@@ -35,8 +35,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes,
      "uses the box, else the cylinder, else the sphere, else the mesh", "MuJoCo xml_urdf.cc, run"},
     {&readers::drake, Effect::changes,
-     "uses the box, else the sphere, else the cylinder, else the mesh",
-     "Drake detail_urdf_geometry.cc:318-346"},
+     "uses the box, else the sphere, else the cylinder, else the mesh", kRun},
 };
 
 }  // namespace

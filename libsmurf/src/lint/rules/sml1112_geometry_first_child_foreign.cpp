@@ -32,8 +32,7 @@ constexpr Fact kFacts[] = {
     urdfdom_drops_shapes({}, "urdfdom link.cpp:224, run"),
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::mujoco, Effect::takes, "looks for the shape by its name", kRun},
-    {&readers::drake, Effect::takes, "looks for the shape by its name",
-     "Drake detail_urdf_geometry.cc:318-346"},
+    {&readers::drake, Effect::takes, "looks for the shape by its name", kRun},
     {&readers::phobos, Effect::takes, "looks for the shape by its name", kRun},
 };
 

@@ -9,6 +9,8 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::drake, Effect::loses, "ignores the joint, and lets its child float", kRun,
      when(cases::kJointTag)},
+    {&readers::drake, Effect::refuses, "misses the material that visuals name", kRun,
+     when(cases::kSharedMaterialTag)},
     {&readers::drake, Effect::refuses, "misses the link of the joint", kRun, at("joint/parent")},
     {&readers::drake, Effect::refuses, "misses the link of the joint", kRun, at("joint/child")},
     {&readers::urdf, Effect::refuses,

@@ -21,7 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses a robot without links", "urdfdom, sdformat, run"},
     {&readers::mujoco, Effect::takes, "loads a robot without links", kRun},
-    {&readers::drake, Effect::takes, "loads a robot without links", "Drake detail_urdf_parser.cc"},
+    {&readers::drake, Effect::takes, "loads a robot without links", kRun},
 };
 
 }  // namespace

@@ -94,8 +94,8 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr std::string_view kIgnores = "ignores the element, and uses its own default";
 
 constexpr Fact kFacts[] = {
-    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfParser.cpp", when(kOfBullet)},
-    {&readers::pybullet, Effect::loses, kIgnores, "Bullet UrdfParser.cpp"},
+    {&readers::pybullet, Effect::takes, "reads it", kRun, when(kOfBullet)},
+    {&readers::pybullet, Effect::loses, kIgnores, kRun},
     {&readers::gazebo, Effect::loses, kIgnores, kRun},
     {&readers::dart, Effect::loses, kIgnores, kRun},
     {&readers::mujoco, Effect::loses, kIgnores, kRun},

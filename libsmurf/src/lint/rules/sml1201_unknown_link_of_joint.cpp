@@ -14,6 +14,7 @@ namespace smurf::rules::sml1201_unknown_link_of_joint_file {
 namespace {
 
 constexpr Circumstance kDrakeWorld{"world of Drake", &readers::drake};
+constexpr Circumstance kWorld{"world"};
 constexpr Circumstance kDriven{"driven"};
 
 using Names = std::set<std::string_view>;
@@ -143,6 +144,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                                  meanings_of(model, end, one.name, lone));
     if (diagnostic != nullptr && end.name() == "parent") parents[one.name].first = diagnostic;
     if (diagnostic != nullptr && is_driven(end.parent(), driven)) diagnostic->when(kDriven);
+    if (diagnostic != nullptr && one.name == "world") diagnostic->when(kWorld);
     if (diagnostic != nullptr && end.name() == "parent" && one.name == "world") {
       diagnostic->when(kDrakeWorld);
       diagnostic->note(
@@ -160,8 +162,10 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::breaks, "keeps a joint without a parent", kRun, at("parent")},
     {&readers::urdf, Effect::refuses, "refuses the file",
      "urdfdom model.h:128; MuJoCo, Bullet, run"},
-    {&readers::drake, Effect::takes, "has an implicit link `world`",
-     "Drake detail_urdf_parser.cc:518", when(kDrakeWorld)},
+    {&readers::drake, Effect::takes, "has a link `world` that no file declares", kRun,
+     when(kDrakeWorld)},
+    {&readers::drake, Effect::changes, "takes its own world for the child", kRun,
+     at("child").when(kWorld)},
 };
 constexpr std::string_view kFormer[] = {"SML1202", "parent-link-unknown", "child-link-unknown"};
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
+#include "lint/mimic_queries.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1203_parent_or_child_missing_file {
@@ -17,6 +18,7 @@ void check_end(const LinkedModel& model, const urdf::Joint& joint, std::string_v
   Diagnostic& diagnostic = findings.report(child ? child.name_span() : name_place(model, joint),
                                            title(joint) + " has no " + std::string(end) + " link");
   if (name) diagnostic.when(kEmpty);
+  if (is_followed(model, joint)) diagnostic.when(kFollowed);
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -27,6 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    drake_misses_leader(when(kEmpty, kFollowed)),
     {&readers::drake, Effect::loses, "leaves out the joint", kRun, when(kEmpty)},
     {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, MuJoCo, Bullet, Drake, run"},
 };

@@ -44,9 +44,9 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::crashes, "warns, uses the root index -1, and ends the process",
      "BulletUrdfImporter.cpp:316, run"},
     {&readers::mujoco, Effect::changes, "welds every root to the world", kRun},
-    {&readers::drake, Effect::takes, "knows the joint that leads to the link",
-     "Drake detail_urdf_parser.cc:1484-1491", when(drake::kDrakeJoint)},
-    {&readers::drake, Effect::takes, "accepts several trees", "Drake detail_urdf_parser.cc"},
+    {&readers::drake, Effect::takes, "knows the joint that leads to the link", kRun,
+     when(drake::kDrakeJoint)},
+    {&readers::drake, Effect::takes, "accepts several trees", kRun},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1205_no_root_file {
 namespace {
@@ -22,6 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::drake, Effect::loses, "leaves out a floating joint", kRun, when(kInFloating)},
     {&readers::urdf, Effect::refuses, "refuses the file: it finds no root",
      "urdfdom model.h:176, run"},
 };

@@ -4,6 +4,7 @@
 
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1206_link_with_two_parents_file {
 namespace {
@@ -89,8 +90,8 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::crashes, "never terminates", kRun, when(kRing)},
     {&readers::dart, Effect::changes, "builds the link twice, or never terminates", kRun},
     {&readers::mujoco, Effect::refuses, "refuses several parents", kRun},
-    {&readers::drake, Effect::refuses, "refuses the model when it is finalised",
-     "Drake issue 19034"},
+    {&readers::drake, Effect::loses, "leaves out a floating joint", kRun, when(kInFloating)},
+    {&readers::drake, Effect::refuses, "refuses the model when it is finalised", kRun},
     {&readers::pinocchio, Effect::refuses, "finds no body of that name, and refuses the file",
      kRun},
 };

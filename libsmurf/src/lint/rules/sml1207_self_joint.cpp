@@ -6,6 +6,7 @@
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1207_self_joint_file {
 namespace {
@@ -65,7 +66,10 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::loses, "does not reach the link from the root", kRun,
+     when(kApart)},
     {&readers::pybullet, Effect::crashes, "ends the process", kRun},
+    {&readers::drake, Effect::loses, "leaves out a floating joint", kRun, when(kInFloating)},
     {&readers::drake, Effect::refuses, "refuses the file", kRun},
     {&readers::urdfdom, Effect::refuses, "finds no root link, and refuses the file", kRun,
      when(kOnlyRoot)},

@@ -3,6 +3,7 @@
 
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1208_detached_cycle_file {
 namespace {
@@ -52,8 +53,8 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::loses, "leaves the ring out", kRun},
     {&readers::dart, Effect::loses, "leaves the ring out", kRun},
     {&readers::mujoco, Effect::refuses, "does not find the bodies of the ring", kRun},
-    {&readers::drake, Effect::refuses, "refuses the model when it is finalised",
-     "Drake issue 19034"},
+    {&readers::drake, Effect::loses, "leaves out a floating joint", kRun, when(kInFloating)},
+    {&readers::drake, Effect::refuses, "refuses the model when it is finalised", kRun},
     {&readers::phobos, Effect::changes, "accepts the ring", kRun},
     {&readers::pinocchio, Effect::loses, "leaves the ring out", kRun},
 };

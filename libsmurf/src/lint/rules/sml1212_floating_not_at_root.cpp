@@ -32,8 +32,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::drake, Effect::takes, "makes a joint of six degrees of freedom", kRun},
     {&readers::mars, Effect::changes, "makes the joint fixed", "MARS smurf.cpp:918-921"},
-    {&readers::pybullet, Effect::changes, "makes the joint fixed",
-     "Bullet URDF2Bullet.cpp:491-497"},
+    {&readers::pybullet, Effect::changes, "makes the joint fixed", kRun},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
     {&readers::mujoco, Effect::takes, "makes one body of the root and what is fixed to it", kRun,
      when(kFixedToRoot)},

@@ -21,19 +21,22 @@ void check(const LinkedModel& model, Findings& findings) {
         findings
             .report(joint.type_name.span,
                     title(joint) + " is " + *joint.type_name + ", which few readers can move")
-            .note("MARS and Bullet make the joint fixed; Gazebo cannot build the model");
-    if (!is_floating && joint.dynamics) diagnostic.when(kOneDamping);
+            .note(std::string(is_floating ? "MARS and Bullet make" : "MARS makes") +
+                  " the joint fixed; Gazebo cannot build the model");
+    if (!is_floating && joint.dynamics && joint.dynamics->damping.written) {
+      diagnostic.when(kOneDamping);
+    }
   }
 }
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes, "makes the joint fixed", "MARS smurf.cpp:918-921"},
-    {&readers::pybullet, Effect::changes, "makes the joint fixed",
-     "Bullet URDF2Bullet.cpp:491-497"},
+    {&readers::pybullet, Effect::takes, "makes a planar joint", kRun, when(kInPlanar)},
+    {&readers::pybullet, Effect::changes, "makes the joint fixed", kRun},
     {&readers::gazebo, Effect::refuses, "cannot build the model", kRun},
     {&readers::drake, Effect::refuses,
      "needs three dampings in a planar joint, and refuses the file", kRun, when(kOneDamping)},
-    {&readers::drake, Effect::changes, "drops the origin of a floating joint", "Drake, read"},
+    {&readers::drake, Effect::changes, "drops the origin of a floating joint", kRun},
     {&readers::pinocchio, Effect::changes, "ignores the normal of a planar joint", kRun,
      when(kInPlanar)},
 };

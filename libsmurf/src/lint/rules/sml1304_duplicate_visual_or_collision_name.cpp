@@ -32,7 +32,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::ignores, "renames the second one", kRun},
     {&readers::mujoco, Effect::changes, "leaves the second geometry without a name",
      "MuJoCo xml_urdf.cc:326-359, run"},
-    {&readers::drake, Effect::ignores, "renames the second one", "Drake, read"},
+    {&readers::drake, Effect::ignores, "renames the second one", kRun},
 };
 
 }  // namespace

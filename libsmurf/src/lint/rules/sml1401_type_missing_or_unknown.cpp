@@ -2,12 +2,14 @@
 #include "base/path.hpp"
 #include "base/readers.hpp"
 #include "base/suggest.hpp"
+#include "lint/mimic_queries.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1401_type_missing_or_unknown_file {
 namespace {
 
 constexpr Circumstance kLimited{"limited"};
+constexpr Circumstance kEmpty{"empty"};
 constexpr Circumstance kSpherical{"spherical"};
 
 constexpr std::string_view kTypes[] = {"revolute", "continuous", "prismatic",
@@ -23,7 +25,10 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (joint.type != urdf::JointType::unknown) return;
     if (!joint.type_name || joint.type_name->empty()) {
-      findings.report(name_place(model, joint), title(joint) + " has no type");
+      Diagnostic& diagnostic =
+          findings.report(name_place(model, joint), title(joint) + " has no type");
+      if (joint.type_name.written) diagnostic.when(kEmpty);
+      if (is_followed(model, joint)) diagnostic.when(kFollowed);
       return;
     }
     Diagnostic& diagnostic =
@@ -46,6 +51,8 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses the joint type, and the file",
      "urdfdom, MuJoCo, run"},
+    drake_misses_leader(when(kEmpty, kFollowed)),
+    {&readers::drake, Effect::loses, "leaves out a joint whose type is empty", kRun, when(kEmpty)},
     {&readers::mars, Effect::crashes,
      "dereferences a null pointer, because urdfdom refuses the file",
      "MARS smurf.cpp:988-998, run"},

@@ -40,8 +40,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "reads 0 for both limits", kRun, when(kEmpty)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::mujoco, Effect::changes, "lets the joint move without limit", kRun},
-    {&readers::drake, Effect::changes, "lets the joint move without limit",
-     "Drake detail_urdf_parser.cc"},
+    {&readers::drake, Effect::changes, "lets the joint move without limit", kRun},
     {&readers::phobos, Effect::changes, "keeps a joint without limits", kRun},
 };
 

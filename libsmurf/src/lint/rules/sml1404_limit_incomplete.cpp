@@ -30,7 +30,7 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfParser.cpp, run", when(kEffort)},
     {&readers::pybullet, Effect::changes, "reads 0", "Bullet UrdfParser.cpp, run"},
     {&readers::mujoco, Effect::takes, "needs neither effort nor velocity", kRun},
-    {&readers::drake, Effect::changes, "reads infinity", "Drake detail_urdf_parser.cc"},
+    {&readers::drake, Effect::changes, "reads infinity", kRun},
 };
 constexpr std::string_view kFormer[] = {"SML1405", "effort-missing", "velocity-missing"};
 

@@ -35,7 +35,7 @@ constexpr Fact kFacts[] = {
      "reads an absent lower limit as 0, an absent upper one as -1",
      "Bullet UrdfParser.cpp:1452, run"},
     {&readers::mujoco, Effect::changes, "lets the joint move without limit", kRun},
-    {&readers::drake, Effect::changes, "reads infinity", "Drake detail_urdf_parser.cc"},
+    {&readers::drake, Effect::changes, "reads infinity", kRun},
 };
 
 }  // namespace

@@ -36,7 +36,7 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::changes, "swaps the two limits",
      "sdformat parser_urdf.cc:3127-3140, run"},
     {&readers::mujoco, Effect::changes, "lets the joint move without limit", kRun},
-    {&readers::drake, Effect::crashes, "ends the process", "Drake joint.h:159"},
+    {&readers::drake, Effect::crashes, "ends the process", kRun},
 };
 
 constexpr std::string_view kFormer[] = {"lower-gt-upper"};

@@ -24,15 +24,13 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "gives the joint no force", kRun, at("@effort")},
-    {&readers::pybullet, Effect::changes, "keeps the joint from moving", "Bullet, read",
-     at("@velocity")},
+    {&readers::pybullet, Effect::ignores, "does not enforce it", kRun, at("@velocity")},
     {&readers::ros, Effect::changes, "treats 0 as no limit (MoveIt)", "MoveIt robot_model.cpp:874",
      at("@velocity")},
     {&readers::gazebo, Effect::changes, "gives the joint no force", kRun, at("@effort")},
     {&readers::mujoco, Effect::changes, "makes the force unlimited", kRun, at("@effort")},
-    {&readers::drake, Effect::loses, "leaves the actuator of the joint out",
-     "Drake detail_urdf_parser.cc:930-1001", at("@effort")},
-    {&readers::drake, Effect::changes, "keeps the joint from moving", "Drake detail_urdf_parser.cc",
+    {&readers::drake, Effect::loses, "leaves the actuator of the joint out", kRun, at("@effort")},
+    {&readers::drake, Effect::ignores, "keeps the limit, and does not enforce it", kRun,
      at("@velocity")},
 };
 constexpr std::string_view kFormer[] = {"SML1416", "effort-zero", "velocity-zero"};

@@ -7,18 +7,34 @@
 namespace smurf::rules::sml1415_limit_negative_file {
 namespace {
 
-void check_value(const urdf::Joint& joint, const Field<double>& limit, const char* name,
-                 Findings& findings) {
+constexpr Circumstance kDriven{"driven by a transmission"};
+
+bool is_driven(const LinkedModel& model, const urdf::Joint& joint) {
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View extension(model.robot->document, id);
+    if (extension.name() != "transmission") continue;
+    for (const xml::View part : extension) {
+      const xml::Attribute* name = part.name() == "joint" ? part.attribute("name") : nullptr;
+      if (name != nullptr && joint.name && name->value() == *joint.name) return true;
+    }
+  }
+  return false;
+}
+
+void check_value(const LinkedModel& model, const urdf::Joint& joint, const Field<double>& limit,
+                 const char* name, Findings& findings) {
   if (!limit || *limit >= 0) return;
-  findings.report(limit.span, "the " + std::string(name) + " limit of " + title(joint) + " is " +
-                                  format_number(*limit));
+  Diagnostic& diagnostic =
+      findings.report(limit.span, "the " + std::string(name) + " limit of " + title(joint) +
+                                      " is " + format_number(*limit));
+  if (is_driven(model, joint)) diagnostic.when(kDriven);
 }
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.limit) return;
-    check_value(joint, joint.limit->effort, "effort", findings);
-    check_value(joint, joint.limit->velocity, "velocity", findings);
+    check_value(model, joint, joint.limit->effort, "effort", findings);
+    check_value(model, joint, joint.limit->velocity, "velocity", findings);
   });
 }
 
@@ -30,8 +46,9 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes, "uses the absolute value", kRun, at("@effort")},
     {&readers::mujoco, Effect::takes, "has no velocity limits", kRun},
     {&readers::drake, Effect::refuses, "refuses the file when a transmission drives the joint",
-     "Drake detail_urdf_parser.cc:930-1001", at("@effort")},
-    {&readers::drake, Effect::refuses, "throws an exception", "Drake joint.h:435"},
+     kRun, at("@effort").when(kDriven)},
+    {&readers::drake, Effect::takes, "needs effort limits for actuators only", kRun, at("@effort")},
+    {&readers::drake, Effect::crashes, "ends the process", kRun},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
     {&readers::pinocchio, Effect::takes, "has no limits of such a joint", kRun, when(kInFixed)},
     {&readers::pinocchio, Effect::takes, "has no limits of such a joint", kRun, when(kInFloating)},

@@ -37,7 +37,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes,
-     "does not normalise it: the joint moves too far or not far enough", "btMultiBody.cpp:237"},
+     "does not normalise it: the joint moves too far or not far enough", kRun},
     {&readers::ros, Effect::changes, "MoveIt does not normalise the axis of a prismatic joint",
      "MoveIt robot_model.cpp", when(kPrismatic)},
 };

@@ -28,7 +28,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
     {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun, when(kOneAxis)},
     {&readers::dart, Effect::ignores, "reads the dynamics of joints with one axis only", kRun},
-    {&readers::drake, Effect::refuses, "refuses negative damping", "Drake revolute_joint.h:125"},
+    {&readers::drake, Effect::refuses, "refuses negative damping", kRun},
     {&readers::mujoco, Effect::changes, "reads the number", kRun},
     {&readers::pinocchio, Effect::refuses, "refuses the joint", kRun,
      at("@friction").when(kOneAxis)},

@@ -28,14 +28,14 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::pybullet, Effect::ignores, "ignores mimic",
-     "Bullet UrdfParser.cpp has no code for it"},
+    {&readers::pybullet, Effect::ignores, "ignores mimic", kRun},
     {&readers::ros, Effect::loses, "MoveIt drops every mimic of the robot",
      "MoveIt robot_model.cpp:426"},
     {&readers::mujoco, Effect::changes, "builds contradicting constraints from a cycle", kRun,
      when(kCycle)},
     {&readers::mujoco, Effect::refuses, "refuses a joint that mimics itself", kRun},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:791-880"},
+    {&readers::drake, Effect::changes, "couples the joints of a cycle", kRun, when(kCycle)},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
     {&readers::gazebo, Effect::takes, "leaves mimic out", kRun, before({14, 0})},
     {&readers::dart, Effect::changes, "keeps a joint that follows itself", kRun},
 };

@@ -2,6 +2,7 @@
 #include "base/readers.hpp"
 #include "lint/mimic_queries.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1437_mimic_type_file {
 namespace {
@@ -28,8 +29,10 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::drake, Effect::ignores, "ignores mimic in a floating joint", kRun,
+     when(kInFloating)},
     {&readers::drake, Effect::refuses, "refuses to couple joints of different degrees of freedom",
-     "Drake detail_urdf_parser.cc:791-880"},
+     kRun},
 };
 
 }  // namespace

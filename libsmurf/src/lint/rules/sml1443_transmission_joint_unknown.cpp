@@ -23,9 +23,8 @@ constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses,
      "ros_control finds no joint for its actuator and does not start the controller",
      "ros_control, read"},
-    {&readers::drake, Effect::takes, "knows the joint", "Drake detail_urdf_parser.cc:1484-1491",
-     when(drake::kDrakeJoint)},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:968"},
+    {&readers::drake, Effect::takes, "knows the joint", kRun, when(drake::kDrakeJoint)},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
 };
 
 }  // namespace

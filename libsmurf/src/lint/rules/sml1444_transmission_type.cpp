@@ -40,8 +40,7 @@ constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses,
      "ros_control finds no plugin of that name and does not load the transmission",
      "ros_control transmission_interface"},
-    {&readers::drake, Effect::loses, "makes actuators only for simple transmissions",
-     "Drake detail_urdf_parser.cc:930-1001"},
+    {&readers::drake, Effect::loses, "makes actuators only for simple transmissions", kRun},
 };
 
 }  // namespace

@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
+#include "base/words.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1448_transmission_incomplete_file {
 namespace {
 
 constexpr Circumstance kNotSimple{"not simple"};
+constexpr Circumstance kEmptyType{"empty type"};
+
+/// Whether it has no such element, or one without its text or name. Drake takes an empty name for
+/// an actuator.
+bool lacks(xml::View transmission, std::string_view name) {
+  const xml::View part = transmission.child(name);
+  if (!part) return true;
+  if (name == "type") return trimmed(part.text()).empty();
+  const xml::Attribute* given = part.attribute("name");
+  return given == nullptr || (name == "joint" && given->value().empty());
+}
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
@@ -16,25 +28,27 @@ void check(const LinkedModel& model, Findings& findings) {
       continue;
     std::string missing;
     for (const std::string_view name : {"type", "joint", "actuator"}) {
-      if (transmission.child(name) || has_slip(model, id, name)) continue;
+      if (!lacks(transmission, name)) continue;
       missing += (missing.empty() ? " has no " : " and no ") + quoted(name);
     }
     if (missing.empty()) continue;
     Diagnostic& diagnostic =
         findings.report(transmission.name_span(), "this transmission" + missing);
     const xml::View type = transmission.child("type");
-    const bool is_simple =
-        !type || type.text().find("SimpleTransmission") != std::string_view::npos;
+    const bool is_simple = lacks(transmission, "type") ||
+                           type.text().find("SimpleTransmission") != std::string_view::npos;
     if (!is_simple) diagnostic.when(kNotSimple);
+    if (type && trimmed(type.text()).empty()) diagnostic.when(kEmptyType);
   }
 }
 
 constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses, "ros_control skips it and does not load the actuator",
      "ros_control transmission_interface/src/transmission_parser.cpp"},
-    {&readers::drake, Effect::loses, "makes actuators only for simple transmissions",
-     "Drake detail_urdf_parser.cc:930-936", when(kNotSimple)},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:915-964"},
+    {&readers::drake, Effect::loses, "makes actuators only for simple transmissions", kRun,
+     when(kNotSimple)},
+    {&readers::drake, Effect::crashes, "ends the process at an empty type", kRun, when(kEmptyType)},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ast/urdf_numbers.hpp"
+#include "base/numbers.hpp"
 #include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "base/suggest.hpp"
@@ -59,6 +60,10 @@ class Checker {
     if (spec.occurs == Occurs::never) return refused(child);
     if (parent.name() == "drake:joint" && !drake::is_read_in(parent, child.name())) {
       unread(child, "Drake does not read it in a joint of this type");
+      return;
+    }
+    if (drake::has_empty_part(child)) {
+      unread(child, "Drake leaves out a joint with an empty type or an empty name of a link");
       return;
     }
     // Drake makes actuators of simple transmissions only, and does not read the others.
@@ -163,7 +168,7 @@ class Checker {
   }
 
   void numbers(xml::View element, const xml::Attribute& attribute, std::size_t count, Range range) {
-    const std::vector<double> read = drake::read_numbers(attribute.value());
+    const std::vector<double> read = read_leading_numbers(attribute.value());
     const std::string subject = title(element, attribute);
     if (read.size() != count) {
       Diagnostic& diagnostic =
@@ -197,7 +202,7 @@ class Checker {
     } else if (value == Value::body && name == "world") {
       names_.report_unknown("link", name, place, subject, findings_);
     } else if (name != "world") {
-      if (value == Value::body && name.find("::") != std::string_view::npos) return;
+      if (names_.is_ignored(name)) return names_.report_ignored(name, place, findings_);
       check_reference(names_.model(), NameKind::link, name, place, subject.c_str(), findings_);
     }
   }
@@ -211,36 +216,13 @@ void check(const LinkedModel& model, Findings& findings) {
   Checker(drake::Names(model), findings).children(model.robot->document.view());
 }
 
-/// Evidence that Drake ignores an element.
-constexpr std::string_view kUnreadSource = "Drake detail_urdf_parser.cc, detail_urdf_geometry.cc";
-
-constexpr Fact refused(Where where, std::string_view evidence) {
-  return {&readers::drake, Effect::refuses, "refuses the file", evidence, where};
-}
-
 constexpr Fact kFacts[] = {
-    {&readers::drake, Effect::loses, "does not read it, and loads the file", kUnreadSource,
+    {&readers::drake, Effect::loses, "does not read it, and loads the file", kRun,
      when(drake::kUnread)},
-    refused(at("drake:joint"), "Drake detail_urdf_parser.cc:341-380, 401-510, 531-789"),
-    refused(at("drake:collision_filter_group"),
-            "Drake detail_common.cc:340-413; detail_collision_filter_group_resolver.cc:33-124"),
-    refused(at("drake:linear_bushing_rpy"),
-            "Drake detail_urdf_parser.cc:1088-1143; linear_bushing_roll_pitch_yaw.cc:43-46"),
-    refused(at("drake:linear_spring_damper"), "Drake detail_urdf_parser.cc:1145-1237"),
-    refused(at("drake:ball_constraint"),
-            "Drake detail_urdf_parser.cc:1239-1294; multibody_plant.cc:676-683"),
-    refused(at("drake:distance_constraint"), "Drake detail_urdf_parser.cc:1296-1377"),
-    refused(at("drake:tendon_constraint"),
-            "Drake detail_urdf_parser.cc:1379-1441; multibody_plant.cc:760-808"),
-    refused(at("drake:proximity_properties"),
-            "Drake detail_urdf_geometry.cc:712-774; detail_common.cc:63-157"),
-    refused(at("drake_compliance"), "Drake detail_urdf_geometry.cc:584-645"),
-    refused(at("transmission"), "Drake detail_urdf_parser.cc:1005-1062"),
-    refused(at("geometry"),
-            "Drake detail_urdf_geometry.cc:248-280; shape_specification.cc:101-182"),
-    refused(at("material"), "Drake detail_urdf_geometry.cc:118-138"),
-    refused(at("visual"), "Drake detail_urdf_geometry.cc:446-540"),
-    refused({}, "Drake detail_urdf_parser.cc:259-284, 382-399, 1065-1084"),
+    {&readers::drake, Effect::refuses, "refuses the file",
+     "Drake detail_urdf_parser.cc:1296-1377; 1.51.1 does not read it",
+     at("drake:distance_constraint")},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
 };
 
 }  // namespace

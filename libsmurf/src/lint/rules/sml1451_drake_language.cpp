@@ -28,8 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::ignores, "ignores the elements of Drake", "urdfdom, sdformat, run"},
-    {&readers::drake, Effect::takes, "reads its own elements", "Drake detail_urdf_parser.cc",
-     when(kDrakeElement)},
+    {&readers::drake, Effect::takes, "reads its own elements", kRun, when(kDrakeElement)},
 };
 
 }  // namespace

@@ -31,8 +31,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::pybullet, Effect::changes, "gives each link 1 kg and 1 kg m2",
-     "Bullet UrdfParser.cpp:1051-1059"},
+    {&readers::pybullet, Effect::changes,
+     "gives each link 1 kg, and computes its inertia from the collisions", kRun},
     {&readers::gazebo, Effect::refuses, "drops every link, and refuses a model without links",
      kRun},
     {&readers::dart, Effect::changes, "gives each link 1 kg and 1 kg m2", kRun},

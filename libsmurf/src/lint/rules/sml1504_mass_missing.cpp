@@ -26,7 +26,8 @@ constexpr Fact kFacts[] = {
     urdfdom_drops_shapes(),
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
-    {&readers::drake, Effect::takes, "reads no mass", "Drake detail_common.h:387"},
+    {&readers::drake, Effect::changes,
+     "reads no mass, and replaces a body of such an inertia by a sphere of 1 kg", kRun},
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr Fact kFacts[] = {
     urdfdom_drops_shapes(),
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
-    {&readers::drake, Effect::takes, "reads no inertia", "Drake detail_common.h:387"},
+    {&readers::drake, Effect::takes, "reads no inertia", kRun},
 };
 
 }  // namespace

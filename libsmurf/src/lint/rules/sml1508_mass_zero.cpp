@@ -58,8 +58,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the mass 0", kRun},
     {&readers::mars, Effect::changes, "gives the link 1e-6 kg, and 1 g for each collision",
      "MARS smurf.cpp:719"},
-    {&readers::pybullet, Effect::changes, "fixes a base without mass to the world",
-     "URDF2Bullet.cpp:382"},
+    {&readers::pybullet, Effect::changes, "fixes a base without mass to the world", kRun},
     {&readers::gazebo, Effect::takes, "does not look at the mass of the world", kRun,
      when(kOfWorld)},
     {&readers::gazebo, Effect::takes, "adds it to the body that it is fixed to", kRun,
@@ -76,7 +75,7 @@ constexpr Fact kFacts[] = {
      "MuJoCo (fusestatic), run"},
     {&readers::drake, Effect::changes,
      "accepts a body without mass and inertia; replaces one with an inertia by a sphere of 1 kg",
-     "Drake detail_common.cc:446-515"},
+     kRun},
 };
 
 }  // namespace

@@ -35,8 +35,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::changes, "warns and goes on", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the mass", kRun, when(kAlone)},
     {&readers::mujoco, Effect::changes, "adds it to the body that it is fixed to", kRun},
-    {&readers::drake, Effect::changes, "replaces the body by a sphere of water of 1 kg",
-     "Drake detail_common.cc:446-515"},
+    {&readers::drake, Effect::changes, "replaces the body by a sphere of water of 1 kg", kRun},
 };
 
 }  // namespace

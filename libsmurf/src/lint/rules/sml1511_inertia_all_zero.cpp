@@ -51,16 +51,16 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks, "passes the inertia to ODE, which reports it as wrong",
      "ODE dMassCheck, run"},
     {&readers::phobos, Effect::takes, "keeps the numbers", kRun},
-    {&readers::pybullet, Effect::ignores, "computes the inertia from the collisions",
-     "BulletUrdfImporter.cpp:374-411"},
+    {&readers::pybullet, Effect::ignores,
+     "computes the inertia from the collisions, unless told otherwise", kRun},
     {&readers::dart, Effect::changes, "goes on with a mass matrix that is singular", kRun,
      when(kMoving)},
     kGazeboAddsZeros,
     {&readers::mujoco, Effect::refuses, "refuses a moving body without inertia", kRun,
      when(kAlone)},
     {&readers::mujoco, Effect::takes, "adds it to the body that it is fixed to", kRun},
-    {&readers::drake, Effect::changes, "computes with a mass matrix that is singular",
-     "Drake, read", when(kMoving)},
+    {&readers::drake, Effect::changes, "computes with a mass matrix that is singular", kRun,
+     when(kMoving)},
 };
 
 }  // namespace

@@ -60,15 +60,14 @@ constexpr Fact kFacts[] = {
      "ODE dMassCheck, run"},
     {&readers::phobos, Effect::takes, "keeps the numbers", kRun},
     {&readers::pybullet, Effect::ignores,
-     "computes the inertia from the collisions, unless told otherwise",
-     "BulletUrdfImporter.cpp:374-411"},
+     "computes the inertia from the collisions, unless told otherwise", kRun},
     {&readers::gazebo, Effect::takes,
      "merges the link into the body it is fixed to, or drops the link", kRun, when(kSoundTogether)},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "computes with it anyway", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the inertia", "MuJoCo user_util.cc:862, run"},
     {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",
-     "Drake detail_common.cc:446-515"},
+     kRun},
 };
 
 }  // namespace

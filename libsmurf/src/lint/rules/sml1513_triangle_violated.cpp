@@ -39,8 +39,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the numbers", kRun},
     {&readers::mars, Effect::changes, "computes with it anyway", "ODE dMassCheck, run"},
     {&readers::pybullet, Effect::ignores,
-     "computes the inertia from the collisions, unless told otherwise",
-     "BulletUrdfImporter.cpp:374-411"},
+     "computes the inertia from the collisions, unless told otherwise", kRun},
     {&readers::gazebo, Effect::takes,
      "merges the link into the body it is fixed to, or drops the link", kRun, when(kSoundTogether)},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
@@ -50,7 +49,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses the inertia",
      "MuJoCo user_objects.cc:2762-2770, run"},
     {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",
-     "Drake detail_common.cc:446-515"},
+     kRun},
     {&readers::phobos, Effect::takes, "keeps the numbers", kRun},
     {&readers::pinocchio, Effect::changes, "computes with it anyway", kRun},
 };

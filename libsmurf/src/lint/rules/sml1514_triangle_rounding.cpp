@@ -112,7 +112,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses the inertia: it has no tolerance",
      "MuJoCo user_objects.cc:2762-2770, run"},
     {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",
-     "Drake rotational_inertia.cc:184-216", when(kBeyondDrake)},
+     kRun, when(kBeyondDrake)},
 };
 
 }  // namespace

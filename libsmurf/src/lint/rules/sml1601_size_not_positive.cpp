@@ -50,10 +50,9 @@ constexpr Fact kFacts[] = {
      "MARS smurf.cpp:1014-1058, NodePhysics.cpp:626-634"},
     {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a size that is not positive", kRun},
-    {&readers::drake, Effect::takes, "accepts a sphere of radius 0",
-     "Drake shape_specification.cc:284", at("sphere/@radius").when(kZero)},
-    {&readers::drake, Effect::refuses, "refuses a size that is not positive",
-     "Drake shape_specification.h"},
+    {&readers::drake, Effect::takes, "accepts a sphere of radius 0", kRun,
+     at("sphere/@radius").when(kZero)},
+    {&readers::drake, Effect::refuses, "refuses a size that is not positive", kRun},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };
 

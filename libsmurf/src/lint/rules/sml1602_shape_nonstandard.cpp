@@ -46,10 +46,8 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::mujoco, Effect::takes, "supports capsules", kRun, at("capsule")},
     {&readers::mujoco, Effect::refuses, "refuses the shape", kRun},
-    {&readers::drake, Effect::takes, "supports capsules", "Drake detail_urdf_geometry.cc:318-346",
-     at("capsule")},
-    {&readers::drake, Effect::refuses, "refuses the shape",
-     "Drake detail_urdf_geometry.cc:318-346"},
+    {&readers::drake, Effect::takes, "supports capsules", kRun, at("capsule")},
+    {&readers::drake, Effect::refuses, "refuses the shape", kRun},
 };
 
 }  // namespace

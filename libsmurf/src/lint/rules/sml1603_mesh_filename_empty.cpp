@@ -5,13 +5,17 @@
 namespace smurf::rules::sml1603_mesh_filename_empty_file {
 namespace {
 
+constexpr Circumstance kEmpty{"empty"};
+
 void check(const LinkedModel& model, Findings& findings) {
   for (const PathUses& path : paths_with(model, PathFault::empty)) {
     for (const MeshReference* reference : path.references) {
       const bool is_texture = reference->is_texture;
+      const bool is_blank = !reference->filename.empty();
       Diagnostic& diagnostic =
           findings.report(reference->span, std::string("the ") + (is_texture ? "texture" : "mesh") +
                                                " names no file");
+      if (!is_blank) diagnostic.when(kEmpty);
       // Exporters write it into every material.
       if (is_texture) diagnostic.severity = Severity::info;
     }
@@ -24,6 +28,9 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "needs no texture", kRun, at("texture")},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, at("mesh")},
     urdfdom_drops_shapes(),
+    {&readers::drake, Effect::takes, "needs no texture", kRun, at("texture")},
+    {&readers::drake, Effect::loses, "leaves out the shape", kRun, at("visual").when(kEmpty)},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
     {&readers::gazebo, Effect::takes, "needs no texture", kRun, at("texture")},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
     {&readers::mujoco, Effect::takes, "needs no texture", kRun, at("texture")},

@@ -5,6 +5,7 @@
 #include "base/path.hpp"
 #include "base/readers.hpp"
 #include "base/uncertain.hpp"
+#include "base/words.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
 #include "lint/mesh_queries.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr Circumstance kFoundByMars{"found by mars"};
 constexpr Circumstance kMesh{"mesh"};
+constexpr Circumstance kFolder{"folder"};
 constexpr Circumstance kPackage{"package"};
 constexpr Circumstance kAbove{"found from above"};
 constexpr Circumstance kTexture{"texture"};
@@ -85,6 +87,7 @@ void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_
       findings.report(mesh.span, std::string(mesh.is_texture ? "texture" : "mesh") +
                                      " file not found: " + quoted(mesh.filename));
   diagnostic.when(mesh.is_texture ? kTexture : kMesh);
+  if (is_one_of(path::file_name(mesh.filename), {"", ".", ".."})) diagnostic.when(kFolder);
   if (mesh.path.empty()) {
     diagnostic.caret = why_not_found(model, package_of(mesh.filename));
   } else if (mesh.path != mesh.filename) {
@@ -153,8 +156,8 @@ constexpr Fact kFacts[] = {
      "looks in the folder above urdf/ only, and stops with an exception", "Phobos a613e31, run",
      when(kPackage)},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun, when(kMesh)},
-    {&readers::pybullet, Effect::takes, "looks in the folders above the URDF, too",
-     "Bullet UrdfFindMeshFile.h", when(kAbove)},
+    {&readers::pybullet, Effect::takes, "looks in the folders above the URDF, too", kRun,
+     when(kAbove)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",
      "Bullet UrdfFindMeshFile.h, run", when(kMesh)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",
@@ -172,10 +175,12 @@ constexpr Fact kFacts[] = {
      when(kElsewhere)},
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun,
      when(kMesh)},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc",
-     when(kMesh)},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc",
-     when(kTexture)},
+    {&readers::drake, Effect::loses, "shows nothing for a folder", kRun,
+     at("visual").when(kMesh, kFolder)},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun, when(kMesh)},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun, when(kTexture)},
+    {&readers::drake, Effect::refuses, "knows no such package, and refuses the file", kRun,
+     when(kPackage)},
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun,
      when(kMesh)},
     {&readers::pinocchio, Effect::refuses, "finds only packages whose folders it was given", kRun,

@@ -43,7 +43,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
     kMujocoLooksBeside,
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc"},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
 };

@@ -32,7 +32,7 @@ constexpr Fact kFacts[] = {
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun,
      at("mesh")},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, at("mesh")},
-    {&readers::drake, Effect::refuses, "refuses the file", kRun, at("mesh")},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
     ros_without_mesh(),
     gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},

@@ -51,8 +51,7 @@ constexpr Fact kFacts[] = {
     kMujocoLooksBeside,
     {&readers::mujoco, Effect::refuses,
      "where the file is missing, cannot open the file, and refuses the model", kRun},
-    {&readers::drake, Effect::refuses, "where the file is missing, refuses the file",
-     "Drake detail_path_utils.cc"},
+    {&readers::drake, Effect::refuses, "where the file is missing, refuses the file", kRun},
     {&readers::pinocchio, Effect::takes, "opens the file", kRun, when(kExists)},
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
 };

@@ -33,6 +33,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, when(kModel)},
+    {&readers::pybullet, Effect::takes, "opens the file", kRun, when(kFound)},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun},
     {&readers::drake, Effect::refuses, "refuses the file", kRun},
     {&readers::mars, Effect::loses,
      "treats the scheme as a part of the path, and shows the link without it",

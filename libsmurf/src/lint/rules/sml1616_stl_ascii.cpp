@@ -17,8 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::loses,
-     "compares the size of the file with a binary count, and leaves the shape out",
-     "Bullet LoadMeshFromSTL.h"},
+     "compares the size of the file with a binary count, and leaves the shape out", kRun},
     {&readers::mujoco, Effect::refuses,
      "compares the size of the file with a binary count, and refuses the model", kRun},
 };

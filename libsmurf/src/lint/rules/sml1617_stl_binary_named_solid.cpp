@@ -14,8 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::takes, "compares the size, and reads the file", kRun},
-    {&readers::pybullet, Effect::takes, "compares the size, and reads the file",
-     "Bullet LoadMeshFromSTL.h"},
+    {&readers::pybullet, Effect::takes, "compares the size, and reads the file", kRun},
 };
 
 }  // namespace

@@ -21,8 +21,7 @@ constexpr Fact kFacts[] = {
     {&readers::ros, Effect::takes, "does not rotate the mesh, neither in RViz nor in MoveIt",
      "RViz assimp_loader.cpp:201, geometric_shapes mesh_operations.cpp:252-258"},
     {&readers::gazebo, Effect::takes, "does not rotate the mesh", "gz-common ColladaLoader.cc:718"},
-    {&readers::pybullet, Effect::changes, "rotates the mesh",
-     "Bullet LoadMeshFromCollada.cpp:538-550"},
+    {&readers::pybullet, Effect::ignores, "does not rotate the mesh", "Bullet, collisions, run"},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -14,11 +15,13 @@ namespace {
 
 /// The files lie in a package with another name.
 constexpr Circumstance kOtherName{"other name"};
+/// The folder of the package has its name, and stands above the URDF.
+constexpr Circumstance kAbove{"folder above"};
+constexpr std::string_view kScheme = "package://";
 
 /// A fix that renames the package in all its addresses.
 Fix rename(const std::vector<const MeshReference*>& uses, std::string_view name,
            const std::string& to) {
-  constexpr std::string_view kScheme = "package://";
   Fix fix;
   for (const MeshReference* use : uses) {
     PathUses one{use->filename, {use}};
@@ -45,6 +48,10 @@ void check(const LinkedModel& model, Findings& findings) {
     if (uses.size() > 1) {
       diagnostic.note("the URDF names " + std::to_string(uses.size()) + " files of it");
     }
+    const bool is_above = std::all_of(uses.begin(), uses.end(), [](const MeshReference* use) {
+      return ("/" + use->path).ends_with("/" + use->filename.substr(kScheme.size()));
+    });
+    if (is_above) diagnostic.when(kAbove);
     if (there.empty()) {
       diagnostic.severity = Severity::info;
       diagnostic.when(kUncertain);
@@ -71,6 +78,9 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::refuses, "finds only packages whose folders it was given", kRun},
     {&readers::gazebo, Effect::loses, "finds no such package, and shows nothing",
      "sdformat keeps the address unchecked", when(kOtherName)},
+    {&readers::drake, Effect::refuses, "knows no such package, and refuses the file", kRun},
+    {&readers::pybullet, Effect::takes, "looks in the folders above the URDF", kRun, when(kAbove)},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, at("mesh")},
     {&readers::pinocchio, Effect::refuses, "finds only packages whose folders it was given", kRun,
      at("mesh")},
 };

@@ -8,6 +8,8 @@
 namespace smurf::rules::sml1702_material_undefined_file {
 namespace {
 
+constexpr Circumstance kNameless{"empty name"};
+
 /// Whether a material has more than a name. exportURDF of urdfdom adds an empty texture to each.
 bool has_content(const LinkedModel& model, const urdf::Material& material) {
   const xml::View element(model.robot->document, material.element);
@@ -41,6 +43,7 @@ class MaterialCheck {
     reported_.add(*name, 0);
     Diagnostic& diagnostic =
         findings_.report(name.span, "the material " + quoted(*name) + " is not defined anywhere");
+    if (name->empty()) diagnostic.when(kNameless);
     if (uses_[*name] > 1) {
       diagnostic.note("it is used " + std::to_string(uses_[*name]) + " times");
     }
@@ -71,7 +74,8 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes, "leaves the visual without colour and prints a message",
      kRun},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc"},
+    {&readers::drake, Effect::changes, "uses its own colour", kRun, when(kNameless)},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
 };
 
 }  // namespace

@@ -22,8 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::refuses, "refuses the file", "urdfdom model.cpp:147, run"},
     {&readers::pybullet, Effect::changes, "uses the first", "Bullet UrdfParser.cpp:2278, run"},
-    {&readers::drake, Effect::refuses, "refuses the file, even when both are equal",
-     "Drake detail_urdf_geometry.cc:54"},
+    {&readers::drake, Effect::refuses, "refuses the file, even when both are equal", kRun},
     {&readers::mujoco, Effect::takes, "uses the first", kRun},
 };
 

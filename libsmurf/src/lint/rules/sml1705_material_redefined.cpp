@@ -62,9 +62,9 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes, "uses the first for both", kRun},
     {&readers::pybullet, Effect::takes, "gives each visual its own", kRun},
     {&readers::mujoco, Effect::takes, "gives each visual its own", kRun},
-    {&readers::drake, Effect::takes, "treats colours that differ by less than 1e-10 as equal",
-     "Drake detail_urdf_geometry.cc:76-80", when(kRounding)},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc:64-102"},
+    {&readers::drake, Effect::takes, "treats colours that differ by less than 1e-10 as equal", kRun,
+     when(kRounding)},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
 };
 
 }  // namespace

@@ -26,8 +26,7 @@ constexpr Fact kFacts[] = {
      "urdfdom link.cpp:86-94, run"},
     {&readers::gazebo, Effect::loses, "drops the material", kRun},
     {&readers::mujoco, Effect::changes, "clips it", kRun},
-    {&readers::drake, Effect::refuses, "refuses a visual of such a colour",
-     "Drake geometry_properties.h:262, rgba.h:44"},
+    {&readers::drake, Effect::refuses, "refuses a visual of such a colour", kRun},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };
 

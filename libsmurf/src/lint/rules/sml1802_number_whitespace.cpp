@@ -8,15 +8,14 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "skips leading white space", kRun, when(cases::kLeading)},
-    {&readers::pybullet, Effect::refuses, "refuses an axis that is not a vector", kRun,
-     at("axis").when(cases::kVector)},
-    {&readers::drake, Effect::refuses, "refuses a scale of which it reads less than three numbers",
-     kRun, at("@scale").when(cases::kVector)},
+    {&readers::pybullet, Effect::takes, "skips white space", "Bullet UrdfParser.cpp (atof), run",
+     when(cases::kEnoughWords)},
+    {&readers::pybullet, Effect::refuses, "refuses an axis that is not a vector", kRun, at("axis")},
     {&readers::pybullet, Effect::changes, "reads a vector of zeros and warns",
-     "Bullet UrdfParser.cpp:49-78, run", when(cases::kVector)},
-    {&readers::pybullet, Effect::takes, "skips white space", "Bullet UrdfParser.cpp (atof), run"},
+     "Bullet UrdfParser.cpp:49-78, run"},
     {&readers::mujoco, Effect::takes, "skips white space", kRun},
-    {&readers::drake, Effect::takes, "skips white space", "Drake detail_tinyxml.h:60-73"},
+    {&readers::drake, Effect::takes, "skips white space", kRun, when(cases::kEnoughRead)},
+    {&readers::drake, Effect::refuses, "takes a scale without a space for one number", kRun},
     {&readers::phobos, Effect::takes, "skips white space", kRun},
 };
 constexpr std::string_view kFormer[] = {"SML1808", "trailing-space", "vector-tab-newline"};

@@ -10,7 +10,6 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "computes with it until nothing has a position",
      "Bullet UrdfParser.cpp (atof), run"},
-    {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
     {&readers::mujoco, Effect::refuses, "refuses the size", "3.2.0, run",
      at("mesh/@scale").before({3, 2, 3})},
     {&readers::mujoco, Effect::refuses, "refuses more numbers than it expects", kRun,

@@ -33,7 +33,6 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such a mass", kRun,
      at("mass/@value").when(cases::kZeroOrLess)},
     {&readers::mujoco, Effect::changes, "reads infinity", kRun},
-    {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };
 

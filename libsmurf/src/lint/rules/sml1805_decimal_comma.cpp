@@ -9,12 +9,8 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "reads the digits before the comma",
      "Bullet UrdfParser.cpp (atof), run"},
-    {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
-     when(cases::kVector)},
     {&readers::drake, Effect::crashes, "reads 0, and ends the process at a cylinder of that size",
      kRun, at("cylinder")},
-    {&readers::drake, Effect::changes, "reads the digits before the comma",
-     "Drake detail_tinyxml.h:60-73"},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/cases.hpp"
 #include "base/readers.hpp"
 #include "base/rules.hpp"
 
@@ -6,6 +7,9 @@ namespace smurf::rules::sml1806_comma_separator_file {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "reads the leading digits",
+     "Bullet UrdfParser.cpp (atof), run", when(cases::kEnoughWords)},
+    {&readers::pybullet, Effect::refuses, "refuses an axis that is not a vector", kRun, at("axis")},
     {&readers::pybullet, Effect::changes, "reads a vector of zeros and warns",
      "Bullet UrdfParser.cpp:49-78, run"},
 };

@@ -12,16 +12,16 @@ constexpr Fact kFacts[] = {
      "urdfdom color.h:88, run", at("@rgba")},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run",
      at("@scale")},
-    {&readers::pybullet, Effect::changes, "uses one number for all axes", "Bullet, read",
-     at("@scale")},
+    {&readers::pybullet, Effect::changes, "uses one number for all axes", kRun, at("@scale")},
     {&readers::pybullet, Effect::takes, "ignores the fourth number", kRun,
      at("axis").when(cases::kTooMany)},
     {&readers::pybullet, Effect::refuses, "refuses an axis that is not a vector",
      "Bullet UrdfParser.cpp, run", at("axis")},
     {&readers::pybullet, Effect::changes, "cuts the vector, or reads zeros and warns",
      "Bullet UrdfParser.cpp:49-78, run"},
-    {&readers::drake, Effect::changes, "uses one number for all axes", "Drake, read", at("@scale")},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake, read", at("@rgba")},
+    {&readers::drake, Effect::changes, "uses one number for all axes", kRun,
+     at("@scale").when(cases::kEnoughRead)},
+    {&readers::drake, Effect::refuses, "refuses the file", kRun},
 };
 constexpr std::string_view kFormer[] = {"SML1626", "SML1706", "scale-malformed", "rgba-count"};
 

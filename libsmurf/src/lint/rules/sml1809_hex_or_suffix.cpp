@@ -30,11 +30,8 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses the number", kRun,
      when(cases::kHex, cases::kBroken)},
     {&readers::mujoco, Effect::changes, "reads a hexadecimal number", kRun, when(cases::kHex)},
-    {&readers::drake, Effect::refuses, "refuses a vector with anything but numbers", kRun,
-     when(cases::kVector)},
     {&readers::drake, Effect::crashes, "reads 0, and ends the process at a cylinder of that size",
      kRun, at("cylinder").when(cases::kHex)},
-    {&readers::drake, Effect::changes, "reads the leading digits", "Drake detail_tinyxml.h:60-73"},
 };
 
 }  // namespace

@@ -48,7 +48,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses, "ignores `mimic` elements; it reads `mimic_motor` instead",
      "MARS smurf.cpp:902-910"},
     {&readers::pybullet, Effect::loses, "ignores `mimic` elements: the joint moves independently",
-     "Bullet UrdfParser.cpp has no code for it"},
+     kRun},
     {&readers::gazebo, Effect::loses,
      "ignores `mimic` elements before sdformat 14, so the joint moves independently",
      "sdformat parser_urdf.cc:3152; 12.3, run", before({14, 0})},

@@ -82,8 +82,8 @@ constexpr std::string_view kDropsRoot =
     "drops the root with everything below it: a model without links";
 
 constexpr Fact kFacts[] = {
-    {&readers::pybullet, Effect::changes, "gives each such link 1 kg and 1 kg m2",
-     "Bullet UrdfParser.cpp:1051-1059"},
+    {&readers::pybullet, Effect::changes,
+     "gives each such link 1 kg, and computes its inertia from the collisions", kRun},
     {&readers::gazebo, Effect::refuses, kDropsRoot, kRun, when(kRoot)},
     {&readers::gazebo, Effect::refuses, kDropsRoot, kRun, at("inertial")},
     {&readers::dart, Effect::changes, "gives each such link 1 kg and 1 kg m2", kRun},

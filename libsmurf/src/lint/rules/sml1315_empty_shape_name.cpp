@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/words.hpp"
+#include "lint/geometry_queries.hpp"
+
+namespace smurf::rules::sml1315_empty_shape_name_file {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_geometry(model, [&](const GeometryUse& use) {
+    if (!use.name.written || !trimmed(*use.name).empty()) return;
+    findings.report(use.name.span, "a " + std::string(to_string(use.role)) + " has an empty name")
+        .help("name it, or delete the attribute");
+  });
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::drake, Effect::refuses, "refuses an empty name, and takes none", kRun},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1315_empty_shape_name{
+    .id = "SML1315",
+    .name = "empty-shape-name",
+    .severity = Severity::error,
+    .summary = "The name of a visual or collision is empty.",
+    .why = "Without the attribute, Drake makes a name of its own.",
+    .remedy = "Name it, or delete the attribute.",
+    .check_model = check,
+    .needs_target = true,
+    .facts = kFacts};
+
+}  // namespace smurf::rules::sml1315_empty_shape_name_file

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules::sml1316_name_too_long_file {
+namespace {
+
+/// Bullet copies names into such a buffer. Its process ended from 1,041 bytes on.
+constexpr std::size_t kBuffer = 1024;
+
+void check_name(const Field<std::string>& name, std::string_view what, Findings& findings) {
+  if (!name || name->size() < kBuffer) return;
+  findings.report(name.span, "the name of a " + std::string(what) + " has " +
+                                 std::to_string(name->size()) + " bytes");
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  check_name(model.robot->name, "robot", findings);
+  for_each_link(model, [&](const urdf::Link& link) { check_name(link.name, "link", findings); });
+  for_each_joint(model,
+                 [&](const urdf::Joint& joint) { check_name(joint.name, "joint", findings); });
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::crashes,
+     "writes past a buffer of 1024 bytes, and ends the process", kRun},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1316_name_too_long{.id = "SML1316",
+                                                  .name = "name-too-long",
+                                                  .severity = Severity::error,
+                                                  .summary =
+                                                      "A name is longer than a reader can keep.",
+                                                  .remedy = "Choose a shorter name.",
+                                                  .check_model = check,
+                                                  .needs_target = true,
+                                                  .facts = kFacts};
+
+}  // namespace smurf::rules::sml1316_name_too_long_file
