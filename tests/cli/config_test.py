@@ -281,12 +281,15 @@ class Content(ConfigTest):
                 {"paths": {"*.urdf": {"ignore": "SML1", "severity": {"unknown-joint": "info"}}}},
                 {"xacro": [{"file": "a.xacro", "arguments": {"side": ["left", "right"], "n": 1}}]},
                 {"xacro": [{"file": "a.xacro"}]},
+                {"companions": [{"robot": "a.xacro", "files": ["rainbow.json"]}, {"robot": "a.xacro", "files": "rainbow.json"}]},
                 {"exclude": ["old", "/a/**"], "force-exclude": True, "packages": {"a": "b"}},
                 {"format": ["full", "json=x.json"], "fail-on": "never", "max-warnings": 3, "baseline": None}]
         bad = [{"ingore": []}, {"select": {}}, {"severity": {"SML5012": "fatal"}},
                {"schemas": {"entites": {}}}, {"schemas": {"sections": {"a": []}}}, {"targets": {}}, [],
                {"xacro": [{"arguments": {"a": 1}}]}, {"xacro": [{"file": "a.xacro", "args": {}}]},
                {"xacro": [{"file": "a.xacro", "arguments": ["a"]}]},
+               {"companions": [{"files": ["rainbow.json"]}]}, {"companions": [{"robot": "a.xacro", "file": "rainbow.json"}]},
+               {"companions": 1}, {"companions": [{"robot": "a.xacro", "files": {"a": 1}}]},
                {"select": "unknown-jiont"}, {"severity": {"SML50012": "info"}}, {"targets": "mujuco"},
                {"tolerances": {"SML3101": 1}}, {"tolerances": {"SML5004": -1}}, {"tolerances": {"SML5004": "x"}},
                {"paths": {"*.urdf": {"select": "SML1"}}}, {"paths": ["a"]}, {"extends": {}},
@@ -341,6 +344,7 @@ packages:
   a: b                        # robots/.smurf-lint.yaml:5
 schemas: {}                   # default
 xacro: []                     # default
+companions: []                # default
 format: auto                  # default
 fail-on: never                # --fail-on
 max-warnings: 3               # robots/.smurf-lint.yaml:9

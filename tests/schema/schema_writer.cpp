@@ -13,19 +13,15 @@
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
 #include "base/numbers.hpp"
+#include "schema/ros_schemas.hpp"
+#include "schema/schema_head.hpp"
 #include "smurf/config.hpp"
 #include "smurf/readers.hpp"
 
 namespace smurf::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr std::string_view kBase =
-    "https://raw.githubusercontent.com/smurf-tools/smurf/main/schemas/";
 constexpr const char* kScalars[] = {"string", "number", "boolean"};
-
-std::string file_name(std::string_view schema) { return std::string(schema) + ".schema.json"; }
 
 Json reference(std::string_view section) { return {{"$ref", file_name(section)}}; }
 
@@ -191,15 +187,6 @@ Json object_of(std::span<const KeySpec* const> keys) {
   return schema;
 }
 
-Json head(std::string_view name, std::string title, std::string_view description) {
-  Json schema;
-  schema["$schema"] = "http://json-schema.org/draft-07/schema#";
-  schema["$id"] = std::string(kBase) + file_name(name);
-  schema["title"] = std::move(title);
-  schema["description"] = std::string(description);
-  return schema;
-}
-
 Json section_schema(const SectionSpec& section) {
   Json schema =
       head(section.name, "SMURF annotation section " + std::string(section.name), section.doc);
@@ -313,6 +300,16 @@ Json xacro_setting() {
              {{"file", {{"type", "string"}}}, {"arguments", map_to(one_or_more(text))}}}}}};
 }
 
+Json companion_setting() {
+  return {{"type", types({"array"}, true)},
+          {"items",
+           {{"type", "object"},
+            {"additionalProperties", false},
+            {"required", {"robot"}},
+            {"properties",
+             {{"robot", {{"type", "string"}}}, {"files", one_or_more({{"type", "string"}})}}}}}};
+}
+
 Json setting(SettingType type) {
   const Json text{{"type", kScalars}};
   const Json rule{{"$ref", "#/definitions/rule"}};
@@ -345,6 +342,7 @@ Json setting(SettingType type) {
   case SettingType::count: return {{"type", types({"integer"}, true)}, {"minimum", 0}};
   case SettingType::boolean: return {{"type", types({"boolean"}, true)}};
   case SettingType::xacro: return xacro_setting();
+  case SettingType::companions: return companion_setting();
   case SettingType::file: return {{"type", {"string", "number", "boolean", "null"}}};
   }
   return {};
@@ -410,6 +408,7 @@ std::map<std::string, std::string> write_schemas() {
   for (const SectionSpec* section : all_sections()) {
     files[file_name(section->name)] = to_text(section_schema(*section));
   }
+  for (const auto& [name, schema] : ros_schemas()) files[file_name(name)] = to_text(schema);
   return files;
 }
 

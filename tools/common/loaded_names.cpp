@@ -78,14 +78,15 @@ void LoadedNames::load_model(const std::string& path) {
   Part& part = parts_.emplace_back(
       Part{.model = &loaded, .companions = &companions, .expansions = context.expansions});
   note(loaded.model, part);
-  if (loaded.model.robot) {
-    const auto expansion = context.expansions->find(loaded.model.robot->document.source);
-    if (expansion != context.expansions->end()) {
-      for (const std::string& file : expansion->second.included) part.read.insert(identity(file));
-    }
-  }
+  const auto note_included = [&](SourceId source) {
+    const auto expansion = context.expansions->find(source);
+    if (expansion == context.expansions->end()) return;
+    for (const std::string& file : expansion->second.included) part.read.insert(identity(file));
+  };
+  if (loaded.model.robot) note_included(loaded.model.robot->document.source);
   for (const Companion& one : companions.files) {
     part.read.insert(identity(session_.loaded_sources().path(one.source)));
+    if (one.srdf) note_included(one.srdf->document.source);
   }
   if (lacks_companions(loaded, session_.loaded_sources())) {
     problem_ = "the models that share SRDF files have more than " +
@@ -93,9 +94,9 @@ void LoadedNames::load_model(const std::string& path) {
                raise_limit("repeated-bytes");
   }
   std::vector<Reference> names = references_of(loaded.model);
-  place_in_xacro(*context.expansions, names);
   const std::vector<Reference> more = companion_references(loaded.model, companions);
   names.insert(names.end(), more.begin(), more.end());
+  place_in_xacro(*context.expansions, names);
   names_.push_back(std::move(names));
   read_.insert(part.read.begin(), part.read.end());
 }

@@ -33,6 +33,8 @@ class LoadedNames {
   const std::vector<std::vector<Reference>>& names() const { return names_; }
   /// True for a planned model or scene, and for a file that belongs to one.
   bool has_read(const std::string& path) const;
+  /// All these files, by identity.
+  const std::set<std::string>& read() const { return read_; }
   /// The reason why names are missing; "" if none is missing.
   const std::string& problem() const { return problem_; }
 

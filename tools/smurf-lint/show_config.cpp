@@ -144,6 +144,15 @@ void show_robots(const Config& config, Page& page) {
   }
 }
 
+void show_companions(const Config& config, Page& page) {
+  if (config.companions.empty()) return page.block("", "companions", "", {}, "[]");
+  page.raw("companions:\n");
+  for (const ConfigCompanions& one : config.companions) {
+    page.line("- robot: " + text_of(one.robot.value), page.origin(one.robot.span));
+    page.block("  ", "files", "  - ", page.list_of(one.files), "[]");
+  }
+}
+
 void show_input(const Config& config, const LintOptions& options, Page& page) {
   Entries exclude;
   for (const ConfigPattern& pattern : config.exclude) {
@@ -174,6 +183,7 @@ void show_input(const Config& config, const LintOptions& options, Page& page) {
     page.block("  ", "sections", "  ", page.map_of(config.section_schemas));
   }
   show_robots(config, page);
+  show_companions(config, page);
 }
 
 std::string name_of(const ReportRequest& report) {

@@ -25,6 +25,8 @@ enum class CompanionKind : std::uint8_t {
   kinematics,
   moveit_controllers,
   ompl_planning,
+  sensors_3d,
+  setup_assistant,
 };
 
 /// A kind of companion, and how its files are recognised.
@@ -50,13 +52,29 @@ struct Companion {
   /// How many names of joints and links in it the robot has, and how many there are. A file in
   /// which the robot has less than half of the names belongs to another robot.
   std::size_t known_names = 0, names = 0;
+  /// Files that it names and that do not exist: of a `.setup_assistant`.
+  std::vector<yaml::NodeId> missing;
   bool is_ros2 = false;  ///< its package is built with ament, or it is only of use in ROS 2
+};
+
+/// A parameter file that a plugin of Gazebo for ros2_control names.
+struct PluginFile {
+  enum class State : std::uint8_t {
+    unknown,      ///< it may be made when the robot is built or launched
+    missing,      ///< its package was found, but not the file
+    other,        ///< it has no section controller_manager
+    controllers,  ///< one of the companions
+  };
+  xml::ElementId element{};  ///< `parameters`
+  std::string path;
+  State state{};
 };
 
 /// The companions of one robot, in the order of their paths. Views point into them and into the
 /// SourceMap, so they are moved, not copied.
 struct Companions {
   std::vector<Companion> files;
+  std::vector<PluginFile> plugin_files;
   bool is_alone = false;  ///< the robot was loaded only to check the first of the files
 };
 

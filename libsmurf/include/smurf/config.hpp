@@ -41,6 +41,12 @@ struct ConfigXacro {
   std::vector<std::pair<std::string, std::vector<std::string>>> arguments;
 };
 
+/// Companions of a robot, such as its controllers.yaml.
+struct ConfigCompanions {
+  Spanned<std::string> robot;
+  std::vector<Spanned<std::string>> files;
+};
+
 /// The settings of a configuration file and of those that it extends; absent settings are empty.
 /// Every value knows where it was written. Paths are relative to the folder that the
 /// configuration's own path is relative to.
@@ -58,6 +64,7 @@ struct Config {
   std::optional<Spanned<int>> max_warnings;
   std::optional<Spanned<std::string>> baseline;
   std::vector<ConfigXacro> xacro;
+  std::vector<ConfigCompanions> companions;
   UserSchemas schemas;
 };
 
@@ -94,7 +101,8 @@ enum class SettingType : std::uint8_t {
   count,
   boolean,
   file,
-  xacro  ///< a list of robots with arguments
+  xacro,      ///< a list of robots with arguments
+  companions  ///< a list of robots with files
 };
 
 /// A setting of the configuration.

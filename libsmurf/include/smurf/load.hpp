@@ -38,6 +38,12 @@ struct XacroWishes {
   friend bool operator==(const XacroWishes&, const XacroWishes&) = default;
 };
 
+/// Files that a user names as companions of a robot.
+struct CompanionTie {
+  std::string robot;
+  std::vector<std::string> files;
+};
+
 /// The input of loading. All of it must outlive the result.
 struct LoadContext {
   SourceMap& sources;
@@ -55,6 +61,7 @@ struct LoadContext {
   XacroWishes xacro = {};
   /// Of the xacro files that were loaded, for their findings.
   std::shared_ptr<xacro::Expansions> expansions = std::make_shared<xacro::Expansions>();
+  std::vector<CompanionTie> ties = {};
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Reports all mistakes and returns

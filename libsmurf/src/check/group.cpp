@@ -63,6 +63,9 @@ void merge(const CheckSettings& settings, const CanonicalPaths& paths, CheckGrou
   for (const auto& [name, folder] : config.packages) {
     group.packages.try_emplace(name, folder.value);
   }
+  for (const ConfigCompanions& one : config.companions) {
+    append(one.files, group.ties.emplace_back(CompanionTie{one.robot.value, {}}).files);
+  }
   group.settings = settings;
 }
 

@@ -35,6 +35,7 @@ struct CheckGroup {
   Config config;
   RuleSelection selection;
   std::map<std::string, std::string> packages;
+  std::vector<CompanionTie> ties;
   std::vector<Diagnostic> found;  ///< findings in the configuration
   CheckSettings settings;
   std::shared_ptr<PathChecks> path_checks;  ///< of the selection

@@ -256,8 +256,6 @@ class Run {
     return outcome;
   }
 
-  static constexpr std::size_t kFewestNames = 4;  // fewer may be the same by chance
-
   /// The meshes of the last check, if only texts have changed.
   void keep_meshes(Outcome&& known, Outcome& outcome) const {
     std::erase_if(known.answers, [&](const auto& one) {
@@ -284,6 +282,7 @@ class Run {
                         &group.config.schemas};
     if (is_remembering()) context.parsed = &outcome.parsed;
     context.xacro = group.settings.xacro;
+    context.ties = group.ties;
     if (!planned.arguments.empty()) context.xacro.arguments = planned.arguments;
     const InputKind kind = input_kind(planned.path);
     if (kind == InputKind::scene || kind == InputKind::drawing) {
@@ -321,9 +320,7 @@ class Run {
     Accompanied robot{load_model(planned.path, context), {}};
     if (!robot.model.robot || robot.model.robot->links.empty()) return robot;
     robot.companions = load_companions(robot.model, context);
-    std::erase_if(robot.companions.files, [](const Companion& one) {
-      return one.names < kFewestNames || one.known_names * 10 < one.names * 9;
-    });
+    keep_certain(robot.companions, context);
     return robot;
   }
 

@@ -274,7 +274,8 @@ LoadContext Session::context_of(Loaded& loaded) {
           state_->read,
           nullptr,
           group.settings.xacro,
-          state_->expansions};
+          state_->expansions,
+          group.ties};
 }
 
 LoadedExpansion Session::load_xacro(const std::string& path, const CheckSettings& settings) {

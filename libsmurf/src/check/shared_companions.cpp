@@ -2,6 +2,8 @@
 #include "check/shared_companions.hpp"
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace smurf {
@@ -14,6 +16,28 @@ CompanionFit fit_of(const Companion& companion, const LinkedModel& model) {
     }
   }
   return {companion.kind, companion.known_names * 2 + (has_hardware ? 1 : 0)};
+}
+
+void keep_certain(Companions& companions, const LoadContext& context) {
+  constexpr std::size_t kFewestNames = 4;  // fewer may be the same by chance
+  std::set<std::string> chosen;            // by identity
+  for (const CompanionTie& tie : context.ties) {
+    for (const std::string& file : tie.files) chosen.insert(context.files.identity(file));
+  }
+  for (const PluginFile& one : companions.plugin_files) {
+    chosen.insert(context.files.identity(one.path));
+  }
+  bool has_srdf = false;
+  std::erase_if(companions.files, [&](const Companion& one) {
+    const bool is_certain = one.names >= kFewestNames && one.known_names * 10 >= one.names * 9;
+    const bool is_chosen =
+        chosen.contains(context.files.identity(context.sources.path(one.source)));
+    const bool is_kept = is_certain || is_chosen;
+    has_srdf = has_srdf || (is_kept && one.srdf);
+    return !is_kept && one.names > 0;
+  });
+  std::erase_if(companions.files,
+                [&](const Companion& one) { return one.names == 0 && !has_srdf; });
 }
 
 void SharedCompanions::add(const Key& key, std::size_t rank, bool is_first, Found found) {

@@ -11,6 +11,7 @@
 
 #include "smurf/companions.hpp"
 #include "smurf/diagnostic.hpp"
+#include "smurf/load.hpp"
 
 namespace smurf {
 
@@ -21,6 +22,11 @@ struct CompanionFit {
   std::size_t rank = 0;
 };
 CompanionFit fit_of(const Companion& companion, const LinkedModel& model);
+
+/// Leaves only companions that are certainly of a robot that no user named: those of which it has
+/// nearly all names, those that the configuration or a plugin of the robot names, and files of
+/// MoveIt without joints beside an SRDF that is left.
+void keep_certain(Companions& companions, const LoadContext& context);
 
 /// Collects the findings in companions. A companion is judged with the robots that it fits best; a
 /// finding that only some of them have is about a variant that the file is not for.

@@ -13,6 +13,7 @@
 #include "base/quoted.hpp"
 #include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
+#include "config/companion_setting.hpp"
 #include "config/setting_words.hpp"
 #include "config/xacro_setting.hpp"
 #include "smurf/limits.hpp"
@@ -73,7 +74,7 @@ class ConfigReader {
     SettingSpec spec;
     void (ConfigReader::*read)(yaml::View value);
   };
-  static const Setting kSettings[16];
+  static const Setting kSettings[17];
   static const Setting kPathSettings[2];
   static const Setting kSchemaSettings[2];
 
@@ -156,6 +157,10 @@ class ConfigReader {
 
   void read_xacro(yaml::View value) {
     read_xacro_setting(value, folder_, files_, sink_, config_.xacro);
+  }
+
+  void read_companions(yaml::View value) {
+    read_companion_setting(value, folder_, files_, sink_, config_.companions);
   }
 
   void read_schemas(yaml::View value) {
@@ -416,6 +421,9 @@ const ConfigReader::Setting ConfigReader::kSettings[] = {
     {{"baseline", SettingType::file,
       "The file of suppressed findings that --generate-baseline writes."},
      &Reader::read_baseline},
+    {{"companions", SettingType::companions,
+      "Files of ROS that belong to a robot: an SRDF, controllers.yaml, files of MoveIt."},
+     &Reader::read_companions},
     {{"exclude", SettingType::patterns,
       "Files that a search of folders skips; patterns as in .gitignore."},
      &Reader::read_exclude},

@@ -177,6 +177,7 @@ std::string_view value_of(SettingType type) {
   case SettingType::file: return "a path";
   case SettingType::xacro:
     return "a list of robots: `file`, and `arguments` with values or lists of values";
+  case SettingType::companions: return "a list of robots: `robot`, and `files` that belong to it";
   }
   return {};
 }
@@ -187,6 +188,7 @@ ValueForm form_of(SettingType type) {
   case SettingType::targets:
   case SettingType::formats:
   case SettingType::xacro:
+  case SettingType::companions:
   case SettingType::patterns: return ValueForm::list;
   case SettingType::levels:
   case SettingType::tolerances:

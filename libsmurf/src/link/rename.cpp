@@ -280,7 +280,13 @@ class Renamer {
     }
     if (plain.empty()) return;
     std::string changed = apply_edits(raw, plain);
-    if (!is_plain(changed)) changed = "\"" + with_doubled(changed, "\"\\", '\\') + "\"";
+    // Within a text that needs no quotes, such as `joints(shoulder,elbow)`, a name of letters does
+    // not make them necessary.
+    const bool is_inside = std::all_of(text.parts.begin(), text.parts.end(), [&](const auto& part) {
+      return part.first > whole.begin && is_plain_name(part.second.second);
+    });
+    if (!is_inside && !is_plain(changed))
+      changed = "\"" + with_doubled(changed, "\"\\", '\\') + "\"";
     edits.push_back({whole, std::move(changed)});
   }
 

@@ -41,6 +41,14 @@ bool is_ompl_planning(std::string_view, std::string_view text) {
   return holds(text, "planner_configs:");
 }
 
+bool is_sensors_3d(std::string_view, std::string_view text) {
+  return holds(text, "sensors:") && holds(text, "sensor_plugin:");
+}
+
+bool is_setup_assistant(std::string_view name, std::string_view text) {
+  return name == ".setup_assistant" && holds(text, "moveit_setup_assistant_config:");
+}
+
 constexpr std::array kKinds = {
     CompanionSpec{CompanionKind::srdf, "SRDF", true, is_srdf},
     CompanionSpec{CompanionKind::controllers, "controllers.yaml", false, is_controllers},
@@ -49,11 +57,13 @@ constexpr std::array kKinds = {
     CompanionSpec{CompanionKind::moveit_controllers, "moveit_controllers.yaml", false,
                   is_moveit_controllers},
     CompanionSpec{CompanionKind::ompl_planning, "ompl_planning.yaml", false, is_ompl_planning},
+    CompanionSpec{CompanionKind::sensors_3d, "sensors_3d.yaml", false, is_sensors_3d},
+    CompanionSpec{CompanionKind::setup_assistant, ".setup_assistant", false, is_setup_assistant},
 };
 
 bool is_yaml(std::string_view path) {
   const std::string extension = path::to_lower(path::extension(path));
-  return extension == ".yaml" || extension == ".yml";
+  return extension == ".yaml" || extension == ".yml" || path::file_name(path) == ".setup_assistant";
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include "base/rules.hpp"
 #include "link/companions/companion_names.hpp"
 #include "link/companions/places.hpp"
+#include "link/companions/plugin_files.hpp"
+#include "link/companions/setup_assistant.hpp"
 #include "link/read_file.hpp"
 #include "link/xacro_model.hpp"
 #include "smurf/companions.hpp"
@@ -30,11 +32,11 @@ bool has_extension(std::string_view name, std::initializer_list<std::string_view
 
 /// Whether a file with this name may be a companion. Others are not opened: they may be anything.
 bool is_promising(std::string_view name) {
-  if (name.starts_with('.')) return false;
+  if (name.starts_with('.')) return name == ".setup_assistant";
   if (!has_extension(name, {".yaml", ".yml"})) return true;
   const std::string lower = path::to_lower(name);
   constexpr std::string_view kWords[] = {"control",  "limits", "kinematics", "ompl",
-                                         "planning", "moveit", "param"};
+                                         "planning", "moveit", "param",      "sensors"};
   return std::any_of(std::begin(kWords), std::end(kWords),
                      [&](std::string_view word) { return lower.find(word) != std::string::npos; });
 }
@@ -50,7 +52,9 @@ std::vector<std::string> candidates(const std::string& folder,
   for (const std::string& place : companion_places(folder, context.files)) {
     for (const std::string& name : context.files.list(place)) {
       const bool is_srdf = wants_srdf && is_companion_path(name);
-      if (!is_srdf && (!has_extension(name, extensions) || !is_promising(name))) continue;
+      const bool is_setup = wants_srdf && name == ".setup_assistant";
+      const bool is_wanted = is_setup || (has_extension(name, extensions) && is_promising(name));
+      if (!is_srdf && !is_wanted) continue;
       std::string path = path::join(place, name);
       if (!seen.insert(context.files.identity(path)).second) continue;
       found.push_back(std::move(path));
@@ -101,6 +105,7 @@ class Loader {
       DiagnosticSink ignored(context_.limits);
       companion.document = parse_yaml(context_.sources, *source, context_.limits, ignored);
       if (!companion.document || ignored.has_errors()) return std::nullopt;
+      if (spec.kind == CompanionKind::setup_assistant) find_missing_files(companion, context_);
     }
     return companion;
   }
@@ -129,7 +134,8 @@ void count_names(const LinkedModel& model, Companion& companion) {
   companion.known_names = companion.names = 0;
   for (const Reference& one : names_in_companion(model, companion)) {
     const bool is_part = one.kinds.contains(NameKind::link) || one.kinds.contains(NameKind::joint);
-    if (!is_part || one.is_vague) continue;
+    const bool is_expression = one.name.find('$') != std::string_view::npos;
+    if (!is_part || one.is_vague || is_expression) continue;
     ++companion.names;
     if (one.is_known()) ++companion.known_names;
   }
@@ -164,12 +170,20 @@ class Finder {
     for (const ModelFile& file : model_.files) {
       own_.insert(context_.files.identity(context_.sources.path(file.source)));
     }
+    read_ties();
     const std::string folder(path::parent(model_.urdf_path));
     for (const std::string& path : candidates(folder, {".srdf", ".yaml", ".yml"}, context_)) {
       if (!own_.contains(context_.files.identity(path))) look_at(path);
     }
+    found_.plugin_files = plugin_files_of(model_, context_.files);
+    for (const PluginFile& one : found_.plugin_files) {
+      if (one.state != PluginFile::State::controllers) continue;
+      if (!has(one.path)) look_at(one.path);
+      tied_.insert(context_.files.identity(one.path));
+    }
     for (Companion& one : found_.files) count_names(model_, one);
     std::erase_if(found_.files, [&](const Companion& one) {
+      if (is_tied(one)) return false;
       return one.srdf ? !belongs_to(model_, one) || has_better_robot(one)
                       : one.known_names * 2 < one.names;
     });
@@ -180,17 +194,48 @@ class Finder {
       if (path::file_name(one.folder) == "srdf") {
         folders.insert(path::normalize(path::join(one.folder, "../config")));
       }
+      folders.insert(path::normalize(path::join(one.folder, "..")));  // of .setup_assistant
     }
     // Robots of one family have the same names, so an SRDF decides which of them is meant.
     std::erase_if(found_.files, [&](const Companion& one) {
-      const bool is_tied = one.srdf || one.kind == CompanionKind::controllers;
-      return !is_tied && !folders.contains(one.folder) && !is_only_robot();
+      const bool is_free = one.srdf || one.kind == CompanionKind::controllers || is_tied(one);
+      return !is_free && !folders.contains(one.folder) && !is_only_robot();
     });
     return std::move(found_);
   }
 
  private:
-  void look_at(const std::string& path) {
+  /// What the configuration says: files of this robot are loaded, those of others are not.
+  void read_ties() {
+    if (context_.ties.empty()) return;
+    const std::string robot = context_.files.identity(model_.urdf_path);
+    const std::string main = context_.files.identity(model_.path);
+    std::set<std::string> of_others;
+    for (const CompanionTie& tie : context_.ties) {
+      const std::string id = context_.files.identity(tie.robot);
+      const bool is_own = id == robot || id == main;
+      for (const std::string& path : tie.files) {
+        (is_own ? tied_ : of_others).insert(context_.files.identity(path));
+        if (is_own) look_at(path, true);
+      }
+    }
+    for (const std::string& one : of_others) own_.insert(one);
+    for (const std::string& one : tied_) own_.insert(one);
+  }
+
+  bool is_tied(const Companion& one) const {
+    return !tied_.empty() &&
+           tied_.contains(context_.files.identity(context_.sources.path(one.source)));
+  }
+
+  bool has(const std::string& path) const {
+    const std::string wanted = context_.files.identity(path);
+    return std::any_of(found_.files.begin(), found_.files.end(), [&](const Companion& one) {
+      return context_.files.identity(context_.sources.path(one.source)) == wanted;
+    });
+  }
+
+  void look_at(const std::string& path, bool is_tied = false) {
     const bool is_srdf = is_companion_path(path);
     const FileContent content =
         context_.files.read(path, is_srdf ? context_.limits.srdf_bytes : kMostBytesOfYaml);
@@ -202,7 +247,7 @@ class Finder {
     // A xacro file without a name is a part of others, and an expression may be any name.
     if (is_xacro && name.empty()) return;
     const bool is_computed = is_xacro && name.find('$') != std::string_view::npos;
-    if (is_srdf && !is_computed && !may_be_for(name)) return;
+    if (is_srdf && !is_computed && !is_tied && !may_be_for(name)) return;
     if (auto companion = loader_.read(path, *spec, is_xacro ? &model_ : nullptr)) {
       found_.files.push_back(std::move(*companion));
     }
@@ -253,7 +298,8 @@ class Finder {
   Loader loader_;
   Companions found_;
   std::optional<std::vector<std::string>> robots_;  ///< around it, also in xacro
-  std::set<std::string> own_;                       ///< files of the model, by identity
+  std::set<std::string> own_;   ///< files of the model and of others, by identity
+  std::set<std::string> tied_;  ///< files that the configuration names, by identity
 };
 
 /// The robots around an SRDF with its robot name, URDFs before xacro files; else the only URDF.
@@ -272,6 +318,18 @@ std::vector<std::string> robots_of(const Companion& companion, const LoadContext
   return found;
 }
 
+/// The robots to which the configuration ties a file.
+std::vector<std::string> tied_robots_of(const std::string& path, const LoadContext& context) {
+  std::vector<std::string> robots;
+  for (const CompanionTie& tie : context.ties) {
+    const bool is_here = std::any_of(tie.files.begin(), tie.files.end(), [&](const auto& file) {
+      return context.files.identity(file) == context.files.identity(path);
+    });
+    if (is_here) robots.push_back(tie.robot);
+  }
+  return robots;
+}
+
 Accompanied load_companion(const std::string& path, LoadContext& context) {
   Accompanied loaded;
   loaded.model.path = path::normalize(path);
@@ -281,10 +339,13 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
     loaded.model.is_complete = false;
     return loaded;
   }
-  for (const std::string& robot : robots_of(*companion, context)) {
+  std::vector<std::string> robots = tied_robots_of(path, context);
+  const bool is_tied = !robots.empty();
+  if (!is_tied) robots = robots_of(*companion, context);
+  for (const std::string& robot : robots) {
     LinkedModel found = load_model(robot, context);
     count_names(found, *companion);
-    if (!found.robot || !belongs_to(found, *companion)) continue;
+    if (!found.robot || (!is_tied && !belongs_to(found, *companion))) continue;
     loaded.model = std::move(found);
     break;
   }

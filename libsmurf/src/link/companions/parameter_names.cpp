@@ -1,23 +1,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/companions/parameter_names.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 #include "base/words.hpp"
 #include "link/reference_finder.hpp"
+#include "smurf/ros_parameters.hpp"
 
 namespace smurf {
 namespace {
 
+/// The place of a name that is a part of the text of a scalar.
+NamePlace part_of_text(yaml::View scalar, std::string_view name) {
+  const auto offset = static_cast<std::size_t>(name.data() - scalar.text().data());
+  return part_of(place_of_name(scalar), offset, name.size());
+}
+
+/// `pid/shoulder`, `shoulder/position`: the parts that are joints.
+void add_interface(std::string_view text, yaml::View scalar, ReferenceFinder& finder) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('/'), text.size());
+    const std::string_view part = text.substr(0, end);
+    if (!part.empty() && finder.add_if_known(NameKind::joint, part, part_of_text(scalar, part))) {
+      return;
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
 void add_text(const Naming& naming, yaml::View value, ReferenceFinder& finder) {
   if (value.is_scalar()) {
-    if (!value.text().empty()) finder.add(naming, value.text(), place_of_name(value));
+    const std::string_view text = value.text();
+    if (text.empty()) return;
+    if (text.find('/') != std::string_view::npos && text.front() != '/') {
+      add_interface(text, value, finder);
+    } else {
+      finder.add(naming, text, place_of_name(value));
+    }
   } else if (value.is_sequence()) {
     for (const yaml::View item : value) {
-      if (item.is_scalar() && !item.text().empty()) {
-        finder.add(naming, item.text(), place_of_name(item));
-      }
+      if (item.is_scalar()) add_text(naming, item, finder);
     }
+  }
+}
+
+/// The names of interfaces in lists and mappings: `interface_names: {force: {x: wrist/force.x}}`.
+void add_interfaces(yaml::View value, int depth, ReferenceFinder& finder) {
+  constexpr int kDeepest = 4;
+  if (value.is_scalar()) {
+    if (value.text().find('/') != std::string_view::npos) {
+      add_interface(value.text(), value, finder);
+    }
+  } else if ((value.is_sequence() || value.is_mapping()) && depth < kDeepest) {
+    for (const yaml::View one : value) add_interfaces(one, depth + 1, finder);
   }
 }
 
@@ -28,12 +64,14 @@ void add_keys(const Naming& naming, yaml::View value, ReferenceFinder& finder) {
   }
 }
 
-/// Whether a parameter of a controller holds names of joints.
-bool holds_joints(std::string_view key) {
-  return is_one_of(key, {"joints", "joint", "command_joints", "dof_names"}) ||
-         key.ends_with("joint_name") || key.ends_with("joints_names") ||
-         key.ends_with("joint_names") || key.ends_with("wheel_names") ||
-         key.ends_with("wheels_names");
+/// The interfaces in the parameters with such a name, at any depth.
+void add_interfaces_below(yaml::View value, int depth, ReferenceFinder& finder) {
+  constexpr int kDeepest = 4;
+  if (value.key().find("interface") != std::string_view::npos) {
+    add_interfaces(value, 0, finder);
+  } else if (value.is_mapping() && depth < kDeepest) {
+    for (const yaml::View member : value) add_interfaces_below(member, depth + 1, finder);
+  }
 }
 
 /// Parameters whose members have the names of joints.
@@ -57,6 +95,8 @@ void add_of_controller(yaml::View parameters, ReferenceFinder& finder) {
       }
     } else if (value.key().ends_with("frame_id") && value.is_scalar()) {
       finder.add_if_known(NameKind::link, value.text(), place_of_name(value));
+    } else {
+      add_interfaces_below(value, 0, finder);
     }
   }
 }
@@ -112,13 +152,33 @@ void add_of_moveit_controllers(yaml::View root, ReferenceFinder& finder) {
     if (member.find("controller_names")) {
       for (const yaml::View controller : member) {
         if (!controller.is_mapping()) continue;
-        if (const yaml::View joints = controller.find("joints")) {
-          add_text({NameKind::joint}, joints, finder);
+        for (const std::string_view key : {"joints", "command_joint"}) {
+          const yaml::View joints = controller.find(key);
+          if (joints) add_text({NameKind::joint}, joints, finder);
         }
       }
+    } else if (member.find("allowed_start_tolerance_joints")) {
+      add_keys({NameKind::joint}, member.find("allowed_start_tolerance_joints"), finder);
     } else {
       add_of_moveit_controllers(member, finder);
     }
+  }
+}
+
+/// `joints(shoulder,elbow)` or `link(hand)`: names in a text.
+void add_of_projection(yaml::View value, ReferenceFinder& finder) {
+  if (!value.is_scalar()) return;
+  const std::string_view text = value.text();
+  const bool is_link = text.starts_with("link(");
+  if (!is_link && !text.starts_with("joints(")) return;
+  const std::size_t close = text.find(')');
+  for (std::size_t at = text.find('(') + 1; at < std::min(close, text.size());) {
+    const std::size_t end = std::min(text.find_first_of(",)", at), text.size());
+    const std::string_view name = trimmed(text.substr(at, end - at));
+    if (!name.empty()) {
+      finder.add({is_link ? NameKind::link : NameKind::joint}, name, part_of_text(value, name));
+    }
+    at = end + 1;
   }
 }
 
@@ -130,6 +190,17 @@ void add_of_planners(yaml::View root, ReferenceFinder& finder) {
     if (planners && planners.is_sequence()) {
       finder.add({NameKind::group}, member.key(), place_of_key(member));
     }
+    if (const yaml::View projection = member.find("projection_evaluator")) {
+      add_of_projection(projection, finder);
+    }
+  }
+}
+
+/// sensors_3d.yaml: the frame of the map.
+void add_of_sensors(yaml::View root, ReferenceFinder& finder) {
+  const yaml::View frame = root.find("octomap_frame");
+  if (frame && frame.is_scalar()) {
+    finder.add_if_known(NameKind::link, frame.text(), place_of_name(frame));
   }
 }
 
@@ -145,6 +216,8 @@ void add_parameter_names(const Companion& companion, ReferenceFinder& finder) {
   case CompanionKind::kinematics: add_of_kinematics(root, finder); break;
   case CompanionKind::moveit_controllers: add_of_moveit_controllers(root, finder); break;
   case CompanionKind::ompl_planning: add_of_planners(root, finder); break;
+  case CompanionKind::sensors_3d: add_of_sensors(root, finder); break;
+  case CompanionKind::setup_assistant: break;
   }
 }
 

@@ -85,7 +85,7 @@ void for_each_controller_file(const Companions& companions,
 
 void for_each_known_controller(
     const Companions& companions,
-    const std::function<void(const RosController&, const std::vector<Parameter>&)>& visit) {
+    const std::function<void(const RosController&, const std::vector<RosParameter>&)>& visit) {
   for_each_controller_file(companions, [&](const ControllerFile& file) {
     for (const RosController& controller : file.controllers) {
       if (controller.known == nullptr || !controller.section) continue;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lint/companions/check.hpp"
-#include "lint/companions/controller_tables.hpp"
+#include "smurf/ros_parameters.hpp"
 
 namespace smurf {
 
@@ -42,7 +42,7 @@ void for_each_controller_file(const Companions& companions,
 /// that class.
 void for_each_known_controller(
     const Companions& companions,
-    const std::function<void(const RosController&, const std::vector<Parameter>&)>& visit);
+    const std::function<void(const RosController&, const std::vector<RosParameter>&)>& visit);
 
 /// "controller `arm_controller`"
 std::string title_of(const RosController& controller);

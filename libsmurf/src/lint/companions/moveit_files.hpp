@@ -3,8 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <string_view>
 
 #include "lint/companions/check.hpp"
+#include "smurf/ros_parameters.hpp"
 
 namespace smurf {
 
@@ -15,5 +18,17 @@ void for_each_file(const Companions& companions, CompanionKind kind,
 /// Calls `visit` for every joint in a joint_limits.yaml: a mapping below its name.
 void for_each_joint_limit(const Companions& companions,
                           const std::function<void(const Companion&, yaml::View)>& visit);
+
+/// Whether a mapping of this name only contains the parameters of MoveIt.
+bool is_moveit_wrapper(std::string_view key);
+
+/// Calls `visit` for every value that MoveIt reads, with its parameter and its path. It reads
+/// `max_velocity` of a joint only with `has_velocity_limits: true`.
+void for_each_moveit_value(const Companions& companions,
+                           const std::function<void(const Companion&, const RosParameter&,
+                                                    yaml::View, const std::string&)>& visit);
+
+/// The SRDF of the robot, if there is one only: a group may be in another one.
+const Companion* only_srdf(const Companions& companions);
 
 }  // namespace smurf

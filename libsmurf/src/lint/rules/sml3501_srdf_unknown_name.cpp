@@ -28,6 +28,10 @@ class Checker {
     const xml::View element(srdf_.document, xml::ElementId{one.place});
     if (one.kinds == NameKind::group) return check_group(one, element);
     if (one.is_known() && one.kind == one.kinds.first()) return;
+    if (one.name.find("${") != std::string_view::npos ||
+        one.name.find("$(") != std::string_view::npos) {
+      return check_expression(one, element);
+    }
     const bool is_pair = element.name().ends_with("_collisions");
     const auto [known, is_new] = seen_.insert({{is_pair, one.name}, nullptr});
     if (!is_new) {
@@ -43,7 +47,8 @@ class Checker {
 
   void finish() {
     for (const auto& [found, count] : more_) {
-      found->note("the same name is in " + counted(count, "more place"));
+      found->note("the same " + std::string(found == expression_ ? "is true of " : "name is in ") +
+                  counted(count, "more place"));
     }
   }
 
@@ -54,6 +59,17 @@ class Checker {
     if (first.fixes.empty()) return;
     const std::string text = first.fixes.front().edits.front().text;
     first.fixes.front().edits.push_back({one.span, text});
+  }
+
+  /// Xacro would have evaluated it.
+  void check_expression(const Reference& one, xml::View element) {
+    if (expression_ != nullptr) {
+      ++more_[expression_];
+      return;
+    }
+    expression_ = &findings_.report(one.span, subject_of(element) + " names " + quoted(one.name) +
+                                                  ", but MoveIt does not evaluate expressions");
+    expression_->help("name the file .srdf.xacro, and make the SRDF with xacro");
   }
 
   void check_group(const Reference& one, xml::View element) {
@@ -77,6 +93,7 @@ class Checker {
   using Place = std::pair<bool, std::string_view>;  ///< whether it is in a pair of links
   std::map<Place, Diagnostic*> seen_;               ///< the first finding about a name
   std::map<Diagnostic*, std::size_t> more_;
+  Diagnostic* expression_ = nullptr;
 };
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {

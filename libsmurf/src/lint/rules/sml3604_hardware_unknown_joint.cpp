@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <string_view>
+
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3604_hardware_unknown_joint_file {
@@ -14,6 +16,10 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
             .report(part.element.name_span(),
                     "a joint of " + title_of(hardware) + " has an empty name")
             .help("write the name of a joint of the robot");
+        continue;
+      }
+      if (part.name.find("${") != std::string_view::npos) {  // SML1009
+        findings.add_consequence(place);
         continue;
       }
       const urdf::Joint* joint = model.find_joint(part.name);

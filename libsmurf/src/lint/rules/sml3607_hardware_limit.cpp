@@ -12,6 +12,7 @@ namespace {
 constexpr Circumstance kInitial{"initial"};
 constexpr Circumstance kNotANumber{"not a number"};
 constexpr Circumstance kWider{"wider"};
+constexpr Circumstance kAbove{"above"};
 constexpr Circumstance kOther{"other interface"};
 
 constexpr double kSlack = 1e-6;  // rad or m: rounding errors
@@ -121,12 +122,26 @@ void check_initial(const HardwareInterface& one, const std::string& title, const
   found.help(value ? "write a value between them" : "write a number");
 }
 
+/// `min` of a joint instead of one of its interfaces.
+void check_above(const HardwarePart& part, const std::string& title, Findings& findings) {
+  for (const xml::View child : part.element) {
+    const std::string_view name = attribute_text(child, "name");
+    if (child.name() != "param" || !is_one_of(name, {"min", "max", "initial_value"})) continue;
+    Diagnostic& found = findings.report(
+        child.name_span(), quoted(name) + " of " + title + " is in none of its interfaces");
+    found.when(kAbove);
+    found.help("move it into a `command_interface` or `state_interface`");
+    return;  // one finding for all of them
+  }
+}
+
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
   for (const Hardware& hardware : hardware_of(model)) {
     for (const HardwarePart& part : hardware.parts) {
       if (!part.is_joint()) continue;
       const urdf::Joint* joint = model.find_joint(part.name);
       const std::string title = title_of(part, hardware);
+      check_above(part, title, findings);
       for (const HardwareInterface& one : part.interfaces) {
         const Limit min = read_limit(one, "min", title, findings);
         const Limit max = read_limit(one, "max", title, findings);
@@ -151,6 +166,8 @@ constexpr Fact kFacts[] = {
      when(kOther).since(kParserOfJazzy)},
     {&readers::ros2_control, Effect::ignores, "leaves limits to the hardware", kParser,
      when(kOther)},
+    {&readers::ros2_control, Effect::loses, "passes it to the hardware and limits nothing", kParser,
+     when(kAbove)},
     {&readers::ros2_control, Effect::ignores, "uses the narrower limits", kParser, when(kWider)},
     {&readers::ros2_control, Effect::changes, "leaves the value to the hardware or the simulator",
      kParser, when(kInitial)},

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "base/suggest.hpp"
@@ -18,7 +20,13 @@ constexpr std::array<std::string_view, 4> kStandard = {"position", "velocity", "
 
 void check_name(const HardwareInterface& one, const std::string& title, Findings& findings) {
   if (std::find(kStandard.begin(), kStandard.end(), one.name) != kStandard.end()) return;
-  const auto near = only_nearest(one.name, kStandard);
+  // `position_pid` of gazebo_ros2_control is a name of its own.
+  const bool is_longer =
+      std::any_of(kStandard.begin(), kStandard.end(), [&](std::string_view word) {
+        return one.name.starts_with(std::string(word) + "_") ||
+               one.name.ends_with("_" + std::string(word));
+      });
+  const auto near = is_longer ? std::nullopt : only_nearest(one.name, kStandard);
   if (!near) return;
   const Span place = place_of(one.element, "name");
   Diagnostic& found = findings.report(place, title + " has an interface " + quoted(one.name) +

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
 #include <map>
 #include <string>
 
+#include "base/counted.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3610_hardware_commanded_twice_file {
@@ -10,6 +12,8 @@ namespace {
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
   std::map<std::string, Span> known;
   for (const Hardware& hardware : hardware_of(model)) {
+    Diagnostic* found = nullptr;  // one finding for all interfaces
+    std::size_t count = 0;
     for (const HardwarePart& part : hardware.parts) {
       if (part.name.empty()) continue;
       std::map<std::string, Span> own;
@@ -19,15 +23,14 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
         const Span place = place_of(one.element, "name");
         own.emplace(full, place);
         const auto first = known.find(full);
-        if (first == known.end()) continue;
-        findings
-            .report(place, title_of(hardware) + " commands " + quoted(full) +
-                               ", which another ros2_control commands, too")
-            .label(first->second, "it is commanded here, too")
-            .help("delete one of them");
+        if (first == known.end() || ++count > 1) continue;
+        found = &findings.report(place, title_of(hardware) + " commands " + quoted(full) +
+                                            ", which another ros2_control commands, too");
+        found->label(first->second, "it is commanded here, too").help("delete one of them");
       }
       known.merge(own);
     }
+    if (count > 1) found->note("the same is true of " + counted(count - 1, "more interface"));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/suggest.hpp"
+#include "base/words.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3611_hardware_misplaced_file {
@@ -30,7 +31,21 @@ class Search {
     }
   }
 
+  /// A part of a `ros2_control` that is not in one.
+  static bool is_part(xml::View element) {
+    if (is_one_of(element.name(), {"hardware", "gpio"})) return true;
+    if (element.name() == "transmission") return static_cast<bool>(element.child("plugin"));
+    const bool has_interface =
+        element.child("state_interface") || element.child("command_interface");
+    return is_one_of(element.name(), {"sensor", "joint"}) && has_interface;
+  }
+
   void look_at(xml::View child) {
+    if (is_part(child)) {
+      report(child, "ros2_control does not look at this " + quoted(child.name()) +
+                        ", because it is not in a `ros2_control`")
+          .help("move it into one");
+    }
     if (only_nearest(child.name(), kTag)) {
       report(child, "ros2_control does not look at " + quoted(child.name()))
           .help("did you mean `ros2_control`?");

@@ -9,20 +9,6 @@
 namespace smurf::rules::sml3702_controller_value_type_file {
 namespace {
 
-std::string_view type_name(char type) {
-  switch (type) {
-  case 'd': return "double";
-  case 'i': return "integer";
-  case 'b': return "bool";
-  case 's': return "string";
-  case 'D': return "list of doubles";
-  case 'I': return "list of integers";
-  case 'B': return "list of bools";
-  case 'S': return "list of strings";
-  default: return "value";
-  }
-}
-
 /// The type that rclcpp gives to a scalar; 0 for one that it fills in later.
 char type_of(yaml::View value) {
   if (value.is_null() || is_placeholder(value.text())) return 0;
@@ -40,9 +26,10 @@ char type_of(yaml::View value) {
 
 void report(yaml::View value, const std::string& subject, char wanted, Findings& findings) {
   const char got = type_of(value);
-  Diagnostic& found = findings.report(
-      value.span(), subject + " is " + (got == 'i' ? "an " : "a ") + std::string(type_name(got)) +
-                        ", but must be a " + std::string(type_name(wanted)));
+  Diagnostic& found =
+      findings.report(value.span(), subject + " is " + (got == 'i' ? "an " : "a ") +
+                                        std::string(parameter_type_name(got)) + ", but must be a " +
+                                        std::string(parameter_type_name(wanted)));
   if (wanted == 'd' && got == 'i') {
     const std::string text(value.text());
     found.help("write " + quoted(text + ".0"));
@@ -51,22 +38,22 @@ void report(yaml::View value, const std::string& subject, char wanted, Findings&
   } else if (wanted == 's') {
     found.help("write it in quotes");
   } else {
-    found.help("write a " + std::string(type_name(wanted)));
+    found.help("write a " + std::string(parameter_type_name(wanted)));
   }
 }
 
-void check_value(yaml::View value, const std::string& path, const Parameter& parameter,
+void check_value(yaml::View value, const std::string& path, const RosParameter& parameter,
                  const RosController& controller, Findings& findings) {
   const bool is_list = std::isupper(static_cast<unsigned char>(parameter.type)) != 0;
   const std::string subject = quoted(path) + " of " + title_of(controller);
   if (value.is_scalar() && is_list) {
     if (type_of(value) == 0) return;
-    findings.report(value.span(), subject + " must be a " + std::string(type_name(parameter.type)))
+    findings.report(value.span(), subject + " must be a " + std::string(type_name(parameter)))
         .help("write `[" + std::string(value.text()) + "]`");
   } else if (value.is_sequence() && !is_list) {
     findings
         .report(value.span(),
-                subject + " is a list, but must be a " + std::string(type_name(parameter.type)))
+                subject + " is a list, but must be a " + std::string(type_name(parameter)))
         .help("write one value");
   } else if (value.is_scalar()) {
     const char got = type_of(value);
@@ -83,12 +70,12 @@ void check_value(yaml::View value, const std::string& path, const Parameter& par
 }
 
 void check_mapping(yaml::View mapping, const std::string& prefix,
-                   const std::vector<Parameter>& known, const RosController& controller,
+                   const std::vector<RosParameter>& known, const RosController& controller,
                    Findings& findings) {
   for (const yaml::View member : mapping) {
     if (member.is_repeated()) continue;
     const std::string path = prefix + std::string(member.key());
-    if (const Parameter* parameter = find_parameter(known, path)) {
+    if (const RosParameter* parameter = find_parameter(known, path)) {
       check_value(member, path, *parameter, controller, findings);
     } else if (member.is_mapping()) {
       check_mapping(member, path + ".", known, controller, findings);
@@ -98,7 +85,7 @@ void check_mapping(yaml::View mapping, const std::string& prefix,
 
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_known_controller(
-      companions, [&](const RosController& controller, const std::vector<Parameter>& known) {
+      companions, [&](const RosController& controller, const std::vector<RosParameter>& known) {
         check_mapping(controller.section, "", known, controller, findings);
       });
 }

@@ -8,10 +8,10 @@ namespace smurf::rules::sml3703_controller_unknown_parameter_file {
 namespace {
 
 /// The names that may be at one level: the parts of known paths behind a prefix.
-std::vector<std::string_view> names_behind(const std::vector<Parameter>& known,
+std::vector<std::string_view> names_behind(const std::vector<RosParameter>& known,
                                            std::string_view prefix) {
   std::vector<std::string_view> names;
-  for (const Parameter& one : known) {
+  for (const RosParameter& one : known) {
     if (!one.path.starts_with(prefix)) continue;
     const std::string_view rest = one.path.substr(prefix.size());
     const std::string_view name = rest.substr(0, rest.find('.'));
@@ -21,7 +21,7 @@ std::vector<std::string_view> names_behind(const std::vector<Parameter>& known,
 }
 
 void check_mapping(yaml::View mapping, const std::string& prefix,
-                   const std::vector<Parameter>& known, const RosController& controller,
+                   const std::vector<RosParameter>& known, const RosController& controller,
                    Findings& findings) {
   const std::vector<std::string_view> names = names_behind(known, prefix);
   if (names.empty()) return;
@@ -49,7 +49,7 @@ void check_mapping(yaml::View mapping, const std::string& prefix,
 
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_known_controller(
-      companions, [&](const RosController& controller, const std::vector<Parameter>& known) {
+      companions, [&](const RosController& controller, const std::vector<RosParameter>& known) {
         check_mapping(controller.section, "", known, controller, findings);
       });
 }

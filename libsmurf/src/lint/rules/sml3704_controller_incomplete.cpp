@@ -19,7 +19,8 @@ void check_type(const RosController& controller, Findings& findings) {
     return;
   }
   if (controller.known != nullptr || !controller.type.is_scalar()) return;
-  const std::vector<std::string_view> known = controller_class_names();
+  std::vector<std::string_view> known;
+  for (const ControllerClass& one : controller_classes()) known.push_back(one.name);
   const std::string_view type = trimmed(controller.type.text());
   const auto near = only_nearest(type, known);
   // Other packages have controllers of similar names.
@@ -55,17 +56,17 @@ bool is_set(const RosController& controller, std::string_view path) {
 /// Parameters may also be in other files; a section shows that they are here.
 void check_required(const RosController& controller, Findings& findings) {
   if (controller.known == nullptr || !controller.section) return;
-  const std::vector<Parameter> all = parameters_of(*controller.known);
+  const std::vector<RosParameter> all = parameters_of(*controller.known);
   // A parameter that no distribution knows may be one of another version, which needs others.
   for (const yaml::View member : controller.section) {
     const std::string_view key = member.key();
-    const bool is_known = std::any_of(all.begin(), all.end(), [&](const Parameter& one) {
+    const bool is_known = std::any_of(all.begin(), all.end(), [&](const RosParameter& one) {
       return one.path.substr(0, one.path.find('.')) == key || one.path == key;
     });
     if (!is_known && key.find('.') == std::string_view::npos) return;
   }
   std::string missing;
-  for (const Parameter& one : all) {
+  for (const RosParameter& one : all) {
     const bool is_by_name = one.path.find('*') != std::string_view::npos;
     const bool is_everywhere = one.distributions == controller.known->distributions;
     if (!one.is_required || is_by_name || !is_everywhere) continue;

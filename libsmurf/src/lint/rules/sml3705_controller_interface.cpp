@@ -2,7 +2,10 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "base/words.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
 
@@ -27,54 +30,111 @@ struct Offers {
   }
 };
 
+/// The interfaces that a class of controllers uses of the joints in a parameter: those that another
+/// parameter lists, or these.
+struct Use {
+  std::string_view type, joints;
+  std::string_view commands_in, commands;
+  std::string_view states_in, states;
+};
+constexpr Use kUses[] = {
+    {"joint_trajectory_controller/JointTrajectoryController", "joints", "command_interfaces", "",
+     "state_interfaces", ""},
+    {"forward_command_controller/ForwardCommandController", "joints", "interface_name", "", "", ""},
+    {"forward_command_controller/MultiInterfaceForwardCommandController", "joint",
+     "interface_names", "", "", ""},
+    {"position_controllers/JointGroupPositionController", "joints", "", "position", "", ""},
+    {"velocity_controllers/JointGroupVelocityController", "joints", "", "velocity", "", ""},
+    {"effort_controllers/JointGroupEffortController", "joints", "", "effort", "", ""},
+    {"position_controllers/GripperActionController", "joint", "", "position", "",
+     "position velocity"},
+    {"effort_controllers/GripperActionController", "joint", "", "effort", "", "position velocity"},
+    {"parallel_gripper_action_controller/GripperActionController", "joint", "", "position",
+     "state_interfaces", ""},
+    {"diff_drive_controller/DiffDriveController", "left_wheel_names", "", "velocity", "", ""},
+    {"diff_drive_controller/DiffDriveController", "right_wheel_names", "", "velocity", "", ""},
+    {"pid_controller/PidController", "dof_names", "command_interface", "", "", ""},
+};
+
+/// The texts of a parameter, one or a list of them.
+std::vector<yaml::View> texts_of(const RosController& controller, std::string_view key) {
+  std::vector<yaml::View> texts = controller.list(key);
+  const yaml::View one = key.empty() ? yaml::View() : controller.parameter(key);
+  if (one && one.is_scalar()) texts.push_back(one);
+  return texts;
+}
+
 /// The joints of a controller that a ros2_control has; those of other controllers are not judged.
 std::vector<std::string> joints_of(const RosController& controller, std::string_view key,
                                    const Offers& offers) {
   std::vector<std::string> joints;
-  for (const yaml::View item : controller.list(key)) {
+  for (const yaml::View item : texts_of(controller, key)) {
     if (offers.joints.contains(item.text())) joints.emplace_back(item.text());
   }
   return joints;
 }
 
-void check_interfaces(const RosController& controller, std::string_view key,
-                      const std::vector<std::string>& joints, const std::set<std::string>& offered,
-                      std::string_view what, Findings& findings) {
-  std::vector<yaml::View> wanted = controller.list(key);
-  if (const yaml::View one = controller.parameter(key); one && one.is_scalar()) {
-    wanted.push_back(one);
+class Checker {
+ public:
+  Checker(const RosController& controller, const Offers& offers, Findings& findings)
+      : controller_(controller), offers_(offers), findings_(findings) {}
+
+  void check(const Use& use) const {
+    std::vector<std::string> commanded = joints_of(controller_, "command_joints", offers_);
+    if (controller_.list("command_joints").empty()) {
+      commanded = joints_of(controller_, use.joints, offers_);
+    }
+    for (const yaml::View one : texts_of(controller_, use.commands_in)) {
+      check_one(one.text(), one.span(), commanded, true);
+    }
+    const std::vector<std::string> joints = joints_of(controller_, use.joints, offers_);
+    for (const yaml::View one : texts_of(controller_, use.states_in)) {
+      check_one(one.text(), one.span(), joints, false);
+    }
+    if (joints.empty()) return;
+    const Span place = controller_.parameter(use.joints).place();
+    check_words(use.commands, place, joints, true);
+    check_words(use.states, place, joints, false);
   }
-  for (const yaml::View interface : wanted) {
-    if (is_placeholder(interface.text()) || interface.text().empty()) continue;
+
+ private:
+  void check_words(std::string_view words, Span place, const std::vector<std::string>& joints,
+                   bool is_command) const {
+    for (std::size_t at = 0;;) {
+      const std::string_view word = next_word(words, at);
+      if (word.empty()) return;
+      check_one(word, place, joints, is_command);
+    }
+  }
+
+  void check_one(std::string_view interface, Span place, const std::vector<std::string>& joints,
+                 bool is_command) const {
+    if (is_placeholder(interface) || interface.empty()) return;
+    const std::set<std::string>& offered = is_command ? offers_.commands : offers_.states;
     std::string missing;
     for (const std::string& joint : joints) {
-      if (offered.contains(joint + "/" + std::string(interface.text()))) continue;
+      if (offered.contains(joint + "/" + std::string(interface))) continue;
       missing += (missing.empty() ? "" : ", ") + quoted(joint);
     }
-    if (missing.empty()) continue;
-    findings
-        .report(interface.span(), title_of(controller) + " needs the " + std::string(what) +
-                                      " interface " + quoted(interface.text()) + " of " +
-                                      shortened(missing, 200) + ", which no ros2_control offers")
+    if (missing.empty()) return;
+    findings_
+        .report(place, title_of(controller_) + " needs the " +
+                           (is_command ? std::string("command") : std::string("state")) +
+                           " interface " + quoted(interface) + " of " + shortened(missing, 200) +
+                           ", which no ros2_control offers")
         .help("add it to the joint in `ros2_control`, or delete it here");
   }
-}
+
+  const RosController& controller_;
+  const Offers& offers_;
+  Findings& findings_;
+};
 
 void check_controller(const RosController& controller, const Offers& offers, Findings& findings) {
   if (controller.known == nullptr || !controller.section) return;
-  const std::string_view type = controller.known->name;
-  const bool is_trajectory = type == "joint_trajectory_controller/JointTrajectoryController";
-  const bool is_forward = type == "forward_command_controller/ForwardCommandController";
-  if (!is_trajectory && !is_forward) return;
-  std::vector<std::string> commanded = joints_of(controller, "command_joints", offers);
-  if (controller.list("command_joints").empty()) {
-    commanded = joints_of(controller, "joints", offers);
+  for (const Use& use : kUses) {
+    if (use.type == controller.known->name) Checker(controller, offers, findings).check(use);
   }
-  const std::string_view key = is_trajectory ? "command_interfaces" : "interface_name";
-  check_interfaces(controller, key, commanded, offers.commands, "command", findings);
-  if (!is_trajectory) return;
-  check_interfaces(controller, "state_interfaces", joints_of(controller, "joints", offers),
-                   offers.states, "state", findings);
 }
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {

@@ -29,17 +29,6 @@ void check_group(const srdf::Description& srdf, const Reference& one, Findings& 
   }
 }
 
-/// The SRDF of the robot, if there is one only: a group may be in another one.
-const Companion* only_srdf(const Companions& companions) {
-  const Companion* only = nullptr;
-  for (const Companion& file : companions.files) {
-    if (!file.srdf) continue;
-    if (only != nullptr) return nullptr;
-    only = &file;
-  }
-  return only;
-}
-
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
   const Companion* only = only_srdf(companions);
   const srdf::Description* srdf = only != nullptr ? &*only->srdf : nullptr;

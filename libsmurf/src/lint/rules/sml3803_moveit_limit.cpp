@@ -72,7 +72,7 @@ void check_positions(yaml::View joint, const urdf::Joint& one, Findings& finding
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
   for_each_joint_limit(companions, [&](const Companion&, yaml::View joint) {
-    for (const std::string_view what : {"velocity", "acceleration"}) {
+    for (const std::string_view what : {"velocity", "acceleration", "jerk"}) {
       check_missing(joint, what, findings);
     }
     const urdf::Joint* one = model.find_joint(joint.key());

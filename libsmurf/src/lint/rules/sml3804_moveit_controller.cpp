@@ -35,7 +35,13 @@ void check_type(yaml::View controller, Findings& findings) {
 void check_controller(yaml::View controller, Findings& findings) {
   check_type(controller, findings);
   const yaml::View joints = controller.find("joints");
-  if (!joints || !joints.is_sequence()) {
+  if (!controller.find("action_ns")) {
+    findings
+        .report(controller.key_span(),
+                "controller " + quoted(controller.key()) + " has no `action_ns`")
+        .help("write the name of the action below the controller, such as follow_joint_trajectory");
+  }
+  if (!joints || !joints.is_sequence() || joints.size() == 0) {
     findings
         .report(controller.key_span(),
                 "controller " + quoted(controller.key()) + " has no list `joints`")

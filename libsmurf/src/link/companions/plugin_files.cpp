@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Source: gz_ros2_control gz_ros2_control_plugin.cpp (e19b0ef).
+#include "link/companions/plugin_files.hpp"
+
+#include "base/path.hpp"
+#include "base/words.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr std::uint64_t kMostBytesOfParameters = 1U << 20U;
+
+/// Whether a folder above the file is a package, so that its contents are known.
+bool is_in_package(const std::string& path, const FileReader& files) {
+  std::string folder(path::parent(path));
+  for (int level = 0; level < 4; ++level, folder = path::normalize(path::join(folder, ".."))) {
+    if (files.is_file(path::join(folder, "package.xml"))) return true;
+  }
+  return false;
+}
+
+PluginFile::State state_of(const std::string& path, const FileReader& files) {
+  const bool is_absolute = path.starts_with('/') || path.find(':') == 1;
+  if (!is_absolute || files.is_denied(path)) return PluginFile::State::unknown;
+  const FileContent content = files.read(path, kMostBytesOfParameters);
+  if (content.status != ReadStatus::ok) {
+    const bool is_missing = !files.is_file(path) && is_in_package(path, files);
+    return is_missing ? PluginFile::State::missing : PluginFile::State::unknown;
+  }
+  // With $(...), a launch file fills it in.
+  if (content.text.find("ros__parameters") == std::string::npos) return PluginFile::State::other;
+  return content.text.find("controller_manager") == std::string::npos
+             ? PluginFile::State::other
+             : PluginFile::State::controllers;
+}
+
+}  // namespace
+
+bool is_control_plugin(std::string_view file_name) {
+  return file_name.find("ros2_control") != std::string_view::npos;
+}
+
+std::vector<PluginFile> plugin_files_of(const LinkedModel& model, const FileReader& files) {
+  std::vector<PluginFile> found;
+  if (!model.robot) return found;
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    if (gazebo.name() != "gazebo") continue;
+    for (const xml::View plugin : gazebo) {
+      const xml::Attribute* name = plugin.attribute("filename");
+      if (plugin.name() != "plugin" || name == nullptr || !is_control_plugin(name->value())) {
+        continue;
+      }
+      for (const xml::View one : plugin) {
+        const std::string path(trimmed(one.text()));
+        if (one.name() != "parameters" || path.empty()) continue;
+        found.push_back({one.id(), path, state_of(path, files)});
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace smurf

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parameter files that plugins of Gazebo for ros2_control name.
+#pragma once
+
+#include <vector>
+
+#include "smurf/companions.hpp"
+
+namespace smurf {
+
+/// Whether the file name of a plugin is that of gz_ros2_control or one of its predecessors.
+bool is_control_plugin(std::string_view file_name);
+
+/// The elements `parameters` of such plugins, with the state of the files.
+std::vector<PluginFile> plugin_files_of(const LinkedModel& model, const FileReader& files);
+
+}  // namespace smurf

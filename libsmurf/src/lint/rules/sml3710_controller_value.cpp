@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "base/numbers.hpp"
+#include "lint/companions/controllers.hpp"
+
+namespace smurf::rules::sml3710_controller_value_file {
+namespace {
+
+constexpr Circumstance kSubset{"subset"};
+
+/// Why a number or a text does not meet a condition.
+bool meets(yaml::View value, const ValueCondition& condition) {
+  using Kind = ValueCondition::Kind;
+  if (condition.kind == Kind::one_of) {
+    return std::find(condition.texts.begin(), condition.texts.end(), value.text()) !=
+           condition.texts.end();
+  }
+  const auto number = value.number();
+  if (!number) return true;
+  switch (condition.kind) {
+  case Kind::above: return *number > condition.bound;
+  case Kind::at_least: return *number >= condition.bound;
+  case Kind::below: return *number < condition.bound;
+  case Kind::at_most: return *number <= condition.bound;
+  default: return true;
+  }
+}
+
+void report(yaml::View value, const std::string& subject, const std::string& wanted,
+            Findings& findings) {
+  findings.report(value.span(), subject + " is " + quoted(value.text()) + ", but must be " + wanted)
+      .help("write a value that is " + wanted);
+}
+
+void check_list(yaml::View value, const std::string& subject, const ValueCondition& condition,
+                Findings& findings) {
+  using Kind = ValueCondition::Kind;
+  if (condition.kind == Kind::size) {
+    if (value.size() == static_cast<std::size_t>(condition.bound)) return;
+    findings
+        .report(value.place(), subject + " has " + std::to_string(value.size()) +
+                                   " values, but must have " + describe(condition))
+        .help("write " + describe(condition));
+    return;
+  }
+  std::set<std::string_view> seen;
+  for (const yaml::View item : value) {
+    if (!item.is_scalar() || is_placeholder(item.text())) continue;
+    if (condition.kind == Kind::unique) {
+      if (seen.insert(item.text()).second) continue;
+      findings.report(item.span(), subject + " contains " + quoted(item.text()) + " twice")
+          .help("delete one of them");
+      return;
+    }
+    if (meets(item, condition)) continue;
+    return report(item, "a value in " + subject, describe(condition), findings);
+  }
+}
+
+void check_mapping(yaml::View mapping, const std::string& prefix,
+                   const std::vector<RosParameter>& known, const RosController& controller,
+                   Findings& findings) {
+  for (const yaml::View member : mapping) {
+    if (member.is_repeated()) continue;
+    const std::string path = prefix + std::string(member.key());
+    const RosParameter* parameter = find_parameter(known, path);
+    if (parameter == nullptr) {
+      if (member.is_mapping()) check_mapping(member, path + ".", known, controller, findings);
+      continue;
+    }
+    const std::string subject = quoted(path) + " of " + title_of(controller);
+    for (const ValueCondition& one : conditions_of(*parameter)) {
+      if (member.is_sequence()) {
+        check_list(member, subject, one, findings);
+      } else if (member.is_scalar() && !member.text().empty() && !is_placeholder(member.text()) &&
+                 !meets(member, one)) {
+        report(member, subject, describe(one), findings);
+        break;
+      }
+    }
+  }
+}
+
+/// `command_joints` of a trajectory controller are joints of it, too, unless it commands others.
+void check_commanded(const RosController& controller, Findings& findings) {
+  if (controller.known->name != "joint_trajectory_controller/JointTrajectoryController") return;
+  const std::vector<yaml::View> joints = controller.list("joints");
+  const std::vector<yaml::View> commanded = controller.list("command_joints");
+  if (joints.empty() || commanded.size() <= joints.size()) return;
+  findings
+      .report(controller.parameter("command_joints").place(),
+              title_of(controller) + " has more `command_joints` than `joints`")
+      .help("write at most as many `command_joints` as `joints`")
+      .when(kSubset);
+}
+
+void check(const LinkedModel&, const Companions& companions, Findings& findings) {
+  for_each_known_controller(
+      companions, [&](const RosController& controller, const std::vector<RosParameter>& known) {
+        check_mapping(controller.section, "", known, controller, findings);
+        check_commanded(controller, findings);
+      });
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::ros2_control, Effect::breaks,
+     "reports an error and does not configure the controller",
+     "ros2_controllers joint_trajectory_controller.cpp on_configure", when(kSubset)},
+    {&readers::ros2_control, Effect::breaks, "reports an error and does not load the controller",
+     "ros2_controllers *_parameters.yaml, validation"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml3710_controller_value{
+    .id = "SML3710",
+    .name = "controller-value",
+    .severity = Severity::error,
+    .summary = "A parameter of a controller has a value that the controller does not accept.",
+    .remedy = "Write a value within the bounds of the parameter.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules::sml3710_controller_value_file
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3710_controller_value =
+    rules::sml3710_controller_value_file::check;
+
+}  // namespace smurf::companion_checks

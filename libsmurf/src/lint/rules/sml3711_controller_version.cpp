@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "lint/companions/controllers.hpp"
+#include "lint/companions/ros2_control.hpp"
+
+namespace smurf::rules::sml3711_controller_version_file {
+namespace {
+
+constexpr Circumstance kNoHumble{"not in Humble"};
+constexpr Circumstance kNoJazzy{"not in Jazzy"};
+constexpr Circumstance kNoKilted{"not in Kilted"};
+constexpr Circumstance kNoRolling{"not in Rolling"};
+constexpr Circumstance kClass{"class"};
+
+constexpr Version kKilted{5};
+constexpr Version kRolling{6};
+
+void mark(std::string_view distributions, Diagnostic& found) {
+  const auto lacks = [&](char one) { return distributions.find(one) == std::string_view::npos; };
+  if (lacks('h')) found.when(kNoHumble);
+  if (lacks('j')) found.when(kNoJazzy);
+  if (lacks('k')) found.when(kNoKilted);
+  if (lacks('r')) found.when(kNoRolling);
+}
+
+void check_mapping(yaml::View mapping, const std::string& prefix,
+                   const std::vector<RosParameter>& known, const RosController& controller,
+                   Findings& findings) {
+  for (const yaml::View member : mapping) {
+    if (member.is_repeated()) continue;
+    const std::string path = prefix + std::string(member.key());
+    const RosParameter* one = find_parameter(known, path);
+    if (one == nullptr) {
+      if (member.is_mapping()) check_mapping(member, path + ".", known, controller, findings);
+      continue;
+    }
+    if (one->distributions == controller.known->distributions) continue;
+    Diagnostic& found = findings.report(
+        member.key_span(), "only " + distribution_names(one->distributions) + " read " +
+                               quoted(path) + " of " + title_of(controller));
+    mark(one->distributions, found);
+    found.help("delete it, or use the parameter of that version");
+  }
+}
+
+void check(const LinkedModel&, const Companions& companions, Findings& findings) {
+  for_each_controller_file(companions, [&](const ControllerFile& file) {
+    for (const RosController& controller : file.controllers) {
+      if (controller.known == nullptr) continue;
+      const std::string_view all = controller.known->distributions;
+      if (!distribution_names(all).empty()) {
+        Diagnostic& found =
+            findings.report(controller.type.span(), "only " + distribution_names(all) + " have " +
+                                                        quoted(controller.known->name));
+        mark(all, found);
+        found.when(kClass);
+        found.help("use the controller of that version");
+      }
+      if (!controller.section) continue;
+      check_mapping(controller.section, "", parameters_of(*controller.known), controller, findings);
+    }
+  });
+}
+
+constexpr std::string_view kSource = "ros2_controllers *_parameters.yaml of its branches";
+constexpr std::string_view kNoClass = "reports an error and does not load the controller";
+constexpr std::string_view kNoParameter = "ignores it without a message";
+
+constexpr Fact kFacts[] = {
+    {&readers::ros2_control, Effect::breaks, kNoClass, kSource,
+     when(kClass, kNoHumble).before(kParserOfJazzy)},
+    {&readers::ros2_control, Effect::breaks, kNoClass, kSource,
+     when(kClass, kNoJazzy).since(kParserOfJazzy).before(kKilted)},
+    {&readers::ros2_control, Effect::breaks, kNoClass, kSource,
+     when(kClass, kNoKilted).since(kKilted).before(kRolling)},
+    {&readers::ros2_control, Effect::breaks, kNoClass, kSource,
+     when(kClass, kNoRolling).since(kRolling)},
+    {&readers::ros2_control, Effect::takes, "loads it", kSource, when(kClass)},
+    {&readers::ros2_control, Effect::loses, kNoParameter, kSource,
+     when(kNoHumble).before(kParserOfJazzy)},
+    {&readers::ros2_control, Effect::loses, kNoParameter, kSource,
+     when(kNoJazzy).since(kParserOfJazzy).before(kKilted)},
+    {&readers::ros2_control, Effect::loses, kNoParameter, kSource,
+     when(kNoKilted).since(kKilted).before(kRolling)},
+    {&readers::ros2_control, Effect::loses, kNoParameter, kSource,
+     when(kNoRolling).since(kRolling)},
+    {&readers::ros2_control, Effect::takes, "reads it", kSource},
+};
+
+}  // namespace
+
+extern constinit const Rule sml3711_controller_version{
+    .id = "SML3711",
+    .name = "controller-version",
+    .severity = Severity::info,
+    .summary = "A controller or one of its parameters is not in every distribution of ROS.",
+    .remedy = "Use the controllers and parameters of the distribution.",
+    .needs_target = true,
+    .facts = kFacts};
+
+}  // namespace smurf::rules::sml3711_controller_version_file
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3711_controller_version =
+    rules::sml3711_controller_version_file::check;
+
+}  // namespace smurf::companion_checks
