@@ -154,7 +154,7 @@ class Companions(cli.CliTest):
 
     def test_xacro_files_that_were_not_loaded_and_still_name_it_are_listed(self):
         self.write("lamp_moveit_config/config/lamp.urdf.xacro",
-                   '<robot xmlns:xacro="x" name="lamp2">\n  <xacro:include filename="${where}"/>\n  <joint name="shoulder"/>\n'
+                   '<robot xmlns:xacro="x" name="lamp2">\n  <xacro:include filename="other.xacro"/>\n  <joint name="shoulder"/>\n'
                    "  ${keys['shoulder']}\n</robot>\n")
         done = self.run_tool("--rename", "joint:shoulder=hinge", "lamp_description/urdf/lamp.urdf", "lamp_moveit_config/config/lamp.srdf")
         self.assertIn("lamp.urdf.xacro' still names `shoulder` in line 3; change it there", done.stderr)
@@ -181,6 +181,19 @@ class Companions(cli.CliTest):
             self.assertIn("groups.srdf.xacro:", done.stdout)
             self.assertIn("did you mean `shoulder`?", done.stdout)
 
+    def test_rename_in_an_srdf_in_xacro(self):
+        (self.folder / "lamp_moveit_config/config/lamp.srdf").unlink()
+        groups = SRDF.replace('<robot name="lamp">', '<robot xmlns:xacro="x">\n<xacro:macro name="groups">').replace("</robot>", "</xacro:macro>\n</robot>")
+        root = ('<robot xmlns:xacro="x" name="lamp">\n  <xacro:include filename="groups.xacro"/>\n  <xacro:groups/>\n'
+                '  <passive_joint name="shoulder"/>\n</robot>\n')
+        self.write("lamp_moveit_config/config/groups.xacro", groups)
+        self.write("lamp_moveit_config/config/lamp.srdf.xacro", root)
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        self.write("lamp_description/urdf/lamp.urdf.xacro", URDF.replace("<robot ", '<robot xmlns:xacro="x" '))
+        self.expect(0, "--rename", "joint:shoulder=hinge", "lamp_description/urdf/lamp.urdf.xacro")
+        self.assertEqual(self.companion("groups.xacro"), groups.replace("shoulder", "hinge"))
+        self.assertEqual(self.companion("lamp.srdf.xacro"), root.replace("shoulder", "hinge"))
+
     def test_a_file_of_several_robots_is_judged_with_the_one_that_it_fits(self):
         self.write("lamp_description/urdf/fixed.urdf", URDF.replace('"shoulder"', '"stiff"').replace('name="lamp"', 'name="fixed"'))
         more = URDF.replace('<command_interface name="position"/>', '<command_interface name="velocity"/>')
@@ -192,6 +205,82 @@ class Companions(cli.CliTest):
         self.expect(0, "--rename", "group:arm=manipulator", ".")
         self.assertIn('group="manipulator"', self.companion("lamp.srdf"))
         self.assertEqual(self.companion("kinematics.yaml"), KINEMATICS.replace("arm:", "manipulator:"))
+
+    def test_the_configuration_ties_a_file_to_a_robot(self):
+        other = CONTROLLERS.replace("shoulder", "left_shoulder").replace("[position]", "[effort]", 1)
+        self.write("elsewhere/params.yaml", other)
+        self.expect(0, ".")
+        self.write(".smurf-lint.yaml", "companions:\n- robot: lamp_description/urdf/lamp.urdf\n  files: elsewhere/params.yaml\n")
+        done = self.expect(1, "lamp_description/urdf/lamp.urdf")
+        self.assertIn("2 controllers.yaml", done.stdout)
+        self.assertIn("SML3706", done.stdout)
+        self.assertIn("- robot: ", self.expect(0, "--show-config", ".").stdout)
+
+    def test_a_file_that_is_tied_to_a_robot_is_not_judged_with_others(self):
+        self.write("lamp_description/urdf/bulb.urdf", URDF.replace('name="lamp"', 'name="bulb"'))
+        self.write(".smurf-lint.yaml", "companions:\n- robot: lamp_description/urdf/bulb.urdf\n"
+                   "  files: [lamp_moveit_config/config/ros2_controllers.yaml]\n")
+        self.assertNotIn("controllers.yaml", self.expect(0, "lamp_description/urdf/lamp.urdf").stdout.replace("moveit_controllers", ""))
+        self.assertIn("1 controllers.yaml", self.expect(0, "lamp_description/urdf/bulb.urdf").stdout)
+
+    def test_wrong_ties_are_findings(self):
+        for text, message in (("companions: 1\n", "must be a list of robots"), ("companions: [{files: [a]}]\n", "has no `robot`"),
+                              ("companions: [{robot: nobody.urdf}]\n", "there is no file"),
+                              ("companions: [{robot: lamp_description/urdf/lamp.urdf, file: a}]\n", "known are `robot` and `files`")):
+            self.write(".smurf-lint.yaml", text)
+            self.assertIn(message, self.expect(1, ".").stdout)
+
+    def test_a_rename_that_leaves_names_behind_is_refused(self):
+        self.write("lamp_moveit_config/config/ros2_controllers.yaml", "# {% if x %}\n{{ x }}: [\n" + CONTROLLERS)
+        done = self.expect(2, "--rename", "joint:shoulder=hinge", ".")
+        self.assertIn("ros2_controllers.yaml' still names `shoulder` in line 11", done.stderr)
+        self.assertIn("--force", done.stderr)
+        self.assertEqual(self.companion("lamp.srdf"), SRDF)
+        done = self.run_tool("--rename", "joint:shoulder=hinge", "--force", ".")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("still names", done.stderr)
+        self.assertEqual(self.companion("lamp.srdf"), SRDF.replace("shoulder", "hinge"))
+
+    def test_a_rename_in_a_macro_of_another_robot_is_refused(self):
+        macro = URDF.replace('<robot name="lamp">', '<robot xmlns:xacro="x">\n<xacro:macro name="lamp">').replace("</robot>", "</xacro:macro>\n</robot>")
+        self.write("lamp_description/urdf/lamp.xacro", macro)
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        for name in ("lamp", "lamp2"):
+            self.write(f"lamp_description/urdf/{name}.urdf.xacro",
+                       f'<robot xmlns:xacro="x" name="{name}">\n  <xacro:include filename="lamp.xacro"/>\n  <xacro:lamp/>\n</robot>\n')
+        self.write("lamp_moveit_config/config/lamp2.srdf", SRDF.replace('"lamp"', '"lamp2"'))
+        done = self.expect(2, "--rename", "joint:shoulder=hinge", "lamp_description/urdf/lamp.urdf.xacro")
+        self.assertIn("lamp2.srdf' still names `shoulder` in line 6", done.stderr)
+        self.assertIn("lamp2.urdf.xacro' includes a changed file; name it, too", done.stderr)
+        self.expect(0, "--rename", "joint:shoulder=hinge", ".")
+        self.assertIn('"hinge"', self.companion("lamp2.srdf"))
+
+    def test_rename_of_joints_in_texts(self):
+        more = CONTROLLERS.replace("[position]", "[position]", 1) + """    speed_scaling: {state_interface: shoulder/position}
+chained:
+  ros__parameters:
+    joints: [pid/shoulder, "shoulder_2"]
+"""
+        planners = "planner_configs: {A: {type: geometric::EST}}\narm:\n  planner_configs: [A]\n  projection_evaluator: joints(shoulder,shoulder)\n"
+        self.write("lamp_moveit_config/config/ros2_controllers.yaml", more)
+        self.write("lamp_moveit_config/config/ompl_planning.yaml", planners)
+        self.expect(0, "--rename", "joint:shoulder=hinge", ".")
+        self.assertEqual(self.companion("ros2_controllers.yaml"), more.replace("shoulder", "hinge").replace("# hinge", "# shoulder")
+                         .replace("hinge_2", "shoulder_2"))
+        self.assertEqual(self.companion("ompl_planning.yaml"), planners.replace("shoulder", "hinge"))
+
+    def test_the_parameter_file_of_a_gazebo_plugin(self):
+        plugin = ('  <gazebo>\n    <plugin filename="gz_ros2_control-system" name="control">\n'
+                  "      <parameters>$(find lamp_bringup)/settings/all.yaml</parameters>\n    </plugin>\n  </gazebo>\n</robot>")
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        self.write("lamp_bringup/package.xml", package("lamp_bringup"))
+        self.write("lamp_description/urdf/lamp.urdf.xacro", URDF.replace("<robot ", '<robot xmlns:xacro="x" ').replace("</robot>", plugin))
+        done = self.expect(0, ".")
+        self.assertIn("all.yaml`, which does not exist", done.stdout)
+        self.write("lamp_bringup/settings/all.yaml", "talker:\n  ros__parameters: {rate: 1}\n")
+        self.assertIn("has no section `controller_manager`", self.expect(0, ".").stdout)
+        self.write("lamp_bringup/settings/all.yaml", CONTROLLERS.replace("rate: 100", "rate: 0"))
+        self.assertIn("SML3707", self.expect(1, ".").stdout)
 
     def test_targets(self):
         self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace('tip_link="arm"', 'tip_link="amr"'))

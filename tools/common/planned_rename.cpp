@@ -30,10 +30,12 @@ std::vector<std::string> problems_of(const std::string& path, const LoadedNames&
 }  // namespace
 
 Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const Rename> renames,
-                       Session& session, const FileReader& changeable, const std::string& input) {
+                       Session& session, const FileReader& changeable, const std::string& input,
+                       std::set<std::string>* read) {
   settings.opens_meshes = false;
   LoadedNames before(plan, settings, session);
   if (!before.problem().empty()) return {{}, {}, {before.problem()}};
+  if (read != nullptr) *read = before.read();
   Renamed renamed = rename(before.names(), renames, session.loaded_sources());
   if (!renamed.problems.empty()) return renamed;
   ModelsAround around(session.files());

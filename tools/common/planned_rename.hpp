@@ -3,6 +3,7 @@
 // means the same.
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
 
@@ -14,9 +15,10 @@ namespace smurf::tools {
 /// Replaces texts in the session by their renamed versions and loads them again, to check that
 /// every name has the same meaning. Writes nothing. Edits and problems point into the loaded
 /// sources of the session. Files that `changeable` denies are not changed; a name in them is a
-/// problem. `input` is the name of a text that is not a file, or "".
+/// problem. `input` is the name of a text that is not a file, or "". `read` receives the identities
+/// of all files that were loaded.
 Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const Rename> renames,
                        Session& session, const FileReader& changeable,
-                       const std::string& input = {});
+                       const std::string& input = {}, std::set<std::string>* read = nullptr);
 
 }  // namespace smurf::tools

@@ -136,6 +136,14 @@ std::vector<std::string> XacroFiles::family_of(const std::string& path) const {
   return family;
 }
 
+std::vector<std::string> XacroFiles::included_by(const std::string& path) const {
+  const auto own = index_of(path);
+  if (!own) return {path};
+  std::vector<std::string> found;
+  for (const std::size_t one : closure({*own}, includes_)) found.push_back(files_[one]);
+  return found;
+}
+
 std::vector<std::string> XacroFiles::meant_by(const std::string& written,
                                               const std::string& from) const {
   std::vector<std::string> meant;

@@ -27,6 +27,8 @@ class XacroFiles {
   std::vector<std::string> roots_of(const std::string& path) const;
   /// The file, those that include it, and all files that these include.
   std::vector<std::string> family_of(const std::string& path) const;
+  /// The file and all files that it includes, directly or through others.
+  std::vector<std::string> included_by(const std::string& path) const;
   /// The files that an include in the file `from` may mean.
   std::vector<std::string> meant_by(const std::string& written, const std::string& from) const;
 

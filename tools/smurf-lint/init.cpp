@@ -11,9 +11,11 @@
 #include "base/path.hpp"
 #include "base/places.hpp"
 #include "common/discover.hpp"
+#include "common/input.hpp"
 #include "common/output.hpp"
 #include "common/xacro_roots.hpp"
 #include "render/printable.hpp"
+#include "smurf-lint/launch_hints.hpp"
 #include "smurf/check.hpp"
 #include "smurf/config.hpp"
 #include "smurf/file_reader.hpp"
@@ -36,6 +38,7 @@ struct Seen {
   std::map<std::string_view, std::size_t> kinds;  ///< "URDF": 3
   std::vector<std::string> xacro;                 ///< all of them
   std::size_t robots_in_xacro = 0;
+  std::vector<LaunchedRobot> launched;
   std::set<std::string_view> targets;
   std::set<std::string> packages;              ///< in addresses
   std::map<std::string, std::string> folders;  ///< of packages, by name, below the folder
@@ -77,7 +80,9 @@ Seen look_at(const std::string& folder, const Found& found, const Limits& limits
   Seen seen;
   const DiskFiles disk;
   seen.xacro = found.xacro;
-  seen.robots_in_xacro = XacroFiles(found.xacro, disk, limits).roots().size();
+  const std::vector<std::string> robots = XacroFiles(found.xacro, disk, limits).roots();
+  seen.robots_in_xacro = robots.size();
+  seen.launched = launched_robots(folder, robots, limits);
   std::vector<std::string> texts = found.files;
   texts.insert(texts.end(), found.xacro.begin(), found.xacro.end());
   for (const std::string& file : texts) {
@@ -103,7 +108,23 @@ std::string listed(const std::set<std::string_view>& words) {
   return text;
 }
 
-std::string configuration(const Seen& seen) {
+/// The setting `xacro`. Paths are relative to the folder.
+std::string robots_of(const std::string& folder, const Seen& seen) {
+  if (seen.launched.empty()) return {};
+  std::string text = "# Arguments that launch files give; each combination is checked.\nxacro:\n";
+  for (const LaunchedRobot& robot : seen.launched) {
+    const std::string path = places::relative(identity(robot.file), identity(folder));
+    text += "- file: " + (path.empty() ? robot.file : path) + "\n  arguments:\n";
+    for (const auto& [name, values] : robot.arguments) {
+      std::string list;
+      for (const std::string& value : values) list += (list.empty() ? "\"" : ", \"") + value + "\"";
+      text += "    " + name + ": " + (values.size() == 1 ? list : "[" + list + "]") + "\n";
+    }
+  }
+  return text;
+}
+
+std::string configuration(const std::string& folder, const Seen& seen) {
   std::string text =
       "# Settings of smurf-lint for this folder and everything below it. `smurf-lint --show-config .`\n"
       "# shows what applies, docs/tools/smurf-lint.md of smurf-tools describes all settings.\n";
@@ -121,7 +142,7 @@ std::string configuration(const Seen& seen) {
   }
   if (!known.empty()) text += "packages:\n" + known;
   if (!lost.empty()) text += "# In no folder here; name it, and delete the #:\n#packages:\n" + lost;
-  return text;
+  return text + robots_of(folder, seen);
 }
 
 std::string hooks(const Seen& seen) {
@@ -148,8 +169,10 @@ struct Offer {
 std::vector<Offer> offers_for(const std::string& folder, const Seen& seen) {
   std::vector<Offer> offers;
   std::string about = seen.targets.empty() ? "no target" : "targets " + listed(seen.targets);
+  if (!seen.launched.empty())
+    about += ", " + counted(seen.launched.size(), "robot with arguments", "robots with arguments");
   if (!seen.folders.empty()) about += ", " + counted(seen.folders.size(), "package");
-  offers.push_back({std::string(kConfigName), configuration(seen), about});
+  offers.push_back({std::string(kConfigName), configuration(folder, seen), about});
   if (!places::exists(path::join(folder, ".git"))) return offers;
   offers.push_back({".pre-commit-config.yaml", hooks(seen), "checks before each commit"});
   if (!places::exists(path::join(folder, ".gitlab-ci.yml"))) {

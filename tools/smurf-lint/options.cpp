@@ -6,6 +6,7 @@
 
 #include "base/numbers.hpp"
 #include "common/shared_options.hpp"
+#include "smurf-lint/rename.hpp"
 #include "smurf/format.hpp"
 
 namespace smurf::tools {
@@ -93,24 +94,6 @@ std::string_view target_help() {
            ". Without a release, the oldest supported one is meant. Releases: " + releases + ".";
   }();
   return help;
-}
-
-/// "joint:elbow=elbow_left"; without a known kind, all text before `=` is the name.
-Setter append_renames(std::vector<Rename>& renames) {
-  return [&renames](std::string_view value) -> std::optional<std::string> {
-    const std::size_t colon = value.find(':');
-    Rename rename;
-    if (colon != std::string_view::npos) rename.kind = find_name_kind(value.substr(0, colon));
-    const std::string_view names = rename.kind ? value.substr(colon + 1) : value;
-    const std::size_t equals = names.find('=');
-    if (equals == std::string_view::npos || equals == 0) {
-      return "'" + std::string(value) + "' is not KIND:NAME=NEW";
-    }
-    rename.from = names.substr(0, equals);
-    rename.to = names.substr(equals + 1);
-    renames.push_back(std::move(rename));
-    return std::nullopt;
-  };
 }
 
 Setter set_inertia(LintOptions& options) {
@@ -272,6 +255,10 @@ std::vector<Option> fix_options(LintOptions& options) {
            "Rename a link, joint, motor, material, ... in all files of the models and scenes, and "
            "check the result; may be repeated. KIND: may be left out when the name is unique.",
        .set = append_renames(options.renames)},
+      {.group = "Fixes",
+       .name = "force",
+       .help = "Rename even if other files still contain the old name afterwards.",
+       .set = set_flag(options.is_forced)},
   };
 }
 

@@ -58,6 +58,7 @@ struct LintOptions {
   bool fix_only = false;      ///< do not report the remaining findings
   bool diff = false;          ///< only show the changes
   std::vector<Rename> renames;
+  bool is_forced = false;    ///< names may be left behind
   bool fix_inertia = false;  ///< write other inertias for those that cannot be right
   InertiaSource inertia;
 

@@ -13,6 +13,9 @@
 
 namespace smurf::tools {
 
+/// "joint:elbow=elbow_left"; without a known kind, all text before `=` is the name.
+Setter append_renames(std::vector<Rename>& renames);
+
 /// The session gets the renamed texts, which override those on disk, and loads them again to check
 /// that every name has the same meaning; nothing is written. If something cannot be renamed,
 /// reports this and returns none.

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-lint/left_names.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <map>
+#include <string_view>
+
+#include "base/path.hpp"
+#include "base/places.hpp"
+#include "common/input.hpp"
+#include "common/xacro_roots.hpp"
+#include "smurf/companions.hpp"
+#include "smurf/confine.hpp"
+
+namespace smurf::tools {
+namespace {
+
+constexpr std::size_t kMostEntries = 20'000;
+constexpr std::uint64_t kMostBytes = 1U << 20U;  // of a file that is searched
+constexpr std::size_t kMostPlaces = 20;
+constexpr int kDeepest = 8;
+constexpr std::string_view kBlanksAround = " \t\r\n";
+
+enum class Kind : std::uint8_t { other, launch, robot, companion };
+
+bool ends_with_one_of(std::string_view name, std::initializer_list<std::string_view> ends) {
+  return std::any_of(ends.begin(), ends.end(),
+                     [&](std::string_view end) { return name.ends_with(end); });
+}
+
+Kind kind_of(std::string_view name) {
+  if (ends_with_one_of(name, {".launch", ".launch.py", ".launch.xml", ".launch.yaml"})) {
+    return Kind::launch;
+  }
+  if (ends_with_one_of(name, {".srdf", ".srdf.xacro", ".yaml", ".yml"})) return Kind::companion;
+  return ends_with_one_of(name, {".xacro", ".urdf"}) ? Kind::robot : Kind::other;
+}
+
+bool is_part_of_name(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+}
+
+/// A text in quotes, or the value of an argument.
+bool is_quoted(std::string_view text, std::size_t begin, std::size_t end) {
+  const char before = begin == 0 ? '\0' : text[begin - 1];
+  const char after = end == text.size() ? '\0' : text[end];
+  const bool is_argument = text.substr(0, begin).ends_with(":=");
+  const bool ends = after == '"' || after == '\'' || after == ' ' || after == ',';
+  return (before == '"' || before == '\'') ? after == before : is_argument && ends;
+}
+
+/// A word of YAML outside of comments.
+bool is_word(std::string_view text, std::size_t begin, std::size_t end) {
+  const bool is_inside = (begin > 0 && is_part_of_name(text[begin - 1])) ||
+                         (end < text.size() && is_part_of_name(text[end]));
+  const std::size_t line = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
+  return !is_inside && text.substr(line, begin - line).find('#') == std::string_view::npos;
+}
+
+/// The first line of a file that contains a name; 0: none.
+std::size_t line_with(std::string_view path, std::string_view text, std::string_view name) {
+  const bool is_yaml = ends_with_one_of(path, {".yaml", ".yml"});
+  for (std::size_t at = text.find(name); at != std::string_view::npos;
+       at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if (!(is_yaml ? is_word(text, at, end) : is_quoted(text, at, end))) continue;
+    // The key of a table that a xacro file reads, such as `positions['elbow']`.
+    if (path.ends_with(".xacro") && at > 1 && text[at - 2] == '[') continue;
+    return 1 + static_cast<std::size_t>(
+                   std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  }
+  return 0;
+}
+
+/// The path as a user would write it: relative to the current folder, if it is in there.
+std::string shown(const std::string& path) {
+  const std::string inside = places::relative(identity(path), identity("."));
+  return inside.empty() || inside.starts_with("../") ? path : inside;
+}
+
+/// The name of the element `robot` in a text; "" if it has none.
+std::string robot_name_in(std::string_view text) {
+  const std::size_t tag = text.find("<robot");
+  if (tag == std::string_view::npos) return {};
+  text = text.substr(tag, text.find('>', tag) - tag);
+  for (std::size_t at = text.find("name"); at != std::string_view::npos;
+       at = text.find("name", at + 1)) {
+    const std::size_t open = text.find_first_not_of(" =\t\r\n", at + 4);
+    if (open == std::string_view::npos || (text[open] != '"' && text[open] != '\'')) continue;
+    const std::size_t close = text.find(text[open], open + 1);
+    if (close == std::string_view::npos) return {};
+    return std::string(text.substr(open + 1, close - open - 1));
+  }
+  return {};
+}
+
+/// The folder of the package around a file; "" if there is none.
+std::string package_around(const std::string& path, const FileReader& files) {
+  std::string folder(path::parent(path));
+  for (int level = 0; level < kDeepest; ++level, folder = path::join(folder, "..")) {
+    if (files.is_file(path::join(folder, "package.xml"))) return folder.empty() ? "." : folder;
+  }
+  return {};
+}
+
+/// The project around a package, spelled like it; the package if there is no project.
+std::string project_of(const std::string& package) {
+  const std::string project = project_around(path::join(package, "package.xml"));
+  std::string folder = package;
+  for (int level = 0; level < kDeepest; ++level) {
+    if (identity(folder) == project) return folder;
+    folder = path::normalize(path::join(folder, ".."));
+  }
+  return package;
+}
+
+class Search {
+ public:
+  Search(std::span<const Rename> renames, std::span<const std::string> changed,
+         const std::set<std::string>& loaded, const FileReader& files, const Limits& limits,
+         const IncludedBy& included_by)
+      : renames_(renames),
+        changed_(changed),
+        loaded_(loaded),
+        files_(files),
+        limits_(limits),
+        included_by_(included_by) {}
+
+  LeftNames run() {
+    std::set<std::string> projects;
+    for (const std::string& path : changed_) {
+      const std::string package = package_around(path, files_);
+      if (package.empty()) continue;
+      packages_.insert(identity(package));
+      names_.insert(name_of(package));
+      projects.insert(project_of(package));
+    }
+    names_.erase("");
+    for (const std::string& project : projects) find_packages(project, 0);
+    find_users();
+    find_robots();
+    for (const Found& one : found_) judge(one);
+    return std::move(left_);
+  }
+
+ private:
+  /// A file that contains an old name.
+  struct Found {
+    std::string path;
+    Kind kind{};
+    std::string name;
+    std::size_t line = 0;
+  };
+
+  std::string manifest_of(const std::string& package) const {
+    return files_.read(path::join(package, "package.xml"), kMostBytes).text;
+  }
+
+  std::string name_of(const std::string& package) const {
+    const std::string manifest = manifest_of(package);
+    const std::size_t begin = manifest.find("<name>"), end = manifest.find("</name>");
+    if (begin == std::string::npos || end == std::string::npos || end < begin) return {};
+    const std::string name = manifest.substr(begin + 6, end - begin - 6);
+    const std::size_t first = name.find_first_not_of(kBlanksAround);
+    if (first == std::string::npos) return {};
+    return name.substr(first, name.find_last_not_of(kBlanksAround) - first + 1);
+  }
+
+  /// Whether a package is one of those with changed files, or depends on one.
+  bool is_related(const std::string& package) const {
+    if (packages_.contains(identity(package))) return true;
+    const std::string manifest = manifest_of(package);
+    return std::any_of(names_.begin(), names_.end(), [&](const std::string& name) {
+      return manifest.find(">" + name + "<") != std::string::npos;
+    });
+  }
+
+  void find_packages(const std::string& folder, int depth) {
+    if (files_.is_file(path::join(folder, "package.xml"))) {
+      if (is_related(folder)) look_in(folder, 0);
+      return;
+    }
+    for_each_folder(folder, depth, [&](const std::string& one) { find_packages(one, depth + 1); });
+  }
+
+  template <class Visit>
+  void for_each_folder(const std::string& folder, int depth, Visit visit) {
+    if (depth >= kDeepest) return;
+    for (const std::string& name : files_.list(folder)) {
+      if (++entries_ > kMostEntries) return;
+      if (name.find('.') == std::string::npos) visit(path::join(folder, name));
+    }
+  }
+
+  void look_in(const std::string& folder, int depth) {
+    for (const std::string& name : files_.list(folder)) {
+      if (name.starts_with('.')) continue;
+      const Kind kind = kind_of(name);
+      if (kind != Kind::other) read(path::join(folder, name), kind);
+    }
+    for_each_folder(folder, depth, [&](const std::string& one) { look_in(one, depth + 1); });
+  }
+
+  void read(const std::string& path, Kind kind) {
+    if (loaded_.contains(identity(path)) && kind != Kind::robot) return;
+    const FileContent content = files_.read(path, kMostBytes);
+    if (content.status != ReadStatus::ok) return;
+    // Any YAML file may contain a word; only these are compared with robots.
+    if (kind == Kind::companion && find_companion_kind(path, content.text) == nullptr) return;
+    for (const Rename& rename : renames_) {
+      const std::size_t line = line_with(path, content.text, rename.from);
+      if (line > 0) found_.push_back({path, kind, rename.from, line});
+    }
+  }
+
+  /// The robots that were not loaded and include a changed file.
+  void find_users() {
+    std::vector<std::string> robots;
+    for (const std::string& path : changed_) {
+      if (ends_with_one_of(path, {".xacro", ".urdf"})) robots.push_back(path);
+    }
+    if (robots.empty()) return;
+    std::vector<std::string> all = xacro_files_around(robots.front(), files_, limits_).files();
+    for (const std::string& path : robots) {
+      const bool is_known = std::any_of(all.begin(), all.end(), [&](const std::string& one) {
+        return identity(one) == identity(path);
+      });
+      if (!is_known) all.push_back(path);  // xacro files include URDFs, too
+    }
+    const XacroFiles around(all, files_, limits_);
+    for (const std::string& path : changed_) {
+      for (const std::string& root : around.roots_of(path)) {
+        if (loaded_.contains(identity(root)) || !includes(root, path)) continue;
+        users_.push_back(root);
+        for (const std::string& one : around.included_by(root)) users_files_.insert(identity(one));
+      }
+    }
+  }
+
+  /// Asks the expansion, because the path of an include may be an expression.
+  bool includes(const std::string& root, const std::string& path) {
+    constexpr std::size_t kMostExpanded = 30;
+    const auto [known, is_new] = expanded_.try_emplace(root);
+    if (is_new && expanded_.size() <= kMostExpanded) known->second = included_by_(root);
+    return !known->second || known->second->contains(identity(path));
+  }
+
+  /// Whether an SRDF, or the SRDFs beside another file, are for other robots.
+  bool is_of_other_robot(const Found& one) const {
+    if (ends_with_one_of(one.path, {".srdf", ".srdf.xacro"})) return !is_own_srdf(one.path);
+    bool has_other = false;
+    const std::string folder(path::parent(one.path));
+    for (const std::string& name : files_.list(folder)) {
+      if (!ends_with_one_of(name, {".srdf", ".srdf.xacro"})) continue;
+      if (is_own_srdf(path::join(folder, name))) return false;
+      has_other = true;
+    }
+    return has_other;
+  }
+
+  bool is_own_srdf(const std::string& path) const {
+    const std::string name = robot_name_in(files_.read(path, kMostBytes).text);
+    return name.empty() || name.find('$') != std::string::npos || robots_.contains(name);
+  }
+
+  /// The names of the robots that were loaded.
+  void find_robots() {
+    for (const std::string& path : loaded_) {
+      if (!ends_with_one_of(path, {".urdf", ".xacro"})) continue;
+      robots_.insert(robot_name_in(files_.read(path, kMostBytes).text));
+    }
+  }
+
+  bool is_changed(const std::string& path) const {
+    return std::any_of(changed_.begin(), changed_.end(),
+                       [&](const std::string& one) { return identity(one) == identity(path); });
+  }
+
+  void judge(const Found& one) {
+    const std::string sentence = "'" + shown(one.path) + "' still names `" + one.name +
+                                 "` in line " + std::to_string(one.line);
+    if (one.kind == Kind::launch) return add(left_.mentions, sentence + "; change it there");
+    if (one.kind == Kind::robot) {
+      if (loaded_.contains(identity(one.path)) || is_changed(one.path)) return;
+      if (!users_files_.contains(identity(one.path))) {
+        if (one.path.ends_with(".xacro")) add(left_.mentions, sentence + "; change it there");
+        return;
+      }
+      return add(left_.misfits, sentence + ", and '" + shown(users_.front()) +
+                                    "' includes a changed file; name it, too");
+    }
+    const bool has_other_robot = std::any_of(found_.begin(), found_.end(), [&](const Found& other) {
+      return other.kind == Kind::robot && other.name == one.name &&
+             !loaded_.contains(identity(other.path));
+    });
+    if (!users_.empty()) {
+      add(left_.misfits,
+          sentence + ", and '" + shown(users_.front()) + "' includes a changed file; name it, too");
+    } else if (!has_other_robot && !is_of_other_robot(one)) {
+      add(left_.misfits, sentence + ", but it was not recognized as a file of the robot");
+    }
+  }
+
+  static void add(std::vector<std::string>& to, std::string sentence) {
+    if (to.size() < kMostPlaces) to.push_back(std::move(sentence));
+  }
+
+  std::span<const Rename> renames_;
+  std::span<const std::string> changed_;
+  const std::set<std::string>& loaded_;
+  const FileReader& files_;
+  const Limits& limits_;
+  const IncludedBy& included_by_;
+  std::map<std::string, std::optional<std::set<std::string>>> expanded_;
+  std::set<std::string> robots_;
+  std::set<std::string> packages_;  ///< with changed files, by identity
+  std::set<std::string> names_;     ///< of these packages
+  std::size_t entries_ = 0;
+  std::vector<Found> found_;
+  std::vector<std::string> users_;     ///< robots that were not loaded
+  std::set<std::string> users_files_;  ///< and their files, by identity
+  LeftNames left_;
+};
+
+}  // namespace
+
+LeftNames names_left(std::span<const Rename> renames, std::span<const std::string> changed,
+                     const std::set<std::string>& loaded, const FileReader& files,
+                     const Limits& limits, const IncludedBy& included_by) {
+  return Search(renames, changed, loaded, files, limits, included_by).run();
+}
+
+}  // namespace smurf::tools

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that still contain a name after it was renamed elsewhere.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "smurf/file_reader.hpp"
+#include "smurf/limits.hpp"
+#include "smurf/rename.hpp"
+
+namespace smurf::tools {
+
+/// Sentences about files in the packages of the changed files and in those that depend on them.
+struct LeftNames {
+  /// Launch files, which are programs, and xacro files of other robots.
+  std::vector<std::string> mentions;
+  /// Files that no longer fit: SRDFs and parameter files that were not loaded, and robots that were
+  /// not loaded and include a changed file.
+  std::vector<std::string> misfits;
+};
+
+/// The files that a xacro file includes when it is expanded, by identity; none if that fails.
+using IncludedBy = std::function<std::optional<std::set<std::string>>(const std::string& path)>;
+
+/// `loaded` are the identities of the files that were loaded, `changed` the paths of those that
+/// were changed.
+LeftNames names_left(std::span<const Rename> renames, std::span<const std::string> changed,
+                     const std::set<std::string>& loaded, const FileReader& files,
+                     const Limits& limits, const IncludedBy& included_by);
+
+}  // namespace smurf::tools
