@@ -550,6 +550,39 @@ class Names(LspTest):
         self.assertEqual((len(symbols), len(symbols[-1]["children"])), (55_000, 2))
         self.assertLess(self.peak(), 200)
 
+    def test_files_of_ros(self):
+        """Completion and hover of parameter files, SRDF and ros2_control."""
+        limits = self.write("arm/config/joint_limits.yaml",
+                            "joint_limits:\n  joint1_waist:\n    has_velocity_limits: true\n    \n")
+        self.client.open(limits)
+        labels = self.labels(limits, len(limits.read_text()) - 1)
+        self.assertIn("max_velocity", labels)
+        self.assertNotIn("has_velocity_limits", labels)
+        said = self.client.at("textDocument/hover", limits, self.find(limits, "has_velocity") + 3)["contents"]["value"]
+        self.assertIn("Whether max\\_velocity counts" if "\\_" in said else "Whether max_velocity counts", said)
+        text = ("controller_manager:\n  ros__parameters:\n    mover:\n      type: joint_trajectory_controller/JointTrajectoryController\n"
+                "mover:\n  ros__parameters:\n    joints: [joint1_waist]\n    interpolation_method: \n    gains:\n      joint1_waist:\n        p: 1.0\n        \n    \n")
+        controllers = self.write("arm/config/controllers.yaml", text)
+        self.client.open(controllers)
+        self.assertEqual(self.labels(controllers, text.index("method: ") + 8), ["splines", "none"])
+        self.assertIn("constraints", self.labels(controllers, len(text) - 1))
+        self.assertIn("ff_velocity_scale", self.labels(controllers, text.index("1.0\n") + 12))
+        self.assertIn("joint1_waist", self.labels(controllers, text.index("[joint1") + 1))
+        self.assertIn("diff_drive_controller/DiffDriveController", self.labels(controllers, text.index("type: ") + 6))
+        said = self.client.at("textDocument/hover", controllers, text.index("p: 1.0"))["contents"]["value"]
+        self.assertIn("proportional gain", said)
+        srdf = self.write("arm/srdf/arm.srdf", '<robot name="arm">\n  <group name="all"><joint name="joint1_waist"/></group>\n  <\n</robot>\n')
+        self.client.open(srdf, language="xml")
+        at = self.find(srdf, "<\n") + 1
+        self.assertIn("end_effector", self.labels(srdf, at))
+        self.assertNotIn("inertial", self.labels(srdf, at))
+        robot = ('<robot name="arm">\n  <link name="a"/>\n  <ros2_control name="b" type="system">\n    <joint name="c">\n'
+                 '      <command_interface name="position"/>\n    </joint>\n    <\n  </ros2_control>\n</robot>\n')
+        urdf = self.write("arm/urdf/other.urdf", robot)
+        self.client.open(urdf, language="xml")
+        self.assertIn("sensor", self.labels(urdf, robot.index("<\n") + 1))
+        self.assertIn("velocity", self.labels(urdf, robot.index("position")))
+
     def test_srdf(self):
         """Open alone in the editor: definition, references and rename."""
         srdf = self.write("arm/srdf/arm.srdf", '<robot name="arm">\n  <group name="all"><joint name="joint1_waist"/>'

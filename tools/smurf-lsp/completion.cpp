@@ -11,6 +11,8 @@
 #include "smurf-lsp/xml_context.hpp"
 #include "smurf-lsp/yaml_context.hpp"
 #include "smurf/check.hpp"
+#include "smurf/companion_help.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/extension_names.hpp"
 #include "smurf/key_help.hpp"
 
@@ -31,7 +33,10 @@ class Completer {
   }
 
   Json run() {
-    if (const auto language = key_language(path_)) {
+    const CompanionSpec* kind = find_companion_kind(path_, text_);
+    if (kind != nullptr && !kind->is_xml) {
+      complete_companion({kind->title, text_});
+    } else if (const auto language = key_language(path_)) {
       complete_yaml(*language);
     } else {
       complete_xml();
@@ -100,6 +105,26 @@ class Completer {
       const auto list = std::span(context.path).first(context.path.size() - 1);
       if (const auto help = key_help(language, list)) add_values(*help, true);
     }
+  }
+
+  /// A parameter file of ROS.
+  void complete_companion(const CompanionLanguage& language) {
+    const YamlContext context = yaml_context(text_, offset_);
+    if (context.is_comment) return;
+    set_place(context.begin, context.end, context.quote);
+    if (!context.key.empty()) {
+      KeyPath path = context.path;
+      path.push_back(context.key);
+      if (const auto help = companion_key_help(language, path)) add_values(*help, true);
+      return;
+    }
+    if (!context.path.empty() && context.path.back() == kItem) {
+      const auto list = std::span(context.path).first(context.path.size() - 1);
+      if (const auto help = companion_key_help(language, list)) add_values(*help, true);
+      return;
+    }
+    add_keys(companion_keys_in(language, context.path), context);
+    add_names(companion_names_in(language, context.path), true);
   }
 
   void add_keys(const std::vector<KeyHelp>& keys, const YamlContext& context) {
@@ -181,6 +206,15 @@ class Completer {
     unfinished_tag_ = context.tag;
     open_ = context.open;
     const std::string_view parent = open_.empty() ? std::string_view() : open_.back();
+    if (is_of_companion(context)) {
+      if (const auto help = companion_element_help(parent, context.element)) {
+        for (const KeyHelp& key : help->attributes) {
+          if (key.name == context.attribute) add_values(key, false);
+        }
+      }
+      add_names(names_in_extension(parent, context.element, context.attribute), false);
+      return;
+    }
     const auto around = element_help(parent);
     const bool is_urdf = around && std::find(around->children.begin(), around->children.end(),
                                              context.element) != around->children.end();
@@ -194,20 +228,48 @@ class Completer {
     }
   }
 
+  /// Whether the element is one of SRDF or of ros2_control, not of URDF.
+  bool is_of_companion(const XmlContext& context) const {
+    return is_companion_path(path_) || std::find(context.open.begin(), context.open.end(),
+                                                 "ros2_control") != context.open.end();
+  }
+
+  void add_elements_of_companion(const XmlContext& context) {
+    const std::size_t depth = context.open.size();
+    const std::string_view around = depth < 2 ? std::string_view() : context.open[depth - 2];
+    if (depth == 0) {
+      if (const auto root = companion_element_help("", root_element())) add_element(*root);
+      return;
+    }
+    const auto parent = companion_element_help(around, context.open.back());
+    if (!parent) return;
+    for (const std::string_view child : parent->children) {
+      const bool is_urdf = child == "ros2_control" && is_companion_path(path_);
+      const auto help = companion_element_help(context.open.back(), child);
+      if (help && !is_urdf) add_element(*help);
+    }
+  }
+
   void add_elements(const XmlContext& context) {
+    if (is_of_companion(context)) return add_elements_of_companion(context);
     if (context.open.empty()) return add_element(root_element());
+    if (context.open.size() == 1) {
+      if (const auto help = companion_element_help("robot", "ros2_control")) add_element(*help);
+    }
     const auto parent = element_help(context.open.back());
     if (!parent) return;
     for (const std::string_view child : parent->children) add_element(child);
   }
 
   void add_element(std::string_view name) {
-    const auto help = element_help(name);
-    if (!help) return;
-    Json& item = add(std::string(name), kClassItem, std::string(name));
-    item["documentation"] = markdown(help->doc);
+    if (const auto help = element_help(name)) add_element(*help);
+  }
+
+  void add_element(const ElementHelp& help) {
+    Json& item = add(std::string(help.name), kClassItem, std::string(help.name));
+    item["documentation"] = markdown(help.doc);
     int stop = 0;
-    add_snippet(item, element_text(*help, stop, "\n"));
+    add_snippet(item, element_text(help, stop, "\n"));
   }
 
   /// The text of an element after its "<", with all required parts. `line` begins a separate line.
@@ -227,13 +289,17 @@ class Completer {
   }
 
   void add_attributes(const XmlContext& context) {
-    const auto help = element_help(context.element);
+    const std::string_view parent = context.open.empty() ? std::string_view() : context.open.back();
+    const bool is_root = parent == "robot" && context.element == "ros2_control";
+    const auto help = is_root || is_of_companion(context)
+                          ? companion_element_help(parent, context.element)
+                          : element_help(context.element);
     if (!help) return;
     for (const KeyHelp& key : help->attributes) {
       const auto& has = context.attributes;
       if (std::find(has.begin(), has.end(), key.name) != has.end()) continue;
       Json& item = add(key.name, kPropertyItem, key.name + "=\"\"", detail_of(key));
-      item["documentation"] = markdown(key.doc);
+      if (!key.doc.empty()) item["documentation"] = markdown(key.doc);
       item["sortText"] = (key.required ? "0" : "1") + key.name;
       add_snippet(item, key.name + "=\"$1\"");
     }

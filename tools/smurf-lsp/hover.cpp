@@ -6,6 +6,8 @@
 
 #include "base/path.hpp"
 #include "smurf-lsp/capabilities.hpp"
+#include "smurf/companion_help.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/describe.hpp"
 #include "smurf/dialect.hpp"
 #include "smurf/flatten.hpp"
@@ -73,13 +75,21 @@ std::optional<Said> mesh_at(Context& context, const PlaceView& place) {
   return std::nullopt;
 }
 
+std::optional<KeyHelp> help_of_key(const Context& context, const std::string& path,
+                                   const FileView& view, yaml::NodeId id) {
+  const KeyPath keys = key_path(*view.yaml, id);
+  const std::string_view text = context.workspace.loaded_sources().text(view.source);
+  const CompanionSpec* kind = find_companion_kind(path, text);
+  if (kind != nullptr && !kind->is_xml) return companion_key_help({kind->title, text}, keys);
+  const auto language = key_language(path);
+  return language ? key_help(*language, keys) : std::nullopt;
+}
+
 std::optional<Said> yaml_key_at(const Context& context, const PlaceView& place) {
   const std::string& path = context.workspace.loaded_sources().path(place.view.source);
-  const auto language = key_language(path);
-  if (!language) return std::nullopt;
   const yaml::NodeId id = yaml::node_at(*place.view.yaml, place.offset);
   if (id == yaml::kNoNode) return std::nullopt;
-  const auto help = key_help(*language, key_path(*place.view.yaml, id));
+  const auto help = help_of_key(context, path, place.view, id);
   if (!help) return std::nullopt;
   const yaml::Node& node = place.view.yaml->nodes[static_cast<std::size_t>(id)];
   const bool is_key = node.key_span().begin <= place.offset && place.offset <= node.key_span().end;
@@ -114,9 +124,24 @@ std::optional<Pose> pose_in(const urdf::Link& link, xml::View element) {
   return pose;
 }
 
-std::optional<Said> xml_key_at(const Context&, const PlaceView& place) {
+/// An element of URDF, SRDF or ros2_control.
+std::optional<ElementHelp> help_of_element(const Context& context, const FileView& view,
+                                           xml::View element) {
+  if (!element) return std::nullopt;
+  const xml::View parent = element.parent();
+  const std::string& path = context.workspace.loaded_sources().path(view.source);
+  bool is_of_companion = is_companion_path(path);
+  for (xml::View at = element; at && !is_of_companion; at = at.parent()) {
+    is_of_companion = at.name() == "ros2_control";
+  }
+  return is_of_companion
+             ? companion_element_help(parent ? parent.name() : std::string_view(), element.name())
+             : element_help(element.name());
+}
+
+std::optional<Said> xml_key_at(const Context& context, const PlaceView& place) {
   const xml::View element(*place.view.xml, xml::element_at(*place.view.xml, place.offset));
-  const auto help = element ? element_help(element.name()) : std::nullopt;
+  const auto help = help_of_element(context, place.view, element);
   if (!help) return std::nullopt;
   Lines pose;
   const LinkedModel* model = place.view.model;

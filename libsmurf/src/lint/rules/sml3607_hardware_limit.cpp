@@ -127,8 +127,8 @@ void check_above(const HardwarePart& part, const std::string& title, Findings& f
   for (const xml::View child : part.element) {
     const std::string_view name = attribute_text(child, "name");
     if (child.name() != "param" || !is_one_of(name, {"min", "max", "initial_value"})) continue;
-    Diagnostic& found = findings.report(
-        child.name_span(), quoted(name) + " of " + title + " is in none of its interfaces");
+    Diagnostic& found = findings.report(child.name_span(), quoted(name) + " of " + title +
+                                                               " is in none of its interfaces");
     found.when(kAbove);
     found.help("move it into a `command_interface` or `state_interface`");
     return;  // one finding for all of them
