@@ -57,6 +57,19 @@ class Init(cli.CliTest):
         self.assertIn("targets: [mars]", self.read(".smurf-lint.yaml"))
         self.assertEqual(done.stdout.count("\nwrote "), 3)
 
+    def test_arguments_in_launch_files(self):
+        """UR: a default that is not one of the choices, and an argument that is used above its definition."""
+        self.write("urdf/arm.urdf.xacro", '<robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
+                   '  <xacro:arg name="name" default="arm"/>\n  <xacro:arg name="size" default="none"/>\n'
+                   '  <xacro:arg name="fine" default="a"/>\n  <link name="$(arg size)"/>\n</robot>\n')
+        self.write("launch/view.launch.py", 'DeclareLaunchArgument(\n    "size", description="x", choices=["s", "m"])\n'
+                   'DeclareLaunchArgument("fine", choices=["a", "b"])\n'
+                   'Command(["xacro ", find("urdf/arm.urdf.xacro"), " ", "name:=", "my_arm", " ", "size:=", size])\n')
+        self.assertIn("1 robot with arguments", self.expect(0, "--init").stdout)
+        self.assertTrue(self.read(".smurf-lint.yaml").endswith(
+            'xacro:\n- file: urdf/arm.urdf.xacro\n  arguments:\n    name: "my_arm"\n    size: ["s", "m"]\n'))
+        self.assertNotIn("SML33", self.expect(None, ".").stdout)
+
     def test_nothing_is_replaced(self):
         self.write(".git/HEAD", "ref: refs/heads/main\n")
         self.write("arm.urdf", cli.ARM_URDF)

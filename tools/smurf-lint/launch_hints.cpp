@@ -87,19 +87,32 @@ std::vector<std::string> given_in(std::string_view text, std::string_view name) 
   const std::string wanted = std::string(name) + ":=";
   for (std::size_t at = text.find(wanted); at != std::string_view::npos;
        at = text.find(wanted, at + 1)) {
-    const std::string_view rest = text.substr(at + wanted.size());
+    std::string_view rest = text.substr(at + wanted.size());
+    // "name:=", "value"
+    if (rest.starts_with('"') || rest.starts_with('\'')) {
+      const std::size_t next = rest.find_first_not_of(" ,\t\r\n", 1);
+      const bool is_text = next != std::string_view::npos && rest[next] == rest[0];
+      if (!is_text) continue;
+      rest = rest.substr(next + 1);
+    }
     const std::string_view value = rest.substr(0, rest.find_first_of("\"' ,)<>\n"));
     if (is_plain(value)) return {std::string(value)};
   }
   return {};
 }
 
-std::vector<std::string> values_of(std::string_view launch, const XacroName& argument) {
+/// `robot` is the text of the xacro file.
+std::vector<std::string> values_of(std::string_view launch, std::string_view robot,
+                                   const XacroName& argument) {
   std::vector<std::string> values = declared_in_python(launch, argument.name);
   if (values.empty()) values = given_in(launch, argument.name);
   // The own default is as good as what a launch file says, unless it is not one of the choices.
   const bool is_choice = values.size() > 1;
-  const bool has_default = argument.has_value && !argument.value.empty();
+  // A use above the definition, such as in the tag of `robot`, needs a value from outside.
+  const bool is_used_before =
+      robot.substr(0, argument.place.begin).find("$(arg " + argument.name + ")") !=
+      std::string_view::npos;
+  const bool has_default = argument.has_value && !argument.value.empty() && !is_used_before;
   if (has_default && !is_choice) return {};
   const bool is_known = std::find(values.begin(), values.end(), argument.value) != values.end();
   const bool is_computed = argument.value.find('$') != std::string::npos;
@@ -121,12 +134,12 @@ std::vector<LaunchedRobot> launched_robots(const std::string& folder,
   for (const std::string& robot : robots) {
     const std::string_view name = path::file_name(robot);
     LaunchedRobot one{robot, {}};
-    for (const XacroName& argument :
-         read_xacro_text(disk.read(robot, limits.file_bytes).text).names) {
+    const std::string own = disk.read(robot, limits.file_bytes).text;
+    for (const XacroName& argument : read_xacro_text(own).names) {
       if (argument.kind != XacroNameKind::argument) continue;
       for (const std::string& text : texts) {
         if (text.find(name) == std::string::npos) continue;
-        std::vector<std::string> values = values_of(text, argument);
+        std::vector<std::string> values = values_of(text, own, argument);
         if (values.empty()) continue;
         one.arguments.emplace_back(argument.name, std::move(values));
         break;

@@ -139,8 +139,14 @@ class Search {
     }
     names_.erase("");
     for (const std::string& project : projects) find_packages(project, 0);
-    find_users();
-    find_robots();
+    const bool matters = std::any_of(found_.begin(), found_.end(), [&](const Found& one) {
+      const bool is_own = loaded_.contains(identity(one.path)) || is_changed(one.path);
+      return one.kind == Kind::companion || (one.kind == Kind::robot && !is_own);
+    });
+    if (matters) {
+      find_users();
+      find_robots();
+    }
     for (const Found& one : found_) judge(one);
     return std::move(left_);
   }
