@@ -123,8 +123,14 @@ export class ToolError extends Error {
   result: Result;
 }
 
-/** Checks all models, scenes and URDFs, or only those at `paths`. */
+/** Checks all models, scenes and URDFs, or only those at `paths`. Without any, the report is empty. */
 export function lint(files: Files, options?: XacroOptions & { paths?: string[] }): Promise<LintReport>;
+
+/**
+ * The files with the safe fixes of a report on them, or with all fixes. Texts stay texts, and bytes bytes. A fix that
+ * overlaps another one is left out: check the result and apply its fixes, until there are none.
+ */
+export function applyFixes(files: Files, report: LintReport, options?: { unsafe?: boolean }): Files;
 
 /** Expands a scene and its nested scenes into world poses. For other formats, see `run`. */
 export function flatten(files: Files, scene: string, options?: XacroOptions): Promise<FlatScene>;

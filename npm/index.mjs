@@ -29,7 +29,10 @@ export function load(source) {
   return loaded;
 }
 
+const kTools = ["smurf-lint", "smurf2urdf", "urdf2smurf", "smurfs-flatten"];
+
 export async function run(tool, args, files, input) {
+  if (!kTools.includes(tool)) throw new TypeError(`there is no tool '${tool}' in this package; there are ${kTools.join(", ")}`);
   const module = await load();
   const memory = new MemoryFiles(files, input);
   const code = new Host(memory, [tool, ...args], {}).run(module);
@@ -56,10 +59,45 @@ async function runWell(tool, args, files, isGood) {
 const words = (xacro) => Object.entries(xacro).map(([name, value]) => `${name}:=${value}`);
 
 export async function lint(files, { paths = ["."], args = [], xacro = {} } = {}) {
-  // For callers, a folder without models is not an error.
   const operands = ["--", ...paths, ...words(xacro)];
-  const result = await runWell("smurf-lint", ["--format=json", ...args, ...operands], files, (one) => one.code < 2);
+  // For callers, files without a robot are not an error.
+  const isEmpty = ({ stderr, stdout }) => /^smurf-lint: no \.smurf/.test(stderr) && stdout !== "" && stderr.trim().split("\n").length === 1;
+  const result = await runWell("smurf-lint", ["--format=json", ...args, ...operands], files, (one) => one.code < 2 || isEmpty(one));
   return JSON.parse(result.stdout);
+}
+
+const kEncoder = new TextEncoder();
+const bytesOf = (content) => (typeof content === "string" ? kEncoder.encode(content) : new Uint8Array(content));
+
+/** The edits of the findings that are applied, by file; a fix that overlaps an earlier one waits for another round. */
+function chosenEdits(report, unsafe) {
+  const byFile = {};
+  const overlaps = (edit) =>
+    (byFile[edit.file] ?? []).some((other) =>
+      edit.begin === other.begin || (edit.begin < other.end && other.begin < edit.end));
+  for (const { fix } of report.diagnostics) {
+    if (!fix || (fix.applicability !== "safe" && !unsafe) || fix.edits.some(overlaps)) continue;
+    for (const edit of fix.edits) (byFile[edit.file] ??= []).push(edit);
+  }
+  return byFile;
+}
+
+export function applyFixes(files, report, { unsafe = false } = {}) {
+  const fixed = { ...files };
+  for (const [file, edits] of Object.entries(chosenEdits(report, unsafe))) {
+    if (!(file in files)) throw new TypeError(`the report is about '${file}', which is not among the files`);
+    let bytes = bytesOf(files[file]);
+    for (const { begin, end, text } of edits.sort((a, b) => b.begin - a.begin)) {
+      const written = kEncoder.encode(text);
+      const next = new Uint8Array(begin + written.length + bytes.length - end);
+      next.set(bytes.subarray(0, begin));
+      next.set(written, begin);
+      next.set(bytes.subarray(end), begin + written.length);
+      bytes = next;
+    }
+    fixed[file] = typeof files[file] === "string" ? new TextDecoder("utf-8", { ignoreBOM: true }).decode(bytes) : bytes;
+  }
+  return fixed;
 }
 
 export async function flatten(files, scene, { args = [], xacro = {} } = {}) {

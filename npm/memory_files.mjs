@@ -41,6 +41,9 @@ export class MemoryFiles {
     this.#makeFolders(kHere);
     for (const [name, content] of Object.entries(files)) {
       const path = normalized(name);
+      if (name.startsWith("/") || !path.startsWith(`${kHere}/`)) {
+        throw new TypeError(`'${name}' is not a path in the folder of the files: write it without a leading '/' or '..'`);
+      }
       this.#makeFolders(above(path));
       if (this.#nodes.get(path)?.bytes === null) throw new TypeError(`'${name}' is a folder of other files`);
       this.#nodes.set(path, new Node(bytesOf(content)));

@@ -6,7 +6,7 @@ import fs from "node:fs";
 import path from "node:path";
 import test from "node:test";
 
-import { ToolError, flatten, lint, load, run, toSmurf, toUrdf } from "smurf-tools";
+import { ToolError, applyFixes, flatten, lint, load, run, toSmurf, toUrdf } from "smurf-tools";
 
 const [fixtures, tools] = process.argv.slice(2);
 
@@ -50,6 +50,32 @@ test("lint has the options of the command, and says what is wrong with them", as
   });
   await assert.rejects(lint({ "a.urdf": 7 }), TypeError);
   await assert.rejects(lint({ a: "", "a/b": "" }), TypeError);
+});
+
+test("files without a robot have no findings, and wrong calls say what is wrong", async () => {
+  for (const files of [{}, { "a.txt": "x" }]) {
+    const report = await lint(files);
+    assert.deepEqual(report.diagnostics, []);
+    assert.equal(report.summary.models, 0);
+  }
+  await assert.rejects(lint({}, { paths: ["nothing.urdf"] }), ToolError);
+  for (const name of ["/a.urdf", "../a.urdf", "a/../../b.urdf", "."]) {
+    await assert.rejects(lint({ [name]: "<robot/>" }), (error) => error instanceof TypeError && error.message.includes(`'${name}'`));
+  }
+  await assert.rejects(run("smurf-diff", [], {}), /there is no tool 'smurf-diff' in this package; there are smurf-lint/);
+});
+
+test("fixes are those of smurf-lint --fix", async () => {
+  const urdf = '<robot name="räder">\n<link name="a"/><link name="b"/>\n<joint name="j" type="fixed"><axis xyz="0 0 1"/>' +
+    '<parent link="a"/><child link="b"/></joint></robot>\n';
+  const files = { "r.urdf": urdf, "s.urdf": new TextEncoder().encode(urdf), "t.txt": "t" };
+  const all = { unsafe: true };
+  const fixed = applyFixes(files, await lint(files), all);
+  assert.equal(fixed["r.urdf"], urdf.replace('<axis xyz="0 0 1"/>', ""));
+  assert.deepEqual(fixed["s.urdf"], new TextEncoder().encode(fixed["r.urdf"]));
+  assert.equal(files["r.urdf"], urdf);
+  assert.deepEqual(applyFixes(fixed, await lint(fixed), all), fixed);
+  assert.throws(() => applyFixes({}, { diagnostics: [{ fix: { applicability: "safe", edits: [{ file: "x", begin: 0, end: 0, text: "" }] } }] }), TypeError);
 });
 
 test("flatten gives the poses of the command", async () => {

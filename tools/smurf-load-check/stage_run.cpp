@@ -90,6 +90,18 @@ void StageRun::give_no_verdict(const std::vector<EngineMessage>& messages, Stage
   }
 }
 
+namespace {
+
+/// A stage whose numbers are all within their bounds does not show why it warns.
+void tell_reason(StageResult& result, const Rule& rule) {
+  const bool is_shown = std::any_of(result.figures.begin(), result.figures.end(),
+                                    [](const Figure& figure) { return !figure.is_within(); });
+  if (is_shown || result.note.find(rule.id) != std::string::npos) return;
+  result.note += (result.note.empty() ? "see " : ", see ") + std::string(rule.id);
+}
+
+}  // namespace
+
 void StageRun::keep_findings(StageResult& result) {
   if (withdrawn_ != nullptr) {
     std::erase_if(result_.diagnostics,
@@ -100,6 +112,7 @@ void StageRun::keep_findings(StageResult& result) {
     if (diagnostic.severity == Severity::info) verdict = Verdict::pass;
     if (diagnostic.rule == &rules::sml6002_no_verdict) verdict = Verdict::none;
     result.verdict = std::max(result.verdict, verdict);
+    if (verdict == Verdict::warn) tell_reason(result, *diagnostic.rule);
     result_.diagnostics.push_back(std::move(diagnostic));
   }
 }

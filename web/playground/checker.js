@@ -17,6 +17,7 @@ export class Checker {
     this.byFile = new Map(); // findings
     byId("fix").addEventListener("click", () => this.fixAll());
     byId("show-robot").addEventListener("click", () => this.showRobot());
+    byId("robots").addEventListener("change", () => this.page?.picture.isOpen && this.showRobot());
     byId("save-report").addEventListener("click", () =>
       download(new Map([["report.html", bytesOf(this.html)]]), "report"),
     );
@@ -74,7 +75,13 @@ export class Checker {
       onFix: (finding) => this.playground.fix(finding),
     };
     this.page = new Page(report, { actions, signal: this.keys.signal });
+    const frame = byId("viewer");
+    frame.addEventListener("load", () => this.playground.takeDropsOn(frame.contentDocument));
+    this.pictured = undefined;
+    // As the command: infos are shown on request.
+    const isSevere = report.diagnostics.some(({ severity }) => severity !== "info");
     if (kept) this.page.filters.restore(kept);
+    else if (isSevere) this.page.filters.setShown("info", false);
     this.byFile = new Map();
     for (const finding of report.diagnostics)
       if (!this.byFile.get(finding.file)?.push(finding)) this.byFile.set(finding.file, [finding]);
@@ -117,16 +124,18 @@ export class Checker {
    */
   async showRobot(hash) {
     const { page } = this;
-    const { source } = this.playground.convert;
-    if (!page.picture.page) {
+    const source = byId("robots").value;
+    if (!page.picture.page || (this.pictured ?? source) !== source) {
       const place = this.playground.files.freeName("robot.html");
       const args = ["--format=html", "--force", "-o", place, "--", source];
       const result = await this.playground.run("smurfs-flatten", args);
       const html = result?.files.get(place);
       if (page !== this.page || !result) return;
       if (!html) return void this.playground.fail(result.stderr);
+      page.picture.close();
       page.picture = new Picture(textOf(html));
     }
+    this.pictured = source;
     const viewer = await page.picture.open(source);
     if (hash && page === this.page) viewer?.readHash(hash);
   }

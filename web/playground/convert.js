@@ -19,11 +19,11 @@ const withAssets = (format) => (file, output) => [
 const exported = (file, output) => ["smurf2urdf", ["-o", output, "--", file]];
 const imported = (file, output) => ["urdf2smurf", ["--copy-meshes", "-o", output, "--", file]];
 
-const kScene = ["urdf", "smurf", "smurfs", "smurfa", "zsmurf", "zsmurfs"];
+const kScene = ["xacro", "urdf", "smurf", "smurfs", "smurfa", "zsmurf", "zsmurfs"];
 /** [title of the result, end of its file name, extensions of the input, command] */
 const kForms = [
-  ["URDF", ".urdf", ["smurf"], exported],
-  ["SMURF", "_smurf", ["urdf"], imported],
+  ["URDF", ".urdf", ["xacro", "smurf"], exported],
+  ["SMURF", "_smurf", ["xacro", "urdf"], imported],
   ["SDF (Gazebo)", ".sdf", kScene, withAssets("sdf")],
   ["MJCF (MuJoCo)", ".xml", kScene, flattened("mjcf")],
   ["one merged URDF", ".urdf", ["smurfs", "smurfa", "zsmurfs"], withAssets("urdf")],
@@ -43,9 +43,13 @@ function setOptions(select, values, nameOf = (value) => value) {
   if (values.some((value) => nameOf(value) === before)) select.value = before;
 }
 
-/** Scenes before models before URDFs, because the former contain the latter; of each kind, outer folders first. */
+/**
+ * Scenes before models before URDFs, because the former contain the latter; of each kind, outer folders first. Xacro files
+ * come last, because most are parts of robots; those of whole robots are often called NAME.urdf.xacro.
+ */
 function byImportance(a, b) {
-  const rank = (name) => kScene.indexOf(kindOf(name).replace("z", ""));
+  const rank = (name) =>
+    kScene.indexOf(kindOf(name).replace("z", "")) + Number(/\.urdf\.xacro$/i.test(name)) / 2;
   const depth = (name) => name.split("/").length;
   return rank(b) - rank(a) || depth(a) - depth(b);
 }
@@ -71,8 +75,9 @@ export class Convert {
 
   update() {
     const names = [...this.files.all.keys()].filter(kindOf).sort(byImportance);
-    setOptions(byId("source"), names);
+    for (const id of ["source", "robots"]) setOptions(byId(id), names);
     byId("conversion").hidden = names.length === 0;
+    byId("robots").hidden = names.length < 2;
     this.showForms();
   }
 

@@ -6,7 +6,7 @@ import { fromBase64, bytesOf, textOf, toBase64 } from "./bytes.js";
 export const kMostFiles = 5000;
 const kMostSteps = 200; // most steps that can be undone
 
-export const kindOf = (name) => name.match(/\.(smurfs?|smurfa|zsmurfs?|urdf)$/i)?.[1].toLowerCase();
+export const kindOf = (name) => name.match(/\.(smurfs?|smurfa|zsmurfs?|urdf|xacro)$/i)?.[1].toLowerCase();
 
 /** The path of a file relative to the folder of the robot. Throws if it leads out of the folder. */
 export function cleaned(path) {

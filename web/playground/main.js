@@ -12,7 +12,7 @@ import { fromHash, kMostShared, toHash } from "./share.js";
 import { Stopped, Tools } from "./tools.js";
 
 /** Whether a file is a robot, or may be made one. */
-const isRobot = (name) => kindOf(name) !== undefined || /\.(xacro|svg)$/i.test(name);
+const isRobot = (name) => kindOf(name) !== undefined || /\.svg$/i.test(name);
 const kPatience = 1.5; // s before a message that the tools are working
 
 class Playground {
@@ -48,21 +48,28 @@ class Playground {
     });
     onClick("share", () => this.share());
     onClick("stop", () => this.tools.stop());
+    this.takeDropsOn(document);
+    window.addEventListener("hashchange", () => this.readAddress());
+    window.addEventListener("beforeunload", (event) => {
+      if (this.files.canUndo && this.files.all !== this.kept) event.preventDefault();
+    });
+  }
+
+  /** Files may be dropped on this page, and on the picture in its frame. */
+  takeDropsOn(page) {
+    if (!page || page.smurfTakesDrops) return;
+    page.smurfTakesDrops = true;
     const hasFiles = (event) => event.dataTransfer.types.includes("Files");
     const mark = (event, isOver) => {
       if (!hasFiles(event)) return; // text that is dragged in the text field
       event.preventDefault();
       document.body.classList.toggle("dropping", isOver);
     };
-    document.addEventListener("dragover", (event) => mark(event, true));
-    document.addEventListener("dragleave", (event) => mark(event, false));
-    document.addEventListener("drop", (event) => {
+    page.addEventListener("dragover", (event) => mark(event, true));
+    page.addEventListener("dragleave", (event) => mark(event, false));
+    page.addEventListener("drop", (event) => {
       mark(event, false);
       if (hasFiles(event)) this.take(dropped(event.dataTransfer));
-    });
-    window.addEventListener("hashchange", () => this.readAddress());
-    window.addEventListener("beforeunload", (event) => {
-      if (this.files.canUndo && this.files.all !== this.kept) event.preventDefault();
     });
   }
 

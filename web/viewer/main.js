@@ -192,7 +192,10 @@ class Viewer {
       ["walk", "Walk", "w", (on) => this.startWalking(on), "modes"],
     ];
     document.documentElement.classList.toggle("compared", isInFrame && this.shapes.isCompared);
-    if (isInFrame && this.shapes.isCompared)
+    if (
+      isInFrame &&
+      this.scene.entities.some(({ model }) => model?.joints.some(({ type }) => type !== "fixed"))
+    )
       this.layers.push([
         "moves",
         "Joints",

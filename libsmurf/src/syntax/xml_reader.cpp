@@ -17,7 +17,8 @@ std::optional<xml::Document> parse_xml(const SourceMap& sources, SourceId id, co
         sink.report(rules::sml1010_lfs_pointer, {id, 0, 0},
                     text.starts_with(kLfsPointer) ? "the file is a Git LFS pointer, not XML"
                                                   : "the file is empty");
-    if (text.starts_with(kLfsPointer)) diagnostic.help("run `git lfs pull`");
+    diagnostic.help(text.starts_with(kLfsPointer) ? "run `git lfs pull`"
+                                                  : "restore its content, or delete the file");
     return std::nullopt;
   }
   if (!check_text(sources, id, TextFormat::xml, sink)) return std::nullopt;

@@ -185,12 +185,13 @@ void SceneLosses::of_model(const LinkedModel& model) {
       report(thing, found);
     }
   }
-  if (!annotations.empty() || !settings.empty()) {
-    // Whole things first: they are missed before the settings of others.
-    if (!settings.empty()) add(annotations, settings);
-    scene_.losses.report(rules::sml8207_lost_annotations, {model.files.front().source, 0, 0},
-                         "the annotations of " + quoted(model.path) + " are not in the " + format_ +
-                             ": " + annotations);
+  // Whole things first: they are missed before the settings of others.
+  const std::string& missed = annotations.empty() ? settings : annotations;
+  if (!missed.empty()) {
+    Diagnostic& lost = scene_.losses.report(
+        rules::sml8207_lost_annotations, {model.files.front().source, 0, 0},
+        "the annotations of " + quoted(model.path) + " are not in the " + format_ + ": " + missed);
+    if (!annotations.empty() && !settings.empty()) lost.note("also lost: " + settings);
   }
   if (!shown.empty()) {
     scene_.losses

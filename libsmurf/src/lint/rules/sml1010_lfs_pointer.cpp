@@ -8,18 +8,20 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "finds no document in the file", "urdfdom, run"},
 };
+constexpr std::string_view kFormer[] = {"lfs-pointer"};
 
 }  // namespace
 
 extern constinit const Rule sml1010_lfs_pointer{
     .id = "SML1010",
-    .name = "lfs-pointer",
+    .name = "no-content",
     .severity = Severity::error,
-    .summary = "A file is empty, or contains a Git LFS pointer.",
+    .summary = "A file is empty, or has a Git LFS pointer instead of its content.",
     .why = "Readers report \"document empty\", not the cause.",
     .remedy = "Run `git lfs pull`, or restore the file.",
     .sources = "urdfdom, executed: 31 of 941 public files.",
     .facts = kFacts,
-    .blocks_building = true};
+    .blocks_building = true,
+    .former = kFormer};
 
 }  // namespace smurf::rules::sml1010_lfs_pointer_file
