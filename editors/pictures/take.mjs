@@ -125,7 +125,81 @@ function place(file, text) {
   return [lines.length, lines.at(-1).length - 3];
 }
 
+/// The frame with the page in 3D, when it shows a robot.
+async function viewer() {
+  for (let tries = 120; tries > 0; --tries) {
+    for (const frame of page.frames()) {
+      if (await frame.evaluate(() => Boolean(window.smurfViewer)).catch(() => false)) return frame;
+    }
+    await pause(500);
+  }
+  throw new Error("the robot is not shown");
+}
+
+/// A chain of links, each with a box.
+function chain(links) {
+  const link = (i) => `  <link name="l${i}"><visual><geometry><box size="0.04 0.04 0.09"/></geometry></visual></link>\n`;
+  const joint = (i) => `  <joint name="j${i}" type="revolute">\n    <origin xyz="0 0 0.1"/>\n    <parent link="l${i}"/>\n` +
+    `    <child link="l${i + 1}"/>\n    <axis xyz="0 1 0"/>\n    <limit lower="-1" upper="1" effort="1" velocity="1"/>\n  </joint>\n`;
+  const all = [...Array(links).keys()];
+  return `<robot name="chain">\n${all.map(link).join("")}${all.slice(1).map((i) => joint(i - 1)).join("")}</robot>\n`;
+}
+
+/// Opens the robot beside its text, and prints how long it takes until a key stroke has moved it.
+async function show(file) {
+  await page.setViewport({ width: 1280, height: 720 });
+  await open(file);
+  await run("SMURF: Show the robot in 3D");
+  const frame = await viewer();
+  await pause(3000);
+  return frame;
+}
+
+async function measureTyping() {
+  fs.writeFileSync(path.join(model, "urdf/chain.urdf"), chain(40));
+  const frame = await show("urdf/chain.urdf");
+  const [line, column] = place("urdf/chain.urdf", '<origin xyz="0 0 0.1');
+  await page.click(".monaco-editor .view-lines");
+  await go(line, column + 4);
+  const times = [];
+  for (const key of ["5", "7", "3"]) {
+    const changed = frame.evaluate(() => new Promise((done) => {
+      const { scene } = window.smurfViewer;
+      const end = Date.now() + 10000;
+      const look = () => (window.smurfViewer.scene === scene && Date.now() < end ? setTimeout(look, 5) : done(Date.now()));
+      look();
+    }));
+    const start = Date.now();
+    await page.keyboard.press(key);
+    times.push((await changed) - start);
+    await pause(1000);
+  }
+  console.log(`40 links: the picture follows a key after ${times.join(", ")} ms`);
+  const before = await activeLine();
+  await (await frame.$("canvas")).click();
+  await pause(1500);
+  console.log(`a click in the picture: the cursor moves from line ${before} to line ${await activeLine()}`);
+}
+
+/// The line of the cursor.
+const activeLine = () => page.evaluate(() => document.querySelector(".line-numbers.active-line-number")?.textContent);
+
 const kPictures = {
+  async preview() {
+    await measureTyping();
+    await show("urdf/arm.urdf");
+    await page.click(".monaco-editor .view-lines");
+    await go(...place("urdf/arm.urdf", '<link name="forearm"'));
+    await pause(3000);
+  },
+  async broken() {
+    await show("urdf/arm.urdf");
+    await page.click(".monaco-editor .view-lines");
+    const [line, column] = place("urdf/arm.urdf", '<mass value="1.');
+    await go(line, column + 3);
+    await page.keyboard.type(",");
+    await pause(3000);
+  },
   async findings() {
     fs.writeFileSync(motors, broken);
     await open("smurf/arm_motors.yml", ".squiggly-error");
@@ -200,6 +274,7 @@ try {
   for (const [name, take] of Object.entries(kPictures)) {
     if (wanted.length > 0 && !wanted.includes(name)) continue;
     fs.writeFileSync(motors, sound);
+    await page.setViewport({ width: 720, height: 400 });
     await take();
     const file = path.join(root, "docs/editors", name + ".png");
     await page.screenshot({ path: file });

@@ -702,6 +702,29 @@ class Suggestions(LintTest):
         self.assertEqual([one["id"] for one in found], ["SML1115"])
         self.assertIn("a xacro file that only defines macros makes an empty robot", found[0]["notes"])
 
+    def test_a_configuration_that_is_not_there_ends_the_run(self):
+        self.write("r.urdf", '<robot name="r"><link name="l"/></robot>')
+        done = self.run_tool("--config", "nothing.yaml", "r.urdf")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("cannot read 'nothing.yaml': No such file", done.stderr)
+
+    def test_a_file_of_another_program(self):
+        self.write("tsconfig.json", "{}\n")
+        done = self.run_tool("tsconfig.json")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("it has no section of SMURF", done.stderr)
+
+    def test_a_placeholder_that_xacro_files_include(self):
+        """empty.urdf of Clearpath: no finding that is shown, unless it is not only comments."""
+        self.write("r.urdf", "<robot>\n  <!-- Included by default. -->\n</robot>\n")
+        found = json.loads(self.expect(0, "--format", "json", "r.urdf").stdout)["diagnostics"]
+        self.assertEqual([(one["id"], one["severity"]) for one in found], [("SML1115", "info")])
+        for text in ("<robot/>", "<robot><!-- a --><material name='a'/></robot>"):
+            self.write("r.urdf", text)
+            found = json.loads(self.expect(1, "--format", "json", "r.urdf").stdout)["diagnostics"]
+            self.assertEqual({(one["id"], one["severity"]) for one in found} & {("SML1102", "error"), ("SML1115", "error")},
+                             {("SML1102", "error"), ("SML1115", "error")})
+
     def test_an_inertia_in_other_units(self):
         link = '<robot name="r"><link name="l"><inertial><mass value="{}"/><inertia ixx="{}" ixy="0" ixz="0" iyy="{}" iyz="0" izz="{}"/></inertial></link></robot>'
         for mass, moment, wanted in ((6921, 24480, ""), (6921, 99480, "are these g and g mm2? write kg and kg m2"),

@@ -916,10 +916,12 @@ class ColorsOfAnnotations(FlattenTest):
         for name in ("sdf", "mjcf", "gltf", "usda", "html"):
             done = self.run_tool("r.smurf", "--format", name, "-o", "out", "--force")
             if "cannot be written" not in done.stderr:  # the page was not built
-                self.assertIn("1 material, 1 material setting", done.stderr, name)
+                self.assertIn(": 1 material\n", done.stderr, name)
+                self.assertIn("also lost: 1 material setting", done.stderr, name)
         for name in ("urdf", "dmd"):
             done = self.run_tool("r.smurf", "--format", name, "-o", "out", "--force")
-            self.assertIn("2 materials, 1 visual setting", done.stderr, name)
+            self.assertIn("2 materials\n", done.stderr, name)
+            self.assertIn("also lost: 1 visual setting", done.stderr, name)
 
 
 class MeshesWithNeighbours(FlattenTest):

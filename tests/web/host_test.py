@@ -4,7 +4,10 @@
 Usage: host_test.py TOOL BUILD
 """
 import json
+import pathlib
 import re
+import shutil
+import subprocess
 
 import viewer
 from viewer import cli, reader  # noqa: F401
@@ -74,6 +77,39 @@ class HostTest(viewer.ViewerTest):
             "(window.postMessage({ problem: 'x', select: 'forearm' }, '*'), new Promise((done) => setTimeout(done, 300)).then(() => 0))",
             "[document.getElementById('problem').hidden, smurfViewer.selected === undefined]"]})[0]["results"]
         self.assertEqual(results[1], [True, True])
+
+
+# VS Code removes window.parent, and sends messages from a frame that the page does not know.
+EDITOR = """
+const elements = {};
+const element = (id) => (elements[id] ??= { addEventListener() {} });
+const sent = [];
+let listen;
+globalThis.document = { getElementById: element };
+globalThis.window = { name: "", addEventListener: (type, action) => (listen = action), @EDITOR@ };
+const { Host } = await import("@HOST@");
+const host = new Host();
+const selected = [];
+host.connect({ scene: { entities: [{ model: { links: [{ name: "arm" }] } }] }, select: (...thing) => selected.push(thing) });
+listen?.({ data: { problem: "Line 3", select: "arm" }, source: {} });
+console.log(JSON.stringify({ sent, selected, problem: elements.problem?.textContent }));
+"""
+
+
+class EditorTest(viewer.cli.CliTest):
+    def answer(self, editor):
+        host = (pathlib.Path(__file__).resolve().parents[2] / "web/viewer/host.js").as_uri()
+        self.write("editor.mjs", EDITOR.replace("@EDITOR@", editor).replace("@HOST@", host))
+        done = subprocess.run(["node", self.folder / "editor.mjs"], capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_messages_of_an_editor(self):
+        if shutil.which("node") is None:
+            self.skipTest("node is not installed")
+        answer = self.answer("acquireVsCodeApi: () => ({ postMessage: (message) => sent.push(message) })")
+        self.assertEqual(answer, {"sent": [{"isReady": True}], "selected": [[0, 0]], "problem": "Line 3"})
+        self.assertEqual(self.answer("parent: {}")["selected"], [])  # a frame of another page
 
 
 if __name__ == "__main__":

@@ -7,7 +7,9 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/counted.hpp"
 #include "base/limits.hpp"
@@ -383,11 +385,13 @@ ExitCode run(const LintOptions& options, std::set<std::string>* seen) {
   const InputFiles inputs(disk);
   const ArchiveFiles archives(inputs, options.limits);
   MemoryFiles files(&archives);
-  if (!options.baseline.empty() && !options.generate_baseline) {
-    if (const auto reason = why_unreadable(options.baseline, files)) {
-      complain(kSmurfLint, "cannot read '" + options.baseline + "': " + *reason);
-      return kFailed;
-    }
+  std::vector<std::string> needed{options.config};
+  if (!options.generate_baseline) needed.push_back(options.baseline);
+  for (const std::string& path : needed) {
+    const auto reason = path.empty() ? std::nullopt : why_unreadable(path, files);
+    if (!reason) continue;
+    complain(kSmurfLint, "cannot read '" + path + "': " + *reason);
+    return kFailed;
   }
   LintPlan plan = make_plan(options, files);
   keep_shard(plan, options.shard, files);

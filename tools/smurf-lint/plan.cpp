@@ -14,6 +14,7 @@
 #include "base/path.hpp"
 #include "base/path_patterns.hpp"
 #include "base/places.hpp"
+#include "base/words.hpp"
 #include "common/discover.hpp"
 #include "common/ignore_files.hpp"
 #include "common/input.hpp"
@@ -326,7 +327,9 @@ class Planner {
   bool has_section(const std::string& path) {
     const FileContent content = files_.read(path, options_.limits.file_bytes);
     if (content.status != ReadStatus::ok) return true;             // reported when it is loaded
-    if (content.text.find(':') == std::string::npos) return true;  // no mapping, such as a draft
+    const std::string_view text = trimmed(content.text);
+    if (text == "{}" || text == "[]") return false;
+    if (text.find(':') == std::string_view::npos) return true;  // no mapping, such as a draft
     const auto is_named = [&](std::string_view name) { return has_key(content.text, name); };
     const std::vector<std::string>& own = exclusions_[config_of_entry(path)].sections;
     if (std::any_of(own.begin(), own.end(), is_named)) return true;

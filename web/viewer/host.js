@@ -13,6 +13,8 @@ export class Host {
     const editor = window.acquireVsCodeApi?.();
     /** Whether the page is shown with its lists, although it is in a frame. */
     this.isWhole = Boolean(editor) || window.name === kWhole;
+    /** VS Code removes window.parent from pages that it shows, and lets nobody else send messages to them. */
+    this.isHost = (source) => Boolean(editor) || source === window.parent || source === window;
     this.send = editor
       ? (message) => editor.postMessage(message)
       : (message) => this.isWhole && window.parent.postMessage(message, "*");
@@ -21,7 +23,7 @@ export class Host {
   connect(viewer) {
     if (!this.isWhole) return;
     window.addEventListener("message", ({ data, source }) => {
-      if (source !== window.parent && source !== window) return;
+      if (!this.isHost(source)) return;
       if (typeof data?.scene === "string") viewer.replaceScene(readScene(data.scene));
       if (typeof data?.problem === "string") this.showProblem(data.problem);
       if (typeof data?.select === "string") this.select(viewer, data.select);

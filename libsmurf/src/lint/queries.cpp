@@ -180,6 +180,11 @@ Span name_place(const LinkedModel& model, const urdf::Joint& joint) {
   return joint.name.span.empty() ? tag_name(model, joint.element) : joint.name.span;
 }
 
+bool has_only_comments(const xml::Document& document) {
+  const xml::View root(document, document.root);
+  return root.begin() == root.end() && root.attributes().empty() && !document.comments.empty();
+}
+
 bool has_slip(const LinkedModel& model, xml::ElementId element, std::string_view name) {
   return !find_slip(model, element, name).empty();
 }

@@ -89,6 +89,9 @@ bool has_slip(const LinkedModel& model, xml::ElementId element, std::string_view
 /// To readers, the element is missing, so the misspelling is also marked as a fault of this rule.
 bool is_slip(const LinkedModel& model, xml::ElementId element, std::string_view name,
              Findings& findings);
+/// Whether a URDF is `<robot>` with comments only: the empty.urdf that xacro files of several
+/// vendors include when a user names no other.
+bool has_only_comments(const xml::Document& document);
 /// Place of an element's name in its start tag.
 Span tag_name(const LinkedModel& model, xml::ElementId element);
 

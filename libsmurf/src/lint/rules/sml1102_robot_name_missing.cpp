@@ -16,9 +16,9 @@ void check(const LinkedModel& model, Findings& findings) {
   const Field<std::string>& name = model.robot->name;
   if (name.written && !trimmed(*name).empty()) return;
   const xml::View root(model.robot->document, model.robot->document.root);
-  // A robot of macros only has nothing at all: SML1115.
+  // A robot of macros only, or a file with nothing but comments: SML1115.
   const bool is_of_macros = root.attribute("xmlns:xacro") != nullptr && model.robot->links.empty();
-  if (!name.written && is_of_macros) return;
+  if (!name.written && (is_of_macros || has_only_comments(model.robot->document))) return;
   const Span tag = tag_name(model, model.robot->document.root);
   if (!name.written && is_slip(model, model.robot->document.root, "name", findings)) return;
   Diagnostic& diagnostic =

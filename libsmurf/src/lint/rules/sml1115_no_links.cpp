@@ -13,6 +13,10 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot->name.written) {  // SML1102 does not report a robot that has nothing at all
     diagnostic.consequences.push_back(&rules::sml1102_robot_name_missing);
   }
+  if (has_only_comments(document)) {
+    diagnostic.severity = Severity::info;
+    diagnostic.note("it has comments only, as a file that others include by default");
+  }
   if (xml::View(document, document.root).attribute("xmlns:xacro") == nullptr) return;
   diagnostic.note("a xacro file that only defines macros makes an empty robot");
   diagnostic.help("expand the file that uses its macros");

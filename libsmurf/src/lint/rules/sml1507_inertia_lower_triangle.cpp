@@ -17,19 +17,28 @@ void check(const LinkedModel& model, Findings& findings) {
         xml::View(model.robot->document, link.inertial->element).child("inertia");
     if (!inertia) return;
     if (is_written(*link.inertial) && inertia.element().attribute_count == 6) return;
+    Diagnostic* harmless = nullptr;  // one finding for those that only repeat another entry
     for (const auto& [lower, upper] : kMirrored) {
       const xml::Attribute* below = inertia.attribute(lower);
       const xml::Attribute* above = inertia.attribute(upper);
       if (below == nullptr || above == nullptr) continue;  // that the other is missing is reported
+      const bool is_equal = parse_number(below->value()) == parse_number(above->value());
+      if (is_equal && harmless != nullptr) {
+        harmless->fixes.front().edits.push_back({below->span(), ""});
+        harmless->help("delete it and the others below the diagonal, which repeat entries above");
+        continue;
+      }
       Diagnostic& diagnostic =
           findings.report(below->name_span(),
                           "readers ignore " + quoted(lower) + " in the inertia of " + title(link));
-      if (parse_number(below->value()) == parse_number(above->value())) {
-        diagnostic.help("delete it; " + quoted(upper) + " has the same value");
-        diagnostic.fixes.push_back({Applicability::safe, {{below->span(), ""}}});
-      } else {
+      if (!is_equal) {
         diagnostic.label(above->value_span(), "and read another value here");
+        continue;
       }
+      harmless = &diagnostic;
+      diagnostic.severity = Severity::info;
+      diagnostic.help("delete it; " + quoted(upper) + " has the same value");
+      diagnostic.fixes.push_back({Applicability::safe, {{below->span(), ""}}});
     }
   });
 }
