@@ -14,7 +14,6 @@
 #include "base/path.hpp"
 #include "base/path_patterns.hpp"
 #include "base/places.hpp"
-#include "base/words.hpp"
 #include "common/discover.hpp"
 #include "common/ignore_files.hpp"
 #include "common/input.hpp"
@@ -326,10 +325,11 @@ class Planner {
   /// because the file is parsed later.
   bool has_section(const std::string& path) {
     const FileContent content = files_.read(path, options_.limits.file_bytes);
-    if (content.status != ReadStatus::ok) return true;             // reported when it is loaded
-    const std::string_view text = trimmed(content.text);
-    if (text == "{}" || text == "[]") return false;
-    if (text.find(':') == std::string_view::npos) return true;  // no mapping, such as a draft
+    if (content.status != ReadStatus::ok) return true;  // reported when it is loaded
+    const std::string& text = content.text;
+    const bool is_empty = text.find_first_not_of("{}[] \t\r\n") == std::string::npos;
+    if (is_empty && text.find_first_of("{[") != std::string::npos) return false;
+    if (text.find(':') == std::string::npos) return true;  // no mapping, such as a draft
     const auto is_named = [&](std::string_view name) { return has_key(content.text, name); };
     const std::vector<std::string>& own = exclusions_[config_of_entry(path)].sections;
     if (std::any_of(own.begin(), own.end(), is_named)) return true;
