@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 
+import document_stubs
 import pytest
 import smurf
 
@@ -34,6 +35,13 @@ def test_names():
         for member in vars(item):
             if not member.startswith("_"):
                 assert f"def {member}(" in classes[name] + inherited, f"{name}.{member}"
+
+
+def test_docstrings():
+    """They are those of the module."""
+    stub = (PACKAGE / "_smurf.pyi").read_text()
+    assert document_stubs.documented(stub, smurf) == stub, "run document_stubs.py python/smurf/_smurf.pyi"
+    assert stub.count('"""') > 300
 
 
 @pytest.mark.skipif(importlib.util.find_spec("mypy") is None, reason="mypy is not installed")
