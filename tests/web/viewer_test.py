@@ -364,6 +364,20 @@ class PageTest(viewer.ViewerTest):
         self.assertEqual(results[4], "0.785")
         self.assertEqual(results[6], ["joint_11 rad -1 2"])
 
+    def test_y_can_point_up(self):
+        """The picture turns, and with it the grid; poses stay. Walking needs z up."""
+        state = ("({ up: smurfViewer.stage.camera.up.toArray(), grid: Math.round(smurfViewer.stage.grid.rotation.x * 100), "
+                 "walk: document.getElementById('walk').disabled, camera: smurfViewer.stage.camera.position.toArray().map((x) => Number(x.toFixed(6))), "
+                 "link: smurfViewer.motion.links[0][3].elements })")
+        first, turned, seen, back = self.browse({"page": self.page(ARM), "steps": [
+            state, {"key": "u"}, state, "(smurfViewer.stage.turn(0.5, 0.1), 0)", state, {"key": "u"}, state]})[0]["results"][0::2]
+        self.assertEqual((first["up"], first["grid"], first["walk"]), ([0, 0, 1], 157, False))
+        self.assertEqual((turned["up"], turned["grid"], turned["walk"]), ([0, 1, 0], 0, True))
+        self.assertEqual(turned["link"], first["link"])
+        self.assertNotEqual(seen["camera"], turned["camera"])
+        self.assertGreater(turned["camera"][1], 0)
+        self.assertEqual(back, first)
+
     def test_lists_fold_and_layers_are_a_menu(self):
         width = "document.getElementById('stage').clientWidth"
         hidden = "document.getElementById('layers').hidden"

@@ -188,6 +188,7 @@ class Viewer {
       ["skeleton", "Skeleton", "k", (on) => this.overlays.show("skeleton", on)],
       ["names", "Names", "n", (on) => this.showNames(on)],
       ["ground", "Grid", "g", (on) => (this.stage.grid.visible = on)],
+      ["up", "Y is up", "u", (on) => this.setUp(on)],
       ["ruler", "Measure", "d", (on) => this.startMeasuring(on), "modes"],
       ["walk", "Walk", "w", (on) => this.startWalking(on), "modes"],
     ];
@@ -203,6 +204,20 @@ class Viewer {
         (on) => document.documentElement.classList.toggle("with-joints", on),
         "layers",
       ]);
+  }
+
+  /** Which axis of the world points up. One can only walk where it is z. */
+  setUp(isY) {
+    if (this.stage.isYUp === isY) return;
+    if (this.walk.isOn) byId("walk").click();
+    byId("walk").disabled = isY;
+    this.stage.setUp(isY);
+    const all = this.boxOfAll();
+    const { visible } = this.stage.grid;
+    this.stage.setGround(all, this.isSingle);
+    this.stage.grid.visible = visible;
+    this.stage.fit(all);
+    this.writeHashSoon();
   }
 
   /** Lets a selected link be dragged, which moves the joint above it. */

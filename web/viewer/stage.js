@@ -71,6 +71,7 @@ export class Stage {
     this.scene.add(this.shadow.mesh);
     this.camera = new PerspectiveCamera(40, 1, 0.01, 1000);
     this.camera.up.set(0, 0, 1);
+    this.isYUp = false;
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("start", () => (this.isHeld = true));
@@ -115,7 +116,7 @@ export class Stage {
   }
 
   drawShadow() {
-    if (!this.shadow.isStale || !this.boxOfShadow) return;
+    if (!this.shadow.isStale || !this.boxOfShadow || this.isYUp) return;
     const left = (this.shadowAt ?? -Infinity) + this.shadowPause - performance.now();
     if (left > 0) {
       setTimeout(() => this.draw(), left);
@@ -132,26 +133,40 @@ export class Stage {
     this.canvas.toBlob(callback, "image/png");
   }
 
-  /** Puts the grid around a box, in the xy plane of the world, or below the box. */
+  /** Turns the picture so that z points up, as in ROS, or y, as in many mesh files. The coordinates stay as they are. */
+  setUp(isY) {
+    this.isYUp = isY;
+    this.camera.up.set(0, Number(isY), Number(!isY));
+    // The controls read the axis only once, when they are made.
+    this.controls._quat.setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0));
+    this.controls._quatInverse.copy(this.controls._quat).invert();
+    this.shadow.mesh.visible &&= !isY;
+  }
+
+  /** Puts the grid around a box, in the horizontal plane of the world, or below the box. */
   setGround(box, isBelow) {
-    const size = box.isEmpty() ? 2 : Math.max(box.max.x - box.min.x, box.max.y - box.min.y, 0.2);
+    const [across, up] = this.isYUp ? ["z", "y"] : ["y", "z"];
+    const size = box.isEmpty() ? 2 : Math.max(box.max.x - box.min.x, box.max[across] - box.min[across], 0.2);
     const step = roundStep(size / 4);
     const cells = 2 * Math.ceil(size / step);
     this.grid?.dispose();
     this.grid?.removeFromParent();
-    this.grid = new GridHelper(cells * step, cells, 0x808890, 0x808890).rotateX(Math.PI / 2);
+    this.grid = new GridHelper(cells * step, cells, 0x808890, 0x808890);
+    if (!this.isYUp) this.grid.rotateX(Math.PI / 2);
     this.grid.material.transparent = true;
     this.grid.material.opacity = 0.28;
     this.grid.material.depthWrite = false;
     const center = box.isEmpty() ? new Vector3() : box.getCenter(new Vector3());
     const onGrid = (value) => Math.round(value / step) * step;
-    this.grid.position.set(onGrid(center.x), onGrid(center.y), isBelow && !box.isEmpty() ? box.min.z : 0);
+    this.grid.position.x = onGrid(center.x);
+    this.grid.position[across] = onGrid(center[across]);
+    this.grid.position[up] = isBelow && !box.isEmpty() ? box.min[up] : 0;
     this.scene.add(this.grid);
     this.shadow.isStale = true;
   }
 
   /** Brings a whole box into view. `from` points from the box to the camera. */
-  fit(box, from = new Vector3(1, -1.5, 0.9)) {
+  fit(box, from = this.isYUp ? new Vector3(1, 0.9, 1.5) : new Vector3(1, -1.5, 0.9)) {
     this.fitted = box; // as long as nobody turns the view
     const around = box.isEmpty() ? new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 1)) : box;
     const sphere = around.getBoundingSphere(new Sphere());
@@ -218,12 +233,14 @@ export class Stage {
     this.fitted = null;
     const { target } = this.controls;
     const offset = this.direction();
-    const seen = new Spherical().setFromCartesianCoords(offset.y, offset.z, offset.x);
+    const { x, y, z } = offset;
+    const seen = new Spherical().setFromCartesianCoords(...(this.isYUp ? [x, y, z] : [y, z, x]));
     seen.theta += around;
     seen.phi = Math.min(Math.PI - 0.01, Math.max(0.01, seen.phi + up));
     seen.radius *= zoom;
     const turned = new Vector3().setFromSpherical(seen);
-    this.camera.position.set(target.x + turned.z, target.y + turned.x, target.z + turned.y);
+    if (!this.isYUp) turned.set(turned.z, turned.x, turned.y);
+    this.camera.position.copy(target).add(turned);
     this.controls.update();
     this.draw();
     this.looked?.();
