@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `value.name` and `value[index]`.
+// `value.name`, `value[index]` and the items of `[a, b]`.
 #include <algorithm>
 
 #include "base/quoted.hpp"
@@ -256,6 +256,30 @@ Value subscript_of(Evaluator& evaluator, const Value& value, const Value& index)
   default: break;
   }
   return evaluator.fail(std::string(kind_name(value)) + " has no items");
+}
+
+Value Evaluator::placed(const Value& value, const Syntax& syntax) {
+  const bool is_plain = syntax.kind == SyntaxKind::constant && value.is_text() && code_place_ &&
+                        syntax.end - syntax.begin == value.text->size() + 2;  // the quotes
+  if (!is_plain) return value;
+  Span place = *code_place_;
+  place.end = place.begin + syntax.end - 1;
+  place.begin += syntax.begin + 1;
+  return value.at(heap_.add({place, true}));
+}
+
+Value Evaluator::parts_of(const Syntax& syntax, const Scope& scope, Kind kind) {
+  std::vector<Value> items;
+  items.reserve(syntax.parts.size());
+  for (const Syntax* part : syntax.parts) {
+    const bool is_star = part->kind == SyntaxKind::star;
+    const Value value = evaluate(is_star ? *part->parts[0] : *part, scope);
+    if (value.is_failed()) return value;
+    std::vector<Value> inner{placed(value, *part)};
+    if (is_star && !items_of(value, inner)) return Value::failure();
+    items.insert(items.end(), inner.begin(), inner.end());
+  }
+  return list(std::move(items), kind);
 }
 
 }  // namespace smurf::xacro

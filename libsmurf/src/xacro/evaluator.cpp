@@ -214,20 +214,6 @@ Value Evaluator::name(const Syntax& syntax, const Scope& scope) {
               std::move(help));
 }
 
-Value Evaluator::parts_of(const Syntax& syntax, const Scope& scope, Kind kind) {
-  std::vector<Value> items;
-  items.reserve(syntax.parts.size());
-  for (const Syntax* part : syntax.parts) {
-    const bool is_star = part->kind == SyntaxKind::star;
-    const Value value = evaluate(is_star ? *part->parts[0] : *part, scope);
-    if (value.is_failed()) return value;
-    std::vector<Value> inner{value};
-    if (is_star && !items_of(value, inner)) return Value::failure();
-    items.insert(items.end(), inner.begin(), inner.end());
-  }
-  return list(std::move(items), kind);
-}
-
 Value Evaluator::compare_chain(const Syntax& syntax, const Scope& scope) {
   Value left = evaluate(*syntax.parts[0], scope);
   Value result = Value::of(true);
@@ -288,7 +274,11 @@ Value Evaluator::call_lambda(const Function& function, const Call& call) {
   if (call.count() > count || named != call.keywords.size()) {
     return fail("the lambda needs " + std::to_string(count) + " parameters");
   }
-  return evaluate(*lambda.parts[0], {function.self.table, &locals});
+  // It may be written in another expression.
+  const std::optional<Span> outer = std::exchange(code_place_, std::nullopt);
+  const Value value = evaluate(*lambda.parts[0], {function.self.table, &locals});
+  code_place_ = outer;
+  return value;
 }
 
 Value Evaluator::call_syntax(const Syntax& syntax, const Scope& scope) {

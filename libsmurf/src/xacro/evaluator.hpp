@@ -2,6 +2,7 @@
 // Computes expressions. A failure is kept; it becomes a finding where the place is known.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -78,6 +79,11 @@ class Evaluator {
   Evaluator(Heap& heap, Expressions& expressions, const Limits& limits, Host& host)
       : heap_(heap), expressions_(expressions), limits_(limits), host_(host) {}
 
+  /// Where the text of the expression that is being computed begins; none if it is not written
+  /// in one place.
+  void set_code_place(std::optional<Span> place) { code_place_ = place; }
+  std::optional<Span> code_place() const { return code_place_; }
+
   struct Scope {
     Table* table = nullptr;
     const Locals* locals = nullptr;  ///< in a lambda or a comprehension
@@ -137,6 +143,8 @@ class Evaluator {
   /// Names that a lambda may see after their loop; with the values that they have then.
   Locals& kept_locals();
   Value call_lambda(const Function& function, const Call& call);
+  /// A text that is written in a list, with its place.
+  Value placed(const Value& value, const Syntax& syntax);
   Value parts_of(const Syntax& syntax, const Scope& scope, Kind kind);
   bool check_names(const Syntax& syntax);
 
@@ -144,6 +152,7 @@ class Evaluator {
   Expressions& expressions_;
   const Limits& limits_;
   Host& host_;
+  std::optional<Span> code_place_;
   Failure failure_;
   std::uint64_t steps_ = 0;
   int depth_ = 0;

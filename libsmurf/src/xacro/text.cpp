@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Texts with `${...}` and `$(...)`.
 #include <algorithm>
+#include <optional>
 
 #include "base/limits.hpp"
 #include "base/quoted.hpp"
@@ -40,6 +41,12 @@ TextToken next_token(std::string_view text, std::size_t at) {
   if (close == std::string_view::npos) return {TextToken::Kind::fault, at, text.size()};
   return {bracket == '{' ? TextToken::Kind::expression : TextToken::Kind::substitution, at,
           close + 1};
+}
+
+/// The bytes of a text behind the first ones; none if they are not written in one place.
+std::optional<Span> place_without(const Piece& text, std::uint32_t first) {
+  if (!text.is_exact) return std::nullopt;
+  return Span{text.origin.source, text.origin.begin + first, text.origin.end};
 }
 
 }  // namespace
@@ -86,32 +93,41 @@ Value Expander::evaluate_expression(std::string_view inner, const Piece& place, 
   std::swap(outer, evaluator_.used());
   std::string pasted;
   bool is_exact = true;
+  Piece written = part_of(place, 2, 2 + inner.size());
   if (inner.find('$') != std::string_view::npos) {
-    const Value text = evaluate_text(inner, part_of(place, 2, 2 + inner.size()), symbols, nullptr);
+    std::vector<Piece> pieces;
+    const Value text = evaluate_text(inner, written, symbols, &pieces);
     if (text.is_failed()) return text;
     pasted = evaluator_.string_of(text);
     inner = pasted;
     is_exact = false;
+    written.is_exact = pieces.size() == 1 && pieces[0].is_exact &&
+                       pieces[0].origin.end - pieces[0].origin.begin == pasted.size();
+    if (written.is_exact) written = pieces[0];
   }
   const std::string_view code = without_blanks(inner);
   const std::size_t remarks = evaluator_.remarks().size();
+  const std::optional<Span> outer_place = evaluator_.code_place();
+  const auto skipped = offset(static_cast<std::size_t>(code.data() - inner.data()));
+  evaluator_.set_code_place(place_without(written, skipped));
   Value value = evaluator_.evaluate(code, symbols);
+  evaluator_.set_code_place(outer_place);
   if (evaluator_.remarks().size() > remarks) {
     Piece exact = place;
     exact.is_exact = place.is_exact && is_exact;
-    report_remarks(remarks, code, exact, 2 + static_cast<std::size_t>(code.data() - inner.data()));
+    report_remarks(remarks, code, exact, 2 + skipped);
   }
   if (value.is_failed()) {
     name_inputs();
     Piece exact = place;
     exact.is_exact = place.is_exact && is_exact;
-    place_failure(exact, 2 + static_cast<std::size_t>(code.data() - inner.data()));
+    place_failure(exact, 2 + skipped);
     return value;
   }
   if (value.origin != kComputed) {
-    const Place& written = heap_.place(value.origin);
-    piece.origin = written.span;
-    piece.is_exact = written.is_exact;
+    const Place& place_of_value = heap_.place(value.origin);
+    piece.origin = place_of_value.span;
+    piece.is_exact = place_of_value.is_exact;
   } else {
     piece.is_exact = false;
     constexpr std::size_t kMostInputs = 4;
@@ -119,11 +135,11 @@ Value Expander::evaluate_expression(std::string_view inner, const Piece& place, 
     for (const auto& [name, used] : evaluator_.used()) {
       if (piece.inputs >= kMostInputs) break;
       // The name as it is written, because this copy ends with the expansion.
-      const std::string_view written = context_.sources.text(place.origin);
-      const std::size_t at = written.find(name);
+      const std::string_view all = context_.sources.text(place.origin);
+      const std::size_t at = all.find(name);
       if (at == std::string_view::npos) continue;
       ++piece.inputs;
-      result_.inputs.push_back({written.substr(at, name.size()), heap_.place(used).span});
+      result_.inputs.push_back({all.substr(at, name.size()), heap_.place(used).span});
     }
   }
   std::swap(outer, evaluator_.used());
