@@ -92,6 +92,7 @@ bool Expander::fail(const Rule& rule, Span place, std::string message, std::stri
 
 bool Expander::report() {
   if (has_failed_) return false;
+  if (optional_includes_ > 0 && evaluator_.failure().is_missing_file) return false;
   has_failed_ = true;
   Failure failure = evaluator_.take_failure();
   Diagnostic& diagnostic = context_.sink.report(*failure.rule, failure.span, failure.message);

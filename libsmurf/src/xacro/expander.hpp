@@ -215,7 +215,8 @@ class Expander final : public Host {
   std::uint64_t files_read_ = 0;
   std::uint64_t depth_ = 0;
   bool has_failed_ = false;
-  std::set<std::uint64_t> warned_;  ///< places of warnings, which are reported once
+  std::uint64_t optional_includes_ = 0;  ///< around the place that is being expanded
+  std::set<std::uint64_t> warned_;       ///< places of warnings, which are reported once
 };
 
 /// Writes the tree as a text, and notes the leaves.

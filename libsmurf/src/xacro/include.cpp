@@ -62,6 +62,17 @@ bool has_pattern(std::string_view text) {
   return text.find_first_of("*[?") != std::string_view::npos;
 }
 
+/// A prefix without a name of its own, which XML parsers refuse; null if there is none.
+const xml::Attribute* find_empty_prefix(const xml::Document& document) {
+  for (std::size_t i = 0; i < document.elements.size(); ++i) {
+    const xml::View view(document, xml::ElementId{static_cast<std::uint32_t>(i)});
+    for (const xml::Attribute& one : view.attributes()) {
+      if (one.name().starts_with("xmlns:") && one.value_span().empty()) return &one;
+    }
+  }
+  return nullptr;
+}
+
 bool is_prefix_declared(const xml::Document& document, Span& place) {
   std::vector<bool> declares(document.elements.size(), false);
   for (std::size_t i = 0; i < document.elements.size(); ++i) {
@@ -219,6 +230,12 @@ bool Expander::parse(File& file) {
     return false;
   }
   Span place;
+  if (const xml::Attribute* empty = find_empty_prefix(*file.document)) {
+    return fail(rules::sml3319_xacro_undeclared_prefix, empty->span(),
+                "the prefix of " + quoted(empty->name()) + " is declared with an empty name",
+                "write `" + std::string(empty->name()) + "=\"http://www.ros.org/wiki/xacro\"`, " +
+                    "or delete it");
+  }
   if (!is_prefix_declared(*file.document, place)) {
     return fail(rules::sml3319_xacro_undeclared_prefix, place, "the prefix `xacro` is not declared",
                 "add `xmlns:xacro=\"http://www.ros.org/wiki/xacro\"` to the root element");
@@ -338,10 +355,18 @@ bool Expander::include(const Node& in, Node& out, Scope scope) {
         .help("correct the pattern");
   }
   for (const std::string& one : paths) {
-    if (include_file(in, one, out, {*macros, *symbols})) continue;
+    const FrameId frame = frame_;
+    const std::size_t files = file_stack_.size();
+    optional_includes_ += is_optional ? 1 : 0;
+    const bool is_done = include_file(in, one, out, {*macros, *symbols});
+    optional_includes_ -= is_optional ? 1 : 0;
+    if (is_done) continue;
+    // Also a file that the optional one needs.
     const bool is_ignored = is_optional && !has_failed_ && evaluator_.failure().is_missing_file;
     if (!is_ignored) return report();
     evaluator_.take_failure();
+    frame_ = frame;
+    file_stack_.resize(files);
   }
   remove_comments(out);
   return true;

@@ -60,6 +60,14 @@ std::string_view tag_before(std::string_view source, Span value) {
   return is_on_line || !is_in_comment(source, end) ? word : std::string_view();
 }
 
+/// The tag of an absent value, on its line.
+std::string_view tag_of_absent(std::string_view source, Span place) {
+  const std::size_t begin = source.find_first_not_of(" \t", place.end);
+  if (!place.empty() || begin == std::string_view::npos || source[begin] != '!') return {};
+  return source.substr(begin,
+                       std::min(source.find_first_of(" \t\r\n,]}", begin), source.size()) - begin);
+}
+
 /// "1:30:00" in base 60.
 std::optional<double> sexagesimal(std::string_view digits) {
   double value = 0;
@@ -202,8 +210,15 @@ std::optional<std::uint32_t> refused_tab(const yaml::Document& document, std::st
     const Span key = node.key_span();
     if (!key.empty() && (source[key.begin] == '"' || source[key.begin] == '\''))
       texts.push_back(key);
-    if (node.kind() == yaml::Kind::scalar && node.style != yaml::Style::plain)
-      texts.push_back(node.span);
+    if (node.kind() != yaml::Kind::scalar || node.style == yaml::Style::plain) continue;
+    Span text = node.span;
+    const char first = source[std::min<std::size_t>(text.begin, source.size() - 1)];
+    if (first == '|' || first == '>') {
+      // Only a comment may have tabs on the first line.
+      const std::size_t end = std::min(source.find_first_of("#\n", text.begin), source.size());
+      text.begin = offset(end);
+    }
+    texts.push_back(text);
   }
   std::sort(texts.begin(), texts.end(), [](Span a, Span b) { return a.begin < b.begin; });
   auto text = texts.begin();
@@ -394,13 +409,18 @@ Value Expander::yaml_value(yaml::View view, std::string_view source) {
     return evaluator_.list(std::move(items));
   }
   if (view.is_null()) return Value().at(heap_.add({view.place(), false}));
-  return yaml_scalar(view.text(), view.style(), tag_before(source, view.span()), view.span());
+  std::string_view tag = tag_before(source, view.span());
+  if (tag.empty()) tag = tag_of_absent(source, view.span());
+  return yaml_scalar(view.text(), view.style(), tag, view.span());
 }
 
 Value Expander::load_yaml(const std::string& written) {
   const std::string path = whole_path(written);
   File* file = open(path, {});
-  if (file == nullptr) return Value::failure();
+  if (file == nullptr) {
+    evaluator_.failure().is_missing_file = false;  // optional includes need it
+    return Value::failure();
+  }
   const auto known = yaml_files_.find(file->path);
   Value value;
   if (known != yaml_files_.end()) {
