@@ -94,8 +94,11 @@ std::string note_frame(const Label& label, const SourceMap& sources, const TextS
   if (!has_text(label.span, sources)) {
     return out + arrow(1, escape(sources.path(label.span.source)), paint);
   }
-  const render::Frame frame(sources, style, {clamp(label.span, sources), {}, Ink::frame, '-'}, {},
-                            0);
+  // As for labels in the same file, the first line is enough: a call may have twenty.
+  Span shown = clamp(label.span, sources);
+  const Span line = sources.line_span(shown.source, sources.line_of(shown.source, shown.begin));
+  shown.end = std::clamp(shown.end, shown.begin, std::max(shown.begin, line.end));
+  const render::Frame frame(sources, style, {shown, {}, Ink::frame, '-'}, {}, 0);
   return out + arrow(frame.gutter(), place(label.span, sources), paint) + frame.draw();
 }
 
