@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """smurf-lsp on xacro files: a robot in two files, opened as its root and as its part. xacro_test.py SMURF-LSP"""
 import pathlib
+import re
 import shutil
 import sys
 import tempfile
@@ -251,6 +252,41 @@ class Xacro(unittest.TestCase):
         # What its files define is still known.
         self.assertEqual(self.places(self.at("definition", self.root, "wheel prefix=\"second\"", 2)),
                          [("wheel.xacro", "wheel")])
+
+    def test_rename(self):
+        """Names of xacro, at a definition, a use and a call; the robots stay as they are."""
+        self.client.open(self.root, language="xml")
+        self.client.open(self.part, language="xml")
+        before = dict(self.client.texts)
+        for path, text, to, changed in ((self.part, "wheel\" params", "tyre", 2), (self.root, "wheel prefix", "tyre", 2),
+                                        (self.part, "radius}", "r", 2), (self.part, "tensor}", "moment", 1),
+                                        (self.root, "size * 2", "width", 1), (self.part, "heavy)", "kilograms", 2)):
+            with self.subTest(text):
+                at = self.client.texts[str(path)].index(text)
+                place = self.client.at("textDocument/prepareRename", path, at)
+                self.assertEqual(place["placeholder"], text.split(" ")[0].strip('"})'))
+                self.assertEqual(self.apply_rename(path, at, to), changed)
+                self.client.published(self.root)
+                self.assertEqual([one for one in self.client.diagnostics[str(self.root)]["diagnostics"] if one["severity"] == 1], [])
+                at = re.search(rf"\b{to}\b", self.client.texts[str(path)]).start()
+                self.assertEqual(self.apply_rename(path, at, place["placeholder"]), changed)
+                self.assertEqual(self.client.texts, before)
+
+    def apply_rename(self, path, at, to):
+        """The number of files that change; the documents have the new texts."""
+        edit = self.client.at("textDocument/rename", path, at, newName=to)
+        changes = edit.get("changes") or {one["textDocument"]["uri"]: one["edits"] for one in edit["documentChanges"]}
+        for address, edits in changes.items():
+            file = path_of(address)
+            self.client.replace(file, apply(self.client.texts[str(file)], edits))
+        return len(changes)
+
+    def test_rename_is_refused(self):
+        self.client.open(self.root, language="xml")
+        for text, to, reason in (("size * 2", "1st", "cannot be a name"), ("wheel prefix", "if", "is an element of xacro")):
+            with self.assertRaises(client.RequestError) as failed:
+                self.client.at("textDocument/rename", self.root, self.client.texts[str(self.root)].index(text), newName=to)
+            self.assertIn(reason, str(failed.exception))
 
 
 if __name__ == "__main__":

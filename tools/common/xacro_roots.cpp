@@ -34,11 +34,13 @@ std::vector<std::string> literal_parts(std::string_view written) {
 }
 
 /// Whether an include in a file may mean the other file.
-bool may_mean(const std::string& written, const std::string& from, const std::string& other) {
+bool may_mean(const std::string& written, const std::string& from, const std::string& file) {
   const std::vector<std::string> parts = literal_parts(written);
   if (parts.size() == 1) {
-    return path::join(path::parent(from), written) == path::normalize(other);
+    return path::join(path::parent(from), written) == path::normalize(file);
   }
+  // The folder of a package may be the current one, whose name is not in the path.
+  const std::string other = path::is_absolute(file) ? file : "/" + file;
   if (!other.ends_with(parts.back())) return false;
   // The last parts must follow each other in the name of the file.
   std::string_view rest = std::string_view(other).substr(0, other.size() - parts.back().size());

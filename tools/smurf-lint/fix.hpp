@@ -19,6 +19,8 @@ struct Change {
   std::string after;
 };
 
+using Changes = std::map<std::string, Change>;  ///< by path
+
 enum class FixEnd {
   nothing_left,  ///< no fixes remain
   no_end,        ///< every round found further fixes

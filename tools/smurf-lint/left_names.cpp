@@ -51,6 +51,13 @@ bool is_quoted(std::string_view text, std::size_t begin, std::size_t end) {
   return (before == '"' || before == '\'') ? after == before : is_argument && ends;
 }
 
+/// "name:=" of an argument.
+bool is_set(std::string_view text, std::size_t begin, std::size_t end) {
+  const char before = begin == 0 ? '\n' : text[begin - 1];
+  return text.substr(end).starts_with(":=") &&
+         (before == ' ' || before == '\'' || before == '"' || before == '\n');
+}
+
 /// A word of YAML outside of comments.
 bool is_word(std::string_view text, std::size_t begin, std::size_t end) {
   const bool is_inside = (begin > 0 && is_part_of_name(text[begin - 1])) ||
@@ -65,7 +72,8 @@ std::size_t line_with(std::string_view path, std::string_view text, std::string_
   for (std::size_t at = text.find(name); at != std::string_view::npos;
        at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
-    if (!(is_yaml ? is_word(text, at, end) : is_quoted(text, at, end))) continue;
+    const bool sets_argument = !path.ends_with(".xacro") && is_set(text, at, end);
+    if (!(is_yaml ? is_word(text, at, end) : is_quoted(text, at, end)) && !sets_argument) continue;
     // The key of a table that a xacro file reads, such as `positions['elbow']`.
     if (path.ends_with(".xacro") && at > 1 && text[at - 2] == '[') continue;
     return 1 + static_cast<std::size_t>(

@@ -173,7 +173,7 @@ std::string remark_on_input(const LintOptions& options, const LintPlan& plan,
 ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked& checked,
                 const Fixed* fixed) {
   // Standard output is then used for the fixed text.
-  const bool is_changing = options.fix || !options.renames.empty();
+  const bool is_changing = options.fix || options.renames_names();
   const bool is_taken = is_changing && !plan.standard_input.empty() && options.output.empty();
   const std::string place = is_taken ? "/dev/stderr" : options.output;
   const ExitCode written = write_reports(
@@ -183,8 +183,6 @@ ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked&
   if (written != kDone) return written;
   return judge(checked.report.summary, merge_run(checked.report.wishes, options).threshold);
 }
-
-using Changes = std::map<std::string, Change>;
 
 ExitCode show_diff(const LintOptions& options, const Changes& changes) {
   if (write_text(options, unified_diff(changes)) != kDone) return kFailed;
@@ -244,9 +242,11 @@ ExitCode rename(const LintOptions& options, const LintPlan& plan, Session& sessi
   if (!write_all(options, plan, session, changes)) return kFailed;
   if (!options.quiet) {
     std::string renames;
-    for (const Rename& one : options.renames) {
+    const auto add = [&](const auto& one) {
       renames += (renames.empty() ? "'" : ", '") + one.from + "' to '" + one.to + "'";
-    }
+    };
+    for (const Rename& one : options.renames) add(one);
+    for (const XacroRename& one : options.xacro_renames) add(one);
     complain(kSmurfLint, "wrote " + counted(changes.size(), "file") + ": renamed " + renames);
   }
   if (options.fix_only) return kDone;
@@ -404,7 +404,7 @@ ExitCode run(const LintOptions& options, std::set<std::string>* seen) {
     session.set_text(name, files.read(name, options.limits.file_bytes).text);
   }
   std::optional<Changes> renamed;
-  if (!options.renames.empty()) {
+  if (options.renames_names()) {
     if (!!plan.problems.empty()) renamed = rename_all(options, plan, session);
     if (!renamed) return kFailed;
   }

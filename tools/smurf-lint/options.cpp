@@ -253,8 +253,10 @@ std::vector<Option> fix_options(LintOptions& options) {
        .metavar = "KIND:NAME=NEW",
        .help =
            "Rename a link, joint, motor, material, ... in all files of the models and scenes, and "
-           "check the result; may be repeated. KIND: may be left out when the name is unique.",
-       .set = append_renames(options.renames)},
+           "check the result; may be repeated. KIND: may be left out when the name is unique. Names "
+           "of xacro: macro, property, argument, parameter:MACRO.NAME and block:MACRO.NAME; the "
+           "robots stay as they are.",
+       .set = append_renames(options)},
       {.group = "Fixes",
        .name = "force",
        .help = "Rename even if other files still contain the old name afterwards.",
@@ -452,19 +454,22 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
     return "--diff shows what --fix would change; leave out " +
            std::string(options.fix ? "--fix" : "--fix-only");
   }
-  if (!options.renames.empty() && (options.fix || options.unsafe_fixes)) {
+  if (!options.renames.empty() && !options.xacro_renames.empty()) {
+    return "--rename changes names of xacro and names of robots one after the other";
+  }
+  if (options.renames_names() && (options.fix || options.unsafe_fixes)) {
     return "--rename and --fix cannot be combined";
   }
-  if (!options.renames.empty() && (options.generate_baseline || options.shard.count > 1)) {
+  if (options.renames_names() && (options.generate_baseline || options.shard.count > 1)) {
     return "--rename needs all files and writes only them, so it cannot be combined with --shard or "
            "--generate-baseline";
   }
-  if (options.fix_inertia && (options.fix || options.unsafe_fixes || !options.renames.empty() ||
+  if (options.fix_inertia && (options.fix || options.unsafe_fixes || options.renames_names() ||
                               options.generate_baseline || options.shard.count > 1)) {
     return "--fix-inertia cannot be combined with --fix, --rename, --shard or --generate-baseline";
   }
   if (options.watch && (options.fix || options.fix_only || options.diff || options.fix_inertia ||
-                        !options.renames.empty() || options.generate_baseline)) {
+                        options.renames_names() || options.generate_baseline)) {
     return "--watch only reports; apply fixes in another run";
   }
   if (options.watch && std::count(options.paths.begin(), options.paths.end(), "-") > 0) {

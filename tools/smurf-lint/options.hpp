@@ -11,6 +11,7 @@
 #include "common/command.hpp"
 #include "common/output.hpp"
 #include "common/report.hpp"
+#include "common/xacro_rename.hpp"
 #include "smurf/inertia_repair.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/lint.hpp"
@@ -58,7 +59,9 @@ struct LintOptions {
   bool fix_only = false;      ///< do not report the remaining findings
   bool diff = false;          ///< only show the changes
   std::vector<Rename> renames;
-  bool is_forced = false;    ///< names may be left behind
+  bool is_forced = false;  ///< names may be left behind
+  std::vector<XacroRename> xacro_renames;
+  bool renames_names() const { return !renames.empty() || !xacro_renames.empty(); }
   bool fix_inertia = false;  ///< write other inertias for those that cannot be right
   InertiaSource inertia;
 

@@ -2,7 +2,6 @@
 // --rename: renames things in all files of the planned models and scenes.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 
@@ -13,13 +12,14 @@
 
 namespace smurf::tools {
 
-/// "joint:elbow=elbow_left"; without a known kind, all text before `=` is the name.
-Setter append_renames(std::vector<Rename>& renames);
+/// "joint:elbow=elbow_left", or a name of xacro; without a known kind, all text before `=` is the
+/// name.
+Setter append_renames(LintOptions& options);
 
 /// The session gets the renamed texts, which override those on disk, and loads them again to check
 /// that every name has the same meaning; nothing is written. If something cannot be renamed,
 /// reports this and returns none.
-std::optional<std::map<std::string, Change>> rename_all(const LintOptions& options,
-                                                        const LintPlan& plan, Session& session);
+std::optional<Changes> rename_all(const LintOptions& options, const LintPlan& plan,
+                                  Session& session);
 
 }  // namespace smurf::tools

@@ -16,7 +16,8 @@ CheckSettings check_settings(const LintOptions& options) {
   settings.baseline = options.baseline;
   settings.jobs = static_cast<unsigned>(options.jobs.value_or(0));
   // Only fixes cause further checks.
-  settings.remembers = (options.fix || options.fix_only || options.diff) && options.renames.empty();
+  settings.remembers =
+      (options.fix || options.fix_only || options.diff) && !options.renames_names();
   return settings;
 }
 

@@ -159,7 +159,7 @@ class Completer {
 
   void complete_xml() {
     XmlContext context = xml_context(text_, offset_);
-    if (const XacroFamily* family = context_.workspace.xacro_family(path_)) {
+    if (const tools::XacroFamily* family = context_.workspace.xacro_family(path_)) {
       if (complete_xacro(*family, context)) return;
       // In the elements of xacro is what is around them.
       std::erase_if(context.open, [](std::string_view one) { return one.starts_with("xacro:"); });
@@ -180,7 +180,7 @@ class Completer {
   }
 
   /// Whether nothing else may be written there.
-  bool complete_xacro(const XacroFamily& family, const XmlContext& context) {
+  bool complete_xacro(const tools::XacroFamily& family, const XmlContext& context) {
     XacroItems items = xacro_items(family, offset_, context);
     set_place(items.begin, offset_);
     for (const XacroItem& one : items.list) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rename, with the engine of `smurf-lint --rename`.
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "smurf-lsp/capabilities.hpp"
+#include "smurf-lsp/xacro.hpp"
 
 namespace smurf::lsp {
 namespace {
@@ -32,6 +34,30 @@ void check_number(Context& context, std::size_t part, const Reference& named) {
                                          "--rename`");
 }
 
+/// The name of xacro at a place, and the document; none if there is none, or only a name of Python.
+struct XacroTarget {
+  XacroRequest request;
+  tools::XacroMeaning meaning;
+};
+std::optional<XacroTarget> xacro_target(Context& context, const Json& params) {
+  auto request = xacro_request(context, params);
+  if (!request) return std::nullopt;
+  auto meaning = tools::xacro_meaning(*request->family, request->offset);
+  if (!meaning) return std::nullopt;
+  return XacroTarget{*std::move(request), *std::move(meaning)};
+}
+
+Json rename_xacro(Context& context, const XacroTarget& target, const std::string& to) {
+  const tools::XacroMeaning& meaning = target.meaning;
+  const std::string macro(tools::macro_of(*target.request.family, meaning.definitions.front()));
+  const tools::RenamedXacro renamed =
+      context.workspace.rename_xacro(target.request.path, {meaning.kind, macro, meaning.name, to});
+  if (!renamed.problems.empty()) {
+    throw RequestError(kRequestFailed, "nothing was renamed: " + renamed.problems.front());
+  }
+  return workspace_edit(context, renamed.edits, renamed.family.sources);
+}
+
 /// Removes the advice for the command line.
 std::string reason(const std::string& problem) {
   return problem.substr(0, problem.find("; name "));
@@ -45,6 +71,14 @@ Json prepare_rename(Context& context, const Json& params) {
     if (named == nullptr || !named->is_known()) continue;
     return {{"range", loaded_positions(context).range(named->span)},
             {"placeholder", std::string(named->name)}};
+  }
+  if (const auto target = xacro_target(context, params)) {
+    const Positions positions(target->request.family->sources, context.client.encoding);
+    const SourceId source = target->request.own().source;
+    const tools::TextRange at = target->meaning.at;
+    const Span span{source, static_cast<std::uint32_t>(at.begin),
+                    static_cast<std::uint32_t>(at.end)};
+    return {{"range", positions.range(span)}, {"placeholder", target->meaning.name}};
   }
   return prepare_file_rename(context, params);
 }
@@ -63,6 +97,7 @@ Json rename(Context& context, const Json& params) {
     check_lines(context, renamed.edits);
     return workspace_edit(context, renamed.edits, context.workspace.loaded_sources());
   }
+  if (const auto target = xacro_target(context, params)) return rename_xacro(context, *target, to);
   Json file = rename_file_at(context, params);
   if (!file.is_null()) return file;
   throw RequestError(kRequestFailed, "there is no name here");

@@ -12,10 +12,11 @@
 #include <vector>
 
 #include "common/loaded_names.hpp"
+#include "common/xacro_names.hpp"
+#include "common/xacro_rename.hpp"
 #include "common/xacro_roots.hpp"
 #include "smurf-lint/plan.hpp"
 #include "smurf-lsp/positions.hpp"
-#include "smurf-lsp/xacro_family.hpp"
 #include "smurf/check.hpp"
 
 namespace smurf::lsp {
@@ -95,7 +96,7 @@ class Workspace {
   /// Whether the file exists in the projects of the editor: those of its folders and documents.
   bool is_changeable(const std::string& path) const;
   /// An open xacro and the files of its robots; null for other documents.
-  const XacroFamily* xacro_family(const std::string& path);
+  const tools::XacroFamily* xacro_family(const std::string& path);
   /// The files that an include in an open xacro may mean.
   std::vector<std::string> xacro_files_meant(const std::string& written, const std::string& from);
   /// The folder of a package with xacro files that an open file names; none if it is unknown.
@@ -121,6 +122,8 @@ class Workspace {
 
   /// Renames things, also in the folders. Edits point into loaded_sources() until the next change.
   Renamed rename(std::size_t part, const Reference& reference, const std::string& to);
+  /// The same for a name of xacro in an open document; the robots stay as they are.
+  tools::RenamedXacro rename_xacro(const std::string& path, const tools::XacroRename& rename);
 
  private:
   /// Includes of an edited xacro may mean other files than before.
@@ -152,9 +155,9 @@ class Workspace {
   Report report_;
   bool is_checked_ = false;
   std::optional<tools::LoadedNames> names_;
-  std::map<std::string, tools::XacroFiles> xacro_files_;  ///< by project
-  std::map<std::string, XacroFamily> xacro_families_;     ///< by document
-  std::optional<tools::LoadedNames> folder_names_;        ///< loaded by folder_session_
+  std::map<std::string, tools::XacroFiles> xacro_files_;      ///< by project
+  std::map<std::string, tools::XacroFamily> xacro_families_;  ///< by document
+  std::optional<tools::LoadedNames> folder_names_;            ///< loaded by folder_session_
 };
 
 }  // namespace smurf::lsp

@@ -26,24 +26,20 @@ const tools::XacroFiles& Workspace::xacro_files_around(const std::string& path) 
       .first->second;
 }
 
-const XacroFamily* Workspace::xacro_family(const std::string& path) {
+const tools::XacroFamily* Workspace::xacro_family(const std::string& path) {
   const OpenDocument* open = document(path);
   if (open == nullptr || !xacro::is_xacro_file(path)) return nullptr;
   const auto [known, is_new] = xacro_families_.try_emplace(path);
-  XacroFamily& family = known->second;
+  tools::XacroFamily& family = known->second;
   if (!is_new) return &family;
   ConfinedFiles disk;
   confine_to_projects(disk, std::array{path});
-  const auto add = [&](const std::string& name, std::string text) {
-    const SourceId source = family.sources.add(name, std::move(text));
-    family.files.push_back({source, tools::read_xacro_text(family.sources.text(source))});
-  };
-  add(path, open->text);
+  family.add(path, open->text);
   for (const std::string& other : xacro_files_around(path).family_of(path)) {
     if (other == path) continue;
     const OpenDocument* edited = document(other);
-    add(other,
-        edited != nullptr ? edited->text : disk.read(other, session_.limits().file_bytes).text);
+    family.add(other, edited != nullptr ? edited->text
+                                        : disk.read(other, session_.limits().file_bytes).text);
   }
   return &family;
 }
@@ -70,6 +66,18 @@ std::optional<std::string> Workspace::package_folder(const std::string& name,
     }
   }
   return std::nullopt;
+}
+
+tools::RenamedXacro Workspace::rename_xacro(const std::string& path,
+                                            const tools::XacroRename& rename) {
+  ConfinedFiles changeable;
+  confine_changes(changeable);
+  put_texts();
+  tools::RenamedXacro renamed = tools::rename_in_xacro(xacro_files_around(path), path, rename,
+                                                       settings_of_check(), session_, changeable);
+  for (const FixedText& file : renamed.texts) changed_.insert(file.path);
+  put_texts();
+  return renamed;
 }
 
 std::vector<Workspace::Expanded> Workspace::expansions_of(const std::string& path) {
