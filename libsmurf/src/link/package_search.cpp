@@ -39,8 +39,8 @@ std::optional<std::string> PackageSearch::best(const Packages& packages, const s
                            });
 }
 
-void PackageSearch::search(const std::string& folder, int depth, Packages& found) {
-  const auto known = known_.find(folder);
+void PackageSearch::search(const std::string& folder, int level, Depth depth, Packages& found) {
+  const auto known = known_.find({folder, depth});
   if (known != known_.end()) {
     for (const auto& [name, folders] : known->second) {
       std::vector<std::string>& all = found[name];
@@ -53,21 +53,22 @@ void PackageSearch::search(const std::string& folder, int depth, Packages& found
   if (std::binary_search(names.begin(), names.end(), kPackageFile)) {
     const std::string& name = name_in(folder);
     if (!name.empty()) found[name].push_back(folder);
+    if (depth == Depth::packages) return;
   }
-  if (depth >= kLevels) return;
+  if (level >= kLevels) return;
   for (const std::string& name : names) {
     if (name.starts_with('.') || entries_ > kMostEntries) continue;
     const std::string inner = path::join(folder, name);
-    if (may_be_folder(name, inner, context_.files)) search(inner, depth + 1, found);
+    if (may_be_folder(name, inner, context_.files)) search(inner, level + 1, depth, found);
   }
 }
 
-const PackageSearch::Packages& PackageSearch::packages_in(const std::string& folder) {
-  const auto known = known_.find(folder);
+const PackageSearch::Packages& PackageSearch::packages_in(const std::string& folder, Depth depth) {
+  const auto known = known_.find({folder, depth});
   if (known != known_.end()) return known->second;
   Packages found;
-  search(folder, 0, found);
-  return known_.emplace(folder, std::move(found)).first->second;
+  search(folder, 0, depth, found);
+  return known_.emplace(std::pair(folder, depth), std::move(found)).first->second;
 }
 
 const std::string& PackageSearch::name_in(const std::string& folder) {
@@ -98,24 +99,35 @@ std::optional<std::string> PackageSearch::find(const std::string& name, const st
   return answer->second;
 }
 
-std::optional<std::string> PackageSearch::search_around(const std::string& name,
-                                                        const std::string& near) {
-  // Most robots name files of their own package.
-  std::string own = package_around(near);
-  if (!own.empty() && is_package(own, name)) return own;
+std::optional<std::string> PackageSearch::search_upward(const std::string& name,
+                                                        const std::string& near,
+                                                        const std::string& own, Depth depth) {
   std::string folder = near;
+  bool is_in_own = depth == Depth::packages && !own.empty();
   for (int level = 0; level < kLevels; ++level) {
+    is_in_own = is_in_own && folder != own;
     // Before all that is in the folder, which may be much.
     if (is_package(folder, name)) return folder;
     if (std::string inner = path::join(folder, name); is_package(inner, name)) return inner;
-    if (auto found = best(packages_in(folder), name)) return found;
+    if (!is_in_own) {
+      if (auto found = best(packages_in(folder, depth), name)) return found;
+    }
     const std::string above = path::join(folder, "..");
     if (above == folder) break;
     folder = above;
   }
-  if (auto found = best(packages_in("."), name)) return found;
+  return best(packages_in(".", depth), name);
+}
+
+std::optional<std::string> PackageSearch::search_around(const std::string& name,
+                                                        const std::string& near) {
+  // Most robots name files of their own package.
+  const std::string own = package_around(near);
+  if (!own.empty() && is_package(own, name)) return own;
+  if (auto found = search_upward(name, near, own, Depth::packages)) return found;
+  if (auto found = search_upward(name, near, own, Depth::inside_of_packages)) return found;
   for (const std::string& one : context_.package_folders) {
-    if (auto found = best(packages_in(one), name)) return found;
+    if (auto found = best(packages_in(one, Depth::inside_of_packages), name)) return found;
   }
   return std::nullopt;
 }

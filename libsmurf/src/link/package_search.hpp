@@ -26,7 +26,12 @@ class PackageSearch {
  private:
   using Packages = std::map<std::string, std::vector<std::string>>;
 
+  /// Packages in packages are seldom, and are not built by colcon: they are asked last.
+  enum class Depth : std::uint8_t { packages, inside_of_packages };
+
   std::optional<std::string> search_around(const std::string& name, const std::string& folder);
+  std::optional<std::string> search_upward(const std::string& name, const std::string& folder,
+                                           const std::string& own, Depth depth);
   /// The nearest folder with a package.xml, from `folder` upward; "" if there is none.
   std::string package_around(std::string folder);
   /// The name in the package.xml of a folder; "" if there is none.
@@ -35,12 +40,12 @@ class PackageSearch {
     return name_in(folder) == name;
   }
   /// The packages in a folder and all its subfolders.
-  const Packages& packages_in(const std::string& folder);
-  void search(const std::string& folder, int depth, Packages& found);
+  const Packages& packages_in(const std::string& folder, Depth depth);
+  void search(const std::string& folder, int level, Depth depth, Packages& found);
   static std::optional<std::string> best(const Packages& packages, const std::string& name);
 
   const LoadContext& context_;
-  std::map<std::string, Packages> known_;
+  std::map<std::pair<std::string, Depth>, Packages> known_;
   std::map<std::string, std::string> names_;
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> answers_;
   std::uint64_t entries_ = 0;
