@@ -17,7 +17,7 @@ export class Checker {
     this.byFile = new Map(); // findings
     byId("fix").addEventListener("click", () => this.fixAll());
     byId("show-robot").addEventListener("click", () => this.showRobot());
-    byId("robots").addEventListener("change", () => this.page?.picture.isOpen && this.showRobot());
+    byId("shown-robot").addEventListener("change", () => this.page?.picture.isOpen && this.showRobot());
     byId("save-report").addEventListener("click", () =>
       download(new Map([["report.html", bytesOf(this.html)]]), "report"),
     );
@@ -124,7 +124,7 @@ export class Checker {
    */
   async showRobot(hash) {
     const { page } = this;
-    const source = byId("robots").value;
+    const source = byId("shown-robot").value;
     if (!page.picture.page || (this.pictured ?? source) !== source) {
       const place = this.playground.files.freeName("robot.html");
       const args = ["--format=html", "--force", "-o", place, "--", source];

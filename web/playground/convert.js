@@ -75,9 +75,9 @@ export class Convert {
 
   update() {
     const names = [...this.files.all.keys()].filter(kindOf).sort(byImportance);
-    for (const id of ["source", "robots"]) setOptions(byId(id), names);
+    for (const id of ["source", "shown-robot"]) setOptions(byId(id), names);
     byId("conversion").hidden = names.length === 0;
-    byId("robots").hidden = names.length < 2;
+    byId("shown-robot").hidden = names.length < 2;
     this.showForms();
   }
 
@@ -87,7 +87,7 @@ export class Convert {
 
   async convert() {
     const [, end, , command] = formsOf(this.source).find(([name]) => name === byId("form").value);
-    const stem = this.source.replace(/.*\//, "").replace(/\.[^.]*$/, "");
+    const stem = this.source.replace(/.*\//, "").replace(/(\.urdf)?\.[^.]*$/i, "");
     this.name = this.files.freeName(stem + end);
     const [tool, args] = command(this.source, this.name);
     const result = await this.run(tool, byId("despite").checked ? ["--force", ...args] : args);
