@@ -36,7 +36,24 @@ class Pointless {
   std::size_t count_ = 0;
 };
 
-void check(const LinkedModel&, const Companions& companions, Findings& findings) {
+/// A link without collision geometry, of a robot that has some.
+class NeverCollides {
+ public:
+  explicit NeverCollides(const LinkedModel& model) : model_(model) {
+    for_each_link(model, [&](const urdf::Link& link) { any_ = any_ || !link.collisions.empty(); });
+  }
+  bool operator()(std::string_view name) const {
+    const urdf::Link* link = any_ ? model_.find_link(name) : nullptr;
+    return link != nullptr && link->collisions.empty();
+  }
+
+ private:
+  const LinkedModel& model_;
+  bool any_ = false;
+};
+
+void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
+  const NeverCollides never_collides(model);
   for_each_srdf(companions, [&](const srdf::Description& srdf) {
     Pointless pointless(findings);
     std::map<std::tuple<bool, std::string_view, std::string_view>, const srdf::LinkPair*> known;
@@ -49,6 +66,11 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
       }
       if (b < a) std::swap(a, b);
       const auto [first, is_new] = known.emplace(std::tuple(pair.is_enabled, a, b), &pair);
+      if (is_new && !pair.is_enabled && (never_collides(a) || never_collides(b))) {
+        pointless.add(srdf, pair,
+                      "the link " + quoted(never_collides(a) ? a : b) +
+                          " of this pair has no collision geometry");
+      }
       if (is_new) continue;
       pointless.add(srdf, pair, "the pair of " + quoted(a) + " and " + quoted(b) + " is here again",
                     first->second);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <set>
+#include <string_view>
+#include <vector>
 
 #include "base/suggest.hpp"
+#include "base/uncertain.hpp"
 #include "base/words.hpp"
 #include "lint/companions/controllers.hpp"
 
@@ -9,6 +13,7 @@ namespace smurf::rules::sml3704_controller_incomplete_file {
 namespace {
 
 constexpr Circumstance kType{"type"};
+constexpr Circumstance kSection{"section"};
 
 void check_type(const RosController& controller, Findings& findings) {
   if (!controller.type) {
@@ -80,16 +85,44 @@ void check_required(const RosController& controller, Findings& findings) {
       .help("write a value for it below `ros__parameters` of the controller");
 }
 
+/// A controller that needs parameters, but has none in any file. Launch files may pass others.
+void check_section(const RosController& controller, const std::set<std::string_view>& sections,
+                   Findings& findings) {
+  if (controller.known == nullptr || controller.section || sections.contains(controller.name))
+    return;
+  if (controller.declared.find("params_file") || is_placeholder(controller.name)) return;
+  const std::vector<RosParameter> all = parameters_of(*controller.known);
+  const bool needs_some = std::any_of(all.begin(), all.end(), [](const RosParameter& one) {
+    return one.is_required && one.path.find('*') == std::string_view::npos;
+  });
+  if (!needs_some) return;
+  Diagnostic& found = findings.report(
+      controller.place, title_of(controller) + " has a type, but no section with parameters");
+  found.severity = Severity::info;
+  found.when(kSection).when(kUncertain);
+  found.help("write `" + std::string(controller.name) + ": ros__parameters: ...`");
+}
+
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
+  std::set<std::string_view> sections;
+  for_each_controller_file(companions, [&](const ControllerFile& file) {
+    for (const RosController& one : file.controllers) {
+      if (one.section) sections.insert(one.name);
+    }
+  });
   for_each_controller_file(companions, [&](const ControllerFile& file) {
     for (const RosController& controller : file.controllers) {
       check_type(controller, findings);
       check_required(controller, findings);
+      check_section(controller, sections, findings);
     }
   });
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::ros2_control, Effect::breaks,
+     "does not configure the controller, unless a launch file passes its parameters",
+     "ros2_controllers *_parameters.yaml", when(kSection, kUncertain)},
     {&readers::ros2_control, Effect::breaks, "reports an error and does not load the controller",
      "ros2_control controller_manager.cpp load_controller", when(kType)},
     {&readers::ros2_control, Effect::breaks,

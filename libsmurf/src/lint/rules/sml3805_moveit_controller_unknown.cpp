@@ -9,11 +9,13 @@
 #include "base/quoted.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/moveit_files.hpp"
+#include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3805_moveit_controller_unknown_file {
 namespace {
 
 constexpr Circumstance kJoints{"joints"};
+constexpr Circumstance kGroup{"group"};
 
 /// A controller of ros2_control, and whether its joints are known.
 struct Declared {
@@ -87,7 +89,55 @@ void check_manager(yaml::View root, const std::map<std::string_view, Declared>& 
   }
 }
 
-void check(const LinkedModel&, const Companions& companions, Findings& findings) {
+/// Controllers whose joints are in no group, so that no plan moves them.
+class Groups {
+ public:
+  Groups(const LinkedModel& model, const srdf::Description& srdf) : model_(model) {
+    for (const srdf::Group& group : srdf.groups) groups_.push_back(joints_of(model, srdf, group));
+  }
+
+  void check(yaml::View root, Findings& findings) const {
+    const yaml::View names = root.find("controller_names");
+    for (const yaml::View member : root) {
+      if (!member.is_mapping() || member.is_repeated()) continue;
+      if (!names) {
+        check(member, findings);
+        continue;
+      }
+      const yaml::View joints = member.find("joints");
+      if (joints && joints.is_sequence() && joints.size() > 0)
+        check_joints(member, joints, findings);
+    }
+  }
+
+ private:
+  void check_joints(yaml::View controller, yaml::View joints, Findings& findings) const {
+    for (const yaml::View joint : joints) {
+      if (!joint.is_scalar() || !model_.joint_index(joint.text())) return;
+      const bool is_in_one = std::any_of(groups_.begin(), groups_.end(), [&](const auto& group) {
+        return !group.is_complete || group.contains(model_, joint.text());
+      });
+      if (is_in_one) return;
+    }
+    Diagnostic& found = findings.report(controller.key_span(),
+                                        "no group of the SRDF has a joint of the controller " +
+                                            quoted(controller.key()));
+    found.severity = Severity::info;
+    found.when(kGroup);
+    found.help("add a group with these joints, or delete the controller");
+  }
+
+  const LinkedModel& model_;
+  std::vector<GroupJoints> groups_;
+};
+
+void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
+  const Companion* only = model.robot ? only_srdf(companions) : nullptr;
+  for_each_file(companions, CompanionKind::moveit_controllers,
+                [&](const Companion& file, yaml::View root) {
+                  if (only == nullptr || file.folder != only->folder) return;
+                  Groups(model, *only->srdf).check(root, findings);
+                });
   const std::map<std::string_view, Declared> declared = declared_in(companions);
   if (declared.empty()) return;  // they may be on the robot
   for_each_file(companions, CompanionKind::moveit_controllers,
@@ -97,6 +147,8 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::moveit, Effect::ignores, "never uses the controller",
+     "moveit2 trajectory_execution_manager.cpp selectControllers", when(kGroup)},
     {&readers::moveit, Effect::loses, "sends no motion for the joint",
      "moveit2 moveit_simple_controller_manager.cpp", when(kJoints)},
     {&readers::moveit, Effect::loses, "finds no action server, and cannot execute a plan",

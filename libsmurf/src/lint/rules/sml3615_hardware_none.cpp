@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/companions/ros2_control.hpp"
+
+namespace smurf::rules::sml3615_hardware_none_file {
+namespace {
+
+void check(const LinkedModel& model, const Companions&, Findings& findings) {
+  if (!model.robot || !hardware_of(model).empty()) return;
+  const xml::View root = model.robot->document.view();
+  if (!root) return;
+  findings.report(root.name_span(), "the robot has no `ros2_control`")
+      .help("add a `ros2_control` with the plugin of the hardware and its joints");
+}
+
+constexpr Fact kFacts[] = {
+    no_hardware(),
+};
+
+}  // namespace
+
+extern constinit const Rule sml3615_hardware_none{
+    .id = "SML3615",
+    .name = "hardware-none",
+    .severity = Severity::info,
+    .summary = "A robot for ros2_control has no element `ros2_control`.",
+    .remedy = "Describe the hardware in a `ros2_control`.",
+    .needs_target = true,
+    .facts = kFacts};
+
+}  // namespace smurf::rules::sml3615_hardware_none_file
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml3615_hardware_none =
+    rules::sml3615_hardware_none_file::check;
+
+}  // namespace smurf::companion_checks
