@@ -77,8 +77,11 @@ std::string moments_of(const Tensor& tensor) {
          format_rounded(moments[2], 3);
 }
 
-void replace_fix(const LinkedModel& model, const urdf::Link& link, const InertiaSource& source,
+void replace_fix(const LinkedModel& model, const urdf::Link& link, InertiaSource source,
                  Diagnostic& finding) {
+  // What only rounding makes impossible is measured or computed, and better than a full shape.
+  const bool is_rounded = finding.rule->id == std::string_view("SML1514");
+  if (is_rounded && source.from != From::density) source.from = From::nearest;
   finding.fixes.clear();
   const auto replacement = replacement_for(model, link, source);
   if (!replacement) return;
@@ -111,7 +114,7 @@ std::optional<InertiaSource> parse_inertia_source(std::string_view text) {
 std::vector<Diagnostic> repair_inertias(const LinkedModel& model, const InertiaSource& source) {
   if (!model.robot) return {};
   RuleSelection selection;
-  selection.select = {"SML1511", "SML1512", "SML1513", "SML1516",
+  selection.select = {"SML1511", "SML1512", "SML1513", "SML1514", "SML1516",
                       "SML1518", "SML1519", "SML1523", "SML1531"};
   DiagnosticSink sink;
   lint_model(model, selection, sink);
