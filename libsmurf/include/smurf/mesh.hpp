@@ -99,6 +99,9 @@ struct MeshFacts {
   /// COLLADA: in the unit of the file, with the transforms of its nodes.
   std::optional<Solid> solid;
   Closure closure = Closure::unknown;
+  /// Corners of the triangles, in the frame of `solid`: all of a small mesh, else those that are
+  /// outermost in 26 directions, and a sample of the others.
+  std::vector<std::array<float, 3>> outer;
   std::optional<double> unit_meters;  ///< COLLADA: metres per unit, if written
   char up_axis = '\0';                ///< COLLADA: 'X', 'Y' or 'Z', when written
   bool has_more_groups = false;       ///< OBJ: faces behind those of the first `o` or `g`

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 
 #include "base/bits.hpp"
@@ -17,11 +18,9 @@ inline std::uint32_t read_uint16(std::string_view bytes, std::size_t offset) {
 
 /// Precondition: offset + 4 <= bytes.size().
 inline std::uint32_t read_uint32(std::string_view bytes, std::size_t offset) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    value |= std::uint32_t{static_cast<unsigned char>(bytes[offset + i])} << (8 * i);
-  }
-  return value;
+  unsigned char b[4];
+  std::memcpy(b, bytes.data() + offset, sizeof b);  // compilers make one load of it all
+  return b[0] | std::uint32_t{b[1]} << 8U | std::uint32_t{b[2]} << 16U | std::uint32_t{b[3]} << 24U;
 }
 
 inline std::int32_t read_int32(std::string_view bytes, std::size_t offset) {

@@ -139,13 +139,14 @@ class ObjReader {
     bool is_known = true;
     while (!words.is_at_end()) {
       const std::string_view corner = words.next();
-      const auto index = parse_integer(corner.substr(0, corner.find('/')));
+      const std::size_t slash = corner.find('/');
+      const auto index = parse_integer(corner.substr(0, slash));
       if (!index || *index == 0) {
         return fail("the corner `" + std::string(corner.substr(0, 20)) +
                     "` of a face is not an index");
       }
       ++corners;
-      note_attributes(corner);
+      if (slash != std::string_view::npos) note_attributes(corner.substr(slash + 1));
       const auto point = find(*index);
       if (facts_.defect) return;
       is_known = is_known && point.has_value();
@@ -167,11 +168,8 @@ class ObjReader {
     facts_.triangles += corners - 2;
   }
 
-  /// The indices of the texture coordinates and of the normal, such as those in "7/3/2" and "7//2".
-  void note_attributes(std::string_view corner) {
-    const std::size_t slash = corner.find('/');
-    if (slash == std::string_view::npos) return;
-    const std::string_view rest = corner.substr(slash + 1);
+  /// The indices of the texture coordinates and of the normal: "3/2" of "7/3/2", or "/2" of "7//2".
+  void note_attributes(std::string_view rest) {
     const std::size_t second = rest.find('/');
     note(rest.substr(0, second), texture_count_, last_texture_);
     if (second != std::string_view::npos)

@@ -128,6 +128,29 @@ std::uint32_t stl_triangle_count(std::string_view bytes) {
   return read_uint32(bytes, kStlHeaderBytes - 4);
 }
 
+namespace {
+
+constexpr std::size_t kNormalBytes = 12;
+constexpr std::size_t kPointBytes = 12;
+
+/// Adds the points without infinite coordinates.
+void add_finite(const Vector3 (&corners)[3], BoxSum& box) {
+  for (const Vector3& corner : corners) {
+    if (is_finite(corner)) box.add(corner);
+  }
+}
+
+MeshDefect not_a_number(const Vector3 (&corners)[3], std::size_t triangle) {
+  std::size_t at = kStlHeaderBytes + triangle * kStlTriangleBytes + kNormalBytes;
+  for (const Vector3& corner : corners) {
+    if (!is_finite(corner)) break;
+    at += kPointBytes;
+  }
+  return {"a vertex of triangle " + std::to_string(triangle + 1) + " is not a number", at, 0};
+}
+
+}  // namespace
+
 void read_binary_stl(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface) {
   facts.named_solid = bytes.starts_with("solid");
   if (bytes.size() < kStlHeaderBytes) {
@@ -149,20 +172,21 @@ void read_binary_stl(std::string_view bytes, MeshFacts& facts, SurfaceSum& surfa
   facts.vertices = 3 * facts.triangles;
   BoxSum box;
   for (std::size_t i = 0; i < facts.triangles; ++i) {
-    constexpr std::size_t kNormalBytes = 12;
     std::size_t at = kStlHeaderBytes + i * kStlTriangleBytes + kNormalBytes;
     Vector3 corners[3];
+    double zero = 0;  // not a number, if a coordinate is infinite or not a number
     for (Vector3& corner : corners) {
       for (double& coordinate : corner) {
         coordinate = read_float(bytes, at);
+        zero += 0 * coordinate;
         at += 4;
       }
-      if (is_finite(corner)) {
-        box.add(corner);
-      } else if (!facts.defect) {
-        facts.defect = {"a vertex of triangle " + std::to_string(i + 1) + " is not a number",
-                        at - 12, 0};
-      }
+    }
+    if (zero == 0) {
+      for (const Vector3& corner : corners) box.add(corner);
+    } else {
+      add_finite(corners, box);
+      if (!facts.defect) facts.defect = not_a_number(corners, i);
     }
     surface.add(corners[0], corners[1], corners[2]);
   }

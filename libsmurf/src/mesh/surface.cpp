@@ -17,35 +17,19 @@ double length(const Vector3& a) { return std::sqrt(dot(a, a)); }
 constexpr std::array<std::array<std::size_t, 2>, 6> kPairs = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
-std::uint64_t mixed(std::uint64_t x) {  // the finisher of SplitMix64
-  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
-  return x ^ (x >> 31U);
-}
-
 /// A number for a point. Equal points have equal numbers.
 std::uint64_t key_of(const Vector3& point) {
-  std::uint64_t key = 0;
-  for (const double coordinate : point) {
+  const auto mixed = [](double coordinate) {
     const auto bits = bit_cast<std::uint64_t>(coordinate + 0.0);  // -0 becomes 0
-    key = ((key << 23U | key >> 41U) ^ bits) * 0x9e3779b97f4a7c15U;
-    key ^= key >> 32U;
-  }
-  return key;
+    return bits ^ bits >> 29U;  // the low bits of single precision are 0
+  };
+  const std::uint64_t key = mixed(point[0]) * 0x9e3779b97f4a7c15U +
+                            mixed(point[1]) * 0xbf58476d1ce4e5b9U +
+                            mixed(point[2]) * 0x94d049bb133111ebU;
+  return key ^ key >> 32U;
 }
 
 }  // namespace
-
-void BoxSum::add(const Vector3& point) {
-  if (!box_) {
-    box_ = Box{point, point};
-    return;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    box_->low[i] = std::min(box_->low[i], point[i]);
-    box_->high[i] = std::max(box_->high[i], point[i]);
-  }
-}
 
 void BoxSum::add(const Box& box) {
   add(box.low);
@@ -72,6 +56,7 @@ std::optional<Box> BoxSum::finite_box() const {
 
 void SurfaceSum::add(const Vector3& a, const Vector3& b, const Vector3& c) {
   if (visit_) visit_(a, b, c);
+  outer_.add(a, b, c);
   if (!origin_) origin_ = a;
   const Vector3 area = cross(difference(b, a), difference(c, a));
   area_ += length(area);
@@ -84,10 +69,16 @@ void SurfaceSum::add(const Vector3& a, const Vector3& b, const Vector3& c) {
   const double volume = dot(p, area);
   volume_ += volume;
   for (std::size_t i = 0; i < 3; ++i) first_[i] += volume * sum[i];
-  for (std::size_t k = 0; k < kPairs.size(); ++k) {
-    const auto [i, j] = kPairs[k];
-    second_[k] += volume * (p[i] * p[j] + q[i] * q[j] + r[i] * r[j] + sum[i] * sum[j]);
-  }
+  const auto [px, py, pz] = p;
+  const auto [qx, qy, qz] = q;
+  const auto [rx, ry, rz] = r;
+  const auto [sx, sy, sz] = sum;
+  second_[0] += volume * (px * px + qx * qx + rx * rx + sx * sx);
+  second_[1] += volume * (py * py + qy * qy + ry * ry + sy * sy);
+  second_[2] += volume * (pz * pz + qz * qz + rz * rz + sz * sz);
+  second_[3] += volume * (px * py + qx * qy + rx * ry + sx * sy);
+  second_[4] += volume * (px * pz + qx * qz + rx * rz + sx * sz);
+  second_[5] += volume * (py * pz + qy * qz + ry * rz + sy * sz);
 
   const std::uint64_t keys[] = {key_of(a), key_of(b), key_of(c)};
   add_edge(keys[0], keys[1]);
@@ -97,7 +88,9 @@ void SurfaceSum::add(const Vector3& a, const Vector3& b, const Vector3& c) {
 
 void SurfaceSum::add_edge(std::uint64_t from, std::uint64_t to) {
   if (from == to) return;
-  const std::uint64_t edge = mixed((from + to) ^ (from * to));
+  std::uint64_t edge = (from + to) ^ (from * to);
+  edge = (edge ^ edge >> 29U) * 0xd6e8feb86659fd93U;
+  edge ^= edge >> 32U;
   directed_ += from < to ? edge : -edge;
   parity_ ^= edge;
 }
@@ -128,9 +121,10 @@ std::optional<Solid> SurfaceSum::solid() const {
   return solid;
 }
 
-void SurfaceSum::write_to(MeshFacts& facts) const {
+void SurfaceSum::write_to(MeshFacts& facts) {
   facts.solid = solid();
   facts.closure = closure();
+  facts.outer = outer_.take();
 }
 
 }  // namespace smurf

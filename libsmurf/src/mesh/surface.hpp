@@ -2,19 +2,30 @@
 // Sums over the points and triangles of a surface.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 
 #include "mesh/affine.hpp"
 #include "mesh/mesh_reader.hpp"
+#include "mesh/outer_points.hpp"
 #include "smurf/mesh.hpp"
 
 namespace smurf {
 
 class BoxSum {
  public:
-  void add(const Vector3& point);
+  void add(const Vector3& point) {
+    if (!box_) {
+      box_ = Box{point, point};
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      box_->low[i] = std::min(box_->low[i], point[i]);
+      box_->high[i] = std::max(box_->high[i], point[i]);
+    }
+  }
   void add(const Box& box);
   /// The corners of a box, transformed.
   void add_corners(const Box& box, const Affine& X);
@@ -34,8 +45,8 @@ class SurfaceSum {
   explicit SurfaceSum(const TriangleVisitor& visit) : visit_(visit) {}
 
   void add(const Vector3& a, const Vector3& b, const Vector3& c);
-  /// Writes the solid and the closure of the surface.
-  void write_to(MeshFacts& facts) const;
+  /// Writes the solid, the closure and the outer points of the surface.
+  void write_to(MeshFacts& facts);
 
  private:
   void add_edge(std::uint64_t from, std::uint64_t to);
@@ -45,6 +56,7 @@ class SurfaceSum {
 
   const TriangleVisitor& visit_;
   std::optional<Vector3> origin_;
+  OuterPoints outer_;
   double volume_ = 0;               ///< six times the volume
   Vector3 first_{};                 ///< 24 times the first moments about the first point
   std::array<double, 6> second_{};  ///< 120 times the second moments

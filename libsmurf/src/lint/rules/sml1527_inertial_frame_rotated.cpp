@@ -35,6 +35,8 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::takes, "cannot merge such links",
      "Phobos io/representation.py:1680"},
+    {&readers::mujoco, Effect::changes, "ignores `rpy`: the inertia is about other axes",
+     "3.1.3, 3.1.6, 3.3.7, 3.12.0 and 3.13.0, run", since({3, 1, 3}).before({3, 14})},
 };
 
 }  // namespace

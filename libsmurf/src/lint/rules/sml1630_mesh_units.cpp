@@ -21,6 +21,19 @@ struct Suspects {
   std::size_t files = 0;
 };
 
+/// What the header of a COLLADA says about the unit.
+void add_header_unit(const MeshFacts& facts, bool is_huge, Diagnostic& diagnostic) {
+  if (facts.format != MeshFormat::collada) return;
+  const double unit = facts.unit_meters.value_or(1);
+  if (is_huge && unit == 1) {
+    diagnostic.note(facts.unit_meters ? "its header says that its unit is the metre"
+                                      : "its header has no `unit`, which means the metre");
+  } else if (!is_huge && unit < 1) {
+    diagnostic.note("its header says that its unit is " + format_rounded(unit, 4) +
+                    " m, which most readers apply besides `scale`");
+  }
+}
+
 void report(const Suspects& suspects, bool is_huge, Findings& findings) {
   if (suspects.first == nullptr) return;
   const urdf::Mesh& mesh = *suspects.first->uses.front().mesh();
@@ -32,6 +45,7 @@ void report(const Suspects& suspects, bool is_huge, Findings& findings) {
   } else if (is_huge) {
     diagnostic.help("write scale=\"0.001 0.001 0.001\" if the file is in millimetres");
   }
+  add_header_unit(suspects.first->facts, is_huge, diagnostic);
   if (suspects.files > 1) {
     diagnostic.note("this applies to " + std::to_string(suspects.files) + " mesh files");
   }

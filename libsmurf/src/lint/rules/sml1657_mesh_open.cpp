@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules::sml1657_mesh_open_file {
+namespace {
+
+bool is_flipped(const MeshFacts& facts) { return facts.closure == Closure::flipped; }
+
+bool is_open(const MeshFacts& facts) {
+  if (facts.closure != Closure::open || facts.solid || !facts.box) return false;
+  const Vector3 size = facts.box->size();
+  return size[0] > 0 && size[1] > 0 && size[2] > 0;  // SML1625 is about flat ones
+}
+
+void report(const LinkedModel& model, bool (*is_at_fault)(const MeshFacts&), std::string_view one,
+            std::string_view many, std::string_view help, Findings& findings) {
+  Diagnostic* diagnostic = report_meshes(
+      model,
+      [&](const OpenedMesh& mesh) {
+        return mesh.is_collision() && !mesh.facts.defect && is_at_fault(mesh.facts);
+      },
+      one, many, findings);
+  if (diagnostic == nullptr) return;
+  diagnostic->note("it is weighed as the box around it");
+  diagnostic->help(std::string(help));
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  report(model, is_flipped,
+         "some triangles of the collision mesh face inward: its volume is unknown",
+         "of collisions have triangles that face inward: their volumes are unknown",
+         "make all normals face outward, and export it again", findings);
+  report(model, is_open, "the collision mesh is not closed: its volume is unknown",
+         "of collisions are not closed: their volumes are unknown",
+         "close the holes, or use a primitive shape", findings);
+}
+
+}  // namespace
+
+extern constinit const Rule sml1657_mesh_open{
+    .id = "SML1657",
+    .name = "mesh-open",
+    .severity = Severity::info,
+    .summary = "A collision mesh is not closed, or some of its triangles face inward.",
+    .why = "Such a surface encloses no volume, so mass, centre and inertia cannot be computed from "
+           "it: not by smurf-lint, nor by Gazebo (`auto`) or MuJoCo (`exact`).",
+    .remedy = "Close the holes and make all normals face outward in a mesh editor, or use a "
+              "primitive shape.",
+    .sources = "Sums over the edges of the triangles.",
+    .check_model = check};
+
+}  // namespace smurf::rules::sml1657_mesh_open_file
