@@ -222,23 +222,6 @@ class Content(ConfigTest):
         self.assertEqual(self.findings("robots"), [])
         self.assertEqual(self.findings(".", cwd=self.folder / "robots"), [])
 
-    def test_rules_keep_their_former_ids_and_names(self):
-        joint = ('<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous"><parent link="a"/>'
-                 '<child link="b"/>%s<limit effort="1"/></joint></robot>\n')
-        self.write("j.urdf", joint % "")
-        self.assertEqual(self.findings("--select", "SML14", "--ignore", "SML1419", "j.urdf"), [("j.urdf", "SML1404", "error")])
-        for word in ("SML1405", "velocity-missing", "effort-missing"):
-            self.assertEqual(self.findings("--select", "SML14", "--ignore", f"SML1419,{word}", "j.urdf"), [])
-            self.assertEqual(self.findings("--select", word, "j.urdf"), [("j.urdf", "SML1404", "error")])
-            self.assertIn("error", self.expect(1, "--severity", f"{word}=error", "j.urdf").stdout)
-            self.assertTrue(self.expect(0, "--explain", word).stdout.startswith("SML1404 limit-incomplete"))
-            self.write("j.urdf", joint % f"\n<!-- smurf-lint: ignore[{word}] -->")
-            self.assertEqual(self.findings("--select", "SML14", "--ignore", "SML1419", "j.urdf"), [])
-            self.write("j.urdf", joint % "")
-        self.expect(0, "--select", "SML1404", "--generate-baseline", "--baseline", "new.yaml", "j.urdf")
-        self.write("known.yaml", self.read("new.yaml").replace("SML1404", "SML1405"))
-        self.assertEqual(self.findings("--select", "SML1404", "--baseline", "known.yaml", "j.urdf"), [])
-
     def test_schemas_are_relative_to_the_configuration(self):
         self.write(".smurf-lint.yaml", "schemas: {entities: {rainbow: schemas/rainbow.json}}\n")
         self.write("schemas/rainbow.json", RAINBOW)

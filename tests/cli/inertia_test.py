@@ -79,7 +79,7 @@ class Repair(cli.CliTest):
         self.expect_complaint("--fix-inertia: 'heavy' is not mass, mesh, box, nearest or density:VALUE",
                               "--fix-inertia=heavy", "r.urdf")
         self.expect_complaint(
-            "--fix-inertia cannot be combined with --fix, --rename, --shard or --generate-baseline",
+            "--fix-inertia cannot be combined with --fix, --rename or --generate-baseline",
             "--fix-inertia", "--fix", "r.urdf")
 
 

@@ -164,10 +164,8 @@ class Names(PlainOutputTest):
         self.people("smurf-load-check", "--time", "0.01", "--", scene)
         with self.subTest("load check"):
             json.loads(self.data("smurf-load-check", "--time", "0.01", "--format", "json", "--", scene))
-            self.run_tool("smurf-load-check", "--time", "0.01", "--stages", "still", "--trace", "trace", "--plot", "plot",
-                          "--", robot)
-            if (self.folder / "plot").exists():
-                PARSERS["svg"]((self.folder / "plot").read_bytes().decode())
+            self.run_tool("smurf-load-check", "--time", "0.01", "--stages", "still", "--trace", "trace", "--", robot)
+            if (self.folder / "trace").exists():
                 self.check_people((self.folder / "trace").read_bytes().replace(b"\r\n", b"\n"), "trace")
         self.check_differences(scene, model, robot)
         self.people("urdf2smurf", "--force", "--dry-run", "-o", "out", "--", robot)
@@ -264,14 +262,6 @@ class Meanings(PlainOutputTest):
         report = self.run_tool("smurf-lint", "--all", "a.urdf").stdout.decode()
         self.assertIn("[SML1441]", report)
         self.assertNotRegex(report, r"\b(inf|nan)\b")
-
-    def test_counts_stay_at_the_largest(self):
-        largest = 2**64 - 1
-        for name in ("a", "b"):
-            self.write(name + ".json", json.dumps({
-                "schema_version": "1.0", "tool": {}, "diagnostics": [], "summary": {"error": largest, "files": 1}}))
-        summary = json.loads(self.run_tool("smurf-lint", "--merge-reports", "a.json", "b.json").stdout)["summary"]
-        self.assertEqual((summary["error"], summary["files"]), (largest, 2))
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ FIXABLE = f"""<robot name="r">
   </joint>
 </robot>
 """
-BASELINE = "# Findings that smurf-lint lets pass: file, rule, place. Written by\n{}\n"
+BASELINE = "# Findings that smurf-lint suppresses: file, rule, place. Written by\n{}\n"
 # The command of each tool that writes into the folder `target`, and the files that exist before.
 JOBS = {
     "smurf2urdf": (["in/smurf/arm.smurf", "-o", "target/arm.urdf"], {"arm.urdf": "old"}),

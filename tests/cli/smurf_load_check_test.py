@@ -418,17 +418,6 @@ class Options(LoadCheckTest):
         if not cli.is_sanitized(cli.TOOL):
             self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 300 * 1024)
 
-    def test_plot(self):
-        self.expect(0, "good.urdf", "--plot", "plot.svg")
-        root = xml.etree.ElementTree.fromstring(self.read("plot.svg"))
-        curves = root.findall("{http://www.w3.org/2000/svg}polyline")
-        self.assertEqual(len(curves), 6)
-        self.assertIn("bound 0.001 m", self.read("plot.svg"))
-        self.write("a/very/deep/folder/good.urdf", GOOD.read_bytes())
-        self.expect(0, "a/very/deep/folder/good.urdf", "--plot", "plot.svg")
-        self.assertIn(">good.urdf</text>", self.read("plot.svg"))
-        self.expect_complaint("--plot needs one model or scene, not 5", ".", "--plot", "p.svg")
-
     def test_what_ode_gives_up_on_is_a_finding(self):
         self.write("huge.urdf", self.read("good.urdf").replace('"0.001"', '"1e300"'))
         report = self.report(1, "huge.urdf")

@@ -479,11 +479,6 @@ class Inputs(StrangerTest):
         self.refuse("smurf-lint", ["--show-config", "arm"], "-o", [".smurf-lint.yaml"])
         self.refuse("smurf-lint", ["--dump-model", self.MODEL[0]], "-o", self.MODEL[:1])
 
-    def test_reports(self):
-        self.expect(0, "smurf-lint", "--format", "json=report.json", "arm")
-        self.inputs = ["report.json"]
-        self.refuse("smurf-lint", ["--merge-reports"], "-o", ["report.json"])
-
     def test_smurf2urdf(self):
         self.inputs = ["arm/smurf/arm.smurf"]
         for option in ("-o", "--srdf", "--loss-report", "--report=json="):
@@ -512,8 +507,6 @@ class Inputs(StrangerTest):
         self.inputs = ["s.smurfs"]
         for option in ("-o", "--trace", "--report=json="):
             self.refuse("smurf-load-check", arguments, option, ["s.smurfs", self.MODEL[0]])
-        self.inputs = self.MODEL[:1]
-        self.refuse("smurf-load-check", arguments, "--plot", self.MODEL[:2])
 
     def test_copies(self):
         """The mesh of one model would replace the mesh of another one."""

@@ -126,15 +126,9 @@ void write_rule(std::ostream& page, const Rule& rule) {
          << tolerance.unit << ": " << tolerance.meaning << "\n";
   }
   page << example_of(rule) << "\n**Sources.** " << sources_of(rule) << "\n";
-  if (rule.former.empty()) return;
-  page << "\n**Former ids and names.** ";
-  for (const std::string_view& former : rule.former) {
-    page << (&former == rule.former.data() ? "" : ", ") << "`" << former << "`";
-  }
-  page << "\n";
 }
 
-/// A row of the index. Its anchors are those of the former page with all rules.
+/// A row of the index, with the anchors that links use.
 void write_row(std::ostream& page, const Rule& rule) {
   const std::string anchor = heading_of(rule);
   page << "| <a id=\"" << rule.name << "\"></a><a id=\"" << anchor << "\"></a>[" << rule.id

@@ -124,13 +124,6 @@ def meshes_named_beside_robots(n, write):
         write(f"x{i}.stl", "solid\nendsolid\n")
 
 
-@grows(20, "smurf-lint", "-q", "--shard", "1/2", ".")
-def shards_of_models_and_robots(n, write):
-    for i in range(n):
-        write(f"m{i}.smurf", MODEL)
-        write(f"x{i}.urdf", URDF)
-
-
 @grows(1000, "smurf-lint", "-q", "a.smurf")
 def markers_on_one_line(n, write):
     write("a.smurf", MODEL + "#" + " #smurf-lint:" * n + "\n")

@@ -491,12 +491,9 @@ def settings():
         yield lint(f"a configuration: {title}", {".smurf-lint.yaml": data}, "{}")
         yield lint(f"a baseline: {title}", {"base.yaml": data}, "--baseline", "base.yaml", "{}")
         yield lint(f"a schema: {title}", {"s.json": data, ".smurf-lint.yaml": b"schemas: {sections: {a: s.json}}\n"}, "{}")
-        yield lint(f"a report: {title}", {"a.json": data}, "--merge-reports", "a.json")
         yield lint(f"a list of what to leave out: {title}", {".smurf-lintignore": data}, ".")
-    report = {"schema_version": "1.0", "tool": {"name": "smurf-lint", "version": "0"}, "summary": {}, "diagnostics": []}
-    yield lint("a report of nothing", {"a.json": json.dumps(report).encode()}, "--merge-reports", "a.json")
-    for name in (".smurf-lint.yaml", ".smurf-lintignore", ".gitignore", "base.yaml", "a.json"):
-        words = {"base.yaml": ("--baseline", "base.yaml", "{}"), "a.json": ("--merge-reports", "a.json")}.get(name, (".",))
+    for name in (".smurf-lint.yaml", ".smurf-lintignore", ".gitignore", "base.yaml"):
+        words = ("--baseline", "base.yaml", "{}") if name == "base.yaml" else (".",)
         yield lint(f"{name} that is a pipe", {name: FIFO}, *words)
         yield lint(f"{name} that is a device", {name: link("/dev/zero")}, *words)
         yield lint(f"{name} that is a link to itself", {name: link(name)}, *words)

@@ -333,28 +333,6 @@ ExitCode list_files(const LintOptions& options, const LintPlan& plan, const Inpu
   return !plan.problems.empty() ? kFailed : code;
 }
 
-ExitCode merge_reports(const LintOptions& options) {
-  const DiskFiles disk;
-  const InputFiles inputs(disk);
-  std::vector<NamedText> reports;
-  for (const std::string& path : options.paths) {
-    FileContent content = inputs.read(path, options.limits.file_bytes);
-    if (content.status != ReadStatus::ok) {
-      complain(kSmurfLint, "cannot read '" + path + "': " + content.reason);
-      return kFailed;
-    }
-    reports.push_back({path, std::move(content.text)});
-  }
-  const MergedReport merged = merge_json_reports(reports, {kSmurfLint, SMURF_VERSION});
-  if (!merged.problem.empty()) {
-    complain(kSmurfLint, merged.problem);
-    return kFailed;
-  }
-  if (!tools::keeps_inputs(kSmurfLint, inputs, std::span(&options.output, 1))) return kFailed;
-  const ExitCode code = write_text(options, merged.json);
-  return code == kDone ? judge(merged.summary, options.threshold) : code;
-}
-
 Report run_check(const LintOptions& options, const LintPlan& plan, Session& session) {
   CheckSettings settings = check_settings(options);
   std::optional<Progress> progress;
@@ -394,7 +372,6 @@ ExitCode run(const LintOptions& options, std::set<std::string>* seen) {
     return kFailed;
   }
   LintPlan plan = make_plan(options, files);
-  keep_shard(plan, options.shard, files);
   if (options.list_files) return list_files(options, plan, inputs);
   ConfinedFiles confined;
   confine_to_found(confined, options, plan);
@@ -440,7 +417,6 @@ int smurf_lint_main(int argc, char** argv) {
   if (!options.show_config.empty()) return show_config(options);
   if (!options.masses.empty()) return show_masses(options);
   if (!options.dump_model.empty()) return dump_model(options);
-  if (options.merge_reports) return merge_reports(options);
   if (options.init) return init(options);
   if (options.watch) {
     return watch(options, [&](std::set<std::string>& seen) { return run(options, &seen); });

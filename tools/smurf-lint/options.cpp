@@ -108,20 +108,6 @@ Setter set_inertia(LintOptions& options) {
   };
 }
 
-Setter set_shard(Shard& shard) {
-  return [&shard](std::string_view value) -> std::optional<std::string> {
-    const std::size_t slash = value.find('/');
-    const auto number = parse_integer(value.substr(0, slash));
-    const auto count =
-        slash == std::string_view::npos ? std::nullopt : parse_integer(value.substr(slash + 1));
-    if (!number || !count || *number < 1 || *number > *count) {
-      return "'" + std::string(value) + "' is not K/N with K from 1 to N";
-    }
-    shard = {static_cast<std::uint64_t>(*number), static_cast<std::uint64_t>(*count)};
-    return std::nullopt;
-  };
-}
-
 std::vector<Option> rule_options(LintOptions& options) {
   return {
       {.group = "Rules",
@@ -270,12 +256,6 @@ std::vector<Option> output_options(LintOptions& options) {
       report_option("format", options.reports),
       output_option(options.output, "Write the report to FILE instead of standard output."),
       {.group = "Output",
-       .name = "merge-reports",
-       .help =
-           "Each PATH is a JSON report of a part of the files: merge them into one JSON report, "
-           "and check nothing.",
-       .set = set_flag(options.merge_reports)},
-      {.group = "Output",
        .name = "all",
        .help = "With the format full: show all findings, including infos and more than three per "
                "rule and file.",
@@ -337,11 +317,6 @@ std::vector<Option> input_options(LintOptions& options) {
        .help = "Skip YAML files and meshes that no model uses; for hooks, which name every changed "
                "file.",
        .set = set_flag(options.only_listed)},
-      {.group = "Input",
-       .name = "shard",
-       .metavar = "K/N",
-       .help = "Check part K of N of the files; the division is the same on every machine.",
-       .set = set_shard(options.shard)},
       {.group = "Input",
        .name = "list-files",
        .help = "Show the files that would be checked, and check nothing.",
@@ -419,8 +394,6 @@ Command lint_command(LintOptions& options) {
        "Rename a joint in all files (--diff previews it):"},
       {"smurf-lint --baseline old.yaml --generate-baseline robots/",
        "Record the current findings, to report only new ones later:"},
-      {"smurf-lint --shard 2/8 --format json=part-2.json datasets/",
-       "Check on one machine of eight, for --merge-reports part-*.json:"},
       {"smurf-lint --init", "Set up this folder: configuration, pre-commit hook, workflow:"},
       {"smurf-lint --explain unknown-joint", "Explain a rule:"},
       {"smurf-lint --explain motors", "List the keys of a section:"},
@@ -460,13 +433,12 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
   if (options.renames_names() && (options.fix || options.unsafe_fixes)) {
     return "--rename and --fix cannot be combined";
   }
-  if (options.renames_names() && (options.generate_baseline || options.shard.count > 1)) {
-    return "--rename needs all files and writes only them, so it cannot be combined with --shard or "
-           "--generate-baseline";
+  if (options.renames_names() && options.generate_baseline) {
+    return "--rename and --generate-baseline cannot be combined";
   }
   if (options.fix_inertia && (options.fix || options.unsafe_fixes || options.renames_names() ||
-                              options.generate_baseline || options.shard.count > 1)) {
-    return "--fix-inertia cannot be combined with --fix, --rename, --shard or --generate-baseline";
+                              options.generate_baseline)) {
+    return "--fix-inertia cannot be combined with --fix, --rename or --generate-baseline";
   }
   if (options.watch && (options.fix || options.fix_only || options.diff || options.fix_inertia ||
                         options.renames_names() || options.generate_baseline)) {

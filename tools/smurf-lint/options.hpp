@@ -22,12 +22,6 @@ namespace smurf::tools {
 
 inline constexpr std::string_view kSmurfLint = "smurf-lint";
 
-/// Part `number` (from 1) of `count` parts of the files.
-struct Shard {
-  std::uint64_t number = 1;
-  std::uint64_t count = 1;
-};
-
 struct LintOptions {
   std::vector<std::string> paths;
   bool only_listed = false;  ///< skip annotation files and meshes that no model uses
@@ -47,12 +41,10 @@ struct LintOptions {
 
   bool force_exclude = false;    ///< skip excluded files even if they are named
   bool no_ignore_files = false;  ///< do not apply .gitignore and .smurf-lintignore
-  Shard shard;
-  bool merge_reports = false;  ///< `paths` are JSON reports; nothing is checked
-  bool init = false;           ///< only write a configuration, a hook and a workflow
-  bool opens = false;          ///< open the page of the report in the browser
-  bool watch = false;          ///< check again after each change
-  bool list_files = false;     ///< only list the files that would be checked
+  bool init = false;             ///< only write a configuration, a hook and a workflow
+  bool opens = false;            ///< open the page of the report in the browser
+  bool watch = false;            ///< check again after each change
+  bool list_files = false;       ///< only list the files that would be checked
 
   bool fix = false;           ///< write fixed files
   bool unsafe_fixes = false;  ///< also apply fixes that may change the meaning of the model

@@ -373,24 +373,6 @@ class Planner {
 
 }  // namespace
 
-void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files) {
-  if (shard.count <= 1) return;
-  if (shard.number != 1) plan.links = 0;  // each part finds all of them
-  std::set<std::string> models;
-  for (const PlannedFile& model : plan.models) models.insert(identity(model.path));
-  ModelsAround around(files);
-  std::erase_if(plan.strays, [&](const PlannedFile& stray) {
-    const std::vector<std::string> users = around.listing(stray.path);
-    return std::any_of(users.begin(), users.end(),
-                       [&](const std::string& user) { return models.contains(identity(user)); });
-  });
-  std::size_t position = 0;
-  for (auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
-    std::erase_if(*planned,
-                  [&](const PlannedFile&) { return position++ % shard.count != shard.number - 1; });
-  }
-}
-
 std::string find_config(const std::string& path, const LintOptions& options,
                         const FileReader& files) {
   if (options.isolated) return {};

@@ -38,9 +38,6 @@ LintPlan make_plan(
       complain(kSmurfLint, problem);
     });
 
-/// Keeps only the files of one shard. The URDF of a planned model is in the shard of the model.
-void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files);
-
 /// The configuration of a file or folder: the one that the options name, otherwise the nearest one
 /// in a parent folder. "" if there is none.
 std::string find_config(const std::string& path, const LintOptions& options,

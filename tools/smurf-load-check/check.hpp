@@ -20,8 +20,7 @@ struct CheckOptions {
   std::optional<double> time;  ///< s, of every timed stage
   std::optional<double> step;  ///< s
   Bounds bounds;
-  bool samples = false;  ///< fill CheckResult::samples
-  bool trace = false;    ///< fill CheckResult::trace
+  bool trace = false;  ///< fill CheckResult::trace
   std::size_t most_trace_bytes = kMostTraceBytes;
   std::string traced_as;  ///< name of the file in rows of the trace
 };

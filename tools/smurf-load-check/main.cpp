@@ -66,10 +66,6 @@ bool write_curves(const Options& options, const Run& run) {
     is_written = write_output(kTool, options.trace, run.trace);
     is_written = is_whole_trace(run.checked) && is_written;
   }
-  if (!options.plot.empty()) {
-    const std::string svg = render_plot(run.checked.front(), options.check.bounds);
-    is_written = write_output(kTool, options.plot, svg) && is_written;
-  }
   return is_written;
 }
 
@@ -89,7 +85,7 @@ bool write_reports(const Options& options, const load_check::Report& report) {
 }
 
 std::vector<std::string> outputs_of(const Options& options) {
-  std::vector<std::string> outputs{options.output, options.trace, options.plot};
+  std::vector<std::string> outputs{options.output, options.trace};
   for (const ReportRequest& request : options.reports) outputs.push_back(request.file);
   return outputs;
 }
@@ -117,14 +113,9 @@ int smurf_load_check_main(int argc, char** argv) {
   Inputs inputs(options.input.limits);
   load_inputs(options.input, inputs);
   if (inputs.jobs.empty() && inputs.has_failed) return kFailed;
-  if (!options.plot.empty() && inputs.jobs.size() != 1) {
-    complain(kTool, "--plot needs one model or scene, not " + std::to_string(inputs.jobs.size()));
-    return kFailed;
-  }
   if (!options.check.pose.empty() && !have_pose(inputs, options.check.pose)) return kFailed;
   if (!keeps_inputs(kTool, inputs.read, outputs_of(options))) return kFailed;
   options.check.trace = !options.trace.empty();
-  options.check.samples = !options.plot.empty();
   const RunOptions how{options.check, options.limits, options.jobs.value_or(1)};
   const Run run = [&] {
     Progress progress("checked", inputs.jobs.size(), options.quiet);

@@ -162,11 +162,6 @@ std::vector<Option> output_options(Options& options) {
            "Write the pose of every link after every step, as CSV; at most 64 MB. The checks are "
            "run one after the other.",
        .set = tools::set_text(options.trace)},
-      {.group = "Output",
-       .name = "plot",
-       .metavar = "FILE",
-       .help = "Draw energy and joint gap over time, as SVG; for one model or scene only.",
-       .set = tools::set_text(options.plot)},
   };
 }
 
@@ -212,9 +207,7 @@ tools::Command command_of(Options& options) {
   };
   command.examples = {{"smurf-load-check robot.smurf", "Check one robot:"},
                       {"smurf-load-check -j 4 --format json -o report.json models/",
-                       "Check all robots of a folder:"},
-                      {"smurf-load-check robot.urdf --stages hang --time 1 --plot hang.svg",
-                       "Plot energy and joint gaps while the robot hangs:"}};
+                       "Check all robots of a folder:"}};
   return command;
 }
 

@@ -15,7 +15,7 @@ struct Options {
   ChildLimits limits;
   std::optional<int> jobs;
   std::string format = "full";
-  std::string output, trace, plot;
+  std::string output, trace;
   std::vector<tools::ReportRequest> reports;
   tools::Threshold threshold;
   tools::ColorChoice color = tools::ColorChoice::automatic;

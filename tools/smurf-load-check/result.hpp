@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The result of a check: stages with their figures, diagnostics, and curves to plot.
+// The result of a check: stages with their figures, and diagnostics.
 #pragma once
 
 #include <array>
@@ -48,20 +48,11 @@ struct StageResult {
   std::string note;  ///< description, or the reason for skipping
 };
 
-/// The state after one step.
-struct Sample {
-  Stage stage = Stage::hang;
-  double time = 0;    ///< s, from the start of the stage
-  double energy = 0;  ///< m, relative to the start
-  double gap = 0;     ///< m, of the worst joint
-};
-
 struct CheckResult {
   std::vector<StageResult> stages;
   std::vector<Diagnostic> diagnostics;
-  std::vector<Sample> samples;  ///< only if requested
-  std::string trace;            ///< rows, only if requested
-  bool is_trace_cut = false;    ///< some rows did not fit
+  std::string trace;          ///< rows, only if requested
+  bool is_trace_cut = false;  ///< some rows did not fit
 };
 
 }  // namespace smurf::load_check

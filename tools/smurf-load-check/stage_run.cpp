@@ -52,7 +52,6 @@ void StageRun::stage(Stage stage, const StageBody& body) {
 
 std::vector<EngineMessage> StageRun::attempt(const StageBody& body, double stop_margin,
                                              StageResult& result) {
-  const std::size_t samples = result_.samples.size();
   const std::size_t traced = result_.trace.size();
   const bool was_cut = result_.is_trace_cut;
   sink_.take();
@@ -64,7 +63,6 @@ std::vector<EngineMessage> StageRun::attempt(const StageBody& body, double stop_
   body(attempted);
   std::vector<EngineMessage> messages = take_engine_messages();
   if (!messages.empty() && stop_margin == 0) {
-    result_.samples.resize(samples);
     result_.trace.resize(traced);
     result_.is_trace_cut = was_cut;
   }
@@ -134,8 +132,7 @@ void StageRun::skip(StageResult& result, std::string why) {
 bool StageRun::step(World& world, const Plan& plan, double seconds,
                     const std::function<void()>& measure) {
   const double time = options_.time.value_or(seconds);
-  const double start_energy = world.energy();
-  record(world, plan, start_energy);
+  trace(world, plan);
   // Counts steps, because rounding of the time could add a step.
   const auto steps = static_cast<std::size_t>(std::llround(time / world.step_size()));
   for (std::size_t i = 0; i < steps; ++i) {
@@ -147,29 +144,14 @@ bool StageRun::step(World& world, const Plan& plan, double seconds,
       return false;
     }
     measure();
-    record(world, plan, start_energy);
+    trace(world, plan);
   }
   return true;
 }
 
-void StageRun::record(const World& world, const Plan& plan, double start_energy) {
-  if (options_.samples) sample(world, plan, start_energy);
-  if (options_.trace && !result_.is_trace_cut) trace(world, plan);
-}
-
-void StageRun::sample(const World& world, const Plan& plan, double start_energy) {
-  Sample sample;
-  sample.stage = current_;
-  sample.time = world.time();
-  sample.energy = world.energy() - start_energy;
-  for (std::size_t i = 0; i < plan.joints.size(); ++i) {
-    sample.gap = std::fmax(sample.gap, world.joint_error(i).gap);
-  }
-  result_.samples.push_back(std::move(sample));
-}
-
 /// The rows of a step are in the trace completely or not at all.
 void StageRun::trace(const World& world, const Plan& plan) {
+  if (!options_.trace || result_.is_trace_cut) return;
   if (traced_links_.empty()) {
     result_.trace.reserve(options_.most_trace_bytes);  // growing needs three times the memory
     for (const LinkPlan& link : plan.links) {

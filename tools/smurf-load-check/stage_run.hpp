@@ -54,8 +54,6 @@ class StageRun {
   void give_no_verdict(const std::vector<EngineMessage>& messages, StageResult& result);
   void keep_findings(StageResult& result);
   /// The requested data about the state after a step.
-  void record(const World& world, const Plan& plan, double start_energy);
-  void sample(const World& world, const Plan& plan, double start_energy);
   void trace(const World& world, const Plan& plan);
 
   const CheckOptions& options_;

@@ -20,7 +20,4 @@ void append_row(std::string& rows, std::string_view file, Stage stage, double ti
 /// The header, before the rows.
 inline constexpr std::string_view kTraceHeading = "file,stage,time,link,x,y,z,qw,qx,qy,qz\n";
 
-/// SVG: energy and joint gap over time, a pair of panels for each stage.
-std::string render_plot(const Checked& checked, const Bounds& bounds);
-
 }  // namespace smurf::load_check

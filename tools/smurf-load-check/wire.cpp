@@ -30,7 +30,6 @@ Json to_json(const Edit& edit);
 Json to_json(const Fix& fix);
 Json to_json(const Diagnostic& diagnostic);
 Json to_json(const StageResult& stage);
-Json to_json(const Sample& sample);
 
 template <class T>
 Json to_list(const std::vector<T>& values) {
@@ -141,13 +140,6 @@ StageResult to_stage(const Json& json) {
   return stage;
 }
 
-Json to_json(const Sample& sample) {
-  return {static_cast<int>(sample.stage), sample.time, to_json(sample.energy), to_json(sample.gap)};
-}
-Sample to_sample(const Json& json) {
-  return {static_cast<Stage>(json[0].get<int>()), json[1], to_double(json[2]), to_double(json[3])};
-}
-
 /// Names may contain invalid UTF-8.
 std::string line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -157,7 +149,6 @@ CheckResult to_result(const Json& json) {
   CheckResult result;
   result.stages = from_list(json["stages"], to_stage);
   result.diagnostics = from_list(json["diagnostics"], to_diagnostic);
-  result.samples = from_list(json["samples"], to_sample);
   result.is_trace_cut = json["is_trace_cut"];
   return result;
 }
@@ -171,7 +162,6 @@ std::string encode_fault(const std::string& message) { return line({{"fault", me
 std::string encode(const CheckResult& result) {
   return line({{"stages", to_list(result.stages)},
                {"diagnostics", to_list(result.diagnostics)},
-               {"samples", to_list(result.samples)},
                {"is_trace_cut", result.is_trace_cut}});
 }
 

@@ -178,10 +178,6 @@ struct Rule {
   Tool reported_by = Tool::lint;
   bool is_impossible = false;    ///< physically impossible, whatever the readers do
   bool blocks_building = false;  ///< no robot can be built from the file
-
-  /// Ids and names of rules that this one has replaced. Comments, configurations and baselines may
-  /// still use them; they are never given to another rule.
-  std::span<const std::string_view> former{};
 };
 
 /// A second place that explains a diagnostic, possibly in another file.
@@ -321,8 +317,7 @@ class DiagnosticSink {
 /// All rules, ascending by id.
 std::span<const Rule* const> all_rules();
 
-/// Accepts an id ("SML3101") or a name ("unknown-joint"), also a former one; null if there is no
-/// such rule.
+/// Accepts an id ("SML3101") or a name ("unknown-joint"); null if there is no such rule.
 const Rule* find_rule(std::string_view id_or_name);
 
 }  // namespace smurf

@@ -37,7 +37,7 @@ struct RuleSelection {
   /// The severity from the settings, else that of the rule.
   double tolerance_of(const Rule& rule) const;
 };
-/// True when `pattern` is the rule's id or name, a former one, or a prefix of its id.
+/// True when `pattern` is the rule's id or name, or a prefix of its id.
 bool matches(const Rule& rule, std::string_view pattern);
 
 /// The doubtful_references() of a model, found at the first request.

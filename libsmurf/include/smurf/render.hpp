@@ -101,21 +101,6 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
                         const Summary& summary, const ToolName& tool,
                         std::span<const TargetVerdict> targets = {});
 
-/// Merges JSON reports of parts of a check; findings in two reports are kept once. Files, models
-/// and scenes are added up, so files in two parts are counted twice. In the summary, only the
-/// counts by severity are set here.
-struct NamedText {
-  std::string name;
-  std::string text;
-};
-/// The result of merge_json_reports().
-struct MergedReport {
-  std::string json;
-  Summary summary;
-  std::string problem;  ///< the error message when there is no report; otherwise empty
-};
-MergedReport merge_json_reports(std::span<const NamedText> reports, const ToolName& tool);
-
 /// The name of a file in formats of code hosts: its path from the top of the repository, with '/'.
 /// Absolute for files outside.
 using RepositoryPath = std::function<std::string(const std::string& path)>;

@@ -8,7 +8,6 @@
 
 #include "base/limits.hpp"
 #include "base/quoted.hpp"
-#include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 
@@ -181,9 +180,7 @@ std::span<const Rule* const> all_rules() {
 
 const Rule* find_rule(std::string_view id_or_name) {
   for (const Rule* rule : all_rules()) {
-    if (rule->id == id_or_name || rule->name == id_or_name || has_former(*rule, id_or_name)) {
-      return rule;
-    }
+    if (rule->id == id_or_name || rule->name == id_or_name) return rule;
   }
   return nullptr;
 }

@@ -9,14 +9,12 @@ namespace {
 
 using Places = std::map<std::string_view, std::size_t>;
 
-/// The indices in the table of rules with these names, or with these former ids and names.
+/// The indices in the table of rules with these names.
 const Places& places_by_name() {
   static const Places places = [] {
     Places all;
     for (std::size_t i = 0; i < all_rules().size(); ++i) {
-      const Rule& rule = *all_rules()[i];
-      all.emplace(rule.name, i);
-      for (const std::string_view former : rule.former) all.emplace(former, i);
+      all.emplace(all_rules()[i]->name, i);
     }
     return all;
   }();
@@ -24,10 +22,6 @@ const Places& places_by_name() {
 }
 
 }  // namespace
-
-bool has_former(const Rule& rule, std::string_view id_or_name) {
-  return std::find(rule.former.begin(), rule.former.end(), id_or_name) != rule.former.end();
-}
 
 std::span<const Rule* const> rules_matching(std::string_view pattern) {
   const std::span<const Rule* const> rules = all_rules();

@@ -9,9 +9,6 @@
 
 namespace smurf {
 
-/// Whether this id or name is a former one of the rule.
-bool has_former(const Rule& rule, std::string_view id_or_name);
-
 /// The rules that match; empty if the pattern matches no rule. The time does not depend on the
 /// number of rules, because there may be any number of patterns.
 std::span<const Rule* const> rules_matching(std::string_view pattern);

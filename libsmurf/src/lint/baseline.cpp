@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::string_view kFirstLine =
     "# Findings that smurf-lint suppresses: file, rule, place. Written by\n";
-constexpr std::string_view kFormerFirstLine =
-    "# Findings that smurf-lint lets pass: file, rule, place. Written by\n";
 
 void malformed(Span span, std::string message, DiagnosticSink& sink) {
   sink.report(rules::sml9104_malformed_baseline, span, std::move(message))
@@ -45,7 +43,7 @@ void Baseline::read_file(yaml::View file, DiagnosticSink& sink) {
       malformed(rule.place(), "a rule needs a list of places", sink);
       continue;
     }
-    const Rule* known = find_rule(rule.key());  // it may be a former id
+    const Rule* known = find_rule(rule.key());  // it may be a name
     const std::string_view id = known != nullptr ? known->id : rule.key();
     auto& entries = entries_[std::string(file.key())][std::string(id)];
     for (const yaml::View place : rule) {
@@ -103,9 +101,7 @@ void Baseline::report_stale(const SourceMap& sources, const RuleSelection& selec
   }
 }
 
-bool Baseline::is_written(std::string_view text) {
-  return text.starts_with(kFirstLine) || text.starts_with(kFormerFirstLine);
-}
+bool Baseline::is_written(std::string_view text) { return text.starts_with(kFirstLine); }
 
 std::string Baseline::write(std::span<const Diagnostic> diagnostics,
                             const SourceMap& sources) const {

@@ -6,7 +6,6 @@
 #include <map>
 #include <tuple>
 
-#include "base/rule_patterns.hpp"
 #include "lint/file_selection.hpp"
 #include "lint/targets.hpp"
 
@@ -41,7 +40,7 @@ void widen_deletion(Edit& edit, const SourceMap& sources) {
 }  // namespace
 
 bool matches(const Rule& rule, std::string_view pattern) {
-  if (pattern == rule.name || has_former(rule, pattern)) return true;
+  if (pattern == rule.name) return true;
   return pattern.starts_with("SML") && rule.id.starts_with(pattern);
 }
 

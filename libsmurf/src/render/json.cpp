@@ -113,9 +113,7 @@ Json rule_json(const Rule& rule) {
                 {"summary", text(rule.summary)},
                 {"why", text(rule.why)},
                 {"remedy", text(rule.remedy)},
-                {"sources", sources_of(rule)},
-                {"former", Json::array()}};
-  for (const std::string_view former : rule.former) entry["former"].push_back(text(former));
+                {"sources", sources_of(rule)}};
   if (const Tolerance& tolerance = rule.tolerance; !tolerance.meaning.empty()) {
     entry["tolerance"] = {{"value", tolerance.value},
                           {"unit", text(tolerance.unit)},

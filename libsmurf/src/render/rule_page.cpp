@@ -76,11 +76,6 @@ std::string render_rule(const Rule& rule, const TextStyle& style) {
   section("What to do", rule.remedy);
   section("Tolerance", tolerance_of(rule));
   section("Sources", sources_for_people(rule));
-  std::string former;
-  for (const std::string_view word : rule.former) {
-    former.append(former.empty() ? "" : ", ").append(word);
-  }
-  section("Former ids and names", former);
   return out;
 }
 

@@ -167,7 +167,6 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::changes, "takes its own world for the child", kRun,
      at("child").when(kWorld)},
 };
-constexpr std::string_view kFormer[] = {"SML1202", "parent-link-unknown", "child-link-unknown"};
 
 }  // namespace
 
@@ -180,7 +179,6 @@ extern constinit const Rule sml1201_unknown_link_of_joint{
     .remedy = "Correct the name, or declare the link.",
     .check_model = check,
     .facts = kFacts,
-    .blocks_building = true,
-    .former = kFormer};
+    .blocks_building = true};
 
 }  // namespace smurf::rules::sml1201_unknown_link_of_joint_file

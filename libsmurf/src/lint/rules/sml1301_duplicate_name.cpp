@@ -30,7 +30,6 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::takes, "accepts joints of equal names", kRun,
      at("joint").since({3, 14})},
 };
-constexpr std::string_view kFormer[] = {"SML1302", "duplicate-link", "duplicate-joint"};
 
 }  // namespace
 
@@ -44,7 +43,6 @@ extern constinit const Rule sml1301_duplicate_name{
     .sources = "urdf-loader 0.13, executed.",
     .check_model = check,
     .facts = kFacts,
-    .blocks_building = true,
-    .former = kFormer};
+    .blocks_building = true};
 
 }  // namespace smurf::rules::sml1301_duplicate_name_file

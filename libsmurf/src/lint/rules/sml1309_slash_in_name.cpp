@@ -33,8 +33,6 @@ constexpr Fact kFacts[] = {
      "MuJoCo xml_urdf.cc:81"},
 };
 
-constexpr std::string_view kFormer[] = {"slash"};
-
 }  // namespace
 
 extern constinit const Rule sml1309_slash_in_name{
@@ -46,7 +44,6 @@ extern constinit const Rule sml1309_slash_in_name{
     .remedy = "Use `_` instead.",
     .sources = "32 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1309_slash_in_name_file

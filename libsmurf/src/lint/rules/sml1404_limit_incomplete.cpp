@@ -32,7 +32,6 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::takes, "needs neither effort nor velocity", kRun},
     {&readers::drake, Effect::changes, "reads infinity", kRun},
 };
-constexpr std::string_view kFormer[] = {"SML1405", "effort-missing", "velocity-missing"};
 
 }  // namespace
 
@@ -44,7 +43,6 @@ extern constinit const Rule sml1404_limit_incomplete{
     .why = "Isaac uses the largest float for the effort; urdf-rs refuses the whole file.",
     .remedy = "Write the effort and velocity limits of the drive.",
     .check_model = check,
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1404_limit_incomplete_file

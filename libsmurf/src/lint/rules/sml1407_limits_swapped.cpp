@@ -39,8 +39,6 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::crashes, "ends the process", kRun},
 };
 
-constexpr std::string_view kFormer[] = {"lower-gt-upper"};
-
 }  // namespace
 
 extern constinit const Rule sml1407_limits_swapped{
@@ -50,7 +48,6 @@ extern constinit const Rule sml1407_limits_swapped{
     .summary = "The lower limit of a joint is above its upper limit.",
     .remedy = "Swap the values, or correct the one that is wrong.",
     .check_model = check,
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1407_limits_swapped_file

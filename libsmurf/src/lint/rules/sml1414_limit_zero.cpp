@@ -33,7 +33,6 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::ignores, "keeps the limit, and does not enforce it", kRun,
      at("@velocity")},
 };
-constexpr std::string_view kFormer[] = {"SML1416", "effort-zero", "velocity-zero"};
 
 }  // namespace
 
@@ -46,7 +45,6 @@ extern constinit const Rule sml1414_limit_zero{
     .remedy = "Write the effort that the drive can provide, and the speed that it reaches.",
     .sources = "88 of 322 files of the Tola/Corke dataset; Isaac UrdfImporter.cpp:964.",
     .check_model = check,
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1414_limit_zero_file

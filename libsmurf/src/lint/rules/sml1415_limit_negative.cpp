@@ -55,7 +55,6 @@ constexpr Fact kFacts[] = {
     {&readers::pinocchio, Effect::takes, "has no limits of such a joint", kRun, when(kInPlanar)},
     {&readers::pinocchio, Effect::refuses, "refuses the joint", kRun},
 };
-constexpr std::string_view kFormer[] = {"SML1417", "effort-negative", "velocity-negative"};
 
 }  // namespace
 
@@ -66,7 +65,6 @@ extern constinit const Rule sml1415_limit_negative{
     .summary = "The effort or velocity limit of a joint is negative.",
     .remedy = "Write a positive number.",
     .check_model = check,
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1415_limit_negative_file

@@ -63,8 +63,6 @@ constexpr Fact kFacts[] = {
      "MuJoCo stl_decoder.cc:70", when(kStl)},
 };
 
-constexpr std::string_view kFormer[] = {"SML1620", "collision-triangles", "visual-triangles"};
-
 }  // namespace
 
 extern constinit const Rule sml1619_mesh_triangles{
@@ -80,7 +78,6 @@ extern constinit const Rule sml1619_mesh_triangles{
     .sources = "957 collision meshes of 322 public URDFs: median 854, 95 % below 8540; 733 visual "
                "meshes: 95 % below 34850, at most 82075.",
     .check_model = check,
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1619_mesh_triangles_file

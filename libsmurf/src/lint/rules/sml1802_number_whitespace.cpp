@@ -18,7 +18,6 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::refuses, "takes a scale without a space for one number", kRun},
     {&readers::phobos, Effect::takes, "skips white space", kRun},
 };
-constexpr std::string_view kFormer[] = {"SML1808", "trailing-space", "vector-tab-newline"};
 
 }  // namespace
 
@@ -31,7 +30,6 @@ extern constinit const Rule sml1802_number_whitespace{
     .why = "A mass written like this can cost all visuals and collisions of its link without a "
            "message.",
     .remedy = "Delete the white space, and separate the numbers of a vector by single spaces.",
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1802_number_whitespace_file

@@ -34,8 +34,6 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };
 
-constexpr std::string_view kFormer[] = {"nan"};
-
 }  // namespace
 
 extern constinit const Rule sml1803_number_nan{
@@ -46,7 +44,6 @@ extern constinit const Rule sml1803_number_nan{
     .why = "urdf-loader computes with it until nothing in the simulation has a position.",
     .remedy = "Write the number that was meant; look at the exporter that wrote it.",
     .sources = "urdf-loader 0.13, executed.",
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1803_number_nan_file

@@ -36,8 +36,6 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
 };
 
-constexpr std::string_view kFormer[] = {"inf"};
-
 }  // namespace
 
 extern constinit const Rule sml1804_number_infinite{
@@ -46,7 +44,6 @@ extern constinit const Rule sml1804_number_infinite{
     .severity = Severity::error,
     .summary = "A number is infinite.",
     .remedy = "Write a large finite number, or use a continuous joint.",
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1804_number_infinite_file

@@ -23,7 +23,6 @@ constexpr Fact kFacts[] = {
      at("@scale").when(cases::kEnoughRead)},
     {&readers::drake, Effect::refuses, "refuses the file", kRun},
 };
-constexpr std::string_view kFormer[] = {"SML1626", "SML1706", "scale-malformed", "rgba-count"};
 
 }  // namespace
 
@@ -37,7 +36,6 @@ extern constinit const Rule sml1807_vector_count{
     .remedy = "Write as many numbers as the attribute needs: one factor for each axis in a "
               "scale; red, green, blue and alpha, each from 0 to 1, in a colour.",
     .sources = "urdf-loader 0.13, executed.",
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1807_vector_count_file

@@ -64,8 +64,6 @@ constexpr Fact kFacts[] = {
      "ignores `mimic` elements, unless it is called with `mimic=True`", kRun},
 };
 
-constexpr std::string_view kFormer[] = {"mimic"};
-
 }  // namespace
 
 extern constinit const Rule sml1915_mimic_unread{
@@ -78,7 +76,6 @@ extern constinit const Rule sml1915_mimic_unread{
               "constraint for Bullet.",
     .check_model = check,
     .needs_target = true,
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1915_mimic_unread_file

@@ -125,7 +125,6 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, refuses, kRaises, kRun, at("entities/name")},
     {&readers::phobos, ignores, "keeps the value as it is", kRun},
 };
-constexpr std::string_view kFormer[] = {"SML5001", "entities-not-a-list"};
 
 }  // namespace
 
@@ -138,7 +137,6 @@ extern constinit const Rule sml4001_wrong_type{
     .remedy =
         "Write a value of the kind that the message names; `smurf-lint --explain SECTION` lists "
         "the keys of a section with their types.",
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml4001_wrong_type_file

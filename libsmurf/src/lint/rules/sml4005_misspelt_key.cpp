@@ -77,8 +77,6 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-constexpr std::string_view kFormer[] = {"SML5028", "misspelt-scene-key"};
-
 }  // namespace
 
 extern constinit const Rule sml4005_misspelt_key{
@@ -92,7 +90,6 @@ extern constinit const Rule sml4005_misspelt_key{
     .remedy = "Correct the key, or give a custom key a name that differs more.",
     .sources = "configmaps (run); MARS MotorData.cpp, NodeData.cpp:98-286, JointData.cpp:89-164, "
                "SMURFLoader.cpp:418-548, SimEntity.cpp:344-501.",
-    .check_scene = check,
-    .former = kFormer};
+    .check_scene = check};
 
 }  // namespace smurf::rules::sml4005_misspelt_key_file

@@ -29,8 +29,6 @@ constexpr Fact kFacts[] = {
      "out is whatever was in memory",
      "MARS LightData.h:40-65, LightData.cpp:45-71"},
 };
-constexpr std::string_view kFormer[] = {"SML5301", "light-of-model-incomplete",
-                                        "light-value-missing"};
 
 }  // namespace
 
@@ -43,7 +41,6 @@ extern constinit const Rule sml4109_light_incomplete{
     .remedy = "Write all keys of the light; attenuations of 1, 0, 0 do not dim it.",
     .check_model = check_model,
     .check_scene = check_scene,
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml4109_light_incomplete_file

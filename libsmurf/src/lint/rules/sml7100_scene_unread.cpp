@@ -32,8 +32,6 @@ constexpr Fact kFacts[] = {
      "Phobos scripts/smurfs_in_pybullet.py"},
 };
 
-constexpr std::string_view kFormer[] = {"scene"};
-
 }  // namespace
 
 extern constinit const Rule sml7100_scene_unread{
@@ -45,7 +43,6 @@ extern constinit const Rule sml7100_scene_unread{
         "Export it with smurfs-flatten: --format mjcf for MuJoCo, sdf for Gazebo, urdf for others.",
     .check_scene = check,
     .needs_target = true,
-    .facts = kFacts,
-    .former = kFormer};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml7100_scene_unread_file
