@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "smurf/companions.hpp"
@@ -65,7 +66,10 @@ class SharedCompanions {
     std::string file;
     const Rule* rule = nullptr;
     std::uint32_t begin = 0, end = 0;
-    auto operator<=>(const Key&) const = default;
+    bool operator<(const Key& other) const {  // texts have no <=> in libc++ 14
+      return std::tie(file, rule, begin, end) <
+             std::tie(other.file, other.rule, other.begin, other.end);
+    }
   };
   struct Entry {
     std::size_t rank = 0, robots = 0;

@@ -20,7 +20,8 @@ class Arena {
     if (size > left_) {
       left_ = std::max(size, next_);
       next_ = std::min(next_ * 2, kLargest);
-      pieces_.push_back(std::make_unique_for_overwrite<std::byte[]>(left_));
+      // libc++ 14 has no make_unique_for_overwrite.
+      pieces_.push_back(std::unique_ptr<std::byte[]>(new std::byte[left_]));
       at_ = pieces_.back().get();
     }
     void* place = at_;
