@@ -83,8 +83,9 @@ class Windows(Native):
                                           "WINEDLLOVERRIDES": "mscoree,mshtml="}
         self.run_alone(("smurf-lint", ["--version"], "/"))  # on its first run, wine makes its folders and prints that
         # While one program waits, wine keeps its services; it would start them anew for each run, which takes seconds.
-        self.waiting = subprocess.Popen([WINE, "cmd"], env=self.environment, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+        self.waiting = subprocess.Popen([WINE, "cmd"], env=self.environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.DEVNULL)
+        self.waiting.stdout.readline()  # else the first run may start the services, which then keep its output open
 
     def command(self, tool):
         return [WINE, self.folder / f"{tool}.exe"]
