@@ -8,7 +8,6 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "finds no document in the file", "urdfdom, run"},
 };
-constexpr std::string_view kFormer[] = {"lfs-pointer"};
 
 }  // namespace
 
@@ -21,7 +20,6 @@ extern constinit const Rule sml1010_lfs_pointer{
     .remedy = "Run `git lfs pull`, or restore the file.",
     .sources = "urdfdom, executed: 31 of 941 public files.",
     .facts = kFacts,
-    .blocks_building = true,
-    .former = kFormer};
+    .blocks_building = true};
 
 }  // namespace smurf::rules::sml1010_lfs_pointer_file
