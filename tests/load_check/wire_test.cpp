@@ -25,7 +25,6 @@ CheckResult some_result() {
   diagnostic.label({SourceId{0}, 8, 9}, "z");
   diagnostic.note("n");
   result.diagnostics = sink.take();
-  result.samples.push_back({Stage::hang, 0.5, 1e-3, 2e-6});
   return result;
 }
 
@@ -46,7 +45,6 @@ TEST_CASE("a result arrives as it was sent") {
   CHECK(result.diagnostics[0].caret == "y");
   CHECK(result.diagnostics[0].labels[0].message == "z");
   CHECK(result.diagnostics[0].notes[0] == "n");
-  CHECK(result.samples[0].energy == 1e-3);
   CHECK(result.trace.empty());
 }
 
@@ -120,13 +118,9 @@ TEST_CASE("numbers that JSON does not know arrive as NaN") {
   for (const double strange : {std::numeric_limits<double>::infinity(), std::nan("")}) {
     CheckResult sent = some_result();
     sent.stages[0].figures[0].value = strange;
-    sent.samples[0].energy = strange;
-    sent.samples[0].gap = strange;
     const Message message = decode(encode(sent));
     REQUIRE(message.result);
     CHECK(std::isnan(message.result->stages[0].figures[0].value));
-    CHECK(std::isnan(message.result->samples[0].energy));
-    CHECK(std::isnan(message.result->samples[0].gap));
   }
 }
 
