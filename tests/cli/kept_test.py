@@ -270,7 +270,7 @@ def must_be_named(thing, cell):
 def is_named(thing, form, messages):
     words = OWN_WORDS.get(f"{thing} in {form}", OWN_WORDS.get(thing, f"{thing} ("))
     patterns = [re.escape(words), rf".* are not in .*\b\d+ {thing}s?(,|$)", rf".* does not have: .*\b{re.escape(thing)}(,|$)"]
-    return any(re.match(pattern, message) for pattern in patterns for message in messages)
+    return any(re.match(pattern, message, re.DOTALL | re.MULTILINE) for pattern in patterns for message in messages)
 
 
 class KeptTest(cli.CliTest):
@@ -287,8 +287,8 @@ class KeptTest(cli.CliTest):
             if "this build has no viewer" in done.stderr:
                 continue
             self.assertEqual(done.returncode, 0, done.stderr)
-            losses = [(d["id"], d["message"]) for d in json.loads(self.read("r.json"))["diagnostics"]
-                      if d["id"].startswith("SML82")]
+            losses = [(d["id"], "\n".join([d["message"], *d.get("notes", [])]))
+                      for d in json.loads(self.read("r.json"))["diagnostics"] if d["id"].startswith("SML82")]
             results[form] = ((self.folder / "out").read_bytes(), losses)
         return results
 

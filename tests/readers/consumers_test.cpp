@@ -199,7 +199,9 @@ struct DrakeBounds {
   std::size_t most_missed;                 ///< of plain URDF
   std::size_t most_false_errors;
 };
-constexpr DrakeBounds kDrake{94, 56, 0, 0};
+/// One false error: a test of Drake parses a hydroelastic box without a modulus, which Drake
+/// refuses when it makes the shape (1.51.1, run).
+constexpr DrakeBounds kDrake{94, 56, 0, 1};
 
 /// The test names the robot, or uses a mesh of its repository that is not among these files.
 bool is_test_incomplete(const Checked& checked) {

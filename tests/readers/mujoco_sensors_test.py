@@ -163,7 +163,7 @@ class MujocoSensorTest(reader.ReaderTest):
 
     def losses(self, *arguments):
         self.run_tool("seer.smurfs", "--format", "mjcf", "-o", "out.xml", "--report", "json=r.json", *arguments)
-        return [d["message"] for d in json.loads(self.read("r.json"))["diagnostics"]
+        return ["\n".join([d["message"], *d.get("notes", [])]) for d in json.loads(self.read("r.json"))["diagnostics"]
                 if d["id"].startswith("SML82")]
 
     def test_what_is_not_measured_is_named(self):

@@ -10,6 +10,7 @@
 
 namespace smurf {
 
+/// A parameter of a ROS 2 program.
 struct RosParameter {
   std::string_view path;  ///< "gains.*.p"; `*` is any name
   char type = 's';        ///< d double, i integer, b boolean, s text; capital letters are lists
@@ -30,6 +31,7 @@ std::vector<ValueCondition> conditions_of(const RosParameter& parameter);
 /// "above 0", "one of `splines`, `none`"
 std::string describe(const ValueCondition& condition);
 
+/// A controller of ros2_controllers.
 struct ControllerClass {
   std::string_view name;  ///< "joint_trajectory_controller/JointTrajectoryController"
   std::string_view distributions;

@@ -25,7 +25,7 @@ extern constinit const Rule sml1315_empty_shape_name{
     .name = "empty-shape-name",
     .severity = Severity::error,
     .summary = "The name of a visual or collision is empty.",
-    .why = "Without the attribute, Drake makes a name of its own.",
+    .why = "Without the attribute, readers make a name of their own.",
     .remedy = "Name it, or delete the attribute.",
     .check_model = check,
     .needs_target = true,

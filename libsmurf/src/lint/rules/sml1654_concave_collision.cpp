@@ -55,8 +55,9 @@ extern constinit const Rule sml1654_concave_collision{
     .name = "concave-collision",
     .severity = Severity::info,
     .summary = "The convex hull of a collision mesh is much larger than the mesh.",
-    .why = "MuJoCo, Bullet, PhysX and Drake use the convex hull of a mesh for contacts. Nothing "
-           "fits between the fingers of a fork, and a gripper closes on air.",
+    .why =
+        "Where simulators use the hull for contacts, nothing fits between the fingers of a fork, "
+        "and a gripper closes on air.",
     .remedy =
         "Divide the mesh into convex parts, each in one `collision`, for example with CoACD or V-HACD.",
     .sources = "13 threads on simulators, such as MuJoCo issue 1873 and Bullet issue 1954.",

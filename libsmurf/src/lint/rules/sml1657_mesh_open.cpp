@@ -43,7 +43,7 @@ extern constinit const Rule sml1657_mesh_open{
     .severity = Severity::info,
     .summary = "A collision mesh is not closed, or some of its triangles face inward.",
     .why = "Such a surface encloses no volume, so mass, centre and inertia cannot be computed from "
-           "it: not by smurf-lint, nor by Gazebo (`auto`) or MuJoCo (`exact`).",
+           "it, neither by smurf-lint nor by simulators that are asked to.",
     .remedy = "Close the holes and make all normals face outward in a mesh editor, or use a "
               "primitive shape.",
     .sources = "Sums over the edges of the triangles.",
