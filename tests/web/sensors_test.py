@@ -191,7 +191,8 @@ class SensorsTest(viewer.ViewerTest):
     def test_losses_name_what_is_not_shown(self):
         done = self.run_tool("s.smurfs", "--format", "html", "-o", "page.html")
         self.assertIn("elements in <gazebo> (`update_rate of eye`, `material`) are not in the HTML", done.stderr)
-        self.assertIn("1 sensor, 1 sensor setting", done.stderr)
+        self.assertIn(": 1 sensor\n", done.stderr)
+        self.assertIn("also lost: 1 sensor setting\n", done.stderr)
 
     def test_hostile_sensors_are_drawn_or_left_out(self):
         hostile = '<img src=x onerror="window.hacked=1">'

@@ -233,7 +233,8 @@ visuals:
 - {name: v2, materialName: other, shadowcaster: true}
 """)
         done = self.run_tool("robot.smurf", "--format", "html", "-o", "page.html", "--force")
-        self.assertIn("1 material, 1 material setting, 1 visual setting", done.stderr)
+        self.assertIn(": 1 material\n", done.stderr)
+        self.assertIn("also lost: 1 material setting, 1 visual setting\n", done.stderr)
         page = self.folder / "page.html"
         visuals = self.data(page)[0]["models"][0]["links"][0]["visuals"]
         self.assertEqual([one.get("color") for one in visuals], [[0, 1, 0, 0.5], [0, 0, 1, 1], [0, 0, 1, 1], None])
