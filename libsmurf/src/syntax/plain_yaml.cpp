@@ -178,6 +178,7 @@ class PlainScanner {
   /// Reads the tokens of one line: dashes, a key, a value. A value in brackets may have more lines.
   bool read_line() {
     has_content_ = true;
+    const bool is_entry = is_dash();
     while (is_dash()) {
       if (!begin_entry(at_, true, at_ + 1)) return false;
       ++at_;
@@ -187,6 +188,8 @@ class PlainScanner {
     if (peek() == '[' || peek() == '{') return read_flow() && at_end_of_line();
     Scalar first;
     const bool has_tag = peek() == '!';
+    // Its indentation would be that of the tag, not of the value.
+    if (has_tag && !is_entry) return false;
     if (!read_tagged_scalar(first, false)) return false;
     const std::uint32_t after = at_;
     skip_spaces();
