@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/mimic_queries.hpp"
 
-#include <algorithm>
-
 namespace smurf {
 
 std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_t joint) {
@@ -11,11 +9,13 @@ std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_
   return model.joint_names.find(*mimic->joint);
 }
 
-bool is_followed(const LinkedModel& model, const urdf::Joint& joint) {
-  const std::vector<urdf::Joint>& joints = model.robot->joints;
-  return joint.name && std::any_of(joints.begin(), joints.end(), [&](const urdf::Joint& other) {
-           return other.mimic && other.mimic->joint && *other.mimic->joint == *joint.name;
-         });
+std::set<std::string_view> followed_joints(const LinkedModel& model) {
+  std::set<std::string_view> names;
+  if (!model.robot) return names;
+  for (const urdf::Joint& joint : model.robot->joints) {
+    if (joint.mimic && joint.mimic->joint) names.insert(*joint.mimic->joint);
+  }
+  return names;
 }
 
 std::vector<bool> endless_mimics(const LinkedModel& model) {

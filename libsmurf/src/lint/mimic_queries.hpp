@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
+#include <string_view>
 #include <vector>
 
 #include "base/readers.hpp"
@@ -17,8 +19,8 @@ std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_
 /// For each joint, whether its chain of leaders ends in a cycle.
 std::vector<bool> endless_mimics(const LinkedModel& model);
 
-/// Whether another joint mimics this one.
-bool is_followed(const LinkedModel& model, const urdf::Joint& joint);
+/// The names of joints that others mimic.
+std::set<std::string_view> followed_joints(const LinkedModel& model);
 
 inline constexpr Circumstance kFollowed{"mimicked by another joint"};
 constexpr Fact drake_misses_leader(Where where) {

@@ -9,7 +9,8 @@ namespace {
 constexpr Circumstance kEmpty{"empty"};
 
 void check_end(const LinkedModel& model, const urdf::Joint& joint, std::string_view end,
-               const Field<std::string>& name, Findings& findings) {
+               const Field<std::string>& name, const std::set<std::string_view>& followed,
+               Findings& findings) {
   if (name && !name->empty()) return;
   const xml::View element(model.robot->document, joint.element);
   const xml::View child = element.child(end);
@@ -18,13 +19,14 @@ void check_end(const LinkedModel& model, const urdf::Joint& joint, std::string_v
   Diagnostic& diagnostic = findings.report(child ? child.name_span() : name_place(model, joint),
                                            title(joint) + " has no " + std::string(end) + " link");
   if (name) diagnostic.when(kEmpty);
-  if (is_followed(model, joint)) diagnostic.when(kFollowed);
+  if (joint.name && followed.contains(*joint.name)) diagnostic.when(kFollowed);
 }
 
 void check(const LinkedModel& model, Findings& findings) {
+  const std::set<std::string_view> followed = followed_joints(model);
   for_each_joint(model, [&](const urdf::Joint& joint) {
-    check_end(model, joint, "parent", joint.parent, findings);
-    check_end(model, joint, "child", joint.child, findings);
+    check_end(model, joint, "parent", joint.parent, followed, findings);
+    check_end(model, joint, "child", joint.child, followed, findings);
   });
 }
 

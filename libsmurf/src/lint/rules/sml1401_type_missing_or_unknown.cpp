@@ -22,13 +22,14 @@ bool is_limited(const urdf::Joint& joint) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
+  const std::set<std::string_view> followed = followed_joints(model);
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (joint.type != urdf::JointType::unknown) return;
     if (!joint.type_name || joint.type_name->empty()) {
       Diagnostic& diagnostic =
           findings.report(name_place(model, joint), title(joint) + " has no type");
       if (joint.type_name.written) diagnostic.when(kEmpty);
-      if (is_followed(model, joint)) diagnostic.when(kFollowed);
+      if (joint.name && followed.contains(*joint.name)) diagnostic.when(kFollowed);
       return;
     }
     Diagnostic& diagnostic =

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <set>
+#include <string_view>
+
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
@@ -9,32 +12,38 @@ namespace {
 
 constexpr Circumstance kDriven{"driven by a transmission"};
 
-bool is_driven(const LinkedModel& model, const urdf::Joint& joint) {
+using Names = std::set<std::string_view>;
+
+/// The joints that transmissions name.
+Names driven_joints(const LinkedModel& model) {
+  Names driven;
+  if (!model.robot) return driven;
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View extension(model.robot->document, id);
     if (extension.name() != "transmission") continue;
     for (const xml::View part : extension) {
       const xml::Attribute* name = part.name() == "joint" ? part.attribute("name") : nullptr;
-      if (name != nullptr && joint.name && name->value() == *joint.name) return true;
+      if (name != nullptr) driven.insert(name->value());
     }
   }
-  return false;
+  return driven;
 }
 
-void check_value(const LinkedModel& model, const urdf::Joint& joint, const Field<double>& limit,
+void check_value(const Names& driven, const urdf::Joint& joint, const Field<double>& limit,
                  const char* name, Findings& findings) {
   if (!limit || *limit >= 0) return;
   Diagnostic& diagnostic =
       findings.report(limit.span, "the " + std::string(name) + " limit of " + title(joint) +
                                       " is " + format_number(*limit));
-  if (is_driven(model, joint)) diagnostic.when(kDriven);
+  if (joint.name && driven.contains(*joint.name)) diagnostic.when(kDriven);
 }
 
 void check(const LinkedModel& model, Findings& findings) {
+  const Names driven = driven_joints(model);
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.limit) return;
-    check_value(model, joint, joint.limit->effort, "effort", findings);
-    check_value(model, joint, joint.limit->velocity, "velocity", findings);
+    check_value(driven, joint, joint.limit->effort, "effort", findings);
+    check_value(driven, joint, joint.limit->velocity, "velocity", findings);
   });
 }
 
