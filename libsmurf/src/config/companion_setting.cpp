@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/companion_setting.hpp"
 
-#include "ast/keys.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "config/setting_findings.hpp"
 
 namespace smurf {
 namespace {
@@ -27,14 +26,11 @@ class CompanionSetting {
 
  private:
   void wrong(yaml::View value, std::string message) {
-    Diagnostic& diagnostic =
-        sink_.report(rules::sml9002_wrong_setting, value.place(), std::move(message));
-    diagnostic.pointer = yaml::pointer(value.document(), value.id());
+    wrong_setting(value, value.place(), std::move(message), sink_);
   }
 
   void expect(yaml::View value, std::string_view expected) {
-    const std::string subject = value.key().empty() ? "an item" : quoted(value.key());
-    wrong(value, subject + " must be " + std::string(expected) + ", not " + describe(value));
+    expect_setting(value, expected, sink_);
   }
 
   /// A file that exists; none after a finding.

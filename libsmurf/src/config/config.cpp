@@ -14,6 +14,7 @@
 #include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
 #include "config/companion_setting.hpp"
+#include "config/setting_findings.hpp"
 #include "config/setting_words.hpp"
 #include "config/xacro_setting.hpp"
 #include "smurf/limits.hpp"
@@ -284,14 +285,11 @@ class ConfigReader {
   }
 
   Diagnostic& wrong(yaml::View value, Span place, std::string message) {
-    Diagnostic& diagnostic = sink_.report(rules::sml9002_wrong_setting, place, std::move(message));
-    diagnostic.pointer = yaml::pointer(value.document(), value.id());
-    return diagnostic;
+    return wrong_setting(value, place, std::move(message), sink_);
   }
 
   void expect(yaml::View value, std::string_view expected) {
-    const std::string subject = value.key().empty() ? "an item" : quoted(value.key());
-    wrong(value, subject + " must be " + std::string(expected) + ", not " + describe(value));
+    expect_setting(value, expected, sink_);
   }
 
   /// The items of a list or the values of a mapping.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/xacro_setting.hpp"
 
-#include "ast/keys.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
+#include "config/setting_findings.hpp"
 #include "smurf/xacro.hpp"
 
 namespace smurf {
@@ -29,14 +29,11 @@ class XacroSetting {
 
  private:
   void wrong(yaml::View value, std::string message) {
-    Diagnostic& diagnostic =
-        sink_.report(rules::sml9002_wrong_setting, value.place(), std::move(message));
-    diagnostic.pointer = yaml::pointer(value.document(), value.id());
+    wrong_setting(value, value.place(), std::move(message), sink_);
   }
 
   void expect(yaml::View value, std::string_view expected) {
-    const std::string subject = value.key().empty() ? "an item" : quoted(value.key());
-    wrong(value, subject + " must be " + std::string(expected) + ", not " + describe(value));
+    expect_setting(value, expected, sink_);
   }
 
   void read_one(yaml::View value, std::vector<ConfigXacro>& robots) {
