@@ -94,6 +94,21 @@ void for_each_known_controller(
   });
 }
 
+void for_each_parameter(
+    yaml::View mapping, const std::vector<RosParameter>& known,
+    const std::function<void(yaml::View, const std::string&, const RosParameter&)>& visit,
+    const std::string& prefix) {
+  for (const yaml::View member : mapping) {
+    if (member.is_repeated()) continue;
+    const std::string path = prefix + std::string(member.key());
+    if (const RosParameter* parameter = find_parameter(known, path)) {
+      visit(member, path, *parameter);
+    } else if (member.is_mapping()) {
+      for_each_parameter(member, known, visit, path + ".");
+    }
+  }
+}
+
 std::string title_of(const RosController& controller) {
   return "controller " + quoted(controller.name);
 }

@@ -44,6 +44,13 @@ void for_each_known_controller(
     const Companions& companions,
     const std::function<void(const RosController&, const std::vector<RosParameter>&)>& visit);
 
+/// Calls `visit` for every parameter that is written in a mapping and below, and that is among
+/// `known`, with its path: "gains.elbow.p".
+void for_each_parameter(
+    yaml::View mapping, const std::vector<RosParameter>& known,
+    const std::function<void(yaml::View, const std::string&, const RosParameter&)>& visit,
+    const std::string& prefix = {});
+
 /// "controller `arm_controller`"
 std::string title_of(const RosController& controller);
 

@@ -69,24 +69,14 @@ void check_value(yaml::View value, const std::string& path, const RosParameter& 
   }
 }
 
-void check_mapping(yaml::View mapping, const std::string& prefix,
-                   const std::vector<RosParameter>& known, const RosController& controller,
-                   Findings& findings) {
-  for (const yaml::View member : mapping) {
-    if (member.is_repeated()) continue;
-    const std::string path = prefix + std::string(member.key());
-    if (const RosParameter* parameter = find_parameter(known, path)) {
-      check_value(member, path, *parameter, controller, findings);
-    } else if (member.is_mapping()) {
-      check_mapping(member, path + ".", known, controller, findings);
-    }
-  }
-}
-
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_known_controller(
       companions, [&](const RosController& controller, const std::vector<RosParameter>& known) {
-        check_mapping(controller.section, "", known, controller, findings);
+        for_each_parameter(
+            controller.section, known,
+            [&](yaml::View value, const std::string& path, const RosParameter& parameter) {
+              check_value(value, path, parameter, controller, findings);
+            });
       });
 }
 

@@ -62,26 +62,14 @@ void check_list(yaml::View value, const std::string& subject, const ValueConditi
   }
 }
 
-void check_mapping(yaml::View mapping, const std::string& prefix,
-                   const std::vector<RosParameter>& known, const RosController& controller,
-                   Findings& findings) {
-  for (const yaml::View member : mapping) {
-    if (member.is_repeated()) continue;
-    const std::string path = prefix + std::string(member.key());
-    const RosParameter* parameter = find_parameter(known, path);
-    if (parameter == nullptr) {
-      if (member.is_mapping()) check_mapping(member, path + ".", known, controller, findings);
-      continue;
-    }
-    const std::string subject = quoted(path) + " of " + title_of(controller);
-    for (const ValueCondition& one : conditions_of(*parameter)) {
-      if (member.is_sequence()) {
-        check_list(member, subject, one, findings);
-      } else if (member.is_scalar() && !member.text().empty() && !is_placeholder(member.text()) &&
-                 !meets(member, one)) {
-        report(member, subject, describe(one), findings);
-        break;
-      }
+void check_value(yaml::View value, const std::string& subject, const RosParameter& parameter,
+                 Findings& findings) {
+  for (const ValueCondition& one : conditions_of(parameter)) {
+    if (value.is_sequence()) {
+      check_list(value, subject, one, findings);
+    } else if (value.is_scalar() && !value.text().empty() && !is_placeholder(value.text()) &&
+               !meets(value, one)) {
+      return report(value, subject, describe(one), findings);
     }
   }
 }
@@ -102,7 +90,11 @@ void check_commanded(const RosController& controller, Findings& findings) {
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_known_controller(
       companions, [&](const RosController& controller, const std::vector<RosParameter>& known) {
-        check_mapping(controller.section, "", known, controller, findings);
+        for_each_parameter(
+            controller.section, known,
+            [&](yaml::View value, const std::string& path, const RosParameter& parameter) {
+              check_value(value, quoted(path) + " of " + title_of(controller), parameter, findings);
+            });
         check_commanded(controller, findings);
       });
 }

@@ -24,24 +24,14 @@ void mark(std::string_view distributions, Diagnostic& found) {
   if (lacks('r')) found.when(kNoRolling);
 }
 
-void check_mapping(yaml::View mapping, const std::string& prefix,
-                   const std::vector<RosParameter>& known, const RosController& controller,
-                   Findings& findings) {
-  for (const yaml::View member : mapping) {
-    if (member.is_repeated()) continue;
-    const std::string path = prefix + std::string(member.key());
-    const RosParameter* one = find_parameter(known, path);
-    if (one == nullptr) {
-      if (member.is_mapping()) check_mapping(member, path + ".", known, controller, findings);
-      continue;
-    }
-    if (one->distributions == controller.known->distributions) continue;
-    Diagnostic& found = findings.report(
-        member.key_span(), "only " + distribution_names(one->distributions) + " read " +
-                               quoted(path) + " of " + title_of(controller));
-    mark(one->distributions, found);
-    found.help("delete it, or use the parameter of that version");
-  }
+void check_parameter(yaml::View value, const std::string& path, const RosParameter& parameter,
+                     const RosController& controller, Findings& findings) {
+  if (parameter.distributions == controller.known->distributions) return;
+  Diagnostic& found = findings.report(value.key_span(),
+                                      "only " + distribution_names(parameter.distributions) +
+                                          " read " + quoted(path) + " of " + title_of(controller));
+  mark(parameter.distributions, found);
+  found.help("delete it, or use the parameter of that version");
 }
 
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
@@ -58,7 +48,11 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
         found.help("use the controller of that version");
       }
       if (!controller.section) continue;
-      check_mapping(controller.section, "", parameters_of(*controller.known), controller, findings);
+      for_each_parameter(
+          controller.section, parameters_of(*controller.known),
+          [&](yaml::View value, const std::string& path, const RosParameter& parameter) {
+            check_parameter(value, path, parameter, controller, findings);
+          });
     }
   });
 }
