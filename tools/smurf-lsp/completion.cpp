@@ -90,41 +90,45 @@ class Completer {
   // --- YAML
 
   void complete_yaml(KeyLanguage language) {
+    const auto help_of = [&](std::span<const std::string> path) {
+      return key_help(language, path);
+    };
     const YamlContext context = yaml_context(text_, offset_);
-    if (context.is_comment) return;
-    set_place(context.begin, context.end, context.quote);
-    if (!context.key.empty()) {
-      KeyPath path = context.path;
-      path.push_back(context.key);
-      if (const auto help = key_help(language, path)) add_values(*help, true);
-      return;
-    }
+    if (completes_value(context, help_of)) return;
     add_keys(keys_in(language, context.path), context);
-    // An item of a list of names, files or words.
-    if (!context.path.empty() && context.path.back() == kItem) {
-      const auto list = std::span(context.path).first(context.path.size() - 1);
-      if (const auto help = key_help(language, list)) add_values(*help, true);
-    }
+    add_item(context, help_of);
   }
 
   /// A parameter file of ROS.
   void complete_companion(const CompanionLanguage& language) {
+    const auto help_of = [&](std::span<const std::string> path) {
+      return companion_key_help(language, path);
+    };
     const YamlContext context = yaml_context(text_, offset_);
-    if (context.is_comment) return;
-    set_place(context.begin, context.end, context.quote);
-    if (!context.key.empty()) {
-      KeyPath path = context.path;
-      path.push_back(context.key);
-      if (const auto help = companion_key_help(language, path)) add_values(*help, true);
-      return;
-    }
-    if (!context.path.empty() && context.path.back() == kItem) {
-      const auto list = std::span(context.path).first(context.path.size() - 1);
-      if (const auto help = companion_key_help(language, list)) add_values(*help, true);
-      return;
-    }
+    if (completes_value(context, help_of) || add_item(context, help_of)) return;
     add_keys(companion_keys_in(language, context.path), context);
     add_names(companion_names_in(language, context.path), true);
+  }
+
+  /// Whether nothing but the value behind a key, which is completed, or a comment can stand here.
+  template <class HelpOf>
+  bool completes_value(const YamlContext& context, const HelpOf& help_of) {
+    if (context.is_comment) return true;
+    set_place(context.begin, context.end, context.quote);
+    if (context.key.empty()) return false;
+    KeyPath path = context.path;
+    path.push_back(context.key);
+    if (const auto help = help_of(path)) add_values(*help, true);
+    return true;
+  }
+
+  /// An item of a list of names, files or words; false where no item stands.
+  template <class HelpOf>
+  bool add_item(const YamlContext& context, const HelpOf& help_of) {
+    if (context.path.empty() || context.path.back() != kItem) return false;
+    const auto list = std::span(context.path).first(context.path.size() - 1);
+    if (const auto help = help_of(list)) add_values(*help, true);
+    return true;
   }
 
   void add_keys(const std::vector<KeyHelp>& keys, const YamlContext& context) {
