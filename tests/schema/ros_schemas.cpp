@@ -50,7 +50,7 @@ void add_condition(const ValueCondition& condition, Json& schema) {
   case ValueCondition::Kind::one_of: {
     Json words = Json::array();
     for (const std::string_view one : condition.texts) words.push_back(std::string(one));
-    // A menu, and other texts if they are filled in later.
+    // Editors offer the words; a text such as `$(var mode)` is filled in when the file is launched.
     target.erase("type");
     target["anyOf"] = Json::array({{{"enum", std::move(words)}}, {{"pattern", kPlaceholder}}});
     break;

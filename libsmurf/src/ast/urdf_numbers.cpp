@@ -85,7 +85,6 @@ class NumberReader {
     wanted_ = out.size();
     if (has_residue() || is_comma_separated()) return false;
     const std::vector<Token> tokens = split(text_);
-    is_vector_ = out.size() > 1;
     miscount_ = tokens.size() > out.size()   ? &cases::kTooMany
                 : tokens.size() < out.size() ? &cases::kTooFew
                                              : nullptr;
@@ -180,7 +179,6 @@ class NumberReader {
       Diagnostic& diagnostic = report(rules::sml1809_hex_or_suffix, place(token),
                                       shown + " is not a plain decimal number");
       add_kind_of_hex(text, diagnostic);
-      if (is_vector_) diagnostic.when(cases::kVector);
       if (miscount_ != nullptr) diagnostic.when(*miscount_);
     } else if (std::any_of(text.begin(), text.end(),
                            [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) {
@@ -243,7 +241,6 @@ class NumberReader {
     Diagnostic& diagnostic =
         report(rules::sml1805_decimal_comma, place(token), quoted(text) + " has a decimal comma");
     diagnostic.help("write `" + point + "`");
-    if (is_vector_) diagnostic.when(cases::kVector);
     // Not safe: Bullet, and Drake in single numbers, read the digits before the comma.
     diagnostic.fixes.push_back({Applicability::unsafe, {{place(token), point}}});
   }
@@ -321,7 +318,6 @@ class NumberReader {
                                       "a tab or line break between the numbers of `" +
                                           std::string(attribute_.name()) + "`");
       diagnostic.help("separate them by single spaces");
-      diagnostic.when(cases::kVector);
       if (are_blanks_leading(tokens)) diagnostic.when(cases::kLeading);
       diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span(), fixed}}});
     }
@@ -331,7 +327,6 @@ class NumberReader {
   std::string_view text_;
   DiagnosticSink& sink_;
   std::size_t wanted_ = 0;                  ///< how many numbers are expected
-  bool is_vector_ = false;                  ///< more than one number is expected
   const Circumstance* miscount_ = nullptr;  ///< too many or too few words
 };
 

@@ -62,7 +62,6 @@ inline constexpr Circumstance kZeroOrLess{"zero or less"};
 inline constexpr Circumstance kTooMany{"too many"};
 inline constexpr Circumstance kTooFew{"too few"};
 inline constexpr Circumstance kLongWord{"long word"};
-inline constexpr Circumstance kVector{"vector"};
 inline constexpr Circumstance kLeading{"leading"};
 inline constexpr Circumstance kUnderflow{"underflow"};
 inline constexpr Circumstance kOverflow{"overflow"};
