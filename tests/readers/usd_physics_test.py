@@ -139,6 +139,14 @@ class UsdPhysicsTest(reader.ReaderTest):
                   if "smurf:motor" in prim and path.startswith("World/One/")}
         self.assertEqual(motors, {"World/One/joints/a": "motor", "World/One/joints/d": "wheel"})
 
+    def test_start_positions(self):
+        starts = {path: float(value) for path, prim in self.stage().prims.items()
+                  for key, value in prim.items() if key.startswith("state:")}
+        self.assertNotIn("World/Two/joints/a", starts)  # at zero
+        self.assertAlmostEqual(starts["World/One/joints/a"], math.degrees(0.5))
+        self.assertAlmostEqual(starts["World/One/joints/b"], math.degrees(-2 * 0.5 + 0.25))
+        self.assertAlmostEqual(starts["World/One/joints/d"], 0.25)
+
     def test_followers(self):
         """position + gearing * position of the leader + offset = 0, and no leader follows another."""
         prims = self.stage().prims
@@ -156,18 +164,25 @@ class UsdPhysicsTest(reader.ReaderTest):
                       "USD", done.stderr)
 
     def test_articulations_and_anchors(self):
+        """Robots that are fixed to each other are one articulation, in which each does not collide with itself."""
         stage = self.stage()
-        self.assertEqual(stage.having("PhysicsArticulationRootAPI"),
-                         [f"World/{name}" for name in ("One", "Two", "Three")])
+        self.assertEqual(stage.having("PhysicsArticulationRootAPI"), ["World/One", "World/Three"])
+        self.assertEqual([stage.prims[path]["physxArticulation:enabledSelfCollisions"] for path in ("World/One", "World/Three")],
+                         ["1", "0"])
+        groups = [path for path, prim in stage.prims.items() if prim["type"] == "PhysicsCollisionGroup"]
+        self.assertEqual(groups, ["World/One/joints/own_collisions", "World/Two/joints/own_collisions"])
+        for path in groups:
+            group = stage.prims[path]
+            self.assertEqual((group["collection:colliders:includes"], group["physics:filteredGroups"]),
+                             (path.removesuffix("/joints/own_collisions"), path))
         self.assertNotIn("World/One/joints/anchor", stage.prims)
         two = stage.prims["World/Two/joints/anchor"]
-        self.assertEqual((two["type"], two["physics:body0"], two["physics:body1"],
-                          two["physics:excludeFromArticulation"]),
-                         ("PhysicsFixedJoint", "World/One/base", "World/Two/base", "1"))
+        self.assertEqual((two["type"], two["physics:body0"], two["physics:body1"]),
+                         ("PhysicsFixedJoint", "World/One/base", "World/Two/base"))
+        self.assertNotIn("physics:excludeFromArticulation", two)
         three = stage.prims["World/Three/joints/anchor"]
         self.assertEqual((three["type"], three.get("physics:body0"), three["physics:body1"]),
                          ("PhysicsFixedJoint", None, "World/Three/base"))
-        self.assertNotIn("physics:excludeFromArticulation", three)
         for name in ("Two", "Three"):
             first, second = stage.joint_frames(f"World/{name}/joints/anchor")
             self.assertLess(math.dist(first[0], second[0]), 1e-9)

@@ -110,6 +110,34 @@ void UsdPhysics::find_joints(const LinkedModel& robot, Model& model) {
                             names.add(safe_name(joint.name.value_or({})))});
   }
   model.anchor = names.add("anchor");
+  model.own_collisions = names.add("own_collisions");
+}
+
+const UsdPhysics::Assembly& UsdPhysics::assembly_of(std::size_t instance) {
+  const std::size_t count = scene_.scene.instances.size();
+  if (assemblies_.empty()) {
+    bases_.resize(count);
+    assemblies_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::size_t base = i;
+      for (std::size_t steps = 0; is_carried(base) && steps < count; ++steps) {
+        base = to_size(scene_.scene.instances[base].placement.anchor.instance);
+      }
+      bases_[i] = base;
+      if (robot_of(scene_.scene, i) == nullptr || model_of(i).joints.empty()) continue;
+      ++assemblies_[base].articulated;
+    }
+  }
+  return assemblies_[bases_[instance]];
+}
+
+/// Whether a link of another instance carries the body of the instance.
+bool UsdPhysics::is_carried(std::size_t instance) {
+  const Attachment& anchor = scene_.scene.instances[instance].placement.anchor;
+  if (anchor.kind != Attachment::Kind::link || !scene_.flat.instances[instance].X_WE) return false;
+  if (robot_of(scene_.scene, instance) == nullptr && !is_body(instance)) return false;
+  const std::optional<std::size_t> link = anchor_link(scene_.scene, instance);
+  return link && layout_of(to_size(anchor.instance)).links[*link];
 }
 
 void UsdPhysics::find_followers(const LinkedModel& robot, Model& model) {
@@ -144,14 +172,28 @@ void UsdPhysics::add_scene() {
 }
 
 std::vector<std::string> UsdPhysics::schemas_of_robot(std::size_t instance) {
-  if (model_of(instance).joints.empty()) return {};
+  if (assembly_of(instance).articulated == 0 || bases_[instance] != instance) return {};
   return {"PhysicsArticulationRootAPI", "PhysxArticulationAPI"};
 }
 
 void UsdPhysics::add_articulation(std::size_t instance) {
-  if (model_of(instance).joints.empty()) return;
-  // The convex hulls of neighbours overlap. NVIDIA's importer of URDFs writes the same.
-  text_.line("bool physxArticulation:enabledSelfCollisions = 0");
+  const Assembly& assembly = assembly_of(instance);
+  if (assembly.articulated == 0 || bases_[instance] != instance) return;
+  // The convex hulls of neighbours overlap. NVIDIA's importer of URDFs writes the same. Robots that
+  // are fixed to each other do collide; add_own_collisions() leaves out what is within one.
+  const bool has_several = assembly.articulated > 1;
+  text_.line(std::string("bool physxArticulation:enabledSelfCollisions = ") +
+             (has_several ? "1" : "0"));
+}
+
+/// A group that does not collide with itself.
+void UsdPhysics::add_own_collisions(std::size_t instance) {
+  const Model& model = model_of(instance);
+  text_.open("PhysicsCollisionGroup", model.own_collisions, {"CollectionAPI:colliders"});
+  text_.line(rel("collection:colliders:includes", path(instance)));
+  text_.line(rel("physics:filteredGroups",
+                 path(instance) + "/" + model.layout.joints + "/" + model.own_collisions));
+  text_.close();
 }
 
 bool UsdPhysics::is_body(std::size_t instance) const {
@@ -226,8 +268,6 @@ void UsdPhysics::add_anchor(std::size_t instance, LinkFrames& frames, const std:
   const std::optional<Ends> ends = anchor_of(instance, frames);
   if (!ends) return;
   open_joint("PhysicsFixedJoint", name, {}, *ends);
-  // Two robots are two articulations, so this joint belongs to neither.
-  if (!ends->body0.empty()) text_.line("uniform bool physics:excludeFromArticulation = 1");
   text_.close();
 }
 
@@ -240,6 +280,7 @@ void UsdPhysics::add_joints(std::size_t instance, LinkFrames& frames) {
   text_.open("Scope", model.layout.joints);
   add_anchor(instance, frames, model.anchor);
   for (const Joint& joint : model.joints) add_joint(instance, joint);
+  if (assembly_of(instance).articulated > 1 && !model.joints.empty()) add_own_collisions(instance);
   text_.close();
 }
 
@@ -293,6 +334,8 @@ void UsdPhysics::add_axis(std::size_t i, const Joint& joint, Ends ends) {
                        : urdf.limit                     ? urdf.limit->velocity.value_or(0)
                                                         : 0;
   const double friction = urdf.dynamics ? urdf.dynamics->friction.value_or(0) : 0;
+  const double start = start_of(i, urdf);
+  if (start != 0) schemas.push_back("PhysicsJointStateAPI:" + kind);
   if (speed > 0 || friction > 0) schemas.emplace_back("PhysxJointAPI");
   if (follower) schemas.emplace_back("PhysxMimicJointAPI:rotX");
   open_joint(is_linear(urdf) ? "PhysicsPrismaticJoint" : "PhysicsRevoluteJoint", joint.name,
@@ -300,6 +343,7 @@ void UsdPhysics::add_axis(std::size_t i, const Joint& joint, Ends ends) {
   text_.line("uniform token physics:axis = \"X\"");
   add_limits(urdf, follower);
   add_drive(i, urdf, drive);
+  if (start != 0) number("state:" + kind + ":physics:position", start * unit_of(urdf));
   if (drive != nullptr) {
     text_.line("custom string smurf:motor = " + UsdaText::quoted(drive->name));
   }
@@ -332,10 +376,11 @@ void UsdPhysics::add_drive(std::size_t i, const urdf::Joint& joint, const JointD
   number(prefix + "stiffness", is_position ? drive->gain * kv / unit : 0);
   number(prefix + "damping", (kv + damping) / unit);
   if (effort > 0) number(prefix + "maxForce", effort);
-  if (!is_position) return;
-  const Instance& instance = scene_.scene.instances[i];
-  const double start = start_position(robot(i), joint, scene_.scene.joint_positions(instance));
-  number(prefix + "targetPosition", start * unit);
+  if (is_position) number(prefix + "targetPosition", start_of(i, joint) * unit);
+}
+
+double UsdPhysics::start_of(std::size_t i, const urdf::Joint& joint) const {
+  return start_position(robot(i), joint, scene_.scene.joint_positions(scene_.scene.instances[i]));
 }
 
 /// If there is no leader, reports a finding and returns none.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The physics of a stage: UsdPhysics, and two schemas of PhysX that Isaac Sim reads for what
-// UsdPhysics cannot express (PhysxJointAPI, PhysxMimicJointAPI).
+// The physics of a stage: UsdPhysics, and schemas of PhysX that Isaac Sim reads for what
+// UsdPhysics cannot express (PhysxJointAPI, PhysxMimicJointAPI, PhysicsJointStateAPI).
 #pragma once
 
 #include <map>
@@ -53,8 +53,15 @@ class UsdPhysics {
     std::vector<Joint> joints;
     std::map<const urdf::Joint*, std::size_t> index;  ///< in `joints`
     std::string anchor;                               ///< name of the joint to the anchor
+    std::string own_collisions;                       ///< name of its collision group
     std::map<const urdf::Joint*, JointDrive> drives;
     std::map<const urdf::Joint*, DrivenFollower> followers;
+  };
+  /// Instances that are fixed to each other. They are one articulation, that of the instance that
+  /// carries the others: PhysX and Newton put articulations together from all bodies that joints
+  /// connect, and a body can be in one only.
+  struct Assembly {
+    std::size_t articulated = 0;  ///< number of its instances with joints
   };
   struct Ends {
     std::string body0;  ///< path of its prim; "": the world
@@ -69,6 +76,10 @@ class UsdPhysics {
     return path(instance) + "/" + layout_of(instance).links[link]->path;
   }
   const Model& model_of(std::size_t instance);
+  const Assembly& assembly_of(std::size_t instance);
+  bool is_carried(std::size_t instance);
+  void add_own_collisions(std::size_t instance);
+  double start_of(std::size_t instance, const urdf::Joint& joint) const;
   static void find_joints(const LinkedModel& robot, Model& model);
   static void find_followers(const LinkedModel& robot, Model& model);
   void write_mass(const LinkInertial& mass, Span span, const std::string& name);
@@ -90,6 +101,8 @@ class UsdPhysics {
   SceneLosses& losses_;
   UsdaText& text_;
   std::map<const LinkedModel*, Model> models_;
+  std::vector<std::size_t> bases_;    ///< of each instance, the one that carries it in the end
+  std::vector<Assembly> assemblies_;  ///< by the base
   std::set<const urdf::Joint*> reported_;
 };
 

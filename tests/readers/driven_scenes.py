@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Random scenes of robots, and what a reader must build of them.
+
+The truth is computed here with 4x4 matrices, from the numbers that are written into the files. Frames: `links` and `driven` are poses
+in the world (m), rows of 4x4 matrices; `bodies` are the mass (kg), the centre of mass and the inertia about it (kg m^2) along the axes
+of the link. Lengths are in m, angles in rad.
+"""
+import json
+import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
+from flatten_property_test import about, axis, euler, identity, product, quaternion, translation, vector, words  # noqa: E402
+
+MOVING = ("revolute", "revolute", "continuous", "prismatic")
+
+
+def turned(rotation, tensor):
+    """R I R^T of 3x3 parts."""
+    return [[sum(rotation[i][k] * tensor[k][m] * rotation[j][m] for k in range(3) for m in range(3))
+             for j in range(3)] for i in range(3)]
+
+
+def unit(direction):
+    """PyBullet takes the length of an axis for a factor."""
+    length = math.sqrt(sum(c * c for c in direction))
+    return [c / length for c in direction]
+
+
+def inverse(pose):
+    turn = [[pose[j][i] for j in range(3)] for i in range(3)]
+    return [[*turn[i], -sum(turn[i][k] * pose[k][3] for k in range(3))] for i in range(3)] + [[0, 0, 0, 1]]
+
+
+def random_inertia(dice):
+    """Moments of a body that exists, turned at random."""
+    a, b, c = (dice.uniform(0.002, 0.02) for _ in range(3))
+    return turned(euler(*vector(dice, 3)), [[a + b, 0, 0], [0, b + c, 0], [0, 0, a + c]])
+
+
+class Link:
+    def __init__(self, dice, name, has_mass):
+        self.name = name
+        self.mass = dice.uniform(0.5, 5) if has_mass else 0
+        self.centre, self.turn, self.tensor = vector(dice, 0.1), dice.choice([[0, 0, 0], vector(dice, 1)]), random_inertia(dice)
+
+    def body(self):
+        if not self.mass:
+            return None
+        tensor = turned(euler(*self.turn), self.tensor)
+        return [self.mass, *self.centre, *(number for row in tensor for number in row)]
+
+    def urdf(self):
+        t = self.tensor
+        inertial = (f'<inertial><origin xyz="{words(self.centre)}" rpy="{words(self.turn)}"/><mass value="{self.mass!r}"/>'
+                    f'<inertia ixx="{t[0][0]!r}" ixy="{t[0][1]!r}" ixz="{t[0][2]!r}" iyy="{t[1][1]!r}" iyz="{t[1][2]!r}" '
+                    f'izz="{t[2][2]!r}"/></inertial>') if self.mass else ""
+        return f'<link name="{self.name}">{inertial}<visual><geometry><sphere radius="0.05"/></geometry></visual></link>\n'
+
+
+class Joint:
+    def __init__(self, dice, name, parent, child, kind):
+        self.name, self.parent, self.child, self.kind = name, parent, child, kind
+        self.place, self.turn, self.axis = vector(dice, 0.5), dice.choice([[0, 0, 0], vector(dice, 3)]), unit(axis(dice))
+        self.lower, self.upper = -dice.uniform(0.2, 2), dice.uniform(0.2, 2.5)
+        self.effort, self.speed, self.damping = dice.uniform(1, 100), dice.uniform(1, 10), dice.uniform(0, 2)
+        self.leader = None  # its name and the multiplier
+
+    def at(self, position):
+        pose = product(translation(*self.place), euler(*self.turn))
+        if self.kind == "prismatic":
+            return product(pose, translation(*(position * c for c in self.axis)))
+        return pose if self.kind == "fixed" else product(pose, about(self.axis, position))
+
+    def urdf(self):
+        text = (f'<joint name="{self.name}" type="{self.kind}"><parent link="{self.parent}"/><child link="{self.child}"/>'
+                f'<origin xyz="{words(self.place)}" rpy="{words(self.turn)}"/>')
+        if self.kind != "fixed":
+            limits = "" if self.kind == "continuous" else f'lower="{self.lower!r}" upper="{self.upper!r}" '
+            text += (f'<axis xyz="{words(self.axis)}"/><limit {limits}effort="{self.effort!r}" velocity="{self.speed!r}"/>'
+                     f'<dynamics damping="{self.damping!r}"/>')
+        if self.leader:
+            text += f'<mimic joint="{self.leader[0]}" multiplier="{self.leader[1]!r}"/>'
+        return text + "</joint>\n"
+
+
+class Robot:
+    def __init__(self, dice, name):
+        self.name, self.links, self.joints, leaders = name, [Link(dice, "l0", True)], [], []
+        for i in range(1, dice.randint(2, 7)):
+            kind = dice.choice([*MOVING, "fixed"])
+            self.links.append(Link(dice, f"l{i}", kind != "fixed" or dice.random() < 0.6))
+            joint = Joint(dice, f"j{i}", f"l{dice.randrange(max(0, i - 2), i)}", f"l{i}", kind)
+            self.joints.append(joint)
+            if kind in ("continuous", "prismatic") and leaders and dice.random() < 0.4:
+                joint.leader = (dice.choice(leaders), dice.choice([-1.0, 0.5, 2.0]))
+                joint.lower, joint.upper = -9.0, 9.0
+            elif kind != "fixed":
+                leaders.append(joint.name)
+        self.free = {j.name: dice.uniform(j.lower, j.upper) for j in self.joints if j.name in leaders}
+        self.bent = {name: position / 2 for name, position in self.free.items()}
+
+    def position(self, joint, positions):
+        if joint.leader:
+            leader = next(one for one in self.joints if one.name == joint.leader[0])
+            return joint.leader[1] * self.position(leader, positions)
+        return positions.get(joint.name, 0)
+
+    def poses(self, positions):
+        poses = {"l0": identity()}
+        for joint in self.joints:
+            poses[joint.child] = product(poses[joint.parent], joint.at(self.position(joint, positions)))
+        return poses
+
+    def files(self):
+        urdf = "".join(part.urdf() for part in [*self.links, *self.joints])
+        return {f"{self.name}.urdf": f'<robot name="{self.name}">\n{urdf}</robot>\n',
+                f"{self.name}.smurf": f"modelname: {self.name}\nfiles: [{self.name}.urdf, {self.name}_poses.yml]\n",
+                f"{self.name}_poses.yml": f"poses:\n- {{name: bent, joints: {json.dumps(self.bent)}}}\n"}
+
+
+class Entity:
+    def __init__(self, dice, name, robot, others):
+        self.name, self.robot = name, robot
+        self.start = robot.bent if dice.random() < 0.4 else {}
+        numbers = [dice.gauss(0, 1) for _ in range(4)]
+        length = math.sqrt(sum(number * number for number in numbers))
+        self.turn, self.place = [number / length for number in numbers], vector(dice, 5)
+        self.own = product(translation(*self.place), quaternion(*self.turn))
+        self.anchor = dice.choice(["none", "world", "parent"] if others else ["none", "world"])
+        self.parent = (dice.choice(others), dice.choice(robot.links).name) if self.anchor == "parent" else None
+        if self.parent:
+            self.parent = (self.parent[0], dice.choice(self.parent[0].robot.links).name)
+
+    def yaml(self):
+        entity = {"name": self.name, "file": f"{self.robot.name}.smurf", "position": self.place,
+                  "rotation": dict(zip("wxyz", self.turn))}
+        if self.anchor != "none":
+            entity["anchor"] = self.anchor
+        if self.parent:
+            entity["parent"] = f"{self.parent[0].name}::{self.parent[1]}"
+        if self.start:
+            entity["pose"] = "bent"
+        return entity
+
+
+def world_poses(entities, positions_of):
+    found = {}
+    for entity in entities:
+        base = product(found[f"{entity.parent[0].name}/{entity.parent[1]}"], entity.own) if entity.parent else entity.own
+        for link, pose in entity.robot.poses(positions_of(entity)).items():
+            found[f"{entity.name}/{link}"] = product(base, pose)
+    return found
+
+
+def truth_of(entities, dice):
+    """With every joint at its start, and with one joint of each robot (and its followers) moved."""
+    driven = {}
+    for entity in entities:
+        moved = dice.choice(sorted(entity.robot.free)) if entity.robot.free else None
+        driven[entity.name] = {**entity.start, **({moved: entity.robot.free[moved]} if moved else {})}
+    joints = {f"{entity.name}/{joint.name}": (entity, joint) for entity in entities for joint in entity.robot.joints
+              if joint.kind != "fixed"}
+    return {
+        "links": world_poses(entities, lambda entity: entity.start),
+        "driven": world_poses(entities, lambda entity: driven[entity.name]),
+        "bodies": {f"{entity.name}/{link.name}": link.body() for entity in entities for link in entity.robot.links},
+        "starts": {name: entity.robot.position(joint, entity.start) for name, (entity, joint) in joints.items()},
+        "drive": {name: entity.robot.position(joint, driven[entity.name]) for name, (entity, joint) in joints.items()},
+        # A follower that turns for ever may have the limits that follow from its leader.
+        "limits": {name: None if joint.kind == "continuous" else [joint.lower, joint.upper]
+                   for name, (_, joint) in joints.items() if joint.kind != "continuous" or not joint.leader},
+        "damping": {name: joint.damping for name, (_, joint) in joints.items()},
+    }
+
+
+def write_scene(folder, dice):
+    """The path of the scene; `truth.json` beside it is what truth_of() returns."""
+    folder.mkdir(parents=True)
+    robots = [Robot(dice, f"r{i}") for i in range(dice.randint(1, 3))]
+    entities = []
+    for i in range(dice.randint(1, 4)):
+        entities.append(Entity(dice, f"e{i}", dice.choice(robots), entities[:]))
+    files = {name: text for robot in robots for name, text in robot.files().items()}
+    files["scene.smurfs"] = json.dumps({"entities": [entity.yaml() for entity in entities]})
+    files["truth.json"] = json.dumps(truth_of(entities, dice))
+    for name, text in files.items():
+        (folder / name).write_text(text)
+    return folder / "scene.smurfs"
