@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/exercise.hpp"
 
+#include "check/xacro_places.hpp"
 #include "smurf/convert.hpp"
 #include "smurf/fix.hpp"
 #include "smurf/lint.hpp"
@@ -73,6 +74,7 @@ Exercise exercise(const FileReader& files, const std::string& path,
   const auto judge = [&](const auto& loaded) {
     diagnostics = sink.take();
     locate(loaded, diagnostics);
+    place_in_xacro(*context.expansions, sources, diagnostics);
     diagnostics = finish(std::move(diagnostics), sources, {});
     check_spans(diagnostics, sources, result);
   };

@@ -98,7 +98,6 @@ class UrdfMerger {
     const LinkedModel* model = robot_of(i);
     if (model != nullptr) {
       xml_.raw(prefixed(*model, i));
-      losses_.joint_pose(i, "a URDF has no place for it");
     } else if (!flat(i).shapes.empty()) {
       if (!add_solid(i)) return;
     } else {
