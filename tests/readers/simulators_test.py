@@ -632,7 +632,7 @@ class Losses(SimulatorTest):
     def test_losses_have_names(self):
         code, losses = self.losses("urdf")
         self.assertEqual(code, 0)
-        self.assertIn("`One` starts with its joints at zero in the URDF: a URDF has no place for it",
+        self.assertIn("start positions (`One`, `Four`) are not in the URDF",
                       losses)
         self.assertIn("the gravity is not in the URDF", losses)
         self.assertEqual(self.losses("json"), (0, []))
