@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Nothing is lost without a word: whatever annotation can be changed without a change of what
+"""Nothing is lost silently: whatever annotation can be changed without a change of what
 smurf2urdf writes, its loss report names, with file, line, pointer and class.
 
 Of each list of entries, values are changed one at a time, each key where it comes first. Words that
@@ -117,7 +117,7 @@ def check(tools, source, options, failures):
                 after, losses = model.export()
                 if after == before and not is_named(losses, path.name, pointer):
                     failures.append(f"{source.name} {options}: {path.name}{pointer} can be changed "
-                                    "without a word")
+                                    "silently")
             path.write_text(text)
         return count
 

@@ -44,7 +44,7 @@ constexpr Refusal kRefusals[] = {
     {"SML1001", "has no quotes", false, true, "TinyXML 1 needs none"},
     {"SML1001", "text before the root element", true, true, "both skip it"},
     {"SML1001", "text after the root element", true, true,
-     "TinyXML 1 takes it for a text; tinyxml2 takes CDATA sections, and refuses other texts"},
+     "TinyXML 1 reads it as a text; tinyxml2 takes CDATA sections, and refuses other texts"},
     {"SML1001", "a document type must come before the root element", true, true,
      "XML forbids it behind the root; both skip such a node wherever it is"},
     {"SML1001", "urdfdom (TinyXML) reads", true, true,

@@ -69,7 +69,7 @@ BOMBS = [
     ("a lambda that calls itself", value("(lambda f: f(f))(lambda f: f(f))"), LIMIT, {}),
     ("a lambda that doubles", value("(lambda f: f(f, 40))(lambda f, n: f(f, n-1) + f(f, n-1) if n else 1)"), LIMIT, {}),
     ("map in map", value("list(map(lambda x: list(map(lambda y: list(range(10**5)), range(10**5))), range(10**5)))"), LIMIT, {}),
-    ("sorting for ever", value("[python.sorted(range(10**5)) for i in range(10**5)]"), LIMIT, {}),
+    ("sorting without end", value("[python.sorted(range(10**5)) for i in range(10**5)]"), LIMIT, {}),
     ("a wide format", value("'%1000000000d' % 1"), b"SML33", {}),
     ("a wide field", value("'{:1000000000}'.format(1)"), b"SML33", {}),
     ("many decimals", value("'%.1000000000f' % 1"), b"SML33", {}),

@@ -57,7 +57,7 @@ class Bench:
         if done.returncode != 0:
             raise Refused(f"{engine} crashes")
         if lines[-1] != "end":
-            raise Refused(f"{engine} refuses it")
+            raise Refused(f"{engine} fails to load it")
         motion = collections.defaultdict(dict)
         for line in lines[:-1]:
             kind, *fields = line.split("\t")
@@ -142,7 +142,7 @@ def moved(bench, path):
     except (Refused, ValueError):
         pass
     try:
-        robot = motion_urdf.mended(robot)
+        robot = motion_urdf.repaired(robot)
     except ValueError:
         raise motion_urdf.Unfit("has masses that are no numbers") from None
     return bench.motions(robot), motion_urdf.mass_of(robot), False

@@ -127,7 +127,7 @@ def put_ball(link, mass):
                            ixy="0", ixz="0", iyz="0")
 
 
-def mended(robot):
+def repaired(robot):
     """Replaces impossible masses by masses that every engine accepts."""
     robot = copy.deepcopy(robot)
     links = {link.get("name"): link for link in robot.findall("link")}

@@ -82,7 +82,7 @@ class Windows(Native):
         self.environment = ENVIRONMENT | {"WINEPREFIX": self.home.name, "WINEDEBUG": "-all", "HOME": self.home.name, "LC_ALL": "C.UTF-8",
                                           "WINEDLLOVERRIDES": "mscoree,mshtml="}
         self.run_alone(("smurf-lint", ["--version"], "/"))  # on its first run, wine makes its folders and prints that
-        # While one program waits, wine keeps its services; it would start them anew for each run, which takes seconds.
+        # While one program waits, wine keeps its services; it would start them again for each run, which takes seconds.
         self.waiting = subprocess.Popen([WINE, "cmd"], env=self.environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.DEVNULL)
         self.waiting.stdout.readline()  # else the first run may start the services, which then keep its output open

@@ -18,7 +18,7 @@ struct MujocoWorld {
   std::unique_ptr<mjData, FreeMujoco> data;
 };
 
-/// Loads an MJCF. When MuJoCo refuses it, prints why and returns null pointers.
+/// Loads an MJCF. When MuJoCo fails to load it, prints why and returns null pointers.
 inline MujocoWorld load_mujoco(const char* path) {
   char error[1000] = "";
   MujocoWorld world{

@@ -317,7 +317,7 @@ TEST_CASE("verdicts count refusals and losses, and name the worst") {
   CHECK(drake.rule == nullptr);
 }
 
-TEST_CASE("an error of which nothing is known is no reason to say that a reader takes it") {
+TEST_CASE("an error of which nothing is known is no reason to say that a reader loads the file") {
   Diagnostic unknown = found("SML0002", "/robot");
   REQUIRE(unknown.severity == Severity::error);
   REQUIRE(find_fact(*find_target("ros"), unknown) == nullptr);

@@ -99,7 +99,7 @@ sensors:
   CHECK(loaded.briefs() == kNothing);
 }
 
-TEST_CASE("keys and sections of one's own are normal") {
+TEST_CASE("own keys and sections are normal") {
   CHECK(findings(R"(motors:
 - {name: lift, joint: lift, type: PID, maxEffort: 10, maxSpeed: 2, ratio: 66, supplier: maxon,
    maxCurrent: 3.5, bus: {id: 7}}

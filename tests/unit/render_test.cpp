@@ -155,7 +155,7 @@ TEST_CASE("one line says that the verdict of a later release is different") {
   CHECK(text(2) == "abc  loads, with losses (1)\n     abc:1 is meant; abc:3: fails to load (2)\n");
 }
 
-TEST_CASE("a verdict may be that it is not known, and says what was let pass") {
+TEST_CASE("a verdict may be that it is not known, and says what was suppressed") {
   const Reader reader{.name = "abc", .title = "Abc", .basis = "1.0"};
   const auto line = [&](TargetVerdict verdict) {
     verdict.reader = &reader;

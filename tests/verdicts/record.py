@@ -4,7 +4,7 @@
 
 usage: record.py BUILD [--hold] [--drake] [--keep FOLDER]
 
-BUILD has the programs urdfdom_robot, sdformat_robot and dart_robot. Writes executed.tsv anew, and
+BUILD has the programs urdfdom_robot, sdformat_robot and dart_robot. Writes executed.tsv again, and
 drake_executed.tsv, which is about Drake only; with --hold they stay, and what readers of the same
 version do must be what they say. --keep leaves the robots, and what each reader said of them, in
 FOLDER. --drake does the second table only.

@@ -28,7 +28,7 @@ def plain(value):
 def said_of(read, file):
     try:
         robot = read(file)
-    except Exception as error:  # pylint: disable=broad-except  # whatever the reader refuses it with
+    except Exception as error:  # pylint: disable=broad-except  # any exception of the reader
         return {"file": file, "verdict": "refuses", "message": str(error).split("\n", maxsplit=1)[0]}
     return {"file": file, "verdict": "takes", "message": "", "robot": plain(robot)}
 

@@ -2,7 +2,7 @@
 """What is written where a value belongs: {kind: (text, is_same)}.
 
 `is_same` says that the author can have meant nothing but the undamaged value, so that a reader that
-takes it should make the same robot of it. Where another value is written that is a good one as
+loads it should make the same robot of it. Where another value is written that is a good one as
 well, or where nothing is left, readers are free.
 """
 

@@ -107,7 +107,7 @@ def main():
             (elements, executed.DRAKE_TABLE, OF_DRAKE, executed.as_it_is, LEAST_OF_DRAKE)):
         _, rows = executed.read_table(table)
         if list(rows) != list(cases) or len(cases) < least:
-            sys.exit(f"{table.name} is not of these cases: record.py writes it anew")
+            sys.exit(f"{table.name} is not of these cases: record.py writes it again")
         verdicts = lint_all(options.cases, cases, [target.split()[0] for target in targets], text_of)
         for title, reader in targets.items():
             found = count(title.split()[0], reader, cases, rows, verdicts)

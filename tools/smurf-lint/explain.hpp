@@ -10,7 +10,7 @@
 namespace smurf::tools {
 
 /// The page of a rule, the list of a family (SML31, 31), the keys of a section, or a key; "" if
-/// `what` is none of these.
+/// `what` is not one of these.
 std::string explanation(std::string_view what, const TextStyle& style);
 
 /// The message for a word that explanation() does not know.

@@ -18,8 +18,8 @@ void add_numbers(std::string& line, const Pose& pose) {
 }  // namespace
 
 /// Quotes a CSV field (RFC 4180). An apostrophe in front keeps a spreadsheet from treating a name
-/// as a formula. Control characters and the like, which the format cannot escape, are as in
-/// messages.
+/// as a formula. Characters that the format cannot escape, such as control characters,
+/// are as in messages.
 std::string field_of(std::string_view name) {
   constexpr std::string_view kFormula = "=+-@";
   std::string text = render::escape(name);

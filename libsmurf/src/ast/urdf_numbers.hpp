@@ -12,7 +12,7 @@
 namespace smurf {
 
 /// Reads numbers separated by spaces into `out`; false if this fails. Reports SML18xx, SML1009 or
-/// SML1012 at the attribute's value. A text whose meaning is clear although some reader refuses it
+/// SML1012 at the attribute's value. A text whose meaning is clear although some readers refuse it
 /// (trailing space, tabs) still gives values.
 bool read_numbers(const xml::Attribute& attribute, std::span<double> out, DiagnosticSink& sink);
 

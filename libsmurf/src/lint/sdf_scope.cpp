@@ -275,7 +275,7 @@ class Extensions {
     }
   }
 
-  /// sdformat writes these poses anew where it joins links, whatever they were.
+  /// sdformat writes these poses again where it joins links, whatever they were.
   static bool has_moved_pose(xml::View part) {
     if (part.name() != "sensor" && part.name() != "projector") return false;
     const xml::View pose = part.child("pose");

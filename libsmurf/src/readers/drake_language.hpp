@@ -34,7 +34,7 @@ enum class Occurs : std::uint8_t {
   any,           ///< any number of times
   at_most_once,  ///< Drake reads the first one
   once,          ///< the same, and it is required
-  never          ///< Drake refuses it
+  never          ///< Drake reports an error
 };
 
 /// An element and its parent. Elements of URDF are listed with the children that Drake reads.

@@ -185,7 +185,7 @@ void add_functions(Table& root, Heap& heap, std::deque<Table>& tables);
 void add_eval_functions(Table& root, Heap& heap);
 void add_math(Table& table, Heap& heap);
 // methods.cpp
-/// A method of a text, a list or a dict; null if there is none of the name.
+/// A method of a text, a list or a dict; null if no method has the name.
 struct Method {
   std::string_view name;
   Value (*call)(Call& call);  ///< null: not supported

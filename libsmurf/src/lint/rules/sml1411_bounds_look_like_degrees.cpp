@@ -10,7 +10,7 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kTwoTurns = 4 * std::numbers::pi;
-  constexpr double kPlaceholder = 1000;  // 1e16 and the like mean "no limit"
+  constexpr double kPlaceholder = 1000;  // numbers such as 1e16 mean "no limit"
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (joint.type != urdf::JointType::revolute || !joint.limit) return;
     for (const Field<double>* bound : {&joint.limit->lower, &joint.limit->upper}) {

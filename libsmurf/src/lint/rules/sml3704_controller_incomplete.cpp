@@ -85,7 +85,7 @@ void check_required(const RosController& controller, Findings& findings) {
       .help("write a value for it below `ros__parameters` of the controller");
 }
 
-/// A controller that needs parameters, but has none in any file. Launch files may pass others.
+/// A controller that needs parameters, but has none in any file. Launch files can give others.
 void check_section(const RosController& controller, const std::set<std::string_view>& sections,
                    Findings& findings) {
   if (controller.known == nullptr || controller.section || sections.contains(controller.name))

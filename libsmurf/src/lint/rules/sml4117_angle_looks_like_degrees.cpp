@@ -11,7 +11,7 @@ namespace {
 
 bool looks_like_degrees(double angle) {
   constexpr double kTwoTurns = 4 * std::numbers::pi;
-  constexpr double kPlaceholder = 1000;  // 1e16 and the like mean "no limit"
+  constexpr double kPlaceholder = 1000;  // numbers such as 1e16 mean "no limit"
   return std::fabs(angle) > kTwoTurns && std::fabs(angle) < kPlaceholder;
 }
 
