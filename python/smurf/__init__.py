@@ -27,6 +27,7 @@ file does not say is None; nothing is filled in. Objects keep what they were loa
 """
 from ._convert import convert, fix
 from ._errors import Error
+from ._urdf import Urdf
 
 try:
     from ._smurf import (
@@ -95,6 +96,6 @@ __all__ = [
     "Graphics", "Inertial", "Instance", "Interface", "Joint", "JointAnnotation", "JointPoseSet",
     "JointTask", "Light", "Limit", "Link", "LinkAnnotation", "Material", "MaterialAnnotation", "Mesh",
     "Mimic", "Model", "Motor", "NodeAnnotation", "Place", "Report", "Scene", "Sensor", "Session",
-    "Sphere", "Submechanism", "Submodel", "TargetVerdict", "Visual", "VisualAnnotation", "__version__",
+    "Sphere", "Submechanism", "Submodel", "TargetVerdict", "Urdf", "Visual", "VisualAnnotation", "__version__",
     "check", "convert", "diff", "explain", "fix", "load_model", "load_scene", "parse_urdf",
 ]

@@ -6,6 +6,8 @@ from typing import Any, Dict, Iterable, Iterator, List, Optional, Tuple, Union
 import numpy
 import numpy.typing
 
+from ._urdf import Urdf
+
 __version__: str
 
 Array = numpy.typing.NDArray[numpy.float64]
@@ -752,10 +754,10 @@ class Model:
         self, *, output_folder: Path = ..., mesh_uri: str = ..., apply: Texts = ..., prefix: str = ...,
         base: str = ..., keep: Texts = ..., collapse_fixed: bool = ..., strip_comments: bool = ...,
         strip_extensions: bool = ..., canonical: bool = ..., force: bool = ...
-    ) -> bytes:
-        """The plain URDF as bytes, as smurf2urdf writes it: the model's own, with mesh paths that resolve from
-        `output_folder`, and what the options ask for. Raises smurf.Error for errors that make it wrong, unless
-        `force`; nothing is written.
+    ) -> Urdf:
+        """The plain URDF as bytes with `losses`, a smurf.Urdf, as smurf2urdf writes it: the model's own, with mesh
+        paths that resolve from `output_folder`, and what the options ask for. It is read again and compared
+        with the model. Raises smurf.Error for errors that make it wrong, unless `force`; nothing is written.
         """
     def to_json(self) -> str:
         """Everything that was read, as JSON text (schemas/model-dump.schema.json)."""
@@ -946,7 +948,7 @@ class Scene:
         self, *, dialect: str = ..., links: bool = ..., output_folder: Path = ..., force: bool = ...
     ) -> FlatScene:
         """The scene as a smurf.FlatScene, as smurfs-flatten has it. `links` adds the poses of all links, `dialect`
-        places entities as MARS or Phobos does. Raises smurf.Error for a scene with errors; `force` passes over
+        places entities as MARS or Phobos does. Raises smurf.Error for a scene with errors; `force` ignores
         those that leave every pose known.
         """
     def to_json(self) -> str:

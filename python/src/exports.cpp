@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "model.hpp"
-#include "smurf/result_losses.hpp"
-#include "smurfs-flatten/written_scene.hpp"
+#include "smurf/conversion.hpp"
 
 namespace smurf::python {
 namespace {
@@ -55,13 +54,13 @@ const SceneFormat& from_format(const py::object& name) {
 }
 
 SceneForm from_form(const SceneFormat& format, const py::object& form) {
-  if (form.is_none()) return tools::usual_form(format);
+  if (form.is_none()) return usual_form(format);
   const std::string text = from_text(form, "form");
   if (text != "expand" && text != "reference") {
     throw py::value_error("form is not one of expand, reference");
   }
   const SceneForm chosen = text == "expand" ? SceneForm::expand : SceneForm::reference;
-  if (tools::has_form(format, chosen)) return chosen;
+  if (has_form(format, chosen)) return chosen;
   throw py::value_error("the format " + std::string(format.name) + " has no form '" + text + "'");
 }
 
@@ -77,31 +76,21 @@ Export write(const Scene& self, const py::object& format_name, const py::object&
              const py::object& dialect, const py::object& form, const py::object& base, bool ground,
              bool links, bool force) {
   const SceneFormat& format = from_format(format_name);
-  const tools::SceneWishes wishes{.format = format,
-                                  .form = from_form(format, form),
-                                  .dialect = from_dialect(dialect),
-                                  .base = from_base(base),
-                                  .ground = ground,
-                                  .links = links,
-                                  .output_folder = from_path(output_folder),
-                                  .current_folder = current_folder()};
-  if (ground && (!format.has_ground || wishes.form != SceneForm::expand)) {
+  const SceneRequest request{.format = format,
+                             .form = from_form(format, form),
+                             .dialect = from_dialect(dialect),
+                             .base = from_base(base),
+                             .ground = ground,
+                             .links = links,
+                             .output_folder = from_path(output_folder),
+                             .force = force};
+  if (ground && (!format.has_ground || request.form != SceneForm::expand)) {
     throw py::value_error("ground: the format " + std::string(format.name) + " has no floor");
   }
-  refuse_unknown_poses(self, force);
-  LoadedScene& loaded = *self.owner->scene;
-  Session& session = *self.owner->session;
-  DiagnosticSink found;
-  tools::WrittenScene written =
-      tools::write_scene(loaded, wishes, session.files(), session.limits(), found);
-  std::vector<Diagnostic> losses = session.finish(loaded, found.take());
-  if (written.text.empty()) {
-    raise_error("'" + self->path + "' cannot be written",
-                to_findings(std::move(losses), self.owner->sources()));
-  }
-  std::erase_if(losses, [](const Diagnostic& one) { return !tools::is_loss(one); });
-  return {std::string(format.name), std::move(written.text),
-          to_findings(std::move(losses), self.owner->sources())};
+  SceneResult result = convert_scene(*self.owner->session, *self.owner->scene, request);
+  refuse(self, result.refusal, std::move(result.report));
+  return {std::string(format.name), std::move(result.text),
+          to_findings(std::move(result.losses), self.owner->sources())};
 }
 
 /// A model is written as a scene of one entity.

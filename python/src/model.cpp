@@ -3,7 +3,7 @@
 #include "model.hpp"
 
 #include <array>
-#include <filesystem>
+#include <optional>
 
 #include "smurf/convert.hpp"
 #include "smurf/result_losses.hpp"
@@ -15,20 +15,19 @@ Report check_owned(Owner& owner) {
   return owner.model ? owner.session->check(*owner.model) : owner.session->check(*owner.scene);
 }
 
-void refuse_errors(Owner& owner, const std::string& path,
-                   const std::function<bool(const Diagnostic&)>& is_loss) {
-  Report report = check_owned(owner);
-  std::erase_if(report.diagnostics, [&](const Diagnostic& one) { return !is_loss(one); });
-  if (report.diagnostics.empty()) return;
-  raise_error("'" + path + "' has errors",
-              to_findings(std::move(report.diagnostics), owner.sources()));
+void refuse(const std::string& path, const Refusal& refusal, Report report,
+            const SourceMap& sources, const LossOf& loss_of) {
+  if (!refusal) return;
+  const std::string message = "'" + path + "' " + refusal.reason;
+  if (refusal.cause == Refusal::Cause::options) throw py::value_error(message);
+  std::erase_if(report.diagnostics, [&](const Diagnostic& one) { return !loss_of(one); });
+  raise_error(message, to_findings(std::move(report.diagnostics), sources));
 }
 
-std::string current_folder() {
-  std::error_code error;
-  const std::filesystem::path folder = std::filesystem::current_path(error);
-  if (error) throw py::value_error("there is no current folder: " + error.message());
-  return folder.string();
+void refuse(const Scene& scene, const Refusal& refusal, Report report) {
+  const SourceMap& sources = scene.owner->sources();
+  refuse(scene->path, refusal, std::move(report), sources,
+         [&](const Diagnostic& one) { return loss_in_scene(one, *scene, sources); });
 }
 
 namespace {
@@ -73,50 +72,20 @@ AppliedAnnotations from_applied(const py::handle& value) {
   return applied;
 }
 
-/// What export_urdf() may not be asked for.
-void check_export(const LinkedModel& model, const UrdfExport& options) {
-  if (options.base != BaseJoint::as_is) {
-    if (model.tree.roots.size() != 1) throw py::value_error("base: the model has no single root");
-    if (model.link_names.contains("world")) {
-      throw py::value_error("base: the model has a link 'world' already");
-    }
-  }
-  for (const std::string& name : options.keep) {
-    if (!model.link_names.contains(name) && !model.joint_names.contains(name)) {
-      throw py::value_error("keep: the model has no link or joint '" + name + "'");
-    }
-  }
-}
-
-/// The result is read again and compared, as smurf2urdf does.
-void prove(const LinkedModel& model, const std::string& urdf, const UrdfExport& options) {
-  if (options.apply.mimic) return;  // joints that were independent follow others now
-  MemoryFiles files;
-  files.add("plain.urdf", urdf);
-  Session session(files);
-  CheckSettings settings;
-  settings.is_isolated = true;
-  settings.opens_meshes = false;
-  const LoadedModel result = session.load_model("plain.urdf", settings);
-  const Proof proof = compare_models(model, result.model, proof_scope(options));
-  if (!result.model.robot || !proof.holds()) {
-    throw std::runtime_error("the exported robot differs: " + proof.difference);
-  }
-}
-
-py::bytes to_urdf(const Model& self, const py::object& output_folder, const py::object& mesh_uri,
-                  const py::object& apply, const py::object& prefix, const py::object& base,
-                  const py::object& keep, bool collapse_fixed, bool strip_comments,
-                  bool strip_extensions, bool canonical, bool force) {
-  if (!self->robot) throw py::value_error("the model has no URDF");
+/// A smurf.Urdf.
+py::object to_urdf(const Model& self, const py::object& output_folder, const py::object& mesh_uri,
+                   const py::object& apply, const py::object& prefix, const py::object& base,
+                   const py::object& keep, bool collapse_fixed, bool strip_comments,
+                   bool strip_extensions, bool canonical, bool force) {
   // Where names stand in rebase ... keep, package is left out: see smurf2urdf.
   constexpr std::array kUris = {MeshUri::rebase, MeshUri::relative, MeshUri::absolute,
                                 MeshUri::file, MeshUri::keep};
   const auto uri = from_word<std::size_t>(mesh_uri, "mesh_uri",
                                           {"rebase", "relative", "absolute", "file", "keep"});
-  UrdfExport options;
+  UrdfRequest request;
+  request.force = force;
+  UrdfExport& options = request.options;
   options.output_folder = from_path(output_folder);
-  options.current_folder = current_folder();
   options.mesh_uri = kUris[uri];
   options.apply = from_applied(apply);
   options.prefix = from_text(prefix, "prefix");
@@ -126,16 +95,16 @@ py::bytes to_urdf(const Model& self, const py::object& output_folder, const py::
   options.strips_comments = strip_comments;
   options.strips_extensions = strip_extensions;
   options.is_canonical = canonical;
-  check_export(*self, options);
-  if (!force) {
-    refuse_errors(*self.owner, self->path, [&](const Diagnostic& one) {
-      return loss_in_urdf(one, *self, options).has_value();
-    });
-  }
-  DiagnosticSink losses;
-  const std::string urdf = export_urdf(*self, self.owner->sources(), options, losses);
-  prove(*self, urdf, options);
-  return {urdf};
+  Session& session = *self.owner->session;
+  std::optional<LoadedModel> of_scene;
+  if (!self.owner->model) of_scene.emplace(session.load_model(self->path, self.owner->settings));
+  LoadedModel& loaded = of_scene ? *of_scene : *self.owner->model;
+  UrdfResult result = convert_to_urdf(session, loaded, request);
+  refuse(self->path, result.refusal, std::move(result.report), self.owner->sources(),
+         [&](const Diagnostic& one) { return loss_in_urdf(one, loaded.model, options); });
+  return py::module_::import("smurf._urdf")
+      .attr("Urdf")(py::bytes(result.text),
+                    to_findings(std::move(result.losses), self.owner->sources()));
 }
 
 template <class T, class Names>
@@ -290,9 +259,10 @@ void bind_functions(py::class_<Model>& model) {
           py::arg("collapse_fixed") = false, py::arg("strip_comments") = false,
           py::arg("strip_extensions") = false, py::arg("canonical") = false,
           py::arg("force") = false,
-          "The plain URDF as bytes, as smurf2urdf writes it: the model's own, with mesh paths that "
-          "resolve from `output_folder`, and what the options ask for. Raises smurf.Error for "
-          "errors that make it wrong, unless `force`; nothing is written.")
+          "The plain URDF as bytes with `losses`, a smurf.Urdf, as smurf2urdf writes it: the model's "
+          "own, with mesh paths that resolve from `output_folder`, and what the options ask for. It is "
+          "read again and compared with the model. Raises smurf.Error for errors that make it wrong, "
+          "unless `force`; nothing is written.")
       .def(
           "to_json",
           [](const Model& self) {

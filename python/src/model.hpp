@@ -2,11 +2,10 @@
 // Code that models and scenes share.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "common.hpp"
-#include "smurf/dialect.hpp"
+#include "smurf/conversion.hpp"
 
 namespace smurf::python {
 
@@ -15,16 +14,13 @@ using Scene = Ref<LinkedScene>;
 
 /// May be called again and again.
 Report check_owned(Owner& owner);
-/// Raises when there is a finding that makes a result wrong.
-void refuse_errors(Owner& owner, const std::string& path,
-                   const std::function<bool(const Diagnostic&)>& is_loss);
-/// ValueError when it is gone.
-std::string current_folder();
 
 const Dialect& from_dialect(const py::object& name);
-/// Raises for findings that leave a pose unknown and, unless `force`, for others that make a result
-/// wrong.
-void refuse_unknown_poses(const Scene& scene, bool force);
+/// Raises for the refusal of a conversion: ValueError if it is about options, else smurf.Error with
+/// the findings of the report that make the result wrong.
+void refuse(const std::string& path, const Refusal& refusal, Report report,
+            const SourceMap& sources, const LossOf& loss_of);
+void refuse(const Scene& scene, const Refusal& refusal, Report report);
 
 py::tuple reduce(const Ref<urdf::Link>& link);
 py::tuple reduce(const Ref<urdf::Joint>& joint);

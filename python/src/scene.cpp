@@ -5,9 +5,8 @@
 #include <limits>
 
 #include "model.hpp"
-#include "smurf/dialect.hpp"
+#include "smurf/conversion.hpp"
 #include "smurf/flatten.hpp"
-#include "smurf/result_losses.hpp"
 #include "smurf/write.hpp"
 
 namespace smurf::python {
@@ -81,35 +80,6 @@ struct FlatEntity {
   const FlatInstance* operator->() const { return &scene->instances[index]; }
 };
 
-/// Gives the instances of a scene other poses for a while. Their places in memory stay, since
-/// Python may hold them.
-class OtherDialect {
- public:
-  OtherDialect(const Dialect& dialect, LoadedScene& loaded)
-      : scene_(loaded.scene), instances_(scene_.instances), joint_poses_(scene_.joint_poses) {
-    DiagnosticSink not_asked_for;
-    if (&dialect != dialects().front()) apply_dialect(dialect, scene_, not_asked_for);
-  }
-  ~OtherDialect() {
-    std::move(instances_.begin(), instances_.end(), scene_.instances.begin());
-    scene_.joint_poses = std::move(joint_poses_);
-  }
-  OtherDialect(const OtherDialect&) = delete;
-  OtherDialect& operator=(const OtherDialect&) = delete;
-
- private:
-  LinkedScene& scene_;
-  std::vector<Instance> instances_;
-  std::vector<JointPositions> joint_poses_;
-};
-
-[[noreturn]] void raise_found(const Scene& self, const std::string& what, DiagnosticSink found) {
-  LoadedScene& loaded = *self.owner->scene;
-  raise_error(
-      "'" + self->path + "' " + what,
-      to_findings(self.owner->session->finish(loaded, found.take()), self.owner->sources()));
-}
-
 }  // namespace
 
 const Dialect& from_dialect(const py::object& name) {
@@ -120,41 +90,17 @@ const Dialect& from_dialect(const py::object& name) {
   throw py::value_error("'" + text + "' is not one of the dialects:" + known);
 }
 
-void refuse_unknown_poses(const Scene& scene, bool force) {
-  LoadedScene& loaded = *scene.owner->scene;
-  // Findings that leave a pose unknown; those of rules never do.
-  const auto is_loss = [&](const Diagnostic& one) {
-    return loss_in_scene(one, *loaded.sources).has_value();
-  };
-  const auto& unread = loaded.found.diagnostics();
-  if (std::any_of(unread.begin(), unread.end(), is_loss)) {
-    raise_found(scene, "has errors", loaded.found);
-  }
-  if (!force) refuse_errors(*scene.owner, scene->path, is_loss);
-}
-
 namespace {
 
 Flat flatten_scene(const Scene& self, const py::object& dialect, bool links,
                    const py::object& output_folder, bool force) {
   LoadedScene& loaded = *self.owner->scene;
-  const Dialect& read_as = from_dialect(dialect);
-  FlattenOptions options{.links = links,
-                         .output_folder = from_path(output_folder),
-                         .current_folder = current_folder(),
-                         .old_scenes = &loaded.old_scenes};
-  refuse_unknown_poses(self, force);
-  const OtherDialect other(read_as, loaded);
-  DiagnosticSink found;
-  const Limits& limits = self.owner->session->limits();
-  if (!check_scene_size(loaded.scene, self.owner->sources(), options, limits, found)) {
-    raise_found(self, "is too large", std::move(found));
-  }
-  auto flat = std::make_shared<FlatScene>(flatten(loaded.scene, self.owner->sources(), options));
-  if (!check_flat_numbers(*flat, loaded.scene, found)) {
-    raise_found(self, "has numbers that are too large for computations", std::move(found));
-  }
-  return {std::move(flat), links};
+  const FlattenOptions options{
+      .links = links, .output_folder = from_path(output_folder), .old_scenes = &loaded.old_scenes};
+  FlatResult result =
+      convert_to_flat(*self.owner->session, loaded, from_dialect(dialect), options, force);
+  refuse(self, result.refusal, std::move(result.report));
+  return {std::make_shared<FlatScene>(std::move(result.flat)), links};
 }
 
 /// One row for each instance; NaN where a dialect does not load it.
@@ -432,7 +378,7 @@ void bind_scene(py::module_& module) {
           py::arg("links") = false, py::arg("output_folder") = ".", py::arg("force") = false,
           "The scene as a smurf.FlatScene, as smurfs-flatten has it. `links` adds the poses of all "
           "links, `dialect` places entities as MARS or Phobos does. Raises smurf.Error for a scene "
-          "with errors; `force` passes over those that leave every pose known.")
+          "with errors; `force` ignores those that leave every pose known.")
       .def(
           "to_json",
           [](const Scene& self) {

@@ -147,7 +147,7 @@ class Names(PlainOutputTest):
             json.loads(self.data("smurfs-flatten", "--compare-dialects", "--format", "json", "--force", "--", scene))
         self.people("smurfs-flatten", "--compare-dialects", "--force", "--", scene)
         for name in (NASTY.replace("\0", ""), COMMANDS[0]):
-            self.people("smurfs-flatten", "--force", "--explain=" + name, "--", scene)
+            self.people("smurfs-flatten", "--force", "--explain-pose=" + name, "--", scene)
         for name in ("json", "sarif", "gitlab", "junit", "html"):
             for tool, option in (("smurf-lint", "--format"), ("smurf-load-check", "--report")):
                 with self.subTest(name, tool=tool):

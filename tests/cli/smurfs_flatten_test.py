@@ -293,7 +293,6 @@ class Output(FlattenTest):
 class Explain(FlattenTest):
     def test_chain(self):
         done = self.expect(0, "scene.smurfs", "--explain-pose", "B")
-        self.assertEqual(self.expect(0, "scene.smurfs", "--explain", "B").stdout, done.stdout)
         lines = done.stdout.splitlines()
         self.assertEqual([line.split("  ")[0] for line in lines],
                          ["scene.smurfs:2:10", "models/box.urdf:5:16", "scene.smurfs:3:10",
@@ -306,11 +305,11 @@ class Explain(FlattenTest):
         self.expect_complaint("'cell' is an included scene; name one of its entities, such as 'cell/Table'",
                               outer, "--quiet", "--explain-pose", "cell")
         self.expect_complaint("the scene has no instance 'BB'; did you mean 'B'?",
-                              "scene.smurfs", "--explain", "BB")
+                              "scene.smurfs", "--explain-pose", "BB")
         self.expect_complaint("the scene has no instance 'B::box'; name the instance alone, without a link: 'B'",
-                              "scene.smurfs", "--explain", "B::box")
+                              "scene.smurfs", "--explain-pose", "B::box")
         self.expect_complaint("the scene has no instance 'table'; its instances are A, B",
-                              "scene.smurfs", "--explain", "table")
+                              "scene.smurfs", "--explain-pose", "table")
 
 
     def test_a_reader_in_place_of_its_format(self):
@@ -374,7 +373,7 @@ class Dialects(FlattenTest):
 
     def test_explanations(self):
         def explain(dialect, name="A", scene="differ.smurfs"):
-            done = self.run_tool(scene, "--explain", name, "--dialect", dialect, "--quiet")
+            done = self.run_tool(scene, "--explain-pose", name, "--dialect", dialect, "--quiet")
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             return done.stdout.splitlines()
         self.assertEqual(explain("mars"), explain("spec"))
@@ -386,7 +385,7 @@ class Dialects(FlattenTest):
         self.assertEqual(steps[-1], "mars loses the anchor")
         self.expect_complaint("'C' is not in the scene of the dialect mars2, which stops at a `file` "
                               "that is not a .smurf, .smurfs or .yml",
-                              "differ.smurfs", "--explain", "C", "--dialect", "mars2", "--quiet")
+                              "differ.smurfs", "--explain-pose", "C", "--dialect", "mars2", "--quiet")
 
 
 OLD_XML = """<?xml version="1.0"?>
@@ -986,7 +985,7 @@ physics: {{gravity: {{x: {gravity}, y: {gravity}, z: 0}}, stepsize: {step}}}
 """
     IN_URDF = ("xyz", "rpy", "size", "mass", "axis", "limit")
     IN_SCENE = ("place", "angle", "extent", "gravity", "step")
-    RUNS = [("--links",), ("--dialect", "mars"), ("--dialect", "phobos"), ("--explain", "B"), ("--compare-dialects",)]
+    RUNS = [("--links",), ("--dialect", "mars"), ("--dialect", "phobos"), ("--explain-pose", "B"), ("--compare-dialects",)]
 
     def test_no_result_has_one(self):
         self.write("m.stl", Assets.MESH.replace("vertex 1", "vertex 3e38"))
@@ -1003,7 +1002,7 @@ physics: {{gravity: {{x: {gravity}, y: {gravity}, z: 0}}, stepsize: {step}}}
                     if value not in ("nan", "inf", "1e400"):
                         found = re.search(r"(?<![\w.])[+-]?(nan|inf(inity)?)(?!\w)", done.stdout, re.IGNORECASE)
                         self.assertIsNone(found, (key, value, run, done.stdout))
-                    elif done.returncode == 0 and "--explain" not in run:
+                    elif done.returncode == 0 and "--explain-pose" not in run:
                         numbers = re.findall(r"(?<![\w.\"'])[+-]?(?:nan|inf(?:inity)?)(?![\w\"'])", done.stdout)
                         self.assertEqual(numbers, [], (key, value, run, done.stdout))
 
@@ -1144,7 +1143,7 @@ class Mistakes(FlattenTest):
         for part, formats in parts.items():
             self.write("r.urdf", f'<robot name="r"><link name="l">{OfGazebo.BODY}</link>{part}</robot>')
             for form in ("sdf", "sdf1.6", "mjcf", "urdf", "gltf", "usda"):
-                done = self.run_tool("r.urdf", "--format", form, "-o", "out", "--strict", "--quiet")
+                done = self.run_tool("r.urdf", "--format", form, "-o", "out", "--fail-on-loss", "--quiet")
                 self.assertEqual(done.returncode, 1 if form in formats else 0, (part, form, done.stderr))
 
     def test_help(self):
@@ -1153,7 +1152,7 @@ class Mistakes(FlattenTest):
         page = self.expect(0, "--format", "help").stdout.splitlines()
         self.assertIn("  dmd     Drake model directives", page)
         self.assertLessEqual(max(map(len, page)), 80)
-        for option in ["--format", "--links", "--dialect", "--explain", "--fail-on-loss", "--output"]:
+        for option in ["--format", "--links", "--dialect", "--explain-pose", "--fail-on-loss", "--output"]:
             self.assertIn(option, text)
 
 

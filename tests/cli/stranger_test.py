@@ -499,7 +499,7 @@ class Inputs(StrangerTest):
         self.inputs = ["s.smurfs"]
         for option in ("-o", "--report=json="):
             self.refuse("smurfs-flatten", ["--format", "sdf"], option, ["s.smurfs", *self.MODEL])
-        for arguments in (["--compare-dialects"], ["--explain", "a"]):
+        for arguments in (["--compare-dialects"], ["--explain-pose", "a"]):
             self.refuse("smurfs-flatten", arguments, "-o", ["s.smurfs"])
 
     def test_smurf_load_check(self):
@@ -623,9 +623,9 @@ class Fixes(StrangerTest):
                 self.run_tool("smurf-lint", "--fix", "--unsafe-fixes", "-q", ".")
                 done = self.run_tool("smurf-lint", "--format", "concise", "--no-ignores", ".")
                 self.assertNotRegex(done.stdout, r"SML00\d\d|SML100\d|SML1301")
-                mended = (self.project / name).read_text()
+                fixed = (self.project / name).read_text()
                 for part in ("<link ", "motors:"):
-                    self.assertEqual(mended.count(part), text.count(part))
+                    self.assertEqual(fixed.count(part), text.count(part))
 
 
 class Exchanges(StrangerTest):

@@ -67,7 +67,7 @@ class Directives(reader.ReaderTest):
         self.assertEqual([list(d) for d in self.directives("s.smurfs")], [["add_model"]])
         text = (self.folder / "out.dmd").read_text()
         self.assertNotIn("world", text.split("directives")[1].replace("w.urdf", ""))
-        done = self.run_tool("s.smurfs", "--format", "dmd", "-o", "out.dmd", "--strict")
+        done = self.run_tool("s.smurfs", "--format", "dmd", "-o", "out.dmd", "--fail-on-loss")
         self.assertEqual(done.returncode, 1)
         self.assertIn("`There` is not in the Drake directives: Drake treats its link `world` as the world", done.stderr)
         self.assertIn("2 more findings like this one: `Free` and `On`", done.stderr)

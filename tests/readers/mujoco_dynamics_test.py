@@ -224,7 +224,7 @@ class Floor(MujocoTest):
         self.legged('<box size="0.04 0.04 0.4"/>')
         self.write("s.smurfs", "entities:\n- {name: R, file: legged.urdf, position: [0, 0, 0.3]}\n"
                                "- {name: S, file: legged.urdf, position: [2, 0, 0.4]}\n")
-        said = self.mjcf("s.smurfs", "--ground", losses=["warning[SML8211]: `R` starts 0.100 m below the floor", "raise the entity"])
+        said = self.mjcf("s.smurfs", "--ground", losses=["warning[SML8211]: `R` starts 0.1 m below the floor", "raise the entity"])
         self.assertNotIn("`S`", said)
         self.assertNotIn("below the floor", self.mjcf("s.smurfs"))
 

@@ -649,7 +649,7 @@ class Losses(SimulatorTest):
         self.assertNotIn("start positions", " ".join(self.losses("sdf")[1]))
 
     def test_strict_refuses(self):
-        code, losses = self.losses("sdf", "--strict")
+        code, losses = self.losses("sdf", "--fail-on-loss")
         self.assertEqual(code, 1)
         self.assertIn("the joint `turn` is free to move, since Gazebo before Harmonic ignores `mimic`, in the SDF",
                       losses)

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <doctest/doctest.h>
 
+#include "smurf/flatten.hpp"
 #include "support/scenes.hpp"
 
 using namespace smurf;
@@ -239,10 +240,13 @@ TEST_CASE("what a reader does not load is reported and has no pose") {
   LoadedScene loaded;
   loaded.load_text("entities:\n- {name: A, file: box.urdf}\n");
   DiagnosticSink sink;
-  apply_dialect(*find_dialect("mars2"), loaded.scene, sink);
+  const SceneReading read = read_as(*find_dialect("mars2"), loaded.scene, sink);
   REQUIRE(sink.diagnostics().size() == 1);
   CHECK(sink.diagnostics()[0].rule->name == "not-in-dialect");
-  CHECK(!loaded.scene.instances[0].X_WE);
+  CHECK(!read.entities[0].X_WE);
+  const FlatScene flat = flatten(loaded.scene, loaded.sources, {.reading = &read});
+  CHECK(!flat.instances[0].X_WE);
+  CHECK(loaded.scene.instances[0].X_WE);  // the scene is as it was
 }
 
 TEST_CASE("the root link's own anchor counts where the scene says nothing") {

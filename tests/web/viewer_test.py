@@ -177,7 +177,7 @@ class PageTest(viewer.ViewerTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         losses = [d["message"] for d in viewer.json.loads(self.read("r.json"))["diagnostics"] if d["id"] == "SML8205"]
         self.assertEqual(len(losses), 2, losses)
-        self.assertEqual(self.run_tool("solids.urdf", "--format", "html", "--strict", "--force").returncode, 1)
+        self.assertEqual(self.run_tool("solids.urdf", "--format", "html", "--fail-on-loss", "--force").returncode, 1)
         drawn = "smurfViewer.shapes.solids.map(({ layer, batch }) => [layer, batch.solid.key.split(' ')[0]])"
         colour = "smurfViewer.shapes.solids[0].color.toArray().concat(smurfViewer.shapes.solids[0].batch.alpha)"
         triangles = "smurfViewer.shapes.geometries.get('mesh 0').index.count"

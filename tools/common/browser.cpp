@@ -9,6 +9,7 @@
 #include "common/new_file.hpp"
 #include "common/output.hpp"
 #include "common/random_word.hpp"
+#include "render/printable.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -21,7 +22,7 @@ constexpr std::size_t kRandomLetters = 10;
 std::string write_temporary_page(std::string_view tool, std::string_view stem,
                                  std::string_view text) {
   constexpr int kForUser = 0600;
-  const std::string begin = temporary_folder() + "/" + safe_name(stem) + "-";
+  const std::string begin = temporary_folder() + "/" + render::safe_file_name(stem) + "-";
   int error = EEXIST;
   for (int attempt = 0; attempt < kAttempts && error == EEXIST; ++attempt) {
     const std::string path = begin + random_word(kRandomLetters) + ".html";

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/did_you_mean.hpp"
 #include "base/numbers.hpp"
-#include "base/suggest.hpp"
 #include "render/wrap.hpp"
 
 namespace smurf::tools {
@@ -152,23 +152,6 @@ std::string none_of(std::string_view value, std::span<const std::string_view> kn
   std::string words;
   for (const std::string_view word : known) words.append(words.empty() ? "" : ", ").append(word);
   return "'" + std::string(value) + "' is not one of " + words + did_you_mean(value, known);
-}
-
-std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {
-  if (const auto found = only_nearest(name, known)) {
-    return "; did you mean '" + std::string(*found) + "'?";
-  }
-  constexpr std::size_t kShortest = 3;  // leading dashes are ignored
-  constexpr std::size_t kMost = 3;
-  const std::size_t dashes = std::min(name.find_first_not_of('-'), name.size());
-  if (name.size() - dashes < kShortest) return {};
-  std::string longer;
-  std::size_t count = 0;
-  for (const std::string_view word : known) {
-    if (!word.starts_with(name) || ++count > kMost) continue;
-    longer.append(longer.empty() ? "'" : " or '").append(word).append("'");
-  }
-  return count == 0 || count > kMost ? std::string() : "; did you mean " + longer + "?";
 }
 
 }  // namespace smurf::tools

@@ -96,7 +96,4 @@ std::vector<std::string_view> split_items(std::string_view list);
 /// "'x' is not one of a, b, c; did you mean 'a'?"
 std::string none_of(std::string_view value, std::span<const std::string_view> known);
 
-/// "; did you mean 'x'?" for the nearest of `known`, else for those that begin with `name`; or "".
-std::string did_you_mean(std::string_view name, std::span<const std::string_view> known);
-
 }  // namespace smurf::tools

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/did_you_mean.hpp"
 #include "base/system.hpp"
 #include "common/command.hpp"
 #include "common/output.hpp"

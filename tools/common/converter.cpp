@@ -132,12 +132,10 @@ ExitCode Conversion::report(const LoadedExpansion& loaded, std::vector<Diagnosti
   Report report;
   report.diagnostics = std::move(found);
   report.summary = summarize(report.diagnostics);
-  const ExitCode verdict =
-      write_reports(std::move(report), [&](const Diagnostic& one) -> std::optional<std::string> {
-        if (loaded.expansion.is_complete || one.severity != Severity::error) return std::nullopt;
-        return "xacro stops";
-      });
-  return verdict;
+  return this->report(std::move(report), [&](const Diagnostic& one) -> std::optional<std::string> {
+    if (loaded.expansion.is_complete || one.severity != Severity::error) return std::nullopt;
+    return "xacro stops";
+  });
 }
 
 std::optional<LoadedScene> Conversion::load_scene(const std::string& path) {
@@ -202,6 +200,8 @@ std::string by_section(const std::map<std::string_view, std::size_t>& counts,
   return amount + text + ")";
 }
 
+}  // namespace
+
 /// "3 entries (2 in poses, 1 in sensors) and 4 values of other entries (4 in motors)". Findings in
 /// a URDF have an XPath, which begins with the robot, and are not counted.
 std::string count_by_section(std::span<const Diagnostic> losses) {
@@ -220,8 +220,6 @@ std::string count_by_section(std::span<const Diagnostic> losses) {
       by_section(values, "value of other entries", "values of other entries");
   return partly.empty() ? lost : lost + " and " + partly;
 }
-
-}  // namespace
 
 /// Shows findings that make the result wrong and findings of the converter, errors first; counts
 /// the others.
@@ -256,18 +254,12 @@ std::string Conversion::render_for_people(const Report& report, const LossOf& lo
   return text;
 }
 
-ExitCode Conversion::write_reports(Report report, const LossOf& loss_of) {
-  why_.clear();
-  for (const Diagnostic& finding : report.diagnostics) {
-    const auto loss = loss_of(finding);
-    if (!loss || why_.find(*loss) != std::string::npos) continue;
-    why_ += (why_.empty() ? "cannot be converted: " : ", ") + *loss;
-  }
+ExitCode Conversion::report(Report report, const LossOf& loss_of) {
+  why_ = why_not_converted(report.diagnostics, loss_of);
   ExitCode verdict = why_.empty() ? kDone : kFindings;
   if (verdict == kDone) verdict = judge(report.summary, options_.threshold);
   if (verdict != kDone && why_.empty()) why_ = "has findings that reach --fail-on";
   if (options_.reports.empty()) write_error(render_for_people(report, loss_of));
-  findings_ = report.diagnostics;
   std::vector<Diagnostic>& diagnostics = report.diagnostics;
   if (options_.quiet) {
     std::erase_if(diagnostics, [](const Diagnostic& d) { return d.severity != Severity::error; });
@@ -304,20 +296,10 @@ bool Conversion::keeps_inputs(std::vector<std::string> outputs) const {
   return tools::keeps_inputs(tool_, inputs_, outputs);
 }
 
-bool Conversion::report_losses(const LoadedModel& loaded, std::vector<Diagnostic> losses,
-                               const std::string& file, bool are_refused) {
-  losses = session_.finish(loaded, std::move(losses));
-  lost_ = count_by_section(losses);
-  const SourceMap& sources = *loaded.sources;
-  if (!file.empty() &&
-      !write_output(tool_, file, render_losses_json(losses, sources, {tool_, kVersion}))) {
-    return false;
-  }
-  if (!are_refused) return true;
-  for (const Diagnostic& loss : losses) {
-    write_error(render_concise(loss, sources, style_for(Stream::error, options_.color)));
-  }
-  return losses.empty();
+bool Conversion::write_losses(std::span<const Diagnostic> losses, const std::string& file) const {
+  return file.empty() ||
+         write_output(tool_, file,
+                      render_losses_json(losses, session_.loaded_sources(), {tool_, kVersion}));
 }
 
 Diagnostic Conversion::placed(const LoadedScene& loaded, const Diagnostic& found) const {
@@ -328,6 +310,18 @@ Diagnostic Conversion::placed(const LoadedScene& loaded, const Diagnostic& found
 ExitCode Conversion::refuse(std::string_view reason) const {
   complain(tool_, "'" + path_ + "' " + std::string(reason) + "; nothing was written");
   return kFindings;
+}
+
+ExitCode Conversion::refuse(const Refusal& refusal) const {
+  return refuse(refusal.reason + (refusal.can_be_forced ? "; see --force" : ""));
+}
+
+ExitCode Conversion::refuse_losses(std::span<const Diagnostic> losses) const {
+  const TextStyle style = style_for(Stream::error, options_.color);
+  for (const Diagnostic& loss : losses) {
+    write_error(render_concise(loss, session_.loaded_sources(), style));
+  }
+  return refuse("has losses");
 }
 
 }  // namespace smurf::tools

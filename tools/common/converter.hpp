@@ -2,7 +2,6 @@
 // The steps before a conversion: load, check, report on standard error, refuse.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -15,6 +14,7 @@
 #include "common/report.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
+#include "smurf/conversion.hpp"
 #include "smurf/old_scene.hpp"
 #include "smurf/readers.hpp"
 
@@ -36,6 +36,9 @@ struct ConverterOptions {
   std::vector<const Reader*> targets;  ///< targets of the result; empty: all
 };
 
+/// The number of losses in each section of the annotations: "3 entries in poses".
+std::string count_by_section(std::span<const Diagnostic> losses);
+
 /// Rows of the option table that all converters have.
 std::vector<Option> converter_options(ConverterOptions& options, std::string_view output_help);
 
@@ -43,9 +46,6 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
 Setter take_one_operand(std::string& operand);
 /// The same, and for the arguments of a xacro file, `name:=value`.
 Setter take_one_operand(std::string& operand, XacroWishes& wishes);
-
-/// Why a finding makes the result wrong ("urdfdom refuses the file"); none if it does not.
-using LossOf = std::function<std::optional<std::string>(const Diagnostic&)>;
 
 /// One run of a converter. Findings go to standard error, or to the file given by --report.
 class Conversion {
@@ -63,32 +63,25 @@ class Conversion {
   /// The path of a file beside the model.
   std::optional<xml::Document> load_xml(const std::string& path, Loaded& beside);
 
-  /// Checks and reports. kFindings if the result must be refused, because it would be wrong or a
-  /// finding reaches the threshold; why() returns the reason.
-  template <class Loaded>
-  ExitCode report(Loaded& loaded, const LossOf& loss_of) {
-    return write_reports(session_.check(loaded), loss_of);
-  }
+  /// Reports the findings of a conversion. kFindings if one of them makes the result wrong, or
+  /// reaches the threshold; why() returns the reason.
+  ExitCode report(Report report, const LossOf& loss_of);
   /// The same for an expansion that is the result: only its failure is a reason to refuse it.
   ExitCode report(const LoadedExpansion& loaded, std::vector<Diagnostic> found);
   const std::string& why() const { return why_; }
-  /// The findings of the last report.
-  std::span<const Diagnostic> findings() const { return findings_; }
 
   /// Call it after reading all inputs and before writing. If an output, or a file of --report, is
   /// an input, reports this and returns false.
   bool keeps_inputs(std::vector<std::string> outputs) const;
 
-  /// Writes the losses to `file` unless it is "". False if that fails, or if there are losses and
-  /// `are_refused`; then it lists them.
-  bool report_losses(const LoadedModel& loaded, std::vector<Diagnostic> losses,
-                     const std::string& file, bool are_refused);
-  /// The number of losses in each section of the annotations: "3 annotations, 2 in motors, 1 in
-  /// sensors".
-  const std::string& lost() const { return lost_; }
+  /// Writes the losses to `file` unless it is "", and returns false if that fails.
+  bool write_losses(std::span<const Diagnostic> losses, const std::string& file) const;
 
   /// "smurf2urdf: PATH reason"; kFindings.
   ExitCode refuse(std::string_view reason) const;
+  ExitCode refuse(const Refusal& refusal) const;
+  /// Lists the losses first.
+  ExitCode refuse_losses(std::span<const Diagnostic> losses) const;
   /// Prints "smurf2urdf: wrote arm.urdf: 7 joints" on standard error, unless the user asked for
   /// silence or for a report there.
   void tell_written(const std::string& what, std::span<const std::string> remarks = {}) const;
@@ -97,6 +90,7 @@ class Conversion {
   /// Where a finding of loading belongs: one in an expanded robot to its xacro.
   Diagnostic placed(const LoadedScene& loaded, const Diagnostic& found) const;
 
+  Session& session() { return session_; }
   const FileReader& files() const { return session_.files(); }
   const InputFiles& inputs() const { return inputs_; }
 
@@ -104,7 +98,6 @@ class Conversion {
   CheckSettings settings() const;
   std::optional<std::string> open(const std::string& path);
   bool is_accepted(const std::string& path) const;
-  ExitCode write_reports(Report report, const LossOf& loss_of);
   std::string render_for_people(const Report& report, const LossOf& loss_of);
 
   std::string_view tool_;
@@ -116,8 +109,7 @@ class Conversion {
   MemoryFiles files_{&archives_};
   Session session_{files_, options_.limits};
   std::string path_;
-  std::string why_, lost_;
-  std::vector<Diagnostic> findings_;
+  std::string why_;
 };
 
 }  // namespace smurf::tools

@@ -89,18 +89,6 @@ void complain(std::string_view tool, std::string_view message) {
 
 void write_error(std::string_view text) { write_all(2, text); }
 
-std::string safe_name(std::string_view name) {
-  constexpr std::string_view kUnsafe = "/\\\"'`$&|;<>*?";
-  std::string safe;
-  for (const char c : render::escape(name)) {
-    safe += kUnsafe.find(c) == std::string_view::npos ? c : '_';
-  }
-  constexpr std::string_view kUnsafeFirst = "-. ";
-  if (safe.empty() || kUnsafeFirst.find(safe.front()) != std::string_view::npos)
-    safe.insert(0, 1, '_');
-  return safe;
-}
-
 OutputFile named_by_user(const std::string& path, std::string_view text) {
   const std::string place = places::canonical(path).value_or(path);
   return {std::string(path::parent(place)), std::string(path::file_name(place)), text, path};

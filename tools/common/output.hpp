@@ -39,11 +39,6 @@ struct OutputFile {
   std::function<FileContent()> read = {};
 };
 
-/// Makes a safe name for a file or folder from a name that others chose: it is not hidden, no
-/// option, not "." or "..", and has no '/', control characters, or characters that shells
-/// interpret.
-std::string safe_name(std::string_view name);
-
 /// A file that the user named.
 OutputFile named_by_user(const std::string& path, std::string_view text);
 

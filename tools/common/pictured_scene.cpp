@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/mesh_source.hpp"
+#include "smurf/asset_copies.hpp"
 
 namespace smurf::tools {
 namespace {

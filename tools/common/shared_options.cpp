@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/did_you_mean.hpp"
 #include "base/numbers.hpp"
 #include "base/system.hpp"
 #include "render/wrap.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/did_you_mean.hpp"
 #include "base/path.hpp"
 #include "render/wrap.hpp"
 #include "smurf-lint/options.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/did_you_mean.hpp"
 #include "base/numbers.hpp"
 #include "common/shared_options.hpp"
 #include "smurf-lint/rename.hpp"

@@ -129,7 +129,8 @@ ExitCode show_once(const Options& options, const std::string& current) {
   PicturedScene scene(std::move(*loaded), conversion.files(), options.common.limits, current);
   const Picture picture = picture_of(conversion, scene);
   if (!conversion.keeps_inputs({options.common.output})) return kFailed;
-  const ExitCode verdict = conversion.report(scene.loaded(), why_not_shown);
+  const ExitCode verdict =
+      conversion.report(conversion.session().check(scene.loaded()), why_not_shown);
   if (verdict == kFailed) return kFailed;
   if (picture.page.empty()) {
     return conversion.refuse("cannot be shown" +

@@ -2,15 +2,12 @@
 // smurf2urdf: the plain URDF of a SMURF model, checked before it is written.
 #include "base/counted.hpp"
 #include "base/limits.hpp"
-#include "base/path.hpp"
+#include "base/numbers.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
-#include "smurf/confine.hpp"
-#include "smurf/convert.hpp"
+#include "smurf/conversion.hpp"
 #include "smurf/result_losses.hpp"
-
 #include "smurf2urdf/options.hpp"
-#include "smurf2urdf/verify.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -19,44 +16,25 @@ namespace {
 
 constexpr std::string_view kTool = "smurf2urdf";
 
-/// The nearest folder above the URDF with a package.xml; without one, the folder above urdf/, as in
-/// Phobos.
-std::string package_folder(const LinkedModel& model, const Options& options) {
-  const auto given = options.common.packages.find(options.conversion.package_name);
-  const std::string& current = options.conversion.current_folder;
-  if (given != options.common.packages.end()) return path::join(current, given->second);
-  const DiskFiles disk;
-  const std::string urdf_folder(path::parent(path::join(current, model.urdf_path)));
-  for (std::string folder = urdf_folder; !is_shared_folder(folder);
-       folder = path::join(folder, "..")) {
-    if (disk.is_file(path::join(folder, "package.xml"))) return folder;
-  }
-  return path::join(urdf_folder, "..");
-}
-
-/// The reason why the options cannot be applied to this model; "" if they can.
-std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
-  if (options.base != BaseJoint::as_is) {
-    if (model.tree.roots.size() != 1) return "has no single root for --base";
-    if (model.link_names.contains("world")) return "has a link `world` already; leave --base out";
-  }
-  if (options.mesh_uri == MeshUri::package) {
-    for (const MeshReference& mesh : model.meshes) {
-      const std::string target = path::join(options.current_folder, mesh.path);
-      if (!mesh.exists || !path::relative(target, options.package_folder).starts_with("..")) {
-        continue;
-      }
-      return "uses '" + mesh.filename + "', which is outside of the package's folder '" +
-             options.package_folder + "'; see --package";
-    }
-  }
-  for (const std::string& name : options.keep) {
-    if (!model.link_names.contains(name) && !model.joint_names.contains(name)) {
-      return "has no link or joint `" + name + "` to keep" +
-             did_you_mean(name, model.link_names.names());
-    }
-  }
-  return {};
+/// The figures of the comparison, one per line.
+std::string describe(const UrdfProof& verification) {
+  const Proof& proof = verification.comparison;
+  const auto line = [](std::string_view what, double figure, std::string_view unit) {
+    return std::string(what) + format_rounded(figure) + std::string(unit) + "\n";
+  };
+  std::string text = "compared " + std::to_string(proof.links) + " links at " +
+                     std::to_string(proof.joint_positions) + " joint positions\n";
+  text += line("  largest distance of a link  ", proof.position, " m");
+  text += line("  largest angle of a link     ", proof.angle, " rad");
+  text += line("  total mass                  ", proof.mass, " relative");
+  text += line("  centre of mass              ", proof.center_of_mass, " m");
+  text += line("  inertia                     ", proof.inertia, " relative");
+  text += line("  joint limits                ", proof.limits, " relative");
+  const auto verdict = [](bool accepts) { return accepts ? "accepts\n" : "refuses\n"; };
+  text += std::string("  tinyxml2                    ") + verdict(verification.tinyxml2_accepts);
+  text += "  urdfdom                     ";
+  if (!verification.urdfdom.was_asked) return text + "not asked\n";
+  return text + verdict(verification.urdfdom.accepts);
 }
 
 /// Writes the URDF, and the SRDF if it is requested: both or none.
@@ -118,49 +96,39 @@ int smurf2urdf_main(int argc, char** argv) {
   auto loaded = conversion.load_model(options.model);
   if (!loaded) return conversion.fail();
   const LinkedModel& model = loaded->model;
-  const SourceMap& sources = *loaded->sources;
   if (!conversion.keeps_inputs({options.common.output, options.srdf, options.loss_report})) {
     return kFailed;
   }
-  UrdfExport& wanted = options.conversion;
-  const ExitCode verdict = conversion.report(
-      *loaded, [&](const Diagnostic& finding) { return loss_in_urdf(finding, model, wanted); });
+  const UrdfExport& wanted = options.conversion;
+  const UrdfResult result = convert_to_urdf(conversion.session(), *loaded,
+                                            {.options = wanted,
+                                             .packages = options.common.packages,
+                                             .force = options.common.force,
+                                             .referees = all_referees()});
+  const ExitCode verdict = conversion.report(result.report, [&](const Diagnostic& finding) {
+    return loss_in_urdf(finding, model, wanted);
+  });
   if (verdict == kFailed) return kFailed;
-  if (!model.robot) {
-    return conversion.refuse(verdict == kDone ? "has no URDF" : conversion.why());
-  }
+  const Refusal& refusal = result.refusal;
+  if (refusal && refusal.cause == Refusal::Cause::findings) return conversion.refuse(refusal);
   if (verdict != kDone && !options.common.force) {
     return conversion.refuse(conversion.why() + "; see --force");
   }
-
-  if (wanted.mesh_uri == MeshUri::package) wanted.package_folder = package_folder(model, options);
-  if (const std::string problem = problem_of(model, wanted); !problem.empty()) {
-    return conversion.refuse(problem);
-  }
-  DiagnosticSink losses;
-  report_losses(model, wanted, losses);
-  const std::string urdf = export_urdf(model, sources, wanted, losses);
-  const Verification verification =
-      verify(model, sources, urdf, wanted, may_ask_urdfdom(conversion.findings()));
-  if (options.prove) write_error(describe(verification));
-  if (!verification.holds()) return conversion.refuse(verification.problem);
-  if (!verification.strict_fault.empty() && !options.common.force) {
-    return conversion.refuse("cannot be converted: the result would not be XML: " +
-                             verification.strict_fault + "; see --force");
-  }
-  if (!conversion.report_losses(*loaded, losses.take(), options.loss_report,
-                                options.fails_on_loss)) {
-    return options.fails_on_loss ? conversion.refuse("has losses") : kFailed;
+  if (options.prove && result.proof) write_error(describe(*result.proof));
+  if (refusal) return conversion.refuse(refusal);
+  if (!conversion.write_losses(result.losses, options.loss_report)) return kFailed;
+  if (options.fails_on_loss && !result.losses.empty()) {
+    return conversion.refuse_losses(result.losses);
   }
   if (options.dry_run) return kDone;
-  if (!write_result(options, urdf, model)) return kFailed;
+  if (!write_result(options, result.text, model)) return kFailed;
   const std::string& output = options.common.output;
   if (output.empty() || output == "-") return kDone;
-  const std::string text = output + ": " + counted(verification.links, "link") + ", " +
-                           counted(verification.joints, "joint");
-  std::string lost;
-  if (!conversion.lost().empty()) {
-    lost = "not in it: " + conversion.lost();
+  const std::string text = output + ": " + counted(result.proof->links, "link") + ", " +
+                           counted(result.proof->joints, "joint");
+  std::string lost = count_by_section(result.losses);
+  if (!lost.empty()) {
+    lost = "not in it: " + lost;
     if (options.loss_report.empty()) lost += ", see --loss-report";
   }
   conversion.tell_written(text, std::span(&lost, lost.empty() ? 0 : 1));

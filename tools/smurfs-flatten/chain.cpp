@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/did_you_mean.hpp"
 #include "base/numbers.hpp"
 #include "common/command.hpp"
 #include "render/printable.hpp"

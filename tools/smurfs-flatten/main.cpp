@@ -6,10 +6,12 @@
 #include "base/path.hpp"
 #include "common/browser.hpp"
 #include "common/converter.hpp"
+#include "common/copy_files.hpp"
 #include "common/file_set.hpp"
 #include "common/process.hpp"
 #include "common/shared_options.hpp"
 #include "render/printable.hpp"
+#include "smurf/conversion.hpp"
 #include "smurf/dialect.hpp"
 #include "smurf/repository.hpp"
 #include "smurf/result_losses.hpp"
@@ -17,7 +19,6 @@
 #include "smurfs-flatten/chain.hpp"
 #include "smurfs-flatten/compare.hpp"
 #include "smurfs-flatten/formats.hpp"
-#include "smurfs-flatten/written_scene.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -128,9 +129,6 @@ void add_options(Command& command, Options& options) {
        .help =
            "Print the chain of transforms from the world to an instance, in the chosen dialect.",
        .set = set_text(options.explained)});
-  // The old name; --explain of smurf-lint explains rules.
-  command.options.push_back(
-      {.name = "explain", .metavar = "NAME", .set = set_text(options.explained)});
   add({.name = "force",
        .help = "Write the scene despite errors, as long as every pose is known.",
        .set = set_flag(options.common.force)});
@@ -142,8 +140,6 @@ void add_options(Command& command, Options& options) {
        .help = "Refuse to write when the format cannot express something.",
        .set = set_flag(options.strict)});
   command.options.push_back(open_option(options.opens));
-  // The old name.
-  command.options.push_back({.name = "strict", .set = set_flag(options.strict)});
 }
 
 Command make_command(Options& options) {
@@ -199,7 +195,7 @@ std::string output_folder(const Options& options) {
   return to_stdout ? "." : std::string(path::parent(output));
 }
 
-int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options& options) {
+int explain_instance(const LinkedScene& scene, const SourceMap& sources, const Options& options) {
   const auto instance = find_instance(scene, options.explained);
   if (!instance) {
     std::vector<std::string_view> known;
@@ -224,8 +220,6 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
                         options.dialect + ", which " + reading.note);
     return kFailed;
   }
-  DiagnosticSink about_others;
-  apply_dialect(dialect, scene, about_others);
   std::optional<std::string> text = describe_chain(scene, sources, *instance, dialect);
   if (!text) {
     complain(kTool, "more than " + std::to_string(kMostSteps) + " transforms lead to '" +
@@ -259,24 +253,6 @@ bool wants_json(const Options& options) {
   return options.format == "json" || path::extension(options.common.output) == ".json";
 }
 
-std::optional<std::string> loss_in(const Diagnostic& finding, const LoadedScene& loaded) {
-  if (is_about_world_setting(finding, loaded.scene)) return std::nullopt;
-  return loss_in_scene(finding, *loaded.sources);
-}
-
-/// The first finding that makes it impossible to compute a pose.
-std::optional<std::string> first_loss(const LoadedScene& loaded) {
-  for (const Diagnostic& finding : loaded.found.diagnostics()) {
-    if (auto loss = loss_in(finding, loaded)) return loss;
-  }
-  return std::nullopt;
-}
-
-bool has_losses(const DiagnosticSink& sink) {
-  const auto& findings = sink.diagnostics();
-  return std::any_of(findings.begin(), findings.end(), is_loss);
-}
-
 /// The form to write; if the format does not support it, reports this and returns none.
 std::optional<SceneForm> choose_form(const SceneFormat& format, const std::string& asked) {
   if (asked.empty()) return usual_form(format);
@@ -286,30 +262,21 @@ std::optional<SceneForm> choose_form(const SceneFormat& format, const std::strin
   return std::nullopt;
 }
 
-WrittenScene flatten_scene(const Conversion& conversion, LoadedScene& loaded,
-                           const Options& options, const SceneFormat& format, SceneForm form,
-                           const std::string& current) {
-  SceneWishes wishes{.format = format,
-                     .form = form,
-                     .dialect = *find_dialect(options.dialect),
-                     .ground = options.ground,
-                     .links = options.links,
-                     .assets = options.assets,
-                     .output_folder = output_folder(options),
-                     .current_folder = current};
+SceneRequest request_of(const Options& options, const SceneFormat& format, SceneForm form,
+                        const std::string& current) {
+  SceneRequest request{.format = format,
+                       .form = form,
+                       .dialect = *find_dialect(options.dialect),
+                       .ground = options.ground,
+                       .links = options.links,
+                       .assets = options.assets,
+                       .output_folder = output_folder(options),
+                       .current_folder = current,
+                       .force = options.common.force};
   if (!options.base.empty()) {
-    wishes.base = options.base == "fixed" ? BaseChoice::fixed : BaseChoice::floating;
+    request.base = options.base == "fixed" ? BaseChoice::fixed : BaseChoice::floating;
   }
-  return write_scene(loaded, wishes, conversion.files(), options.common.limits, loaded.found);
-}
-
-bool write_losses(const Options& options, std::span<const Diagnostic> findings,
-                  const SourceMap& sources) {
-  if (options.loss_report.empty()) return true;
-  std::vector<Diagnostic> losses;
-  std::copy_if(findings.begin(), findings.end(), std::back_inserter(losses), is_loss);
-  return write_output(kTool, options.loss_report,
-                      render_losses_json(losses, sources, {kTool, kVersion}));
+  return request;
 }
 
 /// What the reader of the written file needs besides it; none if nothing.
@@ -322,18 +289,10 @@ std::vector<std::string> remarks_on(const SceneFormat& format, const std::string
   return {remark};
 }
 
-/// Whether an unknown key may be a misspelt `entities`. Scenes can be empty on purpose.
-bool lacks_entities(const LinkedScene& scene) {
-  const SceneFile& file = scene.scenes.front();
-  if (!scene.instances.empty() || file.scene.extra.empty() || !file.document) return false;
-  const yaml::View root = file.document->view();
-  return !root.find("entities") && !root.find("smurfs") && !root.find("smurfa");
-}
-
 /// Writes the result and its copies, says so, and opens the page.
 ExitCode write_result(const Conversion& conversion, const LoadedScene& loaded,
                       const Options& options, const SceneFormat& format,
-                      const WrittenScene& result) {
+                      const SceneResult& result) {
   std::string output = options.common.output;
   const auto write = [&] {
     if (!options.opens || (!output.empty() && output != "-")) {
@@ -384,35 +343,33 @@ int smurfs_flatten_main(int argc, char** argv) {
                         {InputKind::scene, InputKind::model, InputKind::urdf});
   auto loaded = conversion.load_scene(options.scene);
   if (!loaded) return conversion.fail();
-  const SourceMap& sources = *loaded->sources;
-  WrittenScene result;
-  bool is_complete = true;
-  const bool is_sound = !first_loss(*loaded);
-  if (is_sound && options.compare_dialects) {
-    result.text = compare_dialects(loaded->scene, sources, wants_json(options));
-  } else if (is_sound && options.explained.empty()) {
-    result = flatten_scene(conversion, *loaded, options, format, *form, *current);
-    is_complete = !has_losses(loaded->found);
+  SceneResult result;
+  if (options.compare_dialects || !options.explained.empty()) {
+    SceneCheck check = check_scene(conversion.session(), *loaded, options.common.force);
+    result.report = std::move(check.report);
+    result.refusal = std::move(check.refusal);
+  } else {
+    result =
+        convert_scene(conversion.session(), *loaded, request_of(options, format, *form, *current));
   }
   const std::vector<std::string> copies = places_of(result.copies, conversion.inputs());
   if (!conversion.keeps_inputs({options.common.output, options.loss_report})) return kFailed;
   if (!keeps_inputs(kTool, conversion.inputs(), copies)) return kFailed;
-  // A comment suppresses a finding, but does not make the pose known.
-  const std::optional<std::string> loss = first_loss(*loaded);
-  const ExitCode verdict = conversion.report(
-      *loaded, [&](const Diagnostic& finding) { return loss_in(finding, *loaded); });
+  const ExitCode verdict = conversion.report(result.report, [&](const Diagnostic& finding) {
+    return loss_in_scene(finding, loaded->scene, *loaded->sources);
+  });
   if (verdict == kFailed) return kFailed;
-  if (loss) return conversion.refuse("cannot be converted: " + *loss);
+  if (result.refusal) return conversion.refuse(result.refusal);
   if (verdict != kDone && !options.common.force) {
     return conversion.refuse(conversion.why() + "; see --force");
   }
   if (!options.explained.empty()) {
-    return explain_instance(loaded->scene, sources, options);
+    return explain_instance(loaded->scene, *loaded->sources, options);
   }
-  if (lacks_entities(loaded->scene) && !options.compare_dialects && !options.common.force) {
-    return conversion.refuse("has no `entities`; see --force");
+  if (options.compare_dialects) {
+    result.text = compare_dialects(loaded->scene, *loaded->sources, wants_json(options));
   }
-  if (!write_losses(options, conversion.findings(), sources)) return kFailed;
-  if (!is_complete && options.strict) return conversion.refuse("has losses");
+  if (!conversion.write_losses(result.losses, options.loss_report)) return kFailed;
+  if (options.strict && !result.losses.empty()) return conversion.refuse("has losses");
   return write_result(conversion, *loaded, options, format, result);
 }

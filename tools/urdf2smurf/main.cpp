@@ -6,8 +6,8 @@
 #include "base/counted.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
-#include "common/asset_copies.hpp"
 #include "common/converter.hpp"
+#include "common/copy_files.hpp"
 #include "common/process.hpp"
 #include "render/printable.hpp"
 #include "smurf/convert.hpp"
@@ -149,7 +149,7 @@ std::string file_name_of(const Options& options, const LinkedModel& model) {
   const bool is_xacro = xacro::is_xacro_file(model.urdf_path);
   if (is_xacro && path::to_lower(stem).ends_with(".urdf")) stem = path::stem(stem);
   const bool is_named = model.robot && model.robot->name && !model.robot->name->empty();
-  return safe_name(is_general(stem) && is_named ? *model.robot->name : stem);
+  return render::safe_file_name(is_general(stem) && is_named ? *model.robot->name : stem);
 }
 
 /// Everything that will be written.
@@ -382,14 +382,15 @@ ExitCode convert(Conversion& conversion, const Options& options) {
   const Plan plan =
       make_plan(options, *current, *loaded, srdf ? &*srdf : nullptr, loaded->found, conversion);
   if (!options.dry_run && !conversion.keeps_inputs(plan.outputs)) return kFailed;
-  const ExitCode verdict = conversion.report(*loaded, loss_in_model);
+  const Report report = conversion.session().check(*loaded);
+  const ExitCode verdict = conversion.report(report, loss_in_model);
   if (verdict == kFailed) return kFailed;
   if (!model.robot) return conversion.refuse(conversion.why());
   if (verdict != kDone && !options.common.force) {
     return conversion.refuse(conversion.why() + "; see --force");
   }
   const Verification verification =
-      verify(model, conversion.findings(), plan, options, verdict == kDone);
+      verify(model, report.diagnostics, plan, options, verdict == kDone);
   if (!verification.problem.empty()) return conversion.refuse(verification.problem);
   if (options.dry_run) return write_names(plan);
   if (!write_plan(plan, options, conversion)) return kFailed;

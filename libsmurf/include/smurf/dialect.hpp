@@ -47,9 +47,9 @@ std::span<const Dialect* const> dialects();
 /// Null if there is no dialect of that name.
 const Dialect* find_dialect(std::string_view name);
 
-/// Gives the instances of a scene the poses, anchors and joint positions that a reader gives them.
-/// Instances that it does not load are reported and have no pose.
-void apply_dialect(const Dialect& dialect, LinkedScene& scene, DiagnosticSink& sink);
+/// The poses, anchors and joint positions that a reader gives the instances of a scene. Reports
+/// those that it does not load.
+SceneReading read_as(const Dialect& dialect, const LinkedScene& scene, DiagnosticSink& sink);
 
 /// True when two poses are equal within 1e-9 m and 1e-9 rad.
 bool is_same_pose(const std::optional<Pose>& a, const std::optional<Pose>& b);

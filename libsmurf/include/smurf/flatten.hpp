@@ -21,6 +21,7 @@
 namespace smurf {
 
 struct Dialect;
+struct SceneReading;
 
 struct ValueMember;
 
@@ -53,8 +54,9 @@ struct FlatModel {
 /// The thing that an instance is attached to.
 struct FlatAttachment {
   Attachment::Kind kind = Attachment::Kind::none;
-  std::string instance;  ///< its path; kind link
-  std::string link;      ///< kind link
+  std::string instance;   ///< its path; kind link
+  std::string link;       ///< kind link
+  std::size_t index = 0;  ///< in FlatScene::instances; kind link
 };
 
 /// An entity in the world: a model, or a set of shapes.
@@ -75,6 +77,8 @@ struct FlatInstance {
   std::vector<FlatShape> shapes;  ///< of an entity without model
   /// X_WL of every link, in the model's order, if requested.
   std::vector<std::pair<std::string, Pose>> links;
+  const Entity* entity = nullptr;  ///< of the linked scene, which must outlive its use
+  JointPoseIndex joint_pose{};     ///< in FlatScene::joint_poses
 };
 
 /// Settings of the simulation; absent where the scene does not have them.
@@ -104,6 +108,9 @@ struct FlatScene {
   std::vector<FlatOldScene> old_scenes;
   std::vector<FlatModel> models;
   std::vector<FlatInstance> instances;  ///< depth-first, in file order
+  /// The distinct joint poses of the instances, of all joints that do not mimic another joint; in
+  /// the first, all joints are at zero.
+  std::vector<JointPositions> joint_poses{1};
 };
 
 /// The parts of a model that a format writes for each of its instances, besides links, shapes and
@@ -125,6 +132,8 @@ struct FlattenOptions {
   std::string current_folder = {};
   /// The contents of the old scenes; null: entities of old scenes have no shapes.
   const OldScenes* old_scenes = nullptr;
+  /// How a dialect reads the scene: read_as(). Null: as documented.
+  const SceneReading* reading = nullptr;
 };
 
 /// Whether the result of flatten(), and the text that a format makes of it, stay within
@@ -152,8 +161,7 @@ struct TransformStep {
 inline constexpr std::size_t kMostSteps = 10'000;
 
 /// The chain of transforms from the world to an instance; empty if the instance has no pose. A
-/// longer chain ends after kMostSteps + 1 steps. `scene` is as loaded, or as apply_dialect()
-/// changed it for this dialect.
+/// longer chain ends after kMostSteps + 1 steps.
 std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex instance,
                                    const Dialect& dialect);
 

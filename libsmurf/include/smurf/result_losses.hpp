@@ -25,12 +25,10 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
 std::optional<std::string> loss_in_model(const Diagnostic& finding);
 
 /// The reason why poses or shapes of a flattened scene would be wrong because of this finding. A
-/// wrong mass or motor changes neither.
-std::optional<std::string> loss_in_scene(const Diagnostic& finding, const SourceMap& sources);
-
-/// Whether a finding is about lights or other settings of the world, which do not decide where
-/// anything is.
-bool is_about_world_setting(const Diagnostic& finding, const LinkedScene& scene);
+/// wrong mass or motor changes neither, and lights and other settings of the world do not decide
+/// where anything is.
+std::optional<std::string> loss_in_scene(const Diagnostic& finding, const LinkedScene& scene,
+                                         const SourceMap& sources);
 
 /// Whether a finding only says that a picture does not have what no picture has.
 bool is_about_picture(const Diagnostic& finding);

@@ -37,7 +37,7 @@ struct MeshSource {
 /// The input of a writer. All of it must outlive the call.
 struct SceneExport {
   const FlatScene& flat;
-  const LinkedScene& scene;  ///< the source of `flat`: same instances, in the same order
+  const LinkedScene& scene;  ///< the source of `flat`
   const SourceMap& sources;  ///< the source files of `scene`
   DiagnosticSink& losses;    ///< receives findings about losses (SML82xx)
   bool links = false;        ///< write the world poses of all links, if the format supports them
@@ -47,6 +47,11 @@ struct SceneExport {
   MeshSource meshes = {};     ///< for previews; without it, meshes are lost
   /// Limit of the text. A longer text is of no use and may end anywhere.
   std::uint64_t most_bytes = Limits{}.scene_bytes;
+
+  /// The positions of all joints of an instance that do not mimic another joint.
+  const JointPositions& joint_positions(std::size_t instance) const {
+    return flat.joint_poses[to_size(flat.instances[instance].joint_pose)];
+  }
 };
 
 /// A format is one file in src/write that defines one of these, and its line in
@@ -72,9 +77,8 @@ struct SceneFormat {
 /// What becomes of models that the scene anchors nowhere. Readers of URDFs fix a root named
 /// `world`; MARS lets every such model move freely.
 enum class BaseChoice : std::uint8_t { world_roots_fixed, fixed, floating };
-/// Anchors these models to the world, and returns their instances. `anchor: none` in the scene is
-/// kept.
-std::vector<std::size_t> anchor_bases(LinkedScene& scene, BaseChoice choice);
+/// Anchors these models to the world. `anchor: none` in the scene is kept.
+void anchor_bases(FlatScene& flat, const LinkedScene& scene, BaseChoice choice);
 
 /// A model of which a part is below the floor of SceneExport::ground at the start.
 struct BelowFloor {

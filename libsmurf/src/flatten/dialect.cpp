@@ -40,22 +40,16 @@ const Dialect* find_dialect(std::string_view name) {
   return nullptr;
 }
 
-void apply_dialect(const Dialect& dialect, LinkedScene& scene, DiagnosticSink& sink) {
+SceneReading read_as(const Dialect& dialect, const LinkedScene& scene, DiagnosticSink& sink) {
   SceneReading read = dialect.read(scene);
-  scene.joint_poses = std::move(read.joint_poses);
   for (std::size_t i = 0; i < read.entities.size(); ++i) {
-    Instance& instance = scene.instances[i];
-    EntityReading& reading = read.entities[i];
-    if (instance.X_WE && !reading.X_WE) {
-      sink.report(rules::sml8208_not_in_dialect, place_of(scene.entity(instance)),
-                  quoted(instance.path) + " is not in the scene of the dialect " +
-                      std::string(dialect.name) + ", which " + reading.note);
-    }
-    instance.X_WE = reading.X_WE;
-    instance.placement.parent = std::move(reading.parent);
-    instance.placement.anchor = std::move(reading.anchor);
-    instance.joint_pose = reading.joint_pose;
+    const Instance& instance = scene.instances[i];
+    if (!instance.X_WE || read.entities[i].X_WE) continue;
+    sink.report(rules::sml8208_not_in_dialect, place_of(scene.entity(instance)),
+                quoted(instance.path) + " is not in the scene of the dialect " +
+                    std::string(dialect.name) + ", which " + read.entities[i].note);
   }
+  return read;
 }
 
 bool is_same_pose(const std::optional<Pose>& a, const std::optional<Pose>& b) {

@@ -13,14 +13,19 @@ namespace {
 
 class Explainer {
  public:
-  Explainer(const LinkedScene& scene, const Dialect& dialect) : scene_(scene), dialect_(dialect) {}
+  Explainer(const LinkedScene& scene, const Dialect& dialect)
+      : scene_(scene), dialect_(dialect), reading_(dialect.read(scene)) {}
 
-  std::vector<TransformStep> run(const Instance& instance) {
-    add_instance(instance);
+  std::vector<TransformStep> run(InstanceIndex instance) {
+    if (read(instance).X_WE) add_instance(instance);
     return std::move(steps_);
   }
 
  private:
+  const EntityReading& read(InstanceIndex instance) const {
+    return reading_.entities[to_size(instance)];
+  }
+
   bool is_too_long() const { return steps_.size() > kMostSteps; }
 
   void add(std::string what, Span span, const Pose& X_step) {
@@ -30,15 +35,15 @@ class Explainer {
 
   /// Adds the parents of an instance first. Chains of parents have no cycles here, because X_WE is
   /// known.
-  void add_instance(const Instance& instance) {
-    std::vector<const Instance*> chain{&instance};
-    while (chain.back()->placement.parent.kind == Attachment::Kind::link) {
-      chain.push_back(&scene_.instance(chain.back()->placement.parent.instance));
+  void add_instance(InstanceIndex instance) {
+    std::vector<InstanceIndex> chain{instance};
+    while (read(chain.back()).parent.kind == Attachment::Kind::link) {
+      chain.push_back(read(chain.back()).parent.instance);
     }
     for (std::size_t i = chain.size(); i-- > 0 && !is_too_long();) {
-      add_includes(*chain[i]);
-      add_entity(*chain[i]);
-      if (i > 0) add_joints(*chain[i], chain[i - 1]->placement.parent.link);
+      add_includes(scene_.instance(chain[i]));
+      add_entity(scene_.instance(chain[i]), *read(chain[i]).X_WE);
+      if (i > 0) add_joints(chain[i], read(chain[i - 1]).parent.link);
     }
   }
 
@@ -60,18 +65,21 @@ class Explainer {
 
   const SceneUse* outer(const SceneUse& use) const { return &scene_.uses[to_size(*use.outer)]; }
 
-  void add_entity(const Instance& instance) {
+  void add_entity(const Instance& instance, const Pose& X_WE) {
     const Entity& entity = scene_.entity(instance);
     Pose X_PE = dialect_.pose_of(scene_, scene_.use(instance), entity);
     const Pose X_WP = steps_.empty() ? Pose{} : steps_.back().X_W;
     // If a dialect uses more than the keys of the scene, the step is the resulting transform.
-    if (!is_same_pose(X_WP * X_PE, instance.X_WE)) X_PE = inverse(X_WP) * *instance.X_WE;
+    if (!is_same_pose(X_WP * X_PE, X_WE)) X_PE = inverse(X_WP) * X_WE;
     add("entity " + quoted(instance.path), place_of(entity), X_PE);
   }
 
-  void add_joints(const Instance& instance, const std::string& link) {
-    const LinkedModel* model = scene_.model(instance);
-    const auto& frames = frames_.of(scene_, instance);
+  void add_joints(InstanceIndex instance, const std::string& link) {
+    const std::optional<ModelIndex>& index = scene_.instance(instance).model;
+    const LinkedModel* model = scene_.model(scene_.instance(instance));
+    const JointPoseIndex pose = read(instance).joint_pose;
+    const auto& frames = frames_.of(scene_, *index, pose, reading_.joint_poses);
+    const JointPositions& positions = reading_.joint_poses[to_size(pose)];
     const auto target = model->link_names.find(link);
     if (!target || *target >= frames.size() || !frames[*target]) return;
     std::vector<JointIndex> joints;
@@ -84,7 +92,7 @@ class Explainer {
       if (is_too_long()) return;
       const auto& X_EP = frames[to_size(*model->tree.joint_parent[to_size(joint)])];
       const auto& X_EC = frames[to_size(*model->tree.joint_child[to_size(joint)])];
-      add(joint_title(instance, model->joint(joint)), joint_place(model->joint(joint)),
+      add(joint_title(positions, model->joint(joint)), joint_place(model->joint(joint)),
           inverse(*X_EP) * *X_EC);
     }
   }
@@ -93,9 +101,8 @@ class Explainer {
     return joint.name.span.empty() ? joint.span : joint.name.span;
   }
 
-  std::string joint_title(const Instance& instance, const urdf::Joint& joint) const {
+  static std::string joint_title(const JointPositions& positions, const urdf::Joint& joint) {
     std::string title = "joint " + quoted(joint.name.value_or({}));
-    const JointPositions& positions = scene_.joint_positions(instance);
     const auto position = positions.find(joint.name.value_or({}));
     if (position == positions.end()) return title;
     const bool is_linear = joint.type == urdf::JointType::prismatic;
@@ -104,6 +111,7 @@ class Explainer {
 
   const LinkedScene& scene_;
   const Dialect& dialect_;
+  SceneReading reading_;
   LinkFrames frames_;
   std::vector<TransformStep> steps_;
 };
@@ -112,9 +120,7 @@ class Explainer {
 
 std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex index,
                                    const Dialect& dialect) {
-  const Instance& instance = scene.instance(index);
-  if (!instance.X_WE) return {};
-  return Explainer(scene, dialect).run(instance);
+  return Explainer(scene, dialect).run(index);
 }
 
 }  // namespace smurf

@@ -57,7 +57,7 @@ bool check_flat_numbers(const FlatScene& flat, const LinkedScene& scene, Diagnos
   bool is_sound = true;
   const auto report = [&](std::size_t index) {
     is_sound = false;
-    sink.report(rules::sml4003_out_of_range, place_of(scene.entity(scene.instances[index])),
+    sink.report(rules::sml4003_out_of_range, place_of(*flat.instances[index].entity),
                 "a size, a place or the mass of " + quoted(flat.instances[index].path) +
                     " is too large for computations");
   };

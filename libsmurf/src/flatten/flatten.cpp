@@ -12,6 +12,7 @@
 #include "flatten/shapes.hpp"
 #include "flatten/value.hpp"
 #include "link/scene_link.hpp"
+#include "smurf/dialect.hpp"
 
 namespace smurf {
 namespace {
@@ -25,9 +26,10 @@ class Flattener {
     flat_.scene = relative(scene_.path);
     for (std::size_t i = 0; i < scene_.models.size(); ++i) add_model(i);
     set_world();
+    flat_.joint_poses = options_.reading ? options_.reading->joint_poses : scene_.joint_poses;
     flat_.instances.reserve(scene_.instances.size());
-    for (const Instance& instance : scene_.instances) {
-      flat_.instances.push_back(flat_instance(instance));
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+      flat_.instances.push_back(flat_instance(i));
     }
     return std::move(flat_);
   }
@@ -103,14 +105,33 @@ class Flattener {
   }
 
   FlatAttachment flat_attachment(const Attachment& attachment) const {
-    if (attachment.kind != Attachment::Kind::link) return {attachment.kind, {}, {}};
-    return {attachment.kind, scene_.instance(attachment.instance).path, attachment.link};
+    if (attachment.kind != Attachment::Kind::link) return {attachment.kind, {}, {}, 0};
+    return {attachment.kind, scene_.instance(attachment.instance).path, attachment.link,
+            to_size(attachment.instance)};
   }
 
-  FlatInstance flat_instance(const Instance& instance) {
+  /// Where the scene, or the dialect, places an instance.
+  void place(const Instance& instance, std::size_t index, FlatInstance& flat) const {
+    if (options_.reading == nullptr) {
+      flat.X_WE = instance.X_WE;
+      flat.anchor = flat_attachment(instance.placement.anchor);
+      flat.parent = flat_attachment(instance.placement.parent);
+      flat.joint_pose = instance.joint_pose;
+      return;
+    }
+    const EntityReading& reading = options_.reading->entities[index];
+    flat.X_WE = reading.X_WE;
+    flat.anchor = flat_attachment(reading.anchor);
+    flat.parent = flat_attachment(reading.parent);
+    flat.joint_pose = reading.joint_pose;
+  }
+
+  FlatInstance flat_instance(std::size_t index) {
+    const Instance& instance = scene_.instances[index];
     const Entity& entity = scene_.entity(instance);
     const SceneFile& file = scene_.file(scene_.use(instance));
     FlatInstance flat;
+    flat.entity = &entity;
     flat.name = instance.name;
     flat.path = instance.path;
     flat.type = instance.type;
@@ -121,15 +142,13 @@ class Flattener {
     }
     flat.source_file = relative(file.path);
     flat.source_line = sources_.line_of(entity.span.source, entity.span.begin);
-    flat.X_WE = instance.X_WE;
-    flat.anchor = flat_attachment(instance.placement.anchor);
-    flat.parent = flat_attachment(instance.placement.parent);
+    place(instance, index, flat);
     flat.properties = properties(instance, entity, file);
     if (!instance.model) flat.shapes = shapes_of(flat, entity.position.written);
     if (is_old_scene(instance.type)) add_old_scene(instance, flat);
     if (const LinkedModel* model = scene_.model(instance)) {
-      add_joints(instance, *model, flat);
-      if (options_.links) add_links(instance, *model, flat);
+      add_joints(*model, flat);
+      if (options_.links) add_links(*model, flat);
     }
     return flat;
   }
@@ -177,16 +196,16 @@ class Flattener {
     return known->second;
   }
 
-  void add_joints(const Instance& instance, const LinkedModel& model, FlatInstance& flat) {
-    const auto [known, is_new] = positions_.try_emplace({*instance.model, instance.joint_pose});
-    if (is_new) known->second = joints_of(instance, model);
+  void add_joints(const LinkedModel& model, FlatInstance& flat) {
+    const auto [known, is_new] = positions_.try_emplace({*flat.model, flat.joint_pose});
+    if (is_new) known->second = joints_of(model, flat_.joint_poses[to_size(flat.joint_pose)]);
     flat.joint_positions = known->second;
   }
 
-  std::vector<std::pair<std::string, double>> joints_of(const Instance& instance,
-                                                        const LinkedModel& model) const {
+  static std::vector<std::pair<std::string, double>> joints_of(const LinkedModel& model,
+                                                               const JointPositions& given) {
     std::vector<std::pair<std::uint32_t, double>> by_joint;
-    for (const auto& [name, position] : scene_.joint_positions(instance)) {
+    for (const auto& [name, position] : given) {
       if (const auto joint = model.joint_names.find(name)) by_joint.emplace_back(*joint, position);
     }
     std::sort(by_joint.begin(), by_joint.end());
@@ -197,13 +216,15 @@ class Flattener {
     return positions;
   }
 
-  void add_links(const Instance& instance, const LinkedModel& model, FlatInstance& flat) {
-    if (!instance.X_WE) return;
-    const std::vector<std::optional<Pose>>& frames = frames_.of(scene_, instance);
+  void add_links(const LinkedModel& model, FlatInstance& flat) {
+    if (!flat.X_WE) return;
+    const std::vector<std::optional<Pose>>& frames =
+        frames_.of(scene_, ModelIndex{static_cast<std::uint32_t>(*flat.model)}, flat.joint_pose,
+                   flat_.joint_poses);
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const Field<std::string>& name = model.robot->links[i].name;
       if (!frames[i] || !name || model.link_names.find(*name) != i) continue;
-      flat.links.emplace_back(*name, *instance.X_WE * *frames[i]);
+      flat.links.emplace_back(*name, *flat.X_WE * *frames[i]);
     }
   }
 
@@ -213,7 +234,7 @@ class Flattener {
   FlatScene flat_;
   std::map<std::string, std::string> relative_;
   UniqueNames ids_;
-  std::map<std::pair<ModelIndex, JointPoseIndex>, std::vector<std::pair<std::string, double>>>
+  std::map<std::pair<std::size_t, JointPoseIndex>, std::vector<std::pair<std::string, double>>>
       positions_;
   std::map<std::pair<const OldSceneFile*, bool>, OldSceneContent> old_contents_;
   LinkFrames frames_;

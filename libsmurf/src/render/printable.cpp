@@ -103,6 +103,19 @@ std::string visible_lines(std::string_view text) {
   return out;
 }
 
+std::string safe_file_name(std::string_view name) {
+  constexpr std::string_view kUnsafe = "/\\\"'`$&|;<>*?";
+  std::string safe;
+  for (const char c : escape(name)) {
+    safe += kUnsafe.find(c) == std::string_view::npos ? c : '_';
+  }
+  constexpr std::string_view kUnsafeFirst = "-. ";
+  if (safe.empty() || kUnsafeFirst.find(safe.front()) != std::string_view::npos) {
+    safe.insert(0, 1, '_');
+  }
+  return safe;
+}
+
 std::size_t width_of(std::string_view text) {
   std::size_t width = 0;
   while (!text.empty()) {

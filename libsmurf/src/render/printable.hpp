@@ -33,6 +33,11 @@ std::string escape_lines(std::string_view text);
 /// character of the source, U+FFFD as in a terminal. Tabs and line ends are kept.
 std::string visible_lines(std::string_view text);
 
+/// Makes a safe name for a file or folder from a name that others chose: it is not hidden, no
+/// option, not "." or "..", and has no '/', control characters, or characters that shells
+/// interpret.
+std::string safe_file_name(std::string_view name);
+
 /// Columns of an escaped text.
 std::size_t width_of(std::string_view text);
 

@@ -67,7 +67,7 @@ class FloorCheck {
     if (model == nullptr || !instance.X_WE) return 0;
     const std::vector<bool> is_fixed = fixed_links(*model, i);
     double lowest = 0;
-    const auto& frames = frames_.of(scene_.scene, scene_.scene.instances[i]);
+    const auto& frames = frames_of(scene_, i, frames_);
     const FlatModel& flat = scene_.flat.models[*instance.model];
     const bool has_collisions =
         std::any_of(model->robot->links.begin(), model->robot->links.end(),
@@ -131,19 +131,16 @@ class FloorCheck {
 
 }  // namespace
 
-std::vector<std::size_t> anchor_bases(LinkedScene& scene, BaseChoice choice) {
-  std::vector<std::size_t> anchored;
-  if (choice == BaseChoice::floating) return anchored;
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    Attachment& anchor = scene.instances[i].placement.anchor;
+void anchor_bases(FlatScene& flat, const LinkedScene& scene, BaseChoice choice) {
+  if (choice == BaseChoice::floating) return;
+  for (std::size_t i = 0; i < flat.instances.size(); ++i) {
+    FlatInstance& instance = flat.instances[i];
     const LinkedModel* model = robot_of(scene, i);
-    if (model == nullptr || anchor.kind != Attachment::Kind::none) continue;
-    if (scene.entity(scene.instances[i]).anchor.written) continue;
+    if (model == nullptr || instance.anchor.kind != Attachment::Kind::none) continue;
+    if (instance.entity->anchor.written) continue;
     if (choice == BaseChoice::world_roots_fixed && root_link_name(*model) != "world") continue;
-    anchor.kind = Attachment::Kind::world;
-    anchored.push_back(i);
+    instance.anchor.kind = Attachment::Kind::world;
   }
-  return anchored;
 }
 
 std::vector<BelowFloor> below_floor(const SceneExport& scene) {

@@ -34,7 +34,7 @@ Found changed_names(const SceneExport& scene, SceneColumn column) {
     const bool has_slash = instance.name.find('/') != std::string::npos;
     if (!instance.X_WE || (names[i] == expected_name(instance) && !has_slash)) continue;
     found.push_back(
-        {place_of(scene.scene.entity(scene.scene.instances[i])),
+        {place_of(*scene.flat.instances[i].entity),
          shortened(instance.path, kMostOfName) + " as " + shortened(names[i], kMostOfName)});
   }
   return found;

@@ -135,9 +135,8 @@ Found missing(const SceneExport& scene) {
   for (const SceneFile& file : scene.scene.scenes) {
     if (file.scene.physics) return {{file.scene.physics->span, scene.scene.path}};
   }
-  if (scene.scene.instances.empty()) return {};
-  const Entity& first = scene.scene.entity(scene.scene.instances.front());
-  return {{place_of(first), scene.scene.path}};
+  if (scene.flat.instances.empty()) return {};
+  return {{place_of(*scene.flat.instances.front().entity), scene.scene.path}};
 }
 
 /// Everybody expects gravity and a step of the simulator around a robot that is not in a scene.
@@ -447,7 +446,7 @@ Found start_positions(const SceneExport& scene, SceneColumn) {
   for (std::size_t i = 0; i < scene.flat.instances.size(); ++i) {
     const auto& positions = scene.flat.instances[i].joint_positions;
     if (std::none_of(positions.begin(), positions.end(), is_bent)) continue;
-    const Entity& entity = scene.scene.entity(scene.scene.instances[i]);
+    const Entity& entity = *scene.flat.instances[i].entity;
     found.push_back(
         {entity.pose.written ? entity.pose.span : place_of(entity), scene.flat.instances[i].path});
   }
@@ -460,7 +459,7 @@ Found world_roots(const SceneExport& scene, SceneColumn) {
     const FlatInstance& instance = scene.flat.instances[i];
     const LinkedModel* model = robot_of(scene.scene, i);
     if (model == nullptr || instance.anchor.kind != Attachment::Kind::world) continue;
-    const Entity& entity = scene.scene.entity(scene.scene.instances[i]);
+    const Entity& entity = *scene.flat.instances[i].entity;
     const SceneUse& use = scene.scene.use(scene.scene.instances[i]);
     const bool is_chosen = !entity.anchor.written && root_link_name(*model) == "world" &&
                            use.placement.anchor.kind == Attachment::Kind::none;
@@ -487,7 +486,7 @@ Found entity_keys(const SceneExport& scene, SceneColumn column) {
     const std::string path = shortened(instance.path, kMostOfName);
     for (const ValueMember& member : instance.properties) {
       if (is_said(member.key)) continue;
-      const Entity& entity = scene.scene.entity(scene.scene.instances[i]);
+      const Entity& entity = *scene.flat.instances[i].entity;
       found.push_back({place_of(entity), member.key + " of " + path});
     }
   }

@@ -47,7 +47,7 @@ void MjcfActuators::add_actuator(std::size_t i, const JointDrive& drive) {
     actuator.emplace_back("biasprm", join_numbers({0, -kp, -kv}));
     if (is_position) {
       const LinkedModel& model = *robot_of(i);
-      command = start_position(model, *drive.joint, scene_.scene.joint_positions(linked(i)));
+      command = start_position(model, *drive.joint, scene_.joint_positions(i));
       if (drive.lower && drive.upper && *drive.lower < *drive.upper) {
         limit("ctrllimited", "ctrlrange", join_numbers({*drive.lower, *drive.upper}));
       }

@@ -102,8 +102,7 @@ class AttachWriter : MjcfParts {
       if (const auto joint = model.tree.parent_joint[link]) {
         const urdf::Joint& parent = model.joint(*joint);
         if (parent.has_one_axis()) {
-          add_start(format_number(
-              start_position(model, parent, scene_.scene.joint_positions(linked(i)))));
+          add_start(format_number(start_position(model, parent, scene_.joint_positions(i))));
         }
       }
       const std::vector<JointIndex>& joints = model.tree.child_joints[link];
@@ -117,13 +116,13 @@ class AttachWriter : MjcfParts {
     if (welded_.empty()) return;
     xml_.open("equality");
     for (const std::size_t i : welded_) {
-      const auto X_LE = pose_on_anchor(scene_.scene, i, frames_);
+      const auto X_LE = pose_on_anchor(scene_, i, frames_);
       if (!X_LE) {
         losses_.anchor(i, "there is no link to attach it to");
         continue;
       }
-      const Attachment& anchor = linked(i).placement.anchor;
-      xml_.empty("weld", {{"body1", name(to_size(anchor.instance), anchor.link)},
+      const FlatAttachment& anchor = flat(i).anchor;
+      xml_.empty("weld", {{"body1", name(anchor.index, anchor.link)},
                           {"body2", flat(i).path},
                           {"relpose", join_numbers(X_LE->position) + " " +
                                           quaternion_text(X_LE->orientation)}});

@@ -16,7 +16,7 @@ namespace {
 
 using Geom = std::pair<std::string, std::string>;
 
-/// A geom with these sizes; none if a size is not positive, because MuJoCo refuses it.
+/// A geom with these sizes; none if a size is not positive, which MuJoCo does not load.
 std::optional<Geom> sized(const char* type, std::initializer_list<double> sizes) {
   if (std::any_of(sizes.begin(), sizes.end(), [](double size) { return !(size > 0); })) {
     return std::nullopt;
@@ -144,7 +144,7 @@ void MjcfParts::add_meshes_of_entities() {
     for (const FlatShape& shape : flat(i).shapes) {
       const auto* mesh = std::get_if<FlatMesh>(&shape.geometry);
       if (mesh == nullptr || !flat(i).X_WE || meshes_.name_of(*mesh) != nullptr) continue;
-      const Span place = place_of(scene_.scene.entity(linked(i)));
+      const Span place = place_of(*flat(i).entity);
       const std::string reason =
           scene_.meshes.triangles ? meshes_.declare(*mesh, place) : "is not available";
       if (!reason.empty()) losses_.unseen_shape(place, shape.geometry, reason);
@@ -163,8 +163,7 @@ void MjcfParts::add_heightmaps() {
         if (flat(i).shapes.size() == 1) {
           losses_.entity(i, "its " + which + " " + fault);
         } else {
-          losses_.shape(place_of(scene_.scene.entity(linked(i))),
-                        "the " + which + ", which " + fault + ",");
+          losses_.shape(place_of(*flat(i).entity), "the " + which + ", which " + fault + ",");
         }
         continue;
       }
@@ -182,7 +181,7 @@ void MjcfParts::declare_heights(std::size_t i, const FlatShape& shape, const Fla
   const bool is_read = scene_.meshes.image && image.status == ReadStatus::ok;
   if (is_read) range = height_range(image.text, scene_.meshes.most_pixels);
   if (!is_read || !range.is_grey) {
-    losses_.note(kUnsureHeights, place_of(scene_.scene.entity(linked(i))), flat(i).path);
+    losses_.note(kUnsureHeights, place_of(*flat(i).entity), flat(i).path);
   }
   // An old scene may have several heightmaps.
   const std::size_t index = static_cast<std::size_t>(&shape - flat(i).shapes.data());
@@ -287,7 +286,7 @@ void MjcfParts::add_solid(std::size_t i) {
     add_free_joint(name(i, "free"), *instance.X_WE);
     LinkInertial mass = solid_mass(instance.shapes.front().geometry, mass_of(instance));
     mass.X_LC = instance.shapes.front().X_ES;
-    add_inertial(mass, true, place_of(scene_.scene.entity(linked(i))), instance.path);
+    add_inertial(mass, true, place_of(*flat(i).entity), instance.path);
   }
   // MuJoCo allows planes only in the world body, so objects that do not move get no own body.
   const Contacts contacts = contacts_of(instance.properties);

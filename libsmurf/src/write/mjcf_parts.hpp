@@ -21,7 +21,6 @@ class MjcfParts {
 
  protected:
   const FlatInstance& flat(std::size_t i) const { return scene_.flat.instances[i]; }
-  const Instance& linked(std::size_t i) const { return scene_.scene.instances[i]; }
   std::size_t count() const { return scene_.flat.instances.size(); }
   const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
   /// The name of a body or joint in the result: "cell/Table/top".

@@ -99,21 +99,29 @@ Rgba linear_color(const Rgba& color) {
   return linear;
 }
 
+const std::vector<std::optional<Pose>>& frames_of(const SceneExport& scene, std::size_t instance,
+                                                  LinkFrames& frames) {
+  static const std::vector<std::optional<Pose>> none;
+  const FlatInstance& flat = scene.flat.instances[instance];
+  if (!flat.model) return none;
+  return frames.of(scene.scene, scene.flat.models[*flat.model].source, flat.joint_pose,
+                   scene.flat.joint_poses);
+}
+
 std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t index, LinkFrames& frames,
                                    AnnotatedColors& colors) {
   const FlatInstance& instance = scene.flat.instances[index];
-  const Instance& source = scene.scene.instances[index];
-  const LinkedModel* model = scene.scene.model(source);
+  const LinkedModel* model = scene.scene.model(scene.scene.instances[index]);
   if (model == nullptr || !model->robot) {
     ShownLink link;
-    const Span place = place_of(scene.scene.entity(source));
+    const Span place = place_of(*instance.entity);
     for (const FlatShape& shape : instance.shapes) {
       link.shapes.push_back({shape.X_ES, shape.geometry, shape.color, place});
     }
     return {std::move(link)};
   }
   const FlatModel& flat = scene.flat.models[*instance.model];
-  const std::vector<std::optional<Pose>>& X_EL = frames.of(scene.scene, source);
+  const std::vector<std::optional<Pose>>& X_EL = frames_of(scene, index, frames);
   std::vector<ShownLink> links;
   for (std::size_t i = 0; i < X_EL.size(); ++i) {
     if (!X_EL[i]) continue;

@@ -32,6 +32,10 @@ Rgba linear_color(const Rgba& color);
 
 class AnnotatedColors;
 
+/// Poses X_EL of the links of an instance; empty if it has no model. Valid until the next call.
+const std::vector<std::optional<Pose>>& frames_of(const SceneExport& scene, std::size_t instance,
+                                                  LinkFrames& frames);
+
 struct LinkShape {
   Pose X_LS;
   FlatGeometry geometry;

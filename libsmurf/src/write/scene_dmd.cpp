@@ -101,7 +101,7 @@ class DirectivesWriter {
     auto positions = flat(i).joint_positions;
     // Drake does not compute the default position of a follower from that of its leader.
     const LinkedModel& model = *robot_of(i);
-    const JointPositions& given = scene_.scene.joint_positions(scene_.scene.instances[i]);
+    const JointPositions& given = scene_.joint_positions(i);
     for (const urdf::Joint& joint : model.robot->joints) {
       if (!joint.mimic || !joint.name) continue;
       const double position = start_position(model, joint, given);
@@ -123,8 +123,8 @@ class DirectivesWriter {
     std::string parent = "world";
     Pose X_PC = *flat(i).X_WE;
     if (anchor.kind == Attachment::Kind::link) {
-      const std::size_t other = to_size(scene_.scene.instances[i].placement.anchor.instance);
-      const std::optional<Pose> X_LE = pose_on_anchor(scene_.scene, i, frames_);
+      const std::size_t other = anchor.index;
+      const std::optional<Pose> X_LE = pose_on_anchor(scene_, i, frames_);
       if (!X_LE || !is_written_[other]) {
         return losses_.anchor(i, "`" + flat(other).path + "` is not a model with links");
       }

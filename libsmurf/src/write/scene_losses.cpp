@@ -49,7 +49,7 @@ std::string SceneLosses::path(std::size_t instance) const {
 }
 
 Span SceneLosses::place(std::size_t instance) const {
-  return place_of(scene_.scene.entity(scene_.scene.instances[instance]));
+  return place_of(*scene_.flat.instances[instance].entity);
 }
 
 void SceneLosses::entity(std::size_t instance, std::string_view why) {
@@ -59,14 +59,14 @@ void SceneLosses::entity(std::size_t instance, std::string_view why) {
 
 void SceneLosses::joint_pose(std::size_t instance, std::string_view why) {
   if (scene_.flat.instances[instance].joint_positions.empty()) return;
-  const Field<std::string>& pose = scene_.scene.entity(scene_.scene.instances[instance]).pose;
+  const Field<std::string>& pose = scene_.flat.instances[instance].entity->pose;
   scene_.losses.report(rules::sml8202_lost_joint_pose, pose.written ? pose.span : place(instance),
                        path(instance) + " starts with its joints at zero in the " + format_ + ": " +
                            std::string(why));
 }
 
 void SceneLosses::anchor(std::size_t instance, std::string_view why) {
-  const Field<std::string>& anchor = scene_.scene.entity(scene_.scene.instances[instance]).anchor;
+  const Field<std::string>& anchor = scene_.flat.instances[instance].entity->anchor;
   scene_.losses.report(rules::sml8203_lost_anchor, anchor.written ? anchor.span : place(instance),
                        "the anchor of " + path(instance) + " is not in the " + format_ + ": " +
                            std::string(why));

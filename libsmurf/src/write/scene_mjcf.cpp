@@ -49,14 +49,14 @@ class MjcfWriter : MjcfSensors {
 
   /// The instances that are anchored to each link. A cycle of anchors is broken at its end.
   void find_children() {
-    const std::vector<std::size_t> ends = anchor_groups(scene_.scene);
+    const std::vector<std::size_t> ends = anchor_groups(scene_.flat);
     is_top_level_.assign(count(), true);
     for (std::size_t i = 0; i < count(); ++i) {
-      const Attachment& anchor = linked(i).placement.anchor;
+      const FlatAttachment& anchor = flat(i).anchor;
       if (anchor.kind != Attachment::Kind::link || !flat(i).X_WE || robot_of(i) == nullptr)
         continue;
-      const std::size_t other = to_size(anchor.instance);
-      const std::optional<std::size_t> link = anchor_link(scene_.scene, i);
+      const std::size_t other = anchor.index;
+      const std::optional<std::size_t> link = anchor_link(scene_, i);
       if (!link || !flat(other).X_WE || ends[i] == i) {
         losses_.anchor(i, "there is no link to attach it to");
         continue;
@@ -168,8 +168,7 @@ class MjcfWriter : MjcfSensors {
       const auto [instance, link] = step.inside[step.next++];
       WeldedBodies* outer = step.welded;
       if (instance != step.instance) {
-        const Pose X_LE =
-            pose_on_anchor(scene_.scene, instance, frames_).value_or(*flat(instance).X_WE);
+        const Pose X_LE = pose_on_anchor(scene_, instance, frames_).value_or(*flat(instance).X_WE);
         open_body(instance, link, X_LE, nullptr, "", outer);
       } else if (floats_in_world(instance, link, *outer)) {
         continue;
@@ -185,7 +184,7 @@ class MjcfWriter : MjcfSensors {
     const LinkedModel& model = *robot_of(i);
     const urdf::Joint& joint = model.joint(*model.tree.parent_joint[link]);
     if (joint.type != urdf::JointType::floating || !outer.is_world()) return false;
-    const std::optional<Pose>& X_EL = frames_.of(scene_.scene, linked(i))[link];
+    const std::optional<Pose>& X_EL = frames_of(scene_, i, frames_)[link];
     if (!X_EL || !flat(i).X_WE) return false;
     floating_.push_back({i, link, *flat(i).X_WE * *X_EL, name(i, joint.name.value_or("free"))});
     return true;
@@ -258,7 +257,7 @@ class MjcfWriter : MjcfSensors {
          {"damping", format_number(joint.dynamics ? joint.dynamics->damping.value_or(0) : 0)},
          {"frictionloss",
           format_number(joint.dynamics ? joint.dynamics->friction.value_or(0) : 0)}});
-    add_start(format_number(start_position(model, joint, scene_.scene.joint_positions(linked(i)))));
+    add_start(format_number(start_position(model, joint, scene_.joint_positions(i))));
     if (joint.mimic) add_follower(i, model, joint);
     return true;
   }

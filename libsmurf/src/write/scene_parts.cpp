@@ -101,7 +101,7 @@ std::optional<std::size_t> carried_link(const LinkedModel& model, std::size_t jo
   return parent && to_size(*parent) == joint ? std::optional<std::size_t>(child) : std::nullopt;
 }
 
-std::vector<std::size_t> anchor_groups(const LinkedScene& scene) {
+std::vector<std::size_t> anchor_groups(const FlatScene& scene) {
   const std::size_t count = scene.instances.size();
   constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
   std::vector<std::size_t> groups(count, kUnknown);
@@ -112,9 +112,9 @@ std::vector<std::size_t> anchor_groups(const LinkedScene& scene) {
     while (groups[at] == kUnknown && !is_walking[at]) {
       is_walking[at] = true;
       chain.push_back(at);
-      const Attachment& anchor = scene.instances[at].placement.anchor;
+      const FlatAttachment& anchor = scene.instances[at].anchor;
       if (anchor.kind != Attachment::Kind::link) break;
-      at = to_size(anchor.instance);
+      at = anchor.index;
     }
     const std::size_t end = groups[at] != kUnknown ? groups[at] : at;
     for (const std::size_t member : chain) groups[member] = end;
@@ -122,23 +122,23 @@ std::vector<std::size_t> anchor_groups(const LinkedScene& scene) {
   return groups;
 }
 
-std::optional<std::size_t> anchor_link(const LinkedScene& scene, std::size_t instance) {
-  const Attachment& anchor = scene.instances[instance].placement.anchor;
+std::optional<std::size_t> anchor_link(const SceneExport& scene, std::size_t instance) {
+  const FlatAttachment& anchor = scene.flat.instances[instance].anchor;
   if (anchor.kind != Attachment::Kind::link) return std::nullopt;
-  const LinkedModel* model = robot_of(scene, to_size(anchor.instance));
+  const LinkedModel* model = robot_of(scene.scene, anchor.index);
   if (model == nullptr) return std::nullopt;
   const std::optional<std::uint32_t> link = model->link_names.find(anchor.link);
   if (!link) return std::nullopt;
   return std::size_t{*link};
 }
 
-std::optional<Pose> pose_on_anchor(const LinkedScene& scene, std::size_t instance,
+std::optional<Pose> pose_on_anchor(const SceneExport& scene, std::size_t instance,
                                    LinkFrames& frames) {
   const std::optional<std::size_t> link = anchor_link(scene, instance);
   if (!link) return std::nullopt;
-  const Instance& here = scene.instances[instance];
-  const Instance& other = scene.instance(here.placement.anchor.instance);
-  const std::optional<Pose>& X_OL = frames.of(scene, other)[*link];
+  const FlatInstance& here = scene.flat.instances[instance];
+  const FlatInstance& other = scene.flat.instances[here.anchor.index];
+  const std::optional<Pose>& X_OL = frames_of(scene, here.anchor.index, frames)[*link];
   if (!X_OL || !other.X_WE || !here.X_WE) return std::nullopt;
   return inverse(*other.X_WE * *X_OL) * *here.X_WE;
 }

@@ -26,13 +26,13 @@ std::optional<std::size_t> carried_link(const LinkedModel& model, std::size_t jo
 
 /// By instance: the instance at the end of its chain of anchors, which identifies a group. In a
 /// cycle of anchors, it is the first instance of the cycle.
-std::vector<std::size_t> anchor_groups(const LinkedScene& scene);
+std::vector<std::size_t> anchor_groups(const FlatScene& scene);
 
 /// The link that an instance is anchored to, as an index in the other instance's model; none if it
 /// is not anchored to a known link.
-std::optional<std::size_t> anchor_link(const LinkedScene& scene, std::size_t instance);
+std::optional<std::size_t> anchor_link(const SceneExport& scene, std::size_t instance);
 /// X_LE: the pose of an instance in the frame of its anchor link; none if that link has no pose.
-std::optional<Pose> pose_on_anchor(const LinkedScene& scene, std::size_t instance,
+std::optional<Pose> pose_on_anchor(const SceneExport& scene, std::size_t instance,
                                    LinkFrames& frames);
 
 struct LinkInertial {

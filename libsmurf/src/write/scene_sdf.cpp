@@ -41,7 +41,6 @@ class SdfWriter {
 
  private:
   const FlatInstance& flat(std::size_t i) const { return scene_.flat.instances[i]; }
-  const Instance& linked(std::size_t i) const { return scene_.scene.instances[i]; }
   const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
   bool is_written(std::size_t i) const {
     return flat(i).X_WE && (robot_of(i) != nullptr || !flat(i).shapes.empty());
@@ -109,7 +108,7 @@ class SdfWriter {
   }
 
   void add_groups() {
-    const std::vector<std::size_t> ends = anchor_groups(scene_.scene);
+    const std::vector<std::size_t> ends = anchor_groups(scene_.flat);
     std::map<std::size_t, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < ends.size(); ++i) {
       if (is_written(i)) {
@@ -138,7 +137,7 @@ class SdfWriter {
   /// Between two models of a group.
   void add_anchor(std::size_t i) {
     if (flat(i).anchor.kind != Attachment::Kind::link) return;
-    const std::size_t other = to_size(linked(i).placement.anchor.instance);
+    const std::size_t other = flat(i).anchor.index;
     const LinkedModel* parent = robot_of(other);
     if (parent == nullptr || !is_written(other)) {
       losses_.anchor(i, "`" + flat(other).path + "` is not a model with links");
@@ -207,7 +206,7 @@ class SdfWriter {
   void add_robot(std::size_t i, const LinkedModel& model) {
     xml_.open("model", {{"name", names_[i]}});
     add_pose(*flat(i).X_WE);
-    const std::vector<std::optional<Pose>>& X_EL = frames_.of(scene_.scene, linked(i));
+    const std::vector<std::optional<Pose>>& X_EL = frames_of(scene_, i, frames_);
     const std::vector<std::size_t>& bodies = parts_of(model).bodies;
     std::vector<std::vector<std::size_t>> parts(bodies.size());
     for (const LinkIndex link : model.tree.order) {
@@ -351,7 +350,7 @@ class SdfWriter {
   }
 
   double start_of(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) const {
-    return start_position(model, joint, scene_.scene.joint_positions(linked(i)));
+    return start_position(model, joint, scene_.joint_positions(i));
   }
 
   void add_axis(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
@@ -413,7 +412,7 @@ class SdfWriter {
     }
     int number = 0;
     for (const FlatShape& shape : instance.shapes) {
-      const Span place = place_of(scene_.scene.entity(linked(i)));
+      const Span place = place_of(*flat(i).entity);
       if (!can_say(shape.geometry, place)) continue;
       open_shape("visual", "visual_" + std::to_string(number), shape.X_ES, shape.geometry);
       add_sdf_material(xml_, {.color = shape.color, .texture = {}, .script = {}});

@@ -263,9 +263,9 @@ class UrdfMerger {
 
   /// Writes the joint to the link that an instance is anchored to; false if this is impossible.
   bool hang_on_link(std::size_t i, std::string& parent, Pose& X_PE) {
-    const Attachment& anchor = scene_.scene.instances[i].placement.anchor;
-    const std::size_t other = to_size(anchor.instance);
-    const std::optional<Pose> X_LE = pose_on_anchor(scene_.scene, i, frames_);
+    const FlatAttachment& anchor = flat(i).anchor;
+    const std::size_t other = anchor.index;
+    const std::optional<Pose> X_LE = pose_on_anchor(scene_, i, frames_);
     if (!X_LE || closes_circle(i)) {
       losses_.anchor(i, "there is no link to attach it to");
       return false;
@@ -281,7 +281,7 @@ class UrdfMerger {
   /// False if nothing can be written for it.
   bool add_solid(std::size_t i) {
     const FlatInstance& instance = flat(i);
-    const Span place = place_of(scene_.scene.entity(scene_.scene.instances[i]));
+    const Span place = place_of(*scene_.flat.instances[i].entity);
     std::vector<FlatShape> shapes;
     for (FlatShape shape : instance.shapes) {
       if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
@@ -370,7 +370,7 @@ class UrdfMerger {
   SceneLosses losses_;
   std::vector<std::string> names_;
   std::string version_ = "1.0";
-  std::vector<std::size_t> groups_ = anchor_groups(scene_.scene);
+  std::vector<std::size_t> groups_ = anchor_groups(scene_.flat);
   std::map<std::string, std::string, std::less<>> namespaces_;  ///< what prefixes mean
   LinkFrames frames_;
   XmlText xml_{scene_.most_bytes};

@@ -84,7 +84,7 @@ class UsdaWriter {
     open_entity(index, physics_.schemas_of_robot(index));
     physics_.add_articulation(index);
     materials_ = "/World/" + names_[index] + "/" + layout.materials;
-    const auto& X_EL = frames_.of(scene_.scene, scene_.scene.instances[index]);
+    const auto& X_EL = frames_of(scene_, index, frames_);
     for (std::size_t link = 0; link < layout.links.size() && !text_.is_full(); ++link) {
       if (!layout.is_body(link)) continue;
       open_link(index, link, *X_EL[link], schemas_of_body());
@@ -147,7 +147,7 @@ class UsdaWriter {
     open_entity(index, moves ? schemas_of_body() : std::vector<std::string>());
     materials_ = "/World/" + names_[index] + "/materials";
     if (moves) physics_.add_mass(index);
-    const Span place = place_of(scene_.scene.entity(scene_.scene.instances[index]));
+    const Span place = place_of(*scene_.flat.instances[index].entity);
     std::size_t number = 0;
     for (const FlatShape& shape : instance.shapes) {
       Solid solid{.prim = "shape_" + std::to_string(++number), .collides = true};

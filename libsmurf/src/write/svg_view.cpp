@@ -184,8 +184,7 @@ void SvgView::add_fixings(SvgCanvas& canvas) const {
                  "stroke-width=\"1.5\"/>\n");
     }
     if (at(i).anchor.kind != Attachment::Kind::link) continue;
-    const Instance& source = scene_.scene.instances[i];
-    const std::size_t other = to_size(source.placement.anchor.instance);
+    const std::size_t other = at(i).anchor.index;
     if (!selection_.is_shown(other)) continue;
     canvas.add("<path d=\"M" + pixels(here) + "L" + pixels(canvas.to_pixels(position(other))) +
                "\" stroke=\"#333\" stroke-width=\"1.2\" stroke-dasharray=\"5 4\"/>\n");

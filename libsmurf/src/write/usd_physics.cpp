@@ -114,14 +114,14 @@ void UsdPhysics::find_joints(const LinkedModel& robot, Model& model) {
 }
 
 const UsdPhysics::Assembly& UsdPhysics::assembly_of(std::size_t instance) {
-  const std::size_t count = scene_.scene.instances.size();
+  const std::size_t count = scene_.flat.instances.size();
   if (assemblies_.empty()) {
     bases_.resize(count);
     assemblies_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       std::size_t base = i;
       for (std::size_t steps = 0; is_carried(base) && steps < count; ++steps) {
-        base = to_size(scene_.scene.instances[base].placement.anchor.instance);
+        base = scene_.flat.instances[base].anchor.index;
       }
       bases_[i] = base;
       if (robot_of(scene_.scene, i) == nullptr || model_of(i).joints.empty()) continue;
@@ -133,11 +133,11 @@ const UsdPhysics::Assembly& UsdPhysics::assembly_of(std::size_t instance) {
 
 /// Whether a link of another instance carries the body of the instance.
 bool UsdPhysics::is_carried(std::size_t instance) {
-  const Attachment& anchor = scene_.scene.instances[instance].placement.anchor;
+  const FlatAttachment& anchor = scene_.flat.instances[instance].anchor;
   if (anchor.kind != Attachment::Kind::link || !scene_.flat.instances[instance].X_WE) return false;
   if (robot_of(scene_.scene, instance) == nullptr && !is_body(instance)) return false;
-  const std::optional<std::size_t> link = anchor_link(scene_.scene, instance);
-  return link && layout_of(to_size(anchor.instance)).links[*link];
+  const std::optional<std::size_t> link = anchor_link(scene_, instance);
+  return link && layout_of(anchor.index).links[*link];
 }
 
 void UsdPhysics::find_followers(const LinkedModel& robot, Model& model) {
@@ -219,7 +219,7 @@ void UsdPhysics::add_mass(std::size_t instance) {
   const FlatShape& shape = flat.shapes.front();
   LinkInertial mass = solid_mass(shape.geometry, mass_of(flat));
   mass.X_LC = shape.X_ES;
-  write_mass(mass, place_of(scene_.scene.entity(scene_.scene.instances[instance])), flat.path);
+  write_mass(mass, place_of(*scene_.flat.instances[instance].entity), flat.path);
 }
 
 void UsdPhysics::write_mass(const LinkInertial& mass, Span span, const std::string& name) {
@@ -247,15 +247,15 @@ void UsdPhysics::open_joint(std::string_view type, const std::string& name,
 }
 
 std::optional<UsdPhysics::Ends> UsdPhysics::anchor_of(std::size_t i, LinkFrames& frames) {
-  const Instance& instance = scene_.scene.instances[i];
-  const Attachment& anchor = instance.placement.anchor;
+  const FlatInstance& instance = scene_.flat.instances[i];
+  const FlatAttachment& anchor = instance.anchor;
   const bool has_robot = robot_of(scene_.scene, i) != nullptr;
   if (anchor.kind == Attachment::Kind::none || (!has_robot && !is_body(i))) return std::nullopt;
   const std::string body1 = has_robot ? path(i, to_size(robot(i).tree.roots.front())) : path(i);
   if (anchor.kind == Attachment::Kind::world) return Ends{"", *instance.X_WE, body1};
-  const std::optional<std::size_t> link = anchor_link(scene_.scene, i);
-  const std::optional<Pose> X_LE = pose_on_anchor(scene_.scene, i, frames);
-  const std::size_t other = to_size(anchor.instance);
+  const std::optional<std::size_t> link = anchor_link(scene_, i);
+  const std::optional<Pose> X_LE = pose_on_anchor(scene_, i, frames);
+  const std::size_t other = anchor.index;
   if (!link || !X_LE || !layout_of(other).links[*link]) {
     losses_.anchor(i, "there is no link to attach it to");
     return std::nullopt;
@@ -274,8 +274,7 @@ void UsdPhysics::add_anchor(std::size_t instance, LinkFrames& frames, const std:
 void UsdPhysics::add_joints(std::size_t instance, LinkFrames& frames) {
   if (robot_of(scene_.scene, instance) == nullptr) return add_anchor(instance, frames, "anchor");
   const Model& model = model_of(instance);
-  const bool is_free =
-      scene_.scene.instances[instance].placement.anchor.kind == Attachment::Kind::none;
+  const bool is_free = scene_.flat.instances[instance].anchor.kind == Attachment::Kind::none;
   if (is_free && model.joints.empty()) return;
   text_.open("Scope", model.layout.joints);
   add_anchor(instance, frames, model.anchor);
@@ -380,7 +379,7 @@ void UsdPhysics::add_drive(std::size_t i, const urdf::Joint& joint, const JointD
 }
 
 double UsdPhysics::start_of(std::size_t i, const urdf::Joint& joint) const {
-  return start_position(robot(i), joint, scene_.scene.joint_positions(scene_.scene.instances[i]));
+  return start_position(robot(i), joint, scene_.joint_positions(i));
 }
 
 /// If there is no leader, reports a finding and returns none.

@@ -245,10 +245,10 @@ class VersionData {
       json_.boolean(true);
     }
     add_support(index);
-    add_positions(scene_.scene.joint_positions(scene_.scene.instances[index]));
+    add_positions(scene_.joint_positions(index));
     json_.key("shapes");
     json_.begin_list();
-    const Span place = place_of(scene_.scene.entity(scene_.scene.instances[index]));
+    const Span place = place_of(*scene_.flat.instances[index].entity);
     for (const FlatShape& shape : entity.shapes) {
       json_.begin_object();
       if (!shape.name.empty()) json_.member("name", shape.name);
@@ -262,19 +262,19 @@ class VersionData {
 
   /// The link with which an entity moves: that of its anchor, otherwise that of its parent.
   void add_support(std::size_t index) {
-    const Instance& here = scene_.scene.instances[index];
-    for (const Attachment* attachment : {&here.placement.anchor, &here.placement.parent}) {
+    const FlatInstance& here = scene_.flat.instances[index];
+    for (const FlatAttachment* attachment : {&here.anchor, &here.parent}) {
       if (attachment->kind != Attachment::Kind::link || !here.X_WE) continue;
-      const Instance& other = scene_.scene.instance(attachment->instance);
-      const LinkedModel* model = robot_of(scene_.scene, to_size(attachment->instance));
+      const FlatInstance& other = scene_.flat.instances[attachment->index];
+      const LinkedModel* model = robot_of(scene_.scene, attachment->index);
       if (model == nullptr || !other.X_WE) continue;
       const std::optional<std::uint32_t> link = model->link_names.find(attachment->link);
       if (!link) continue;
-      const std::optional<Pose>& X_OL = frames_.of(scene_.scene, other)[*link];
+      const std::optional<Pose>& X_OL = frames_of(scene_, attachment->index, frames_)[*link];
       if (!X_OL) continue;
-      json_.key(attachment == &here.placement.anchor ? "anchor" : "parent");
+      json_.key(attachment == &here.anchor ? "anchor" : "parent");
       json_.begin_object();
-      add_index("entity", entities_before_ + to_size(attachment->instance));
+      add_index("entity", entities_before_ + attachment->index);
       add_index("link", *link);
       add_pose("pose", inverse(*other.X_WE * *X_OL) * *here.X_WE);
       json_.end();

@@ -2,6 +2,7 @@
 #include "smurf/result_losses.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/cases.hpp"
 #include "base/readers.hpp"
@@ -71,8 +72,10 @@ std::optional<std::string> loss_for_mujoco(const Diagnostic& finding, const Link
 /// Nearly all programs load URDFs with urdfdom, so it checks the result.
 std::optional<std::string> loss_in_text(const Diagnostic& finding, const UrdfExport& wanted) {
   // URDF readers continue there, but the result is copied from this text.
-  if (finding.rule == &rules::sml0004_control_character ||
-      finding.rule == &rules::sml1001_xml_malformed) {
+  const Rule* const not_xml[] = {&rules::sml0004_control_character, &rules::sml1001_xml_malformed,
+                                 &rules::sml1015_xml_late_instruction,
+                                 &rules::sml1016_xml_missing_quotes};
+  if (std::find(std::begin(not_xml), std::end(not_xml), finding.rule) != std::end(not_xml)) {
     return "the result would not be XML";
   }
   // The urdfdom that checks the result may accept what other versions refuse.
@@ -96,6 +99,22 @@ bool is_for_mars_alone(const Rule& rule) {
   return rule.check_scene != nullptr && !rule.facts.empty() &&
          std::all_of(rule.facts.begin(), rule.facts.end(),
                      [](const Fact& fact) { return fact.reader == &readers::mars; });
+}
+
+/// Whether a finding is about lights or other settings of the world.
+bool is_about_world_setting(const Diagnostic& finding, const LinkedScene& scene) {
+  for (const SceneFile& file : scene.scenes) {
+    if (file.source != finding.span.source || !file.document) continue;
+    const yaml::View root = file.document->view();  // none in an empty file
+    if (!root || !root.is_mapping()) continue;
+    for (const yaml::View key : root) {
+      const Span span = key.span();
+      const bool is_inside =
+          key.key_span().begin <= finding.span.begin && finding.span.end <= span.end;
+      if (is_inside) return is_one_of(key.key(), {"lights", "environment", "physics", "plugins"});
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -128,8 +147,11 @@ std::optional<std::string> loss_in_model(const Diagnostic& finding) {
   return loss_in_robot(finding);
 }
 
-std::optional<std::string> loss_in_scene(const Diagnostic& finding, const SourceMap& sources) {
-  if (finding.severity != Severity::error) return std::nullopt;
+std::optional<std::string> loss_in_scene(const Diagnostic& finding, const LinkedScene& scene,
+                                         const SourceMap& sources) {
+  if (finding.severity != Severity::error || is_about_world_setting(finding, scene)) {
+    return std::nullopt;
+  }
   const Rule& rule = *finding.rule;
   if (is_for_mars_alone(rule)) return std::nullopt;
   // The formats report the shape as lost, or name the missing file.
@@ -148,21 +170,6 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Source
   case InputKind::other: break;
   }
   return "some poses are unknown";
-}
-
-bool is_about_world_setting(const Diagnostic& finding, const LinkedScene& scene) {
-  for (const SceneFile& file : scene.scenes) {
-    if (file.source != finding.span.source || !file.document) continue;
-    const yaml::View root = file.document->view();  // none in an empty file
-    if (!root || !root.is_mapping()) continue;
-    for (const yaml::View key : root) {
-      const Span span = key.span();
-      const bool is_inside =
-          key.key_span().begin <= finding.span.begin && finding.span.end <= span.end;
-      if (is_inside) return is_one_of(key.key(), {"lights", "environment", "physics", "plugins"});
-    }
-  }
-  return false;
 }
 
 bool is_about_picture(const Diagnostic& finding) { return finding.cases.contains(cases::kPicture); }

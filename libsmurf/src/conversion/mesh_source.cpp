@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/mesh_source.hpp"
-
+// Reads meshes and textures for formats that show them.
 #include <map>
 
 #include "base/path.hpp"
-#include "smurf/check.hpp"
+#include "smurf/asset_copies.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 
 std::string known_name(const std::string& absolute, const std::string& current,
                        const FileReader& files) {
@@ -42,4 +41,4 @@ MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
           .most_pixels = limits.image_pixels};
 }
 
-}  // namespace smurf::tools
+}  // namespace smurf

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurfs-flatten/bases.hpp"
+#include "conversion/floor.hpp"
 
-#include <cstdio>
+#include <cmath>
+#include <string>
 
+#include "base/numbers.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 namespace {
 
-/// "0.420 m".
+/// "0.42 m", to a millimetre.
 std::string length_text(double length) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3f m", length);
-  return text;
+  return format_number(std::round(length * 1000) / 1000) + " m";
 }
 
 /// A model file that was given instead of a scene.
@@ -24,22 +24,13 @@ bool is_single_model(const LinkedScene& scene) {
 
 }  // namespace
 
-Bases::~Bases() {
-  for (const std::size_t i : anchored_) {
-    scene_.instances[i].placement.anchor.kind = Attachment::Kind::none;
-  }
-  if (lift_ > 0) scene_.instances.front().X_WE->position[2] -= lift_;
-}
-
-void Bases::stand_on_floor(FlatScene& flat, const SceneExport& written) {
+void stand_on_floor(FlatScene& flat, const SceneExport& written) {
   for (const BelowFloor& model : below_floor(written)) {
     FlatInstance& instance = flat.instances[model.instance];
-    const Span place = place_of(scene_.entity(scene_.instances[model.instance]));
+    const Span place = place_of(*instance.entity);
     const std::string depth = length_text(model.depth);
-    if (is_single_model(scene_) && instance.anchor.kind == Attachment::Kind::none) {
-      lift_ = model.depth;
-      instance.X_WE->position[2] += lift_;
-      scene_.instances.front().X_WE->position[2] += lift_;
+    if (is_single_model(written.scene) && instance.anchor.kind == Attachment::Kind::none) {
+      instance.X_WE->position[2] += model.depth;
       written.losses.report(rules::sml8212_chosen_value, place,
                             quoted(instance.path) + " is " + depth +
                                 " above its own frame, so that it stands on the floor");
@@ -54,4 +45,4 @@ void Bases::stand_on_floor(FlatScene& flat, const SceneExport& written) {
   }
 }
 
-}  // namespace smurf::tools
+}  // namespace smurf

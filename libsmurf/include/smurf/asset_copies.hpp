@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Copies of the files that models name: chooses a place for each, and writes all of them or none.
+// Copies of the files that models name: chooses a place for each. Nothing is written here.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,12 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "common/input.hpp"
 #include "smurf/file_reader.hpp"
+#include "smurf/flatten.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/mesh.hpp"
+#include "smurf/write_scene.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 
 /// A file that is copied to a folder which the user names.
 struct AssetCopy {
@@ -89,14 +89,16 @@ class CopyPlan {
   AssetCopies list_;
 };
 
-/// False when the copy would be the file itself.
-std::vector<std::string> places_of(const AssetCopies& copies, const InputFiles& inputs);
+/// The data of a copy: those of its original, with the new names.
+FileContent renamed(FileContent content, const AssetCopy& copy);
 
-/// Copies the files and then calls `write_result`; writes either all files or none. Reports
-/// errors and returns false. The names come from the model, so only files with the extension
-/// of a mesh, an image or a buffer are copied, and existing files are kept unless
-/// `overwrite`.
-bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
-                const Limits& limits, bool overwrite, const std::function<bool()>& write_result);
+/// The path of a file for `files`; in an archive, it begins with the path of the archive.
+std::string known_name(const std::string& absolute, const std::string& current,
+                       const FileReader& files);
 
-}  // namespace smurf::tools
+/// Reads triangles and images of files relative to the output's folder. A file that will be copied
+/// is read from its original. `files` and `limits` must outlive the result.
+MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
+                       const FileReader& files, const Limits& limits);
+
+}  // namespace smurf

@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "common/asset_copies.hpp"
+#include "smurf/asset_copies.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/flatten.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 
 /// Changes the names of the meshes, textures and heightmaps of a scene to copies in `folder`, with
 /// one subfolder per model. Files that do not exist keep their names. Nothing is copied yet.
@@ -22,4 +22,4 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
 AssetCopies named_copies(const AssetCopies& copies, std::string_view text,
                          const FlattenOptions& options);
 
-}  // namespace smurf::tools
+}  // namespace smurf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurfs-flatten/assets.hpp"
+#include "conversion/scene_assets.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -9,9 +9,8 @@
 
 #include "base/edits.hpp"
 #include "base/path.hpp"
-#include "common/mesh_source.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 namespace {
 
 class Redirection {
@@ -112,4 +111,4 @@ AssetCopies named_copies(const AssetCopies& copies, std::string_view text,
   return kept;
 }
 
-}  // namespace smurf::tools
+}  // namespace smurf

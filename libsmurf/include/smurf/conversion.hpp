@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Conversions of whole files. What is refused, proven and reported as lost is decided here, for all
+// programs.
+//
+//     smurf::Session session;
+//     smurf::LoadedModel loaded = session.load_model("arm.smurf");
+//     const smurf::UrdfResult result = smurf::convert_to_urdf(session, loaded, {});
+//     std::cout << (result.refusal ? result.refusal.reason : result.text);
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "smurf/asset_copies.hpp"
+#include "smurf/check.hpp"
+#include "smurf/convert.hpp"
+#include "smurf/dialect.hpp"
+#include "smurf/flatten.hpp"
+#include "smurf/write_scene.hpp"
+
+namespace smurf {
+
+/// Why the result of a conversion must not be written.
+struct Refusal {
+  enum class Cause : std::uint8_t { findings, options, result };
+  std::string reason;  ///< "cannot be converted: urdfdom refuses the file"; "": no refusal
+  Cause cause = Cause::result;
+  bool can_be_forced = false;  ///< `force` of the request converts it despite that
+
+  explicit operator bool() const { return !reason.empty(); }
+};
+
+/// Why a finding makes the result wrong ("urdfdom refuses the file"); none if it does not.
+using LossOf = std::function<std::optional<std::string>(const Diagnostic&)>;
+
+/// "cannot be converted: " and the reasons of all findings that make the result wrong; "" if there
+/// are none.
+std::string why_not_converted(std::span<const Diagnostic> findings, const LossOf& loss_of);
+
+/// Programs that are asked for their verdict on a result; null: not asked.
+struct Referees {
+  RefereeVerdict (*urdfdom)(const std::string& urdf) = nullptr;
+  /// False, with a finding, if tinyxml2 refuses the text or reads other elements.
+  bool (*tinyxml2)(xml::Document& document, const SourceMap& sources,
+                   DiagnosticSink& sink) = nullptr;
+};
+/// Both. In the library smurf::referees.
+Referees all_referees();
+
+/// What convert_to_urdf() makes.
+struct UrdfRequest {
+  /// With MeshUri::package, an empty package_folder means that of `packages`, or else the nearest
+  /// folder above the URDF with a package.xml, or else the folder above urdf/.
+  UrdfExport options = {};
+  std::map<std::string, std::string> packages = {};  ///< names to folders
+  bool force = false;
+  Referees referees = {};
+};
+
+/// The comparison of an exported URDF with its source.
+struct UrdfProof {
+  Proof comparison;
+  bool tinyxml2_accepts = false;
+  RefereeVerdict urdfdom;
+  std::size_t links = 0, joints = 0;  ///< of the result
+};
+
+struct UrdfResult {
+  Report report;  ///< of the model
+  std::string text;
+  std::vector<Diagnostic> losses;  ///< what the URDF does not express
+  std::optional<UrdfProof> proof;  ///< none: refused before the export
+  Refusal refusal;
+};
+
+/// Checks a model, exports its URDF, reads it again and compares it with the model: urdfdom must
+/// accept it, and all link poses, masses, inertias and limits must be equal, except limits that an
+/// option changes.
+UrdfResult convert_to_urdf(Session& session, LoadedModel& loaded, const UrdfRequest& request);
+
+/// Whether a finding is about something that the result lacks. Added values are not losses.
+bool is_loss(const Diagnostic& finding);
+
+/// The form that a format writes unless a user asks for another one.
+SceneForm usual_form(const SceneFormat& format);
+bool has_form(const SceneFormat& format, SceneForm form);
+
+/// What convert_scene() makes.
+struct SceneRequest {
+  const SceneFormat& format;
+  SceneForm form = usual_form(format);
+  const Dialect& dialect = *dialects().front();
+  std::optional<BaseChoice> base = {};
+  bool ground = false;
+  bool links = false;
+  std::string assets = {};  ///< folder for the files that the result names; "": they stay
+  std::string output_folder = ".";
+  std::string current_folder = {};  ///< absolute; "": that of the process
+  bool force = false;
+};
+
+struct SceneResult {
+  Report report;     ///< of the scene, with the losses
+  std::string text;  ///< empty: refused
+  AssetCopies copies;
+  std::vector<Diagnostic> losses;  ///< what the format does not express
+  bool has_falling_robots = false;
+  Refusal refusal;
+};
+
+/// Checks a scene and writes it in a format. The scene is left as it was.
+SceneResult convert_scene(Session& session, LoadedScene& loaded, const SceneRequest& request);
+
+/// The same without a format.
+struct FlatResult {
+  Report report;
+  FlatScene flat;
+  Refusal refusal;
+};
+FlatResult convert_to_flat(Session& session, LoadedScene& loaded, const Dialect& dialect,
+                           const FlattenOptions& options, bool force);
+
+/// Whether the poses of a scene are known.
+struct SceneCheck {
+  Report report;
+  Refusal refusal;
+};
+SceneCheck check_scene(Session& session, LoadedScene& loaded, bool force);
+
+}  // namespace smurf

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks a scene, and writes it in a format.
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/limits.hpp"
+#include "base/rules.hpp"
+#include "conversion/floor.hpp"
+#include "conversion/refusal.hpp"
+#include "conversion/scene_assets.hpp"
+#include "smurf/conversion.hpp"
+#include "smurf/result_losses.hpp"
+
+namespace smurf {
+namespace {
+
+/// True when a robot is free to move and nothing in the scene could be a floor.
+bool has_falling_robots(const FlatScene& flat) {
+  const auto is_fixed_thing = [](const FlatInstance& instance) {
+    return !instance.model && !instance.shapes.empty();
+  };
+  const auto is_free = [](const FlatInstance& instance) {
+    return instance.model && instance.anchor.kind == Attachment::Kind::none;
+  };
+  return std::any_of(flat.instances.begin(), flat.instances.end(), is_free) &&
+         std::none_of(flat.instances.begin(), flat.instances.end(), is_fixed_thing);
+}
+
+/// Why a finding of loading leaves a pose unknown. A comment suppresses the finding, but does not
+/// make the pose known.
+std::string first_loss(const LoadedScene& loaded) {
+  for (const Diagnostic& finding : loaded.found.diagnostics()) {
+    if (const auto loss = loss_in_scene(finding, loaded.scene, *loaded.sources)) return *loss;
+  }
+  return {};
+}
+
+/// Whether an unknown key may be a misspelt `entities`. Scenes can be empty on purpose.
+bool lacks_entities(const LinkedScene& scene) {
+  const SceneFile& file = scene.scenes.front();
+  if (!scene.instances.empty() || file.scene.extra.empty() || !file.document) return false;
+  const yaml::View root = file.document->view();
+  return !root.find("entities") && !root.find("smurfs") && !root.find("smurfa");
+}
+
+/// The scene as a table, in a dialect; none, with a finding, if it is too large.
+std::optional<FlatScene> flat_scene(LoadedScene& loaded, const Dialect& dialect,
+                                    FlattenOptions options, const Limits& limits) {
+  SceneReading reading;
+  if (&dialect != dialects().front()) {
+    reading = read_as(dialect, loaded.scene, loaded.found);
+    options.reading = &reading;
+  }
+  if (!check_scene_size(loaded.scene, *loaded.sources, options, limits, loaded.found)) return {};
+  FlatScene flat = flatten(loaded.scene, *loaded.sources, options);
+  if (!check_flat_numbers(flat, loaded.scene, loaded.found)) return {};
+  return flat;
+}
+
+/// Fills the text and what belongs to it. Findings are added to those of loading.
+void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
+           SceneResult& result) {
+  const FileReader& files = session.files();
+  const Limits& limits = session.limits();
+  const SceneFormat& format = request.format;
+  const bool is_expanded = request.form == SceneForm::expand;
+  const FlattenOptions flattening{.links = request.links,
+                                  .repeats_models = format.repeats_models && is_expanded,
+                                  .repeated_parts = is_expanded ? format.repeated_parts : nullptr,
+                                  .output_folder = request.output_folder,
+                                  .current_folder = request.current_folder.empty()
+                                                        ? folder_of_process()
+                                                        : request.current_folder,
+                                  .old_scenes = &loaded.old_scenes};
+  std::optional<FlatScene> flat = flat_scene(loaded, request.dialect, flattening, limits);
+  if (!flat) return;
+  if (request.base || format.fixes_world_roots) {
+    anchor_bases(*flat, loaded.scene, request.base.value_or(BaseChoice::world_roots_fixed));
+  }
+  if (!request.assets.empty()) {
+    result.copies = redirect_assets(*flat, request.assets, flattening, files, limits);
+  }
+  const SceneExport written{.flat = *flat,
+                            .scene = loaded.scene,
+                            .sources = *loaded.sources,
+                            .losses = loaded.found,
+                            .links = request.links,
+                            .form = request.form,
+                            .ground = request.ground,
+                            .names_copies = !request.assets.empty(),
+                            .meshes = mesh_source(flattening, result.copies, files, limits),
+                            .most_bytes = limits.scene_bytes};
+  if (request.ground) stand_on_floor(*flat, written);
+  result.text = format.write(written);
+  result.copies = named_copies(result.copies, result.text, flattening);
+  if (result.text.size() > limits.scene_bytes) {
+    const Span place{loaded.scene.scenes.front().source, 0, 0};
+    loaded.found
+        .report(rules::sml5022_too_many_instances, place,
+                "the result has more than " + std::to_string(limits.scene_bytes) + " bytes")
+        .help(raise_limit("scene-bytes"));
+    result.text.clear();
+    return;
+  }
+  result.has_falling_robots = format.has_ground && !request.ground && has_falling_robots(*flat);
+}
+
+/// Calls `convert` if all poses are known. Its findings are in the report, but are not kept as
+/// findings of the scene; `losses` are those about what the result lacks.
+template <class Convert>
+SceneCheck convert_checked(Session& session, LoadedScene& loaded, bool force,
+                           const Convert& convert, std::vector<Diagnostic>* losses = nullptr) {
+  DiagnosticSink before = loaded.found;
+  if (first_loss(loaded).empty()) convert();
+  const std::string loss = first_loss(loaded);
+  SceneCheck check{session.check(loaded), {}};
+  if (losses != nullptr) {
+    const auto& found = loaded.found.diagnostics();
+    std::copy_if(found.begin(), found.end(), std::back_inserter(*losses), is_loss);
+    *losses = session.finish(loaded, std::move(*losses));
+  }
+  loaded.found = std::move(before);
+  check.refusal = refusal_for(check.report.diagnostics, force, [&](const Diagnostic& finding) {
+    return loss_in_scene(finding, loaded.scene, *loaded.sources);
+  });
+  if (!loss.empty()) {
+    check.refusal = {"cannot be converted: " + loss, Refusal::Cause::findings};
+  }
+  return check;
+}
+
+}  // namespace
+
+SceneCheck check_scene(Session& session, LoadedScene& loaded, bool force) {
+  return convert_checked(session, loaded, force, [] {});
+}
+
+FlatResult convert_to_flat(Session& session, LoadedScene& loaded, const Dialect& dialect,
+                           const FlattenOptions& options, bool force) {
+  FlatResult result;
+  SceneCheck check = convert_checked(session, loaded, force, [&] {
+    auto flat = flat_scene(loaded, dialect, options, session.limits());
+    if (flat) result.flat = std::move(*flat);
+  });
+  result.report = std::move(check.report);
+  result.refusal = std::move(check.refusal);
+  return result;
+}
+
+SceneResult convert_scene(Session& session, LoadedScene& loaded, const SceneRequest& request) {
+  SceneResult result;
+  SceneCheck check = convert_checked(
+      session, loaded, request.force, [&] { write(session, loaded, request, result); },
+      &result.losses);
+  result.report = std::move(check.report);
+  result.refusal = std::move(check.refusal);
+  if (!result.refusal && !request.force && lacks_entities(loaded.scene)) {
+    result.refusal = {"has no `entities`", Refusal::Cause::findings, true};
+  }
+  return result;
+}
+
+bool is_loss(const Diagnostic& finding) {
+  return finding.rule->reported_by == Tool::converters &&
+         finding.rule != &rules::sml8212_chosen_value;
+}
+
+SceneForm usual_form(const SceneFormat& format) {
+  return format.has_expanded_form ? SceneForm::expand : SceneForm::reference;
+}
+
+bool has_form(const SceneFormat& format, SceneForm form) {
+  return form == SceneForm::expand ? format.has_expanded_form : format.has_reference_form;
+}
+
+}  // namespace smurf

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks a model, exports its URDF, and proves that it is the same robot.
+#include <algorithm>
+#include <utility>
+
+#include "base/did_you_mean.hpp"
+#include "base/path.hpp"
+#include "conversion/refusal.hpp"
+#include "smurf/confine.hpp"
+#include "smurf/conversion.hpp"
+#include "smurf/load.hpp"
+#include "smurf/result_losses.hpp"
+
+namespace smurf {
+namespace {
+
+/// The nearest folder above the URDF with a package.xml; without one, the folder above urdf/, as in
+/// Phobos.
+std::string package_folder(const LinkedModel& model, const UrdfRequest& request,
+                           const std::string& current) {
+  const auto given = request.packages.find(request.options.package_name);
+  if (given != request.packages.end()) return path::join(current, given->second);
+  const DiskFiles disk;
+  const std::string urdf_folder(path::parent(path::join(current, model.urdf_path)));
+  for (std::string folder = urdf_folder; !is_shared_folder(folder);
+       folder = path::join(folder, "..")) {
+    if (disk.is_file(path::join(folder, "package.xml"))) return folder;
+  }
+  return path::join(urdf_folder, "..");
+}
+
+/// The reason why the options cannot be applied to this model; "" if they can.
+std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
+  if (options.base != BaseJoint::as_is) {
+    if (model.tree.roots.size() != 1) return "has no single root for --base";
+    if (model.link_names.contains("world")) return "has a link `world` already; leave --base out";
+  }
+  if (options.mesh_uri == MeshUri::package) {
+    for (const MeshReference& mesh : model.meshes) {
+      const std::string target = path::join(options.current_folder, mesh.path);
+      if (!mesh.exists || !path::relative(target, options.package_folder).starts_with("..")) {
+        continue;
+      }
+      return "uses '" + mesh.filename + "', which is outside of the package's folder '" +
+             options.package_folder + "'; see --package";
+    }
+  }
+  for (const std::string& name : options.keep) {
+    if (!model.link_names.contains(name) && !model.joint_names.contains(name)) {
+      return "has no link or joint `" + name + "` to keep" +
+             did_you_mean(name, model.link_names.names());
+    }
+  }
+  return {};
+}
+
+/// A URDF read on its own.
+struct Plain {
+  SourceMap sources;
+  MemoryFiles files;
+  DiagnosticSink sink;
+  LinkedModel model;
+
+  explicit Plain(std::string_view urdf) {
+    files.add("plain.urdf", std::string(urdf));
+    LoadContext context{sources, files, sink, {}, {}};
+    model = load_model("plain.urdf", context);
+  }
+
+  /// If options change mimics, all joints are compared as independent joints.
+  void forget_mimics() {
+    if (!model.robot) return;
+    for (urdf::Joint& joint : model.robot->joints) joint.mimic.reset();
+  }
+};
+
+Proof compare(const LinkedModel& model, const SourceMap& sources, Plain& plain,
+              const UrdfExport& options) {
+  if (!options.apply.mimic) return compare_models(model, plain.model, proof_scope(options));
+  Plain source(sources.text(model.robot->document.source));
+  source.model.annotations.materials = model.annotations.materials;
+  source.forget_mimics();
+  plain.forget_mimics();
+  return compare_models(source.model, plain.model, proof_scope(options));
+}
+
+/// Reads the result again and compares it with its source. urdfdom crashes on some texts.
+Refusal prove(const LinkedModel& model, const SourceMap& sources, const UrdfExport& options,
+              const UrdfRequest& request, bool may_ask_urdfdom, UrdfResult& result) {
+  UrdfProof& proof = result.proof.emplace();
+  Plain plain(result.text);
+  const LinkedModel& read = plain.model;
+  if (!read.robot) return {"the result cannot be read again; this is a defect of this tool"};
+  proof.links = read.robot->links.size();
+  proof.joints = read.robot->joints.size();
+  if (request.referees.tinyxml2 != nullptr) {
+    proof.tinyxml2_accepts =
+        request.referees.tinyxml2(plain.model.robot->document, plain.sources, plain.sink);
+    if (!proof.tinyxml2_accepts) return {"tinyxml2: " + plain.sink.diagnostics().back().message};
+  }
+  const std::string strict_fault = why_strict_readers_refuse(read, result.text);
+  proof.comparison = compare(model, sources, plain, options);
+  if (!proof.comparison.holds()) {
+    return {"the exported robot differs: " + proof.comparison.difference};
+  }
+  // urdfdom before 5.1 refuses every version but 1.0.
+  const bool is_known = options.version.empty() || options.version == "1.0";
+  if (may_ask_urdfdom && is_known && request.referees.urdfdom != nullptr) {
+    proof.urdfdom = request.referees.urdfdom(result.text);
+    if (proof.urdfdom.was_asked && !proof.urdfdom.accepts) {
+      const std::string& words = proof.urdfdom.messages;
+      return {"urdfdom refuses the result: " + words.substr(0, words.find('\n'))};
+    }
+  }
+  if (strict_fault.empty() || request.force) return {};
+  return {"cannot be converted: the result would not be XML: " + strict_fault,
+          Refusal::Cause::result, true};
+}
+
+}  // namespace
+
+UrdfResult convert_to_urdf(Session& session, LoadedModel& loaded, const UrdfRequest& request) {
+  const LinkedModel& model = loaded.model;
+  UrdfExport wanted = request.options;
+  if (wanted.current_folder.empty()) wanted.current_folder = folder_of_process();
+  UrdfResult result;
+  result.report = session.check(loaded);
+  const std::span<const Diagnostic> found = result.report.diagnostics;
+  result.refusal = refusal_for(found, request.force, [&](const Diagnostic& finding) {
+    return loss_in_urdf(finding, model, wanted);
+  });
+  if (!model.robot) {
+    if (!result.refusal) result.refusal = {"has no URDF", Refusal::Cause::findings};
+    result.refusal.can_be_forced = false;
+  }
+  if (result.refusal) return result;
+  if (wanted.mesh_uri == MeshUri::package && wanted.package_folder.empty()) {
+    wanted.package_folder = package_folder(model, request, wanted.current_folder);
+  }
+  result.refusal = {problem_of(model, wanted), Refusal::Cause::options};
+  if (result.refusal) return result;
+  DiagnosticSink losses;
+  report_losses(model, wanted, losses);
+  result.text = export_urdf(model, *loaded.sources, wanted, losses);
+  result.refusal = prove(model, *loaded.sources, wanted, request, may_ask_urdfdom(found), result);
+  result.losses = session.finish(loaded, losses.take());
+  return result;
+}
+
+}  // namespace smurf

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The result of Model.to_urdf()."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, List
+
+if TYPE_CHECKING:
+    from ._smurf import Finding
+
+
+class Urdf(bytes):
+    """The bytes of a URDF. `losses` is a list of smurf.Finding: what the model has and the URDF does not express."""
+
+    losses: List[Finding]
+
+    def __new__(cls, content: bytes = b"", losses: Iterable[Finding] = ()) -> Urdf:
+        urdf = super().__new__(cls, content)
+        urdf.losses = list(losses)
+        return urdf
+
+    def save(self, path: str) -> None:
+        """Writes the bytes into a file, which is replaced."""
+        with open(path, "wb") as file:
+            file.write(self)
