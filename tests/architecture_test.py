@@ -11,10 +11,11 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCE = ROOT / "libsmurf" / "src"
 PUBLIC = ROOT / "libsmurf" / "include" / "smurf"
+ROOMS = ["python", "tests", "tools", "web"]  # besides the stages
 
 # Each stage and the stages it may include besides itself. An include points left only:
 # base < {archive, syntax}; syntax < xacro < link; syntax < {ast, mesh} < link < {readers, flatten, convert} < write; base < render;
-# ast < {schema, config}; link < readers < lint < check; {write, render} < diff.
+# ast < {schema, config}; link < readers < lint < check; {write, render} < diff; {check, write, render} < conversion.
 STAGES = {
     "base": set(),
     "archive": {"base"},
@@ -31,8 +32,36 @@ STAGES = {
     "flatten": {"base", "syntax", "ast", "link"},
     "convert": {"base", "syntax", "ast", "link"},
     "write": {"base", "syntax", "ast", "mesh", "link", "lint", "flatten", "convert"},
+    "conversion": {"base", "syntax", "mesh", "link", "lint", "check", "flatten", "convert", "write", "render"},
     "render": {"base"},
     "diff": {"base", "syntax", "ast", "write", "render"},
+}
+
+# The stage of each public header. In this order: a public header is included only by its stage and later ones.
+HEADERS = {
+    "base": "diagnostic file_reader fix flat_shape limits names new_model pose readers source",
+    "archive": "archive_files",
+    "syntax": "xml yaml",
+    "xacro": "xacro",
+    "ast": "format model ros_parameters scene srdf urdf",
+    "mesh": "mesh mesh_triangles",
+    "schema": "user_schemas",
+    "link": "companions describe extension_names linked load old_scene references rename",
+    "readers": "",
+    "render": "render",
+    "lint": "inertia_repair lint lint_companions masses suppress",
+    "config": "companion_help config key_help",
+    "check": "check confine repository",
+    "flatten": "dialect flatten",
+    "convert": "convert",
+    "write": "write write_scene",
+    "conversion": "asset_copies conversion result_losses",
+    "diff": "diff",
+}
+STAGE_OF_HEADER = {f"{name}.hpp": stage for stage, names in HEADERS.items() for name in names.split()}
+# Public headers that a stage includes although theirs is a later one. The list should get shorter, never longer.
+KNOWN_SHORT_CUTS = {
+    ("schema", "lint.hpp"),  # for Findings
 }
 
 # Third-party headers by their first folder or name, and the stages that know them.
@@ -82,6 +111,7 @@ PIPELINE_FOLDERS = [SOURCE / "check", SOURCE / "lint"]
 PRIVATE_HEADERS_OF_TOOLS = {
     "base/canonical_paths.hpp",
     "base/counted.hpp",
+    "base/did_you_mean.hpp",
     "base/edits.hpp",
     "base/limits.hpp",
     "base/numbers.hpp",
@@ -105,7 +135,6 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "render/json_text.hpp",
     "render/printable.hpp",
     "render/wrap.hpp",
-    "syntax/tinyxml2_referee.hpp",
     "write/json_text.hpp",
 }
 
@@ -215,6 +244,44 @@ def check_public_headers():
                 yield path, number, f"a public header includes {header}"
 
 
+def check_stages_of_headers():
+    """The order of the stages holds for public headers as well."""
+    order = list(HEADERS)
+    unused = set(KNOWN_SHORT_CUTS)
+    for path in [*sources(PUBLIC), *sources(SOURCE)]:
+        stage = STAGE_OF_HEADER.get(path.name) if PUBLIC in path.parents else path.relative_to(SOURCE).parts[0]
+        if stage is None:
+            yield path, 1, "this header is in no stage of HEADERS"
+            continue
+        for number, line in code_lines(path):
+            include = INCLUDE.match(line)
+            if not include or not include[2].startswith("smurf/"):
+                continue
+            name = include[2].removeprefix("smurf/")
+            other = STAGE_OF_HEADER.get(name)
+            if other is None or order.index(other) <= order.index(stage):
+                continue
+            unused.discard((stage, name))
+            if (stage, name) not in KNOWN_SHORT_CUTS:
+                yield path, number, f"{stage} must not include {include[2]}, which belongs to {other}"
+    for stage, name in sorted(unused):
+        yield pathlib.Path(__file__).resolve(), 1, f"{stage} does not include {name}; take it out of the list"
+
+
+def check_maps():
+    """The README.md of each room names files that exist."""
+    for page in [*(SOURCE / stage / "README.md" for stage in STAGES), *(ROOT / room / "README.md" for room in ROOMS)]:
+        if not page.exists():
+            yield page, 1, "this room has no README.md"
+            continue
+        for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):
+            for name in re.findall(r"`([\w./*-]+\.(?:cpp|hpp|def|py|js|mjs|ts|cmake))`", line):
+                pattern = re.sub(r"NNNN?_name|NNNN?|NAME", "*", name)
+                starts = (ROOT / "libsmurf", ROOT / "libsmurf/include", ROOT)
+                if not any(page.parent.rglob(pattern)) and not any(any(start.glob(pattern)) for start in starts):
+                    yield page, number, f"there is no {name}"
+
+
 def check_installed_headers():
     """A header that is not in the list is not installed."""
     listed = (ROOT / "libsmurf" / "CMakeLists.txt").read_text(encoding="utf-8").split()
@@ -272,6 +339,8 @@ def main():
         *check_systems(),
         *check_private_headers(),
         *check_public_headers(),
+        *check_stages_of_headers(),
+        *check_maps(),
         *check_installed_headers(),
         *check_namespaces(),
         *check_pipeline(),
