@@ -168,7 +168,7 @@ def truth_of(entities, dice):
         "bodies": {f"{entity.name}/{link.name}": link.body() for entity in entities for link in entity.robot.links},
         "starts": {name: entity.robot.position(joint, entity.start) for name, (entity, joint) in joints.items()},
         "drive": {name: entity.robot.position(joint, driven[entity.name]) for name, (entity, joint) in joints.items()},
-        # A follower that turns for ever may have the limits that follow from its leader.
+        # A follower that turns without end may have the limits that follow from its leader.
         "limits": {name: None if joint.kind == "continuous" else [joint.lower, joint.upper]
                    for name, (_, joint) in joints.items() if joint.kind != "continuous" or not joint.leader},
         "damping": {name: joint.damping for name, (_, joint) in joints.items()},
