@@ -2,6 +2,7 @@
 """--masses and --fix-inertia of smurf-lint."""
 import csv
 import io
+import subprocess
 
 import cli
 
@@ -73,7 +74,21 @@ class Repair(cli.CliTest):
 
     def test_nearest(self):
         done = self.run_tool("--fix-inertia=nearest", "--diff", "r.urdf")
-        self.assertIn("principal moments -0.00013, 0.0067, 0.0067 become", done.stderr)
+        self.assertIn("principal moments -0.00013, 0.0067, 0.0067 become", done.stdout)
+
+    def test_moments_are_in_the_difference_which_git_applies(self):
+        done = self.run_tool("--fix-inertia", "--diff", "r.urdf")
+        lines = done.stdout.splitlines()
+        self.assertRegex(lines[0], r"^# r.urdf:5: the inertia of link `arm` .* become 0.000133, 0.00673, 0.00673: its shapes")
+        self.write("a.patch", done.stdout)
+        subprocess.run(["git", "apply", "a.patch"], cwd=self.folder, check=True)
+        self.assertIn("0.006733333", self.read("r.urdf"))
+
+    def test_models_of_a_scene(self):
+        self.write("m.smurf", "modelname: m\nfiles: [r.urdf]\n")
+        self.write("s.smurfs", "smurfs:\n- {name: One, type: smurf, file: m.smurf, position: [0, 0, 0]}\n")
+        self.assertEqual(self.run_tool("--fix-inertia", "--fix-only", "s.smurfs").returncode, 0)
+        self.assertIn("0.006733333", self.read("r.urdf"))
 
     def test_mistakes(self):
         self.expect_complaint("--fix-inertia: 'heavy' is not mass, mesh, box, nearest or density:VALUE",
@@ -81,6 +96,86 @@ class Repair(cli.CliTest):
         self.expect_complaint(
             "--fix-inertia cannot be combined with --fix, --rename or --generate-baseline",
             "--fix-inertia", "--fix", "r.urdf")
+
+
+# Two wheels of one macro; an arm whose moments are computed.
+XACRO = """<robot name="cart" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="big" value="6700"/>
+  <xacro:macro name="wheel" params="name length">
+    <link name="${name}">
+      <inertial>
+        <mass value="0.50"/>
+        <inertia ixx="130" ixy="0" ixz="0" iyy="${big}" iyz="0" izz="6700.0"/>
+      </inertial>
+      <collision><geometry><box size="${length} 0.04 0.04"/></geometry></collision>
+    </link>
+    <joint name="${name}_j" type="continuous"><parent link="base"/><child link="${name}"/><axis xyz="1 0 0"/></joint>
+  </xacro:macro>
+  <link name="base"/>
+  <xacro:wheel name="a" length="0.4"/>
+  <xacro:wheel name="b" length="0.4"/>
+</robot>
+"""
+
+
+class RepairOfXacro(cli.CliTest):
+    def repaired(self, text, *more):
+        self.write("r.urdf.xacro", text)
+        done = self.run_tool("--fix-inertia", "--fix-only", "r.urdf.xacro", *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.read("r.urdf.xacro"), done.stderr
+
+    def test_literals_that_all_users_agree_on(self):
+        text, told = self.repaired(XACRO)
+        expected = XACRO.replace('value="6700"', 'value="0.006733333"').replace('"6700.0"', '"0.006733333"')
+        self.assertEqual(text, expected.replace('"130"', '"0.0001333333"'))
+        self.assertEqual(told.count("its shapes, filled with 0.5 kg"), 1)
+
+    def test_wheels_that_need_different_values(self):
+        other = XACRO.replace('name="b" length="0.4"', 'name="b" length="0.5"')
+        text, told = self.repaired(other)
+        self.assertEqual(text, other)
+        self.assertIn("r.urdf.xacro:2: the inertia of link `a` is too large", told)
+        self.assertIn("other parts of the robots use the same number", told)
+
+    def test_a_number_that_something_else_uses(self):
+        for use in ('<link name="c"><visual><geometry><sphere radius="${big}"/></geometry></visual></link>',
+                    '<link name="c"><visual><geometry><sphere radius="${big/2}"/></geometry></visual></link>'):
+            other = XACRO.replace('<link name="base"/>', '<link name="base"/>' + use
+                                  + '<joint name="cj" type="fixed"><parent link="base"/><child link="c"/></joint>')
+            text, told = self.repaired(other)
+            self.assertEqual(text, other)
+            self.assertIn("give `iyy` of this link its own number, 0.006733333", told)
+
+    def test_a_number_in_a_computation_that_leaves_no_trace(self):
+        """The robot that xacro then makes is compared with the one that was meant."""
+        other = XACRO.replace('<link name="base"/>', '<link name="base"/><xacro:if value="${big > 1}"><!-- large --><link name="c"/>'
+                              '<joint name="cj" type="fixed"><parent link="base"/><child link="c"/></joint></xacro:if>')
+        self.write("r.urdf.xacro", other)
+        done = self.run_tool("--fix-inertia", "--fix-only", "r.urdf.xacro")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("other parts of the robot would change, too; nothing was written", done.stderr)
+        self.assertEqual(self.read("r.urdf.xacro"), other)
+
+    def test_computed_values_are_named(self):
+        other = XACRO.replace('"130"', '"${2 * 65}"')
+        text, told = self.repaired(other)
+        self.assertEqual(text, other)
+        self.assertIn("`ixx` is computed; change `${2 * 65}` so that it gives 0.0001333333", told)
+        done = self.run_tool("--fix-inertia", "--diff", "r.urdf.xacro")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+
+    def test_robots_that_share_a_macro(self):
+        head, calls = XACRO.split('  <link name="base"/>\n')
+        self.write("wheel.xacro", head + "</robot>\n")
+        robot = '<robot name="cart" xmlns:xacro="http://www.ros.org/wiki/xacro">\n<xacro:include filename="wheel.xacro"/>\n<link name="base"/>\n'
+        self.write("one.urdf.xacro", robot + calls)
+        self.write("two.urdf.xacro", robot + calls.replace("0.4", "0.6"))
+        done = self.run_tool("--fix-inertia", "--fix-only", "one.urdf.xacro", "two.urdf.xacro")
+        self.assertEqual(self.read("wheel.xacro"), head + "</robot>\n")
+        self.assertIn("wheel.xacro:", done.stderr)
+        self.run_tool("--fix-inertia", "--fix-only", "one.urdf.xacro")
+        self.assertIn("0.006733333", self.read("wheel.xacro"))
 
 
 if __name__ == "__main__":

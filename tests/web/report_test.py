@@ -115,6 +115,20 @@ class ContentTest(ReportTest):
         self.assertEqual(results[1], ["Unsafe fix"])
         self.assertEqual([one["fix"]["applicability"] for one in report["diagnostics"] if "fix" in one], ["unsafe"])
 
+    def test_another_inertia_is_shown_and_its_command_copied(self):
+        self.write("i.urdf", '<robot name="r"><link name="arm"><inertial><mass value="0.5"/>\n'
+                   '<inertia ixx="130" ixy="0" ixz="0" iyy="6700" iyz="0" izz="6700"/></inertial>\n'
+                   '<collision><geometry><box size="0.4 0.04 0.04"/></geometry></collision></link></robot>')
+        page, _ = self.page("i.urdf", "--select", "SML1518")
+        steps = [f"{CARDS}[0].textContent", f"{CARDS}[0].querySelector('.fix ins').textContent",
+                 "navigator.clipboard = undefined; window.copied = null;"
+                 "Object.defineProperty(navigator, 'clipboard', {value: {writeText: async (text) => { window.copied = text; }}})",
+                 f"{CARDS}[0].querySelector('.copy').click()", "window.copied", f"{CARDS}[0].querySelector('.copy').textContent"]
+        results = self.browse({"page": page, "steps": steps})[0]["results"]
+        self.assertIn("principal moments 130, 6.7e+03, 6.7e+03 become 0.000133, 0.00673, 0.00673: its shapes", results[0])
+        self.assertIn('iyy="0.006733333"', results[1])
+        self.assertEqual(results[4:], ["smurf-lint --fix-inertia 'i.urdf'", "Copied"])
+
     def test_rules_are_explained(self):
         page, _ = self.page(self.robot(), "--select", "SML1401")
         steps = ["document.querySelector('.why').open = true", "new Promise((done) => setTimeout(done, 50))",

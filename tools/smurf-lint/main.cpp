@@ -137,21 +137,32 @@ ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const s
                           if (report.diagnostics.empty()) return std::string();
                           return picture_of(options, plan, checked.session);
                         }};
+  std::vector<Diagnostic> repaired;  // for a page
+  const auto for_page = [&] {
+    if (repaired.empty()) {
+      repaired = with_inertia_repairs(report.diagnostics, options, plan, checked.session);
+    }
+    Results page = results;
+    page.diagnostics = repaired;
+    return page;
+  };
   ExitCode code = kDone;
   bool is_seen = false;
   bool has_page = false;
   std::string page;
   for (const ReportRequest& request : settings.reports) {
     const std::string& file = request.file.empty() ? place : request.file;
-    const std::string text = request.format->render(results, style_of(options, file));
+    const bool is_page = request.format->name == "html";
+    const TextStyle style = style_of(options, file);
+    const std::string text = request.format->render(is_page ? for_page() : results, style);
     if (!write_output(kSmurfLint, file, text)) code = kFailed;
     is_seen = is_seen || file.empty() || file == "-" || file.starts_with("/dev/");
-    if (request.format->name == "html") {
+    if (is_page) {
       has_page = true;
       page = file;
     }
   }
-  if (options.opens && code == kDone) code = open_report(results, page);
+  if (options.opens && code == kDone) code = open_report(for_page(), page);
   if (has_page && !is_seen && !options.quiet && code == kDone) {
     tell_written(settings.reports, place, report);
   }
@@ -184,8 +195,12 @@ ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked&
   return judge(checked.report.summary, merge_run(checked.report.wishes, options).threshold);
 }
 
-ExitCode show_diff(const LintOptions& options, const Changes& changes) {
-  if (write_text(options, unified_diff(changes)) != kDone) return kFailed;
+/// `remarks` come first; programs that read the difference ignore them.
+ExitCode show_diff(const LintOptions& options, const Changes& changes,
+                   const std::vector<std::string>& remarks = {}) {
+  std::string text;
+  for (const std::string& line : remarks) text += "# " + line + "\n";
+  if (write_text(options, text + unified_diff(changes)) != kDone) return kFailed;
   return changes.empty() || options.threshold.exit_zero ? kDone : kFindings;
 }
 
@@ -228,9 +243,20 @@ ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session,
 /// Writes other inertias. `check` reports on the changed texts.
 ExitCode fix_inertia(const LintOptions& options, const LintPlan& plan, Session& session,
                      const std::function<Report()>& check) {
-  const Changes changes = fix_inertias(options, plan, session);
-  if (options.diff) return show_diff(options, changes);
-  if (!write_all(options, plan, session, changes)) return kFailed;
+  const std::optional<InertiaChanges> changes = fix_inertias(options, plan, session);
+  if (!changes) return kFailed;
+  if (!options.quiet) {
+    for (const std::string& line : changes->refused) complain(kSmurfLint, line);
+  }
+  if (options.diff) {
+    const ExitCode code = show_diff(options, changes->files, changes->done);
+    const bool is_left = !changes->refused.empty() && !options.threshold.exit_zero;
+    return code == kDone && is_left ? kFindings : code;
+  }
+  if (!options.quiet) {
+    for (const std::string& line : changes->done) complain(kSmurfLint, line);
+  }
+  if (!write_all(options, plan, session, changes->files)) return kFailed;
   if (options.fix_only) return kDone;
   return report(options, plan, {check(), session}, nullptr);
 }

@@ -130,6 +130,21 @@ function tools(finding, { onRule, onPicture, onEdit }) {
   return element("div", { class: "tools" }, rule, picture || undefined, edit || undefined);
 }
 
+/** A button that copies the command with which a note begins; undefined for other notes. */
+function copyButton(note) {
+  const [, command] = note.match(/^`(smurf-lint [^`]+)`/) ?? [];
+  if (!command) return undefined;
+  const button = element("button", { type: "button", class: "copy" }, "Copy the command");
+  button.addEventListener("click", async () => {
+    const isCopied = await navigator.clipboard?.writeText(command).then(
+      () => true,
+      () => false,
+    );
+    button.textContent = isCopied ? "Copied" : "Select and copy it by hand";
+  });
+  return button;
+}
+
 /**
  * `actions`: onRule shows the findings of a rule, onPicture shows the link or joint of the finding. A page that can
  * change the files also has onEdit, which opens the place of a finding, and onFix, which applies its fix.
@@ -139,7 +154,9 @@ export function card(finding, report, actions) {
   const remarks = [
     ...(finding.notes ?? []).map((note) => ["note", note]),
     ...(finding.help ? [["help", finding.help]] : []),
-  ].map(([kind, text]) => element("p", { class: "remark" }, element("b", {}, kind), " ", ...prose(text)));
+  ].map(([kind, text]) =>
+    element("p", { class: "remark" }, element("b", {}, kind), " ", ...prose(text), copyButton(text)),
+  );
   return element(
     "article",
     {

@@ -3,6 +3,8 @@
 import { byId } from "../common/dom.js";
 import { loadViewer, sceneIn, thingsOf } from "../common/viewer.js";
 
+const kInertials = "SML15"; // rules about them: the picture shows both ellipsoids, as written and of the shapes
+
 /** The names in a finding, those of its place first: [[kind or "", name]]. */
 function namesIn({
   file,
@@ -65,6 +67,7 @@ export class Picture {
     if (!thing) return;
     const viewer = await this.open(`${thing.kind} ${thing.name}`);
     viewer.goTo(thing.entity, thing.link);
+    if (finding.id.startsWith(kInertials)) viewer.press("inertias");
   }
 
   /** The view of the picture in the notation of its address; undefined while it is closed or loading. */

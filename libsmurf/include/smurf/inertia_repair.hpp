@@ -2,13 +2,18 @@
 // Inertias that replace those which cannot be right.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/linked.hpp"
+#include "smurf/source.hpp"
+#include "smurf/xacro.hpp"
 
 namespace smurf {
 
@@ -32,5 +37,24 @@ std::optional<InertiaSource> parse_inertia_source(std::string_view text);
 /// writes another inertia, and a note that says what was assumed. Links without a replacement are
 /// left out.
 std::vector<Diagnostic> repair_inertias(const LinkedModel& model, const InertiaSource& source);
+
+/// Inertias of robots that are repaired together.
+struct InertiaRepairs {
+  std::vector<Diagnostic> repairs;  ///< as of repair_inertias(), with places in the files to change
+  /// Without a fix, because xacro computes a value, or because a literal has other users. The first
+  /// label is at the expression or literal, the last note says what to change.
+  std::vector<Diagnostic> refused;
+  /// What each robot becomes with the repairs, by the xacro file that makes it.
+  std::map<std::string, std::string> expanded;
+};
+/// The same for robots that may come from xacro files. A literal is changed only if every part of a
+/// robot that comes from it gets the same value. `may_change` tells by the path whether a file may
+/// be changed.
+InertiaRepairs repair_inertias(std::span<const LinkedModel* const> models, const SourceMap& sources,
+                               const xacro::Expansions& expansions, const InertiaSource& source,
+                               const std::function<bool(const std::string&)>& may_change);
+
+/// Whether the findings of a rule are about an inertia that can be replaced.
+bool is_repairable(const Rule& rule);
 
 }  // namespace smurf

@@ -2,6 +2,7 @@
 #include "smurf/inertia_repair.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "base/numbers.hpp"
@@ -16,6 +17,10 @@ namespace smurf {
 namespace {
 
 using From = InertiaSource::From;
+
+constexpr std::array<std::string_view, 9> kRepairable = {"SML1511", "SML1512", "SML1513",
+                                                         "SML1514", "SML1516", "SML1518",
+                                                         "SML1519", "SML1523", "SML1531"};
 
 /// A new inertia, and what was assumed.
 struct Replacement {
@@ -111,11 +116,14 @@ std::optional<InertiaSource> parse_inertia_source(std::string_view text) {
   return InertiaSource{From::density, *density};
 }
 
+bool is_repairable(const Rule& rule) {
+  return std::find(kRepairable.begin(), kRepairable.end(), rule.id) != kRepairable.end();
+}
+
 std::vector<Diagnostic> repair_inertias(const LinkedModel& model, const InertiaSource& source) {
   if (!model.robot) return {};
   RuleSelection selection;
-  selection.select = {"SML1511", "SML1512", "SML1513", "SML1514", "SML1516",
-                      "SML1518", "SML1519", "SML1523", "SML1531"};
+  selection.select.assign(kRepairable.begin(), kRepairable.end());
   DiagnosticSink sink;
   lint_model(model, selection, sink);
   std::vector<Diagnostic> repairs;

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The repairs of inertias at the places where they were written, in URDF and in xacro files.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "base/counted.hpp"
+#include "base/edits.hpp"
+#include "base/quoted.hpp"
+#include "lint/queries.hpp"
+#include "smurf/inertia_repair.hpp"
+
+namespace smurf {
+namespace {
+
+/// Bytes of a file. A file that several robots read is several sources.
+struct Literal {
+  std::string_view path;
+  std::uint32_t begin = 0, end = 0;
+  friend auto operator<=>(const Literal&, const Literal&) = default;
+};
+
+/// A new value of a literal, for one part of a robot.
+struct Change {
+  Literal literal;
+  Edit edit;                   ///< in the file
+  Edit made;                   ///< in the robot that xacro makes; the same without xacro
+  std::string_view attribute;  ///< "ixx"
+};
+
+struct Repair {
+  Diagnostic finding;
+  std::vector<Change> changes;
+  std::string refusal;  ///< "": it can be written
+  Span blamed;          ///< the expression or literal to change by hand
+};
+
+/// The attribute of an inertial that has these bytes.
+std::string_view attribute_at(const urdf::Robot& robot, Span span) {
+  for (const urdf::Link& link : robot.links) {
+    if (!link.inertial || span.begin < link.span.begin || span.end > link.span.end) continue;
+    const urdf::Inertial& one = *link.inertial;
+    const std::array<std::pair<const Field<double>*, std::string_view>, 7> fields{
+        {{&one.mass, "mass"},
+         {&one.ixx, "ixx"},
+         {&one.ixy, "ixy"},
+         {&one.ixz, "ixz"},
+         {&one.iyy, "iyy"},
+         {&one.iyz, "iyz"},
+         {&one.izz, "izz"}}};
+    for (const auto& [field, name] : fields) {
+      if (field->span == span) return name;
+    }
+  }
+  return "inertia";
+}
+
+std::string shortened(std::string_view text) {
+  constexpr std::size_t kLongest = 80;
+  std::string line(text.substr(0, std::min(text.find('\n'), kLongest)));
+  return line.size() < text.size() ? line + "..." : line;
+}
+
+class RepairPlaces {
+ public:
+  RepairPlaces(const SourceMap& sources, const xacro::Expansions& expansions,
+               const std::function<bool(const std::string&)>& may_change)
+      : sources_(sources), expansions_(expansions), may_change_(may_change) {}
+
+  void add(const LinkedModel& model, const InertiaSource& source) {
+    if (!model.robot) return;
+    for (Diagnostic& finding : repair_inertias(model, source)) {
+      Repair repair;
+      for (const Edit& edit : finding.fixes.front().edits) {
+        add_change(edit, attribute_at(*model.robot, edit.span), repair);
+      }
+      finding.span = origin_of(finding.span).span;
+      repair.finding = std::move(finding);
+      repairs_.push_back(std::move(repair));
+    }
+  }
+
+  InertiaRepairs take() {
+    find_other_users();
+    while (refuse_next()) {
+    }
+    InertiaRepairs result;
+    std::map<SourceId, std::vector<Edit>> made;
+    for (Repair& repair : repairs_) {
+      if (!repair.refusal.empty()) continue;
+      for (const Change& change : repair.changes) {
+        if (expansions_.contains(change.made.span.source)) {
+          made[change.made.span.source].push_back(change.made);
+        }
+      }
+    }
+    for (auto& [source, edits] : made) {
+      std::sort(edits.begin(), edits.end(),
+                [](const Edit& a, const Edit& b) { return a.span.begin < b.span.begin; });
+      result.expanded[sources_.path(expansions_.at(source).root)] =
+          apply_edits(sources_.text(source), edits);
+    }
+    std::stable_sort(repairs_.begin(), repairs_.end(),
+                     [&](const Repair& a, const Repair& b) { return place_of(a) < place_of(b); });
+    for (Repair& repair : repairs_) {
+      put(std::move(repair), repair.refusal.empty() ? result.repairs : result.refused);
+    }
+    return result;
+  }
+
+ private:
+  std::pair<std::string_view, std::uint32_t> place_of(const Repair& repair) const {
+    return {sources_.path(repair.finding.span.source), repair.finding.span.begin};
+  }
+
+  xacro::Origin origin_of(Span span) const {
+    const auto expansion = expansions_.find(span.source);
+    if (expansion != expansions_.end()) return expansion->second.origin_of(span);
+    return {span, true, xacro::kNoFrame, {}};
+  }
+
+  /// A literal is changed in one source, however many have it.
+  Span first_of(const Literal& literal, SourceId source) {
+    return {files_.try_emplace(literal.path, source).first->second, literal.begin, literal.end};
+  }
+
+  void add_change(const Edit& edit, std::string_view attribute, Repair& repair) {
+    const xacro::Origin origin = origin_of(edit.span);
+    if (!origin.is_exact) {
+      if (!repair.refusal.empty()) return;
+      repair.blamed = origin.span;
+      repair.refusal = "not written, because " + quoted(attribute) + " is computed; change " +
+                       quoted(shortened(sources_.text(origin.span))) + " so that it gives " +
+                       edit.text;
+      return;
+    }
+    const Span span = origin.span;
+    if (!may_change_(sources_.path(span.source))) {
+      repair.blamed = span;
+      repair.refusal = "not written, because the file is outside of the project; override " +
+                       quoted(attribute) + ", or name the file itself to change it";
+    }
+    const Literal literal{sources_.path(span.source), span.begin, span.end};
+    repair.changes.push_back(
+        {literal, {first_of(literal, span.source), edit.text}, edit, attribute});
+    wanted_[literal].insert(edit.text);
+    changed_.emplace(std::pair(edit.span.source, edit.span.begin), literal);
+  }
+
+  /// The changed literal that shares bytes with a span, or null.
+  const Literal* literal_at(Span span) const {
+    if (span.empty()) return nullptr;
+    const std::string_view path = sources_.path(span.source);
+    auto after = wanted_.lower_bound(Literal{path, span.end, 0});
+    if (after == wanted_.begin()) return nullptr;
+    const Literal& before = std::prev(after)->first;
+    return before.path == path && before.end > span.begin ? &before : nullptr;
+  }
+
+  bool is_changed(SourceId source, const xacro::Leaf& leaf, const Literal& literal) const {
+    const auto change = changed_.lower_bound({source, leaf.begin});
+    return change != changed_.end() && change->first.first == source &&
+           change->first.second < leaf.end && change->second == literal;
+  }
+
+  /// Parts of robots that come from a literal and do not get another value.
+  void find_other_users() {
+    for (const auto& [source, expansion] : expansions_) {
+      for (const xacro::Leaf& leaf : expansion.leaves) {
+        const Literal* literal = leaf.is_exact ? literal_at(leaf.origin) : nullptr;
+        if (literal != nullptr && !is_changed(source, leaf, *literal)) kept_.insert(*literal);
+        for (std::uint32_t i = 0; i < leaf.inputs; ++i) {
+          const Literal* input = literal_at(expansion.inputs[leaf.first_input + i].place);
+          if (input != nullptr) kept_.insert(*input);
+        }
+      }
+    }
+  }
+
+  /// Refuses a repair that would change another part; the others that share its literals are then
+  /// judged again. Returns whether there was one.
+  bool refuse_next() {
+    bool is_any = false;
+    for (Repair& repair : repairs_) {
+      const auto is_shared = [&](const Change& change) {
+        return kept_.contains(change.literal) || wanted_.at(change.literal).size() > 1;
+      };
+      const auto shared = std::find_if(repair.changes.begin(), repair.changes.end(), is_shared);
+      if (repair.refusal.empty() && shared != repair.changes.end()) {
+        repair.blamed = shared->edit.span;
+        repair.refusal = "not written, because other parts of the robots use the same number; "
+                         "give " +
+                         quoted(shared->attribute) + " of this link its own number, " +
+                         shared->edit.text;
+      }
+      if (repair.refusal.empty()) continue;
+      for (const Change& change : repair.changes) is_any |= kept_.insert(change.literal).second;
+    }
+    return is_any;
+  }
+
+  /// Adds a repair, unless the same is done for another link of the same macro.
+  void put(Repair&& repair, std::vector<Diagnostic>& list) {
+    const Span place = repair.finding.span;
+    if (!done_.emplace(sources_.path(place.source), place.begin, place.end).second) return;
+    Diagnostic& finding = repair.finding;
+    finding.fixes.clear();
+    if (repair.refusal.empty()) {
+      Fix fix{Applicability::unsafe, {}};
+      for (Change& change : repair.changes) {
+        if (written_.insert(change.literal).second) fix.edits.push_back(std::move(change.edit));
+      }
+      if (fix.edits.empty()) return;
+      finding.fixes.push_back(std::move(fix));
+    } else {
+      finding.notes.push_back(repair.refusal);
+      finding.labels = {{repair.blamed, "change this"}};
+    }
+    list.push_back(std::move(finding));
+  }
+
+  const SourceMap& sources_;
+  const xacro::Expansions& expansions_;
+  const std::function<bool(const std::string&)>& may_change_;
+  std::vector<Repair> repairs_;
+  std::map<std::string_view, SourceId> files_;                     ///< the source that is changed
+  std::map<Literal, std::set<std::string>> wanted_;                ///< new values
+  std::map<std::pair<SourceId, std::uint32_t>, Literal> changed_;  ///< by place in the robot
+  std::set<Literal> kept_;  ///< literals with a user that gets no new value
+  std::set<Literal> written_;
+  std::set<std::tuple<std::string_view, std::uint32_t, std::uint32_t>> done_;
+};
+
+}  // namespace
+
+InertiaRepairs repair_inertias(std::span<const LinkedModel* const> models, const SourceMap& sources,
+                               const xacro::Expansions& expansions, const InertiaSource& source,
+                               const std::function<bool(const std::string&)>& may_change) {
+  RepairPlaces places(sources, expansions, may_change);
+  for (const LinkedModel* model : models) places.add(*model, source);
+  return places.take();
+}
+
+}  // namespace smurf
