@@ -356,6 +356,20 @@ class Actions(LspTest):
         self.client.replace(urdf, self.applied(urdf, action["edit"]))
         self.assertEqual([one["code"] for one in self.client.published(urdf) if one["code"] == found[0]["code"]], [])
 
+    def test_other_inertias(self):
+        text = ('<robot name="r">\n  <link name="a">\n    <inertial>\n      <mass value="0.5"/>\n'
+                '      <inertia ixx="6700" ixy="0" ixz="0" iyy="6700" iyz="0" izz="130"/>\n    </inertial>\n'
+                '    <collision><geometry><cylinder radius="0.02" length="0.4"/></geometry></collision>\n  </link>\n</robot>\n')
+        robot = self.write("r.urdf", text)
+        found = next(one for one in self.open(robot) if one["code"] == "SML1518")
+        at = offset(text, found["range"]["start"])
+        actions = [one for one in self.actions(robot, at) if one["title"].startswith("Replace the inertia: ")]
+        self.assertEqual([one["title"].split(",")[0] for one in actions],
+                         ["Replace the inertia: its shapes", "Replace the inertia: the box around its shapes"])
+        self.client.replace(robot, self.applied(robot, actions[0]["edit"]))
+        self.assertNotIn("SML1518", [one["code"] for one in self.client.published(robot)])
+        self.assertIn('<mass value="0.5"/>', self.client.texts[str(robot)])
+
     def test_no_comment_before_the_declaration_of_xml(self):
         robot = self.write("r.urdf", '\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>\n')
         self.assertEqual([one["code"] for one in self.open(robot)], ["SML1005"])

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "smurf-lsp/context.hpp"
 
@@ -25,6 +26,14 @@ Json to_json(const Context& context, const Diagnostic& diagnostic, const SourceM
 Json code_actions(Context& context, const Json& params);
 Json execute_command(Context& context, const Json& params);
 std::vector<std::string> commands();
+
+// inertia_actions.cpp
+struct InertiaAction {
+  std::string title;
+  std::vector<Edit> edits;  ///< point into the loaded sources
+};
+/// Other inertias for a finding about one; none for other findings.
+std::vector<InertiaAction> inertia_actions(Context& context, const Diagnostic& finding);
 
 Json hover(Context& context, const Json& params);       // hover.cpp
 Json completion(Context& context, const Json& params);  // completion.cpp

@@ -103,6 +103,13 @@ class Actions {
                             {"isPreferred", fix.applicability == Applicability::safe},
                             {"edit", workspace_edit(context_, fix.edits, sources)}});
       }
+      for (const InertiaAction& action : inertia_actions(context_, one)) {
+        actions_.push_back({{"title", action.title},
+                            {"kind", kQuickFix},
+                            {"diagnostics", {diagnostic}},
+                            {"edit", workspace_edit(context_, action.edits,
+                                                    context_.workspace.loaded_sources())}});
+      }
       suppress(one, diagnostic);
       explain(*one.rule, diagnostic);
     }

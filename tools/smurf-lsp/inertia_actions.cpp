@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Code actions that write another inertia.
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "smurf-lsp/capabilities.hpp"
+#include "smurf/inertia_repair.hpp"
+
+namespace smurf::lsp {
+namespace {
+
+/// All models of the open documents.
+std::vector<const LinkedModel*> models_of(const tools::LoadedNames& names) {
+  std::vector<const LinkedModel*> models;
+  for (const tools::LoadedNames::Part& part : names.parts()) {
+    if (part.model != nullptr) models.push_back(&part.model->model);
+    if (part.scene == nullptr) continue;
+    for (const LinkedModel& model : part.scene->scene.models) models.push_back(&model);
+  }
+  return models;
+}
+
+/// Those of all models.
+const xacro::Expansions& expansions_of(const tools::LoadedNames& names) {
+  static const xacro::Expansions kNone;
+  for (const tools::LoadedNames::Part& part : names.parts()) {
+    if (part.expansions != nullptr) return *part.expansions;
+  }
+  return kNone;
+}
+
+/// "its shapes, filled with 0.5 kg": what a note says after the moments.
+std::string assumption_of(const Diagnostic& repair) {
+  const std::string& note = repair.notes.front();
+  const std::size_t colon = note.find(": ");
+  return colon == std::string::npos ? note : note.substr(colon + 2);
+}
+
+std::string key_of(const Fix& fix) {
+  std::string key;
+  for (const Edit& edit : fix.edits) key += std::to_string(edit.span.begin) + "=" + edit.text + ";";
+  return key;
+}
+
+}  // namespace
+
+std::vector<InertiaAction> inertia_actions(Context& context, const Diagnostic& finding) {
+  std::vector<InertiaAction> actions;
+  if (!is_repairable(*finding.rule)) return actions;
+  Workspace& workspace = context.workspace;
+  const tools::LoadedNames& names = workspace.names();
+  const std::vector<const LinkedModel*> models = models_of(names);
+  const SourceMap& loaded = workspace.loaded_sources();
+  const std::string& path = workspace.sources().path(finding.span.source);
+  std::set<std::string> known;
+  for (const Fix& fix : finding.fixes) known.insert(key_of(fix));
+  using From = InertiaSource::From;
+  for (const From from : {From::mass, From::box, From::nearest}) {
+    const InertiaRepairs found =
+        repair_inertias(models, loaded, expansions_of(names), {from, 0},
+                        [&](const std::string& file) { return workspace.is_changeable(file); });
+    for (const Diagnostic& repair : found.repairs) {
+      const bool is_here = repair.rule == finding.rule && loaded.path(repair.span.source) == path &&
+                           repair.span.begin == finding.span.begin;
+      if (!is_here || !known.insert(key_of(repair.fixes.front())).second) continue;
+      actions.push_back(
+          {"Replace the inertia: " + assumption_of(repair), repair.fixes.front().edits});
+    }
+  }
+  return actions;
+}
+
+}  // namespace smurf::lsp
