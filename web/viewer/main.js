@@ -183,7 +183,12 @@ class Viewer {
       ["frames", "Frames", "a", (on) => this.overlays.show("frames", on)],
       ["axes", "Joint axes", "j", (on) => this.overlays.show("axes", on)],
       ["masses", "Centres of mass", "m", (on) => this.overlays.show("masses", on)],
-      ["inertias", "Inertias", "i", (on) => this.overlays.show("inertias", on)],
+      [
+        "inertias",
+        "Inertias",
+        "i",
+        (on) => ["inertias", "solids"].forEach((name) => this.overlays.show(name, on)),
+      ],
       ["sensors", "Sensors", "r", (on) => this.showSensors(on)],
       ["skeleton", "Skeleton", "k", (on) => this.overlays.show("skeleton", on)],
       ["names", "Names", "n", (on) => this.showNames(on)],

@@ -28,6 +28,7 @@ const kJointColor = [0.75, 0.2, 0.85];
 const kBoneColor = [0.1, 0.5, 0.75];
 const kMassColor = new Color(0.94, 0.63, 0);
 const kInertiaColor = new Color(0.45, 0.3, 0.85);
+const kSolidColor = new Color(0.1, 0.65, 0.45);
 const kRulerColor = [0.95, 0.1, 0.45];
 const kMostNames = 150;
 const kMostRound = 500; // spheres: more of them have fewer sides
@@ -98,6 +99,7 @@ export class Overlays {
     this.axes = []; // {entity, joint}
     this.masses = []; // {entity, link, local}
     this.inertias = []; // {entity, link, local}: what makes the ellipsoid of a unit sphere
+    this.solids = []; // the same for the inertias of the shapes
     scene.entities.forEach((entity, index) => this.add(entity, index));
     this.bones = bonesOf(scene);
     this.parts = this.makeParts();
@@ -143,12 +145,16 @@ export class Overlays {
       },
       inertias: {
         make: () => spheresOf(this.inertias.length, kInertiaColor, 0.35, kOrder.inertias),
-        move: (ellipsoids) => this.moveInertias(ellipsoids),
+        move: (ellipsoids) => this.moveInertias(ellipsoids, this.inertias),
+      },
+      solids: {
+        make: () => spheresOf(this.solids.length, kSolidColor, 0.25, kOrder.inertias),
+        move: (ellipsoids) => this.moveInertias(ellipsoids, this.solids),
       },
     };
   }
 
-  /** Shows "frames", "axes", "skeleton", "masses" or "inertias", or hides them. */
+  /** Shows "frames", "axes", "skeleton", "masses", "inertias" or "solids", or hides them. */
   show(name, on) {
     const part = this.parts[name];
     if (!on && !part.drawn) return;
@@ -163,10 +169,12 @@ export class Overlays {
     if (!model?.order.length) this.frames.push({ entity: index });
     for (const link of model?.order ?? []) {
       this.frames.push({ entity: index, link });
-      const { mass, com, inertia } = model.links[link];
+      const { mass, com, inertia, solid } = model.links[link];
       if (mass) this.masses.push({ entity: index, link, local: toMatrix(com) });
       const ellipsoid = mass && inertia && ellipsoidOf(mass, inertia);
       if (ellipsoid) this.inertias.push({ entity: index, link, local: toMatrix(com).multiply(ellipsoid) });
+      const full = mass && solid && ellipsoidOf(mass, solid.inertia);
+      if (full) this.solids.push({ entity: index, link, local: toMatrix(solid.com).multiply(full) });
     }
     model?.joints.forEach((joint, at) => {
       const child = model.links[joint.child];
@@ -202,9 +210,9 @@ export class Overlays {
     balls.showPlaces();
   }
 
-  moveInertias(ellipsoids) {
+  moveInertias(ellipsoids, inertias) {
     const [ellipsoid, none] = [new Matrix4(), new Vector3()];
-    this.inertias.forEach((inertia, index) => {
+    inertias.forEach((inertia, index) => {
       ellipsoid.multiplyMatrices(this.worldOf(inertia), inertia.local);
       if (!this.isShown(inertia.entity)) ellipsoid.scale(none);
       ellipsoids.setMatrixAt(index, ellipsoid);

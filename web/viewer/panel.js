@@ -62,7 +62,7 @@ function jointFacts(model, joint) {
 
 function linkFacts(entity, link, matrix) {
   const { model } = entity;
-  const { mass, inertia, visuals, collisions, joint, sensors } = model.links[link];
+  const { mass, inertia, solid, visuals, collisions, joint, sensors } = model.links[link];
   const facts = [
     ["Link of", entity.title],
     ["Mass", mass === undefined ? "none" : `${short(mass)} kg`],
@@ -71,8 +71,9 @@ function linkFacts(entity, link, matrix) {
   if (below.length > 1)
     facts.push(["With all below", `${short(massOf(below))} kg in ${counted(below.length, "link")}`]);
   facts.push(...poseFacts(matrix), ...jointFacts(model, model.joints[joint]));
-  if (inertia)
-    facts.push(["Inertia, kg m²", inertia.map((value, at) => `${kMoments[at]} ${short(value)}`).join(", ")]);
+  const entriesOf = (tensor) => tensor.map((value, at) => `${kMoments[at]} ${short(value)}`).join(", ");
+  if (inertia) facts.push(["Inertia, kg m²", entriesOf(inertia)]);
+  if (solid) facts.push(["Of its full shapes (green)", entriesOf(solid.inertia)]);
   if (mass && inertia && !ellipsoidOf(mass, inertia))
     facts.push(["Its ellipsoid", "none: no body has such moments"]);
   facts.push(["Shapes", `${counted(visuals.length, "visual")}, ${counted(collisions.length, "collision")}`]);

@@ -3,7 +3,8 @@
 //
 // scene: name of its file
 // models: [{name, file, old, links, joints, poses, devices, sensors}]
-//   links: [{name, joint: the one above, unplaced, mass, com: pose, inertia: [xx, xy, xz, yy, yz, zz], visuals, collisions}]
+//   links: [{name, joint: the one above, unplaced, mass, com: pose, inertia: [xx, xy, xz, yy, yz, zz], solid: {com, inertia} of the
+//     shapes when they are filled with the mass, visuals, collisions}]
 //   joints: [{name, type, parent, child: links, pose, axis, lower, upper, effort, velocity, damping, friction,
 //     leader: the joint that it mimics, multiplier, offset}]
 //   poses: [{name, positions}]

@@ -6,6 +6,7 @@
 
 #include "base/path.hpp"
 #include "link/kinematics.hpp"
+#include "link/shape_solids.hpp"
 #include "lint/geometry_queries.hpp"
 #include "write/annotated_looks.hpp"
 #include "write/body_inertia.hpp"
@@ -110,6 +111,7 @@ class VersionData {
         json_.number(mass->mass);
         add_pose("com", mass->X_LC);
         json_.member("inertia", {mass->ixx, mass->ixy, mass->ixz, mass->iyy, mass->iyz, mass->izz});
+        if (const auto solid = solid_of(model, link)) add_solid_inertia(*solid, mass->mass);
       }
       json_.key("visuals");
       json_.begin_list();
@@ -125,6 +127,16 @@ class VersionData {
       json_.end();
       json_.end();
     }
+  }
+
+  /// The inertia that the shapes have when they are filled with the mass.
+  void add_solid_inertia(const Solid& solid, double mass) {
+    const auto [xx, yy, zz, xy, xz, yz] = unit_inertia(solid);
+    json_.key("solid");
+    json_.begin_object();
+    add_pose("com", {solid.center, {}});
+    json_.member("inertia", {mass * xx, mass * xy, mass * xz, mass * yy, mass * yz, mass * zz});
+    json_.end();
   }
 
   template <class Part>
