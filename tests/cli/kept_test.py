@@ -49,6 +49,9 @@ URDF = """<robot name="rich">
 <link name="flat"><visual><geometry><mesh filename="two.obj"/></geometry></visual><inertial><mass value="1"/><inertia ixx="0.0001" iyy="0.0001" izz="0.000201" ixy="0"
   ixz="0" iyz="0"/></inertial></link>
 <joint name="hinge" type="continuous"><parent link="base"/><child link="flat"/><axis xyz="0 0 1"/></joint>
+<link name="ball"><inertial><mass value="1"/></inertial>
+  <collision><geometry><sphere radius="0.125"/></geometry></collision></link>
+<joint name="roll" type="continuous"><parent link="base"/><child link="ball"/><axis xyz="0 0 1"/></joint>
 <gazebo reference="arm"><mu1>0.75</mu1><kp>7</kp><sensor name="eye" type="camera"><camera/></sensor></gazebo>
 <transmission name="drive"><type>transmission_interface/SimpleTransmission</type>
   <joint name="knuckle"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
@@ -138,6 +141,7 @@ CHANGES = {
     "masses and inertias": ('<mass value="2"/>', '<mass value="3"/>'),
     "masses of moving links that have none": ('<link name="finger"/>', '<link name="finger">'
                                               + BODY.format(m="1") + "</link>"),
+    "moments of inertia that are not written": ('<sphere radius="0.125"/>', '<sphere radius="0.25"/>'),
     "inertias that simulators refuse": ("0.000201", "0.0002"),
     "visual shapes": ('<visual name="hull"><geometry><box size="1 2 3"/>',
                       '<visual name="hull"><geometry><box size="1 2 4"/>'),
@@ -238,7 +242,7 @@ UNNAMED |= {("changed: USD computes moments of inertia of 0 from shapes", "inert
 UNNAMED |= {("shapes only", thing) for thing in ("names of visuals and collisions", "mimicking joints", "position limits",
                                                   "anchors", "gravity", "step size", "solver settings")}
 # A format that keeps everything else does not report these.
-ASIDES = {"masses of moving links that have none", "inertias that simulators refuse", "motor setting",
+ASIDES = {"masses of moving links that have none", "moments of inertia that are not written", "inertias that simulators refuse", "motor setting",
           "sensor setting", "material setting", "gravity when none is set", "step size when none is set",
           "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives",
           "roots named `world` without an anchor", "colours of parts of mesh files", "collisions within a robot",

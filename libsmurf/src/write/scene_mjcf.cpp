@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "base/numbers.hpp"
 #include "base/quoted.hpp"
@@ -226,6 +227,10 @@ class MjcfWriter : MjcfSensors {
     if (joint != nullptr) moves = add_joint(i, model, *joint);
     const urdf::Link& written = model.robot->links[link];
     auto mass = inertial_of(written);
+    if (auto of_shapes = inertial_of_shapes(model, written); of_shapes && moves) {
+      mass = std::move(of_shapes);
+      losses_.note(kAbsentInertias, written.span, link_name(model, link));
+    }
     if (!mass && moves) {
       mass = smallest_mass();
       losses_.note(kInventedMasses, written.span, link_name(model, link));

@@ -10,7 +10,9 @@
 #include "base/vectors.hpp"
 #include "base/words.hpp"
 #include "flatten/shapes.hpp"
+#include "link/inertia.hpp"
 #include "link/kinematics.hpp"
+#include "link/shape_solids.hpp"
 
 namespace smurf {
 namespace {
@@ -150,6 +152,21 @@ std::optional<LinkInertial> inertial_of(const urdf::Link& link) {
                       inertial.ixx.value_or(0), inertial.ixy.value_or(0),
                       inertial.ixz.value_or(0), inertial.iyy.value_or(0),
                       inertial.iyz.value_or(0), inertial.izz.value_or(0)};
+}
+
+std::optional<LinkInertial> inertial_of_shapes(const LinkedModel& model, const urdf::Link& link) {
+  const auto body = inertial_of(link);
+  if (!body) return std::nullopt;
+  for (const Field<double>* entry : entries_of(*link.inertial)) {
+    if (entry->written) return std::nullopt;
+  }
+  const auto solid = solid_of(model, link);
+  if (!solid) return std::nullopt;
+  const auto [xx, yy, zz, xy, xz, yz] = unit_inertia(*solid);
+  const double mass = body->mass;
+  return LinkInertial{
+      mass,     {body->X_LC.position, {}}, mass * xx, mass * xy, mass * xz, mass * yy, mass * yz,
+      mass * zz};
 }
 
 LinkInertial smallest_mass() { return SolidMass(0.01)(FlatSphere{0.01}); }

@@ -42,6 +42,9 @@ struct LinkInertial {
 };
 /// None if the link has no mass.
 std::optional<LinkInertial> inertial_of(const urdf::Link& link);
+/// That of its shapes, filled with the mass, at the written centre, if the link has a mass and no
+/// `<inertia>`, and shapes of known volume; otherwise none.
+std::optional<LinkInertial> inertial_of_shapes(const LinkedModel& model, const urdf::Link& link);
 /// For a body without mass in a format that requires one: MARS uses a ball of 10 g and 1 cm radius
 /// (mars_core Frame.cpp:601-619).
 LinkInertial smallest_mass();

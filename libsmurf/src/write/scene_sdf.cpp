@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "base/unique_names.hpp"
 #include "write/annotated_colors.hpp"
@@ -245,7 +246,11 @@ class SdfWriter {
     xml_.open("link", {{"name", links_of(model)[body]}});
     add_pose(*X_EL[body]);
     const urdf::Link& whole = model.robot->links[body];
-    const auto mass = inertial_of(whole);
+    auto mass = inertial_of(whole);
+    if (auto of_shapes = inertial_of_shapes(model, whole)) {
+      mass = std::move(of_shapes);
+      losses_.note(kAbsentInertias, whole.span, link_name(model, body));
+    }
     if (!mass) losses_.note(kInventedMasses, whole.span, link_name(model, body));
     const BodyInertia inertia = body_inertia(mass.value_or(smallest_mass()), 0, 0);
     if (inertia.is_changed) losses_.note(kRefusedInertias, whole.span, link_name(model, body));

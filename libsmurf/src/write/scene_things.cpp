@@ -31,6 +31,8 @@ constexpr std::string_view kAsGazebo =
 constexpr std::string_view kPlugin = "lost: Gazebo leaves them to a plug-in that reads the URDF";
 constexpr std::string_view kNearest = "changed: to the nearest inertia that the simulator accepts";
 constexpr std::string_view kTenGrams = "added: 10 g in a ball of 1 cm, the default of MARS";
+constexpr std::string_view kOfShapes =
+    "added: those of the shapes, filled with the mass, if the shapes are closed";
 constexpr std::string_view kReadMeshes =
     "kept: meshes that are STL, OBJ, bobj, COLLADA or glTF, without skins and textures";
 constexpr std::string_view kFixedWorld =
@@ -50,6 +52,8 @@ constexpr SceneThing kThings[] = {
      .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, kKept}},
     {.title = kInventedMasses,
      .cells = {kTenGrams, kTenGrams, kTenGrams, kKept, kKept, kKept, kKept, kTenGrams}},
+    {.title = kAbsentInertias,
+     .cells = {kOfShapes, kOfShapes, kOfShapes, kKept, kKept, kKept, kKept, kOfShapes}},
     {.title = kRefusedInertias,
      .cells = {kNearest, kNearest, kNearest, kKept, kKept, kKept, kKept,
                "changed: USD computes moments of inertia of 0 from shapes"}},

@@ -57,6 +57,7 @@ enum class WorldSetting : std::uint8_t {
 /// Titles of things that the writers report themselves.
 inline constexpr std::string_view kInventedMasses = "masses of moving links that have none";
 inline constexpr std::string_view kEmptyShapes = "shapes with a size of 0";
+inline constexpr std::string_view kAbsentInertias = "moments of inertia that are not written";
 inline constexpr std::string_view kRefusedInertias = "inertias that simulators refuse";
 inline constexpr std::string_view kColorsOfMeshes = "colours of parts of mesh files";
 inline constexpr std::string_view kLostContacts = "collisions of contact sensors on several links";

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
@@ -204,6 +205,10 @@ bool UsdPhysics::is_body(std::size_t instance) const {
 void UsdPhysics::add_mass(std::size_t instance, std::size_t link) {
   const urdf::Link& written = robot(instance).robot->links[link];
   auto mass = inertial_of(written);
+  if (auto of_shapes = inertial_of_shapes(robot(instance), written)) {
+    mass = std::move(of_shapes);
+    losses_.note(kAbsentInertias, written.span, written.name.value_or({}));
+  }
   if (!mass) {
     mass = smallest_mass();
     const bool is_root = link == to_size(robot(instance).tree.roots.front());
