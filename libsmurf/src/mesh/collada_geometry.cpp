@@ -27,17 +27,40 @@ void add_strip(const std::vector<std::uint32_t>& strip, std::vector<std::uint32_
   }
 }
 
-/// As parse_integer(), faster for most indices.
-std::optional<std::int64_t> parse_index(std::string_view word) {
-  constexpr std::size_t kShort = 9;
-  if (word.empty() || word.size() > kShort) return parse_integer(word);
-  std::int64_t index = 0;
-  for (const char c : word) {
-    if (c < '0' || c > '9') return parse_integer(word);
-    index = 10 * index + (c - '0');
-  }
-  return index;
+bool is_between_words(char c) {
+  return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
+
+/// The words of a list of indices: as Words and parse_integer(), faster for most indices.
+class IndexWords {
+ public:
+  explicit IndexWords(std::string_view text) : text_(text) {}
+
+  bool is_at_end() {
+    while (at_ < text_.size() && is_between_words(text_[at_])) ++at_;
+    return at_ == text_.size();
+  }
+
+  /// Reads the next word. Negative if it is no index.
+  std::int64_t next() {
+    constexpr std::size_t kShort = 9;
+    begin_ = at_;
+    std::int64_t index = 0;
+    for (; at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9'; ++at_) {
+      if (at_ - begin_ == kShort) break;
+      index = 10 * index + (text_[at_] - '0');
+    }
+    const bool is_plain = at_ > begin_ && (at_ == text_.size() || is_between_words(text_[at_]));
+    if (is_plain) return index;
+    while (at_ < text_.size() && !is_between_words(text_[at_])) ++at_;
+    return parse_integer(word()).value_or(-1);
+  }
+  std::string_view word() const { return text_.substr(begin_, at_ - begin_); }
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0, begin_ = 0;
+};
 
 void add_fan(const std::vector<std::uint32_t>& fan, std::vector<std::uint32_t>& corners) {
   for (std::size_t i = 2; i < fan.size(); ++i) {
@@ -139,23 +162,21 @@ std::optional<GeometryReader::Indices> GeometryReader::indices_of(View primitive
 bool GeometryReader::read_corners(View list, const Indices& indices, Geometry& geometry) {
   corners_.clear();
   textures_.clear();
-  Words words(list.text());
-  std::size_t count = 0;
-  for (; !words.is_at_end(); ++count) {
-    const std::string_view word = words.next();
-    const std::size_t place = count % indices.stride;
-    if (indices.textures != nullptr && place == indices.texture_offset) {
-      textures_.push_back(parse_integer(word).value_or(-1));
+  IndexWords words(list.text());
+  std::size_t place = 0;
+  while (!words.is_at_end()) {
+    const std::int64_t index = words.next();
+    const std::size_t own = place;
+    if (++place == indices.stride) place = 0;
+    if (indices.textures != nullptr && own == indices.texture_offset) textures_.push_back(index);
+    if (own != indices.offset) continue;
+    if (index < 0 || static_cast<std::uint64_t>(index) >= points_) {
+      return fail(list, "the index " + quoted(words.word()) + " names none of " +
+                            std::to_string(points_) + " points");
     }
-    if (place != indices.offset) continue;
-    const auto index = parse_index(word);
-    if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= points_) {
-      return fail(list, "the index " + quoted(word) + " names none of " + std::to_string(points_) +
-                            " points");
-    }
-    corners_.push_back(static_cast<std::uint32_t>(*index));
+    corners_.push_back(static_cast<std::uint32_t>(index));
   }
-  if (count % indices.stride != 0) return fail(list, "the indices end inside a corner");
+  if (place != 0) return fail(list, "the indices end inside a corner");
   if (indices.textures != nullptr) {
     textured_.join(textures_, *indices.textures, corners_, geometry.points,
                    geometry.texture_points);

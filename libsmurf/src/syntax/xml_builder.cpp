@@ -83,7 +83,9 @@ bool XmlBuilder::take_text(Span text, bool is_section) {
 
 void XmlBuilder::decode_text(std::string (*decode)(std::string_view)) {
   std::string_view& text = document_.texts.back().value;
-  if (text.find_first_of("&\r") == std::string_view::npos) return;
+  // find_first_of() would call a function for each byte of a mesh.
+  constexpr auto kNone = std::string_view::npos;
+  if (text.find('&') == kNone && text.find('\r') == kNone) return;
   std::string decoded = decode(text);
   if (decoded != text) text = document_.decoded.emplace_back(std::move(decoded));
 }
