@@ -132,6 +132,12 @@ const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh) {
   return reference->file->status == ReadStatus::ok ? &reference->file->facts : nullptr;
 }
 
+bool is_gltf(const LinkedModel& model, const urdf::Geometry& geometry) {
+  const auto* mesh = std::get_if<urdf::Mesh>(&geometry.shape);
+  const MeshFacts* facts = mesh != nullptr ? find_facts(model, *mesh) : nullptr;
+  return facts != nullptr && facts->format == MeshFormat::gltf;
+}
+
 std::optional<Solid> solid_of(const LinkedModel& model, const urdf::Geometry& geometry) {
   const std::optional<Solid> solid = unchecked_solid_of(model, geometry.shape);
   if (!solid || !(solid->volume > 0) || !std::isfinite(solid->volume)) return std::nullopt;

@@ -16,6 +16,10 @@ const MeshReference* find_reference(const LinkedModel& model, std::uint32_t begi
 /// The facts about a mesh file; null if the file was not opened or cannot be read.
 const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh);
 
+/// Whether a shape is a mesh in glTF, whose axes programs read in different ways: some turn y up to
+/// z up.
+bool is_gltf(const LinkedModel& model, const urdf::Geometry& geometry);
+
 /// The body that a shape fills, in the frame of the shape, in m; its volume is positive. None if
 /// the shape is unknown or not positive, or an open mesh.
 std::optional<Solid> solid_of(const LinkedModel& model, const urdf::Geometry& geometry);

@@ -51,13 +51,20 @@ const AxisOrder* order_that_fits(const Vector3& written, const Vector3& shape) {
   return best;
 }
 
+/// An inertia in another order may then be right.
+bool has_gltf(const LinkedModel& model, const urdf::Link& link) {
+  const auto is_one = [&](const auto& part) { return is_gltf(model, part.geometry); };
+  return std::any_of(link.visuals.begin(), link.visuals.end(), is_one) ||
+         std::any_of(link.collisions.begin(), link.collisions.end(), is_one);
+}
+
 }  // namespace
 
 const AxisOrder* likely_axis_order(const LinkedModel& model, const urdf::Link& link) {
   const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
   if (!body || body->mass < kNegligibleMass || !extent_of(model, link)) return nullptr;
   const std::optional<Solid> solid = solid_of(model, link);
-  if (!solid) return nullptr;
+  if (!solid || has_gltf(model, link)) return nullptr;
   const Tensor tensor =
       rotated(tensor_of(*link.inertial), urdf::to_pose(link.inertial->origin).orientation);
   const Tensor shape = unit_inertia(*solid);

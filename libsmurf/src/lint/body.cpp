@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "link/inertia.hpp"
 #include "lint/geometry_queries.hpp"
@@ -69,6 +70,46 @@ std::optional<Extent> extent_of(const LinkedModel& model, const urdf::Link& link
   }
   for (const urdf::Collision& collision : link.collisions) {
     if (!add(model, collision.origin, collision.geometry, all)) return std::nullopt;
+  }
+  return all ? std::optional(Extent{all->low, all->high}) : std::nullopt;
+}
+
+std::optional<Extent> extent_of_rigid_parts(const LinkedModel& model, const urdf::Link& link) {
+  constexpr std::size_t kMostParts = 32;
+  struct Part {
+    std::size_t link;
+    Pose X_LP;
+  };
+  const std::vector<urdf::Link>& links = model.robot->links;
+  std::vector<Part> parts{{static_cast<std::size_t>(&link - links.data()), {}}};
+  const auto add_part = [&](std::optional<LinkIndex> other, const Pose& X_LO) {
+    if (!other || parts.size() >= kMostParts) return;
+    const std::size_t index = to_size(*other);
+    const bool is_known =
+        std::any_of(parts.begin(), parts.end(), [&](const Part& one) { return one.link == index; });
+    const auto& inertial = links[index].inertial;
+    const bool has_mass = inertial && inertial->mass.value_or(0) > 0;
+    if (!is_known && !has_mass) parts.push_back({index, X_LO});
+  };
+  std::optional<Box> all;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Part part = parts[i];
+    const urdf::Link& own = links[part.link];
+    if (!own.visuals.empty() || !own.collisions.empty()) {
+      const auto extent = extent_of(model, own);
+      if (!extent) return std::nullopt;
+      const Box box = moved(Box{extent->low, extent->high}, part.X_LP);
+      all = all ? united(*all, box) : box;
+    }
+    for (const JointIndex below : model.tree.child_joints[part.link]) {
+      const urdf::Joint& joint = model.joint(below);
+      if (joint.type != urdf::JointType::fixed) continue;
+      add_part(model.tree.joint_child[to_size(below)], part.X_LP * urdf::to_pose(joint.origin));
+    }
+    const auto above = model.tree.parent_joint[part.link];
+    if (!above || model.joint(*above).type != urdf::JointType::fixed) continue;
+    add_part(model.tree.joint_parent[to_size(*above)],
+             part.X_LP * inverse(urdf::to_pose(model.joint(*above).origin)));
   }
   return all ? std::optional(Extent{all->low, all->high}) : std::nullopt;
 }

@@ -34,6 +34,10 @@ inline constexpr double kFarthestOrigin = 10;  // m
 /// None if the link has no shape, or a shape of unknown size, such as a missing mesh.
 std::optional<Extent> extent_of(const LinkedModel& model, const urdf::Link& link);
 
+/// The same for the link and links without mass that fixed joints connect to it: its mass may be
+/// theirs. None if one of them has a shape of unknown size.
+std::optional<Extent> extent_of_rigid_parts(const LinkedModel& model, const urdf::Link& link);
+
 struct Body {
   double mass = 0;   ///< kg, positive
   Vector3 center{};  ///< of mass, in the link frame, m

@@ -107,7 +107,7 @@ Cause likely_cause(const LinkedModel& model, const urdf::Link& link, const Body&
   if (best->culprit == shape) {
     question.insert(0, has_only_meshes(link) ? "is the mesh " : "is the shape ");
   }
-  return {best->culprit, std::move(question)};
+  return {best->culprit, std::move(question), best->inertia};
 }
 
 }  // namespace smurf

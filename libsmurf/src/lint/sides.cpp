@@ -136,4 +136,16 @@ std::vector<std::vector<std::size_t>> siblings_of(const std::vector<std::string_
   return groups;
 }
 
+bool has_chain(const LinkedModel& model, std::span<const std::size_t> links) {
+  for (std::size_t at : links) {
+    for (std::size_t steps = 0; steps < model.robot->links.size(); ++steps) {
+      const auto above = model.tree.parent_joint[at];
+      if (!above || !model.tree.joint_parent[to_size(*above)]) break;
+      at = to_size(*model.tree.joint_parent[to_size(*above)]);
+      if (std::find(links.begin(), links.end(), at) != links.end()) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace smurf

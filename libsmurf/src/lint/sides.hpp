@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "smurf/linked.hpp"
 
 namespace smurf {
 
@@ -21,5 +24,9 @@ pairs_of_sides(const std::vector<std::string_view>& names);
 /// Groups of at least three names that are equal but for sides, places and numbers: the wheels of a
 /// robot. In the order of the first of each.
 std::vector<std::vector<std::size_t>> siblings_of(const std::vector<std::string_view>& names);
+
+/// Whether one of the links, by index, is below another one. Such links are no sides and no
+/// siblings: `link_l` and `link_r` of an arm are its lower part and a rotation.
+bool has_chain(const LinkedModel& model, std::span<const std::size_t> links);
 
 }  // namespace smurf

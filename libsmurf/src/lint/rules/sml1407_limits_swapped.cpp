@@ -21,7 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.help("swap the two values");
     // Bullet's notation for "no limit".
     if (*lower == 1 && (*upper == 0 || *upper == -1)) {
-      diagnostic.help("make the joint continuous, if no limit is meant");
+      diagnostic.help("swap the two values, or make the joint continuous if it has no limit");
     }
     diagnostic.fixes.push_back(
         {Applicability::unsafe,

@@ -13,6 +13,8 @@ void check(const LinkedModel& model, Findings& findings) {
   constexpr double kSlack = 1.2;   // shapes are simplified
   constexpr double kLarge = 10;    // of parts so light that their numbers are often made up
   constexpr double kMargin = 0.1;  // of the longest edge
+  constexpr double kSure = 2;      // a smaller excess may be that of parts without a shape
+  constexpr double kFar = 5;       // if the centre of mass is outside, which SML1521 reports
   for_each_link(model, [&](const urdf::Link& link) {
     const auto extent = extent_of(model, link);
     const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
@@ -23,12 +25,19 @@ void check(const LinkedModel& model, Findings& findings) {
     const double excess = excess_over(*body, extent->grown(kMargin * extent->longest_edge()));
     if (excess <= (body->mass < kNegligibleMass ? kLarge : kSlack)) return;
     if (likely_axis_order(model, link) != nullptr) return;  // SML1531
+    const auto parts = extent_of_rigid_parts(model, link);
+    if (!parts || excess_over(*body, parts->grown(kMargin * parts->longest_edge())) <= kSlack)
+      return;
+    const Extent around = extent->grown(kMargin * extent->longest_edge());
+    if (excess < kFar && !around.contains(body->center)) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is too large for its mass and shapes");
     diagnostic.caret = format_rounded(excess, 2) + " times what they allow";
+    if (excess < kSure) diagnostic.severity = Severity::info;
     const Cause cause = likely_cause(model, link, *body, *extent);
-    const bool is_named = cause.culprit != Culprit::unknown && cause.culprit != Culprit::mass;
+    const bool is_named =
+        cause.culprit != Culprit::unknown && cause.culprit != Culprit::mass && cause.inertia <= 1;
     if (is_named) diagnostic.help(cause.question);
   });
 }

@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
+
 #include "base/numbers.hpp"
 #include "lint/body.hpp"
+#include "lint/inertia_slips.hpp"
 #include "lint/likely_cause.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1519_inertia_too_small_for_geometry_file {
 namespace {
+
+/// Whether the inertia fits the visuals; then the collision is much larger than the part.
+bool fits_visuals(const LinkedModel& model, const urdf::Link& link) {
+  constexpr double kLeast = 0.1;  // of full shapes
+  if (link.visuals.empty() || link.collisions.empty()) return false;
+  const std::optional<Tensor> full = tensor_of_shapes(model, link);
+  const Tensor own = tensor_of(*link.inertial);
+  return full && own[0] + own[1] + own[2] > kLeast * ((*full)[0] + (*full)[1] + (*full)[2]);
+}
 
 void check(const LinkedModel& model, Findings& findings) {
   const double smallest = findings.tolerance();
@@ -18,13 +30,15 @@ void check(const LinkedModel& model, Findings& findings) {
     const double ratio = ratio_to_block(*body, *extent);
     const double density = body->mass / extent->volume();  // unlikely ones are SML1520
     if (ratio >= smallest || density < kLightestMaterial || density > kHeaviestMaterial) return;
+    if (fits_visuals(model, link)) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is very small for its mass and shapes");
     diagnostic.caret = format_rounded(100 * ratio, 2) + " % of a full block of that size";
     if (ratio < kUnit) diagnostic.severity = Severity::warning;
     const Cause cause = likely_cause(model, link, *body, *extent);
-    const bool is_named = cause.culprit != Culprit::unknown && cause.culprit != Culprit::mass;
+    const bool is_named =
+        cause.culprit != Culprit::unknown && cause.culprit != Culprit::mass && cause.inertia >= 1;
     if (is_named) diagnostic.help(cause.question);
   });
 }

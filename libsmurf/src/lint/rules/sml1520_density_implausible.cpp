@@ -71,12 +71,19 @@ void report(const LinkedModel& model, const urdf::Link& link, const Extent& exte
   if (is_about_mass) diagnostic.help(cause.question);
 }
 
+/// Whether the shapes only mark a sensor or a frame.
+bool is_marker(const urdf::Link& link, const Extent& extent) {
+  constexpr double kSmall = 0.02;  // m
+  constexpr double kLight = 0.1;   // kg
+  return extent.longest_edge() <= kSmall && *link.inertial->mass <= kLight;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   for_each_link(model, [&](const urdf::Link& link) {
     const auto extent = extent_of(model, link);
     if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
     const double mass = *link.inertial->mass;
-    const bool is_heavy = mass > kHeaviestMaterial * extent->volume();
+    const bool is_heavy = mass > kHeaviestMaterial * extent->volume() && !is_marker(link, *extent);
     const bool is_light = mass < kLightestMaterial * largest_shape(model, link).volume;
     if (is_heavy || is_light) report(model, link, *extent, is_heavy, findings);
   });

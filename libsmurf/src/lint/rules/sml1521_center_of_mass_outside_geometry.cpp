@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "link/shape_solids.hpp"
 #include "lint/body.hpp"
 #include "lint/queries.hpp"
 
@@ -31,6 +32,20 @@ std::string question_of(const Vector3& center, const Extent& extent) {
   return {};
 }
 
+/// The centre of the shapes, or of the box around them.
+std::string center_of_shapes(const LinkedModel& model, const urdf::Link& link,
+                             const Extent& extent) {
+  const auto solid = solid_of(model, link);
+  std::string text;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = solid ? solid->center[i] : (extent.low[i] + extent.high[i]) / 2;
+    constexpr double kSmall = 1e-3;  // of the longest edge; rounding of the mesh
+    const bool is_zero = std::fabs(x) < kSmall * extent.longest_edge();
+    text += (i == 0 ? "" : " ") + format_rounded(is_zero ? 0 : x, 3);
+  }
+  return text;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   const double margin = findings.tolerance();  // shapes are simplified
   for_each_link(model, [&](const urdf::Link& link) {
@@ -43,6 +58,8 @@ void check(const LinkedModel& model, Findings& findings) {
       return;  // SML1442
     }
     if (extent->grown(margin * extent->longest_edge()).contains(center)) return;
+    const auto parts = extent_of_rigid_parts(model, link);
+    if (!parts || parts->grown(margin * parts->longest_edge()).contains(center)) return;
     const bool has_origin = !inertial.origin.xyz.span.empty();
     if (has_origin && !inertial.origin.xyz) return;  // unreadable
     Diagnostic& diagnostic =
@@ -54,10 +71,12 @@ void check(const LinkedModel& model, Findings& findings) {
              format_rounded(extent->low[i], 3) + " to " + format_rounded(extent->high[i], 3);
     }
     diagnostic.note("they reach from " + box + " in the frame of the link");
-    if (!has_origin) {
-      diagnostic.help("add an `origin` to the inertial");
-    } else if (std::string question = question_of(center, *extent); !question.empty()) {
+    if (std::string question = question_of(center, *extent); has_origin && !question.empty()) {
       diagnostic.help(std::move(question));
+    } else {
+      diagnostic.help(std::string(has_origin ? "write" : "add an `origin` with") +
+                      " the measured centre, or that of the shapes, `" +
+                      center_of_shapes(model, link, *extent) + "`");
     }
   });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/numbers.hpp"
@@ -64,13 +65,18 @@ void report(const LinkedModel& model, const urdf::Link& left, const urdf::Link& 
 void check(const LinkedModel& model, Findings& findings) {
   std::vector<std::string_view> names;
   std::vector<const urdf::Link*> links;
+  std::vector<std::size_t> indices;
+  std::size_t next = 0;
   for_each_link(model, [&](const urdf::Link& link) {
+    const std::size_t index = next++;
     if (!link.name || !link.inertial) return;
     if (!(link.inertial->mass.value_or(0) >= kNegligibleMass)) return;
     names.emplace_back(*link.name);
     links.push_back(&link);
+    indices.push_back(index);
   });
   for (const auto& [left, right] : pairs_of_sides(names)) {
+    if (has_chain(model, std::array{indices[left], indices[right]})) continue;
     report(model, *links[left], *links[right], findings);
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/numbers.hpp"
@@ -75,15 +76,27 @@ void report(const urdf::Joint& left, const urdf::Joint& right, Findings& finding
       .label(differences.other, "the other side");
 }
 
+/// Whether the joints move different limbs.
+bool are_sides(const LinkedModel& model, std::size_t left, std::size_t right) {
+  const auto& child = model.tree.joint_child;
+  if (!child[left] || !child[right]) return true;
+  return !has_chain(model, std::array{to_size(*child[left]), to_size(*child[right])});
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   std::vector<std::string_view> names;
   std::vector<const urdf::Joint*> joints;
+  std::vector<std::size_t> indices;
+  std::size_t next = 0;
   for_each_joint(model, [&](const urdf::Joint& joint) {
+    const std::size_t index = next++;
     if (!joint.name || !joint.type_name || joint.type == urdf::JointType::unknown) return;
     names.emplace_back(*joint.name);
     joints.push_back(&joint);
+    indices.push_back(index);
   });
   for (const auto& [left, right] : pairs_of_sides(names)) {
+    if (!are_sides(model, indices[left], indices[right])) continue;
     report(*joints[left], *joints[right], findings);
   }
 }

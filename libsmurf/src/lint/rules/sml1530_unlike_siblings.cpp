@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <set>
 #include <vector>
 
 #include "base/numbers.hpp"
@@ -48,18 +47,9 @@ const Sibling* odd_one(const std::vector<Sibling>& group, double most) {
 
 /// Links of a chain, such as wrist_1 to wrist_3, are numbered, too, but differ.
 bool is_chain(const LinkedModel& model, const std::vector<Sibling>& group) {
-  std::set<std::size_t> members;
-  for (const Sibling& one : group) members.insert(one.index);
-  for (const Sibling& one : group) {
-    std::size_t at = one.index;
-    for (std::size_t steps = 0; steps < model.robot->links.size(); ++steps) {
-      const auto above = model.tree.parent_joint[at];
-      if (!above || !model.tree.joint_parent[to_size(*above)]) break;
-      at = to_size(*model.tree.joint_parent[to_size(*above)]);
-      if (members.contains(at)) return true;
-    }
-  }
-  return false;
+  std::vector<std::size_t> members;
+  for (const Sibling& one : group) members.push_back(one.index);
+  return has_chain(model, members);
 }
 
 void report(const LinkedModel& model, const std::vector<Sibling>& group, Findings& findings) {

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.hpp"
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
+#include "link/shape_solids.hpp"
 #include "lint/body.hpp"
 #include "lint/geometry_queries.hpp"
 
@@ -56,20 +58,36 @@ bool is_otherwise_reported(const LinkedModel& model, const urdf::Link& link) {
   return extent && mass >= kNegligibleMass && mass < kLightestMaterial * extent->volume();
 }
 
+/// Reports a link, or adds it to the finding of another one.
+void report(const LinkedModel& model, const urdf::Link& link, std::string message,
+            Diagnostic*& first, std::size_t& others, Findings& findings) {
+  if (first != nullptr) {
+    ++others;
+    return;
+  }
+  first = &findings.report(tag_name(model, link.collisions.front().element), std::move(message));
+  first->label(tag_name(model, link.visuals.front().element), "the visual");
+}
+
 void check(const LinkedModel& model, Findings& findings) {
+  Diagnostic* first = nullptr;
+  std::size_t others = 0;
   const double larger = findings.tolerance();  // where a mesh may have another unit
   constexpr double kMuchLarger = 500;          // between shapes that are not meshes
   for_each_link(model, [&](const urdf::Link& link) {
     LinkBox visual(model);
     LinkBox collision(model);
     bool has_mesh = false;
+    bool has_gltf = false;
     for (const urdf::Visual& one : link.visuals) {
       visual.add(one.origin, one.geometry);
       has_mesh = has_mesh || std::holds_alternative<urdf::Mesh>(one.geometry.shape);
+      has_gltf = has_gltf || is_gltf(model, one.geometry);
     }
     for (const urdf::Collision& one : link.collisions) {
       collision.add(one.origin, one.geometry);
       has_mesh = has_mesh || std::holds_alternative<urdf::Mesh>(one.geometry.shape);
+      has_gltf = has_gltf || is_gltf(model, one.geometry);
     }
     if (!visual.box() || !collision.box()) return;
     const double seen = diagonal(*visual.box());
@@ -81,17 +99,17 @@ void check(const LinkedModel& model, Findings& findings) {
     if (ratio > most || ratio < 1 / most) {
       message = "the collision of " + title(link) + " measures " + format_rounded(felt, 3) +
                 " m across, its visual " + format_rounded(seen, 3) + " m";
-    } else if (has_mesh && gap(*visual.box(), *collision.box()) > std::max(seen, felt)) {
+    } else if (has_mesh && !has_gltf &&
+               gap(*visual.box(), *collision.box()) > std::max(seen, felt)) {
       message = "the collision of " + title(link) + " lies " +
                 format_rounded(gap(*visual.box(), *collision.box()), 3) + " m away from its visual";
     } else {
       return;
     }
     if (is_otherwise_reported(model, link)) return;
-    Diagnostic& diagnostic =
-        findings.report(tag_name(model, link.collisions.front().element), std::move(message));
-    diagnostic.label(tag_name(model, link.visuals.front().element), "the visual");
+    report(model, link, std::move(message), first, others, findings);
   });
+  if (others > 0) first->note("this applies to " + counted(others, "more link"));
 }
 
 }  // namespace

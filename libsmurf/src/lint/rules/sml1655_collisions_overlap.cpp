@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "link/shape_hulls.hpp"
+#include "lint/companions/srdf_queries.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules::sml1655_collisions_overlap_file {
@@ -130,10 +133,37 @@ std::vector<Overlap> overlaps_of(const LinkedModel& model, std::vector<Placed>& 
   return overlaps;
 }
 
-void check(const LinkedModel& model, Findings& findings) {
+/// The pairs whose contacts an SRDF excludes: somebody knows of them.
+class KnownPairs {
+ public:
+  explicit KnownPairs(const Companions& companions) {
+    for_each_srdf(companions, [&](const srdf::Description& srdf) {
+      for (const srdf::LinkPair& pair : srdf.pairs) {
+        if (!pair.is_enabled && pair.link1 && pair.link2) {
+          names_.insert(std::minmax<std::string_view>(*pair.link1, *pair.link2));
+        }
+      }
+    });
+  }
+
+  bool contains(const urdf::Link& a, const urdf::Link& b) const {
+    return a.name && b.name && names_.contains(std::minmax<std::string_view>(*a.name, *b.name));
+  }
+
+ private:
+  std::set<std::pair<std::string_view, std::string_view>> names_;
+};
+
+void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
   if (!model.robot) return;
   std::vector<Placed> all = placed_collisions(model);
-  const std::vector<Overlap> overlaps = overlaps_of(model, all, findings.tolerance());
+  std::vector<Overlap> overlaps = overlaps_of(model, all, findings.tolerance());
+  if (overlaps.empty()) return;
+  const KnownPairs known(companions);
+  std::erase_if(overlaps, [&](const Overlap& overlap) {
+    return known.contains(model.robot->links[overlap.one->link],
+                          model.robot->links[overlap.other->link]);
+  });
   if (overlaps.empty()) return;
   const Overlap& worst =
       *std::max_element(overlaps.begin(), overlaps.end(),
@@ -171,8 +201,14 @@ extern constinit const Rule sml1655_collisions_overlap{
         "Shrink one of the shapes, or exclude the pair from the contacts of the simulator and, for MoveIt, with "
         "`disable_collisions` in the SRDF.",
     .sources = "Convex hulls of all collisions, placed by forward kinematics.",
-    .check_model = check,
     .tolerance = {.value = 0.01, .unit = "m", .meaning = "the depth of an overlap"},
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml1655_collisions_overlap_file
+
+namespace smurf::companion_checks {
+
+extern constinit const CompanionCheck sml1655_collisions_overlap =
+    rules::sml1655_collisions_overlap_file::check;
+
+}  // namespace smurf::companion_checks
