@@ -44,6 +44,13 @@ Span place_of_size(const LinkedModel& model, const urdf::Geometry& geometry) {
   return mesh->scale ? mesh->scale.span : mesh->filename.span;
 }
 
+/// Whether the shapes only mark a sensor or a frame.
+bool is_marker(const urdf::Link& link, const Extent& extent) {
+  constexpr double kSmall = 0.02;  // m
+  constexpr double kLight = 0.1;   // kg
+  return extent.longest_edge() <= kSmall && *link.inertial->mass <= kLight;
+}
+
 void report(const LinkedModel& model, const urdf::Link& link, const Extent& extent, bool is_heavy,
             Findings& findings) {
   const LargestShape largest = largest_shape(model, link);
@@ -58,6 +65,7 @@ void report(const LinkedModel& model, const urdf::Link& link, const Extent& exte
     Diagnostic& diagnostic = findings.report(shape, "the shape of " + title(link) +
                                                         " does not have the size of its inertial");
     diagnostic.label(link.inertial->mass.span, text);
+    if (is_marker(link, extent)) diagnostic.severity = Severity::info;
     diagnostic.help(cause.question);
     return;
   }
@@ -65,17 +73,11 @@ void report(const LinkedModel& model, const urdf::Link& link, const Extent& exte
                                            "the mass of " + title(link) + " is too " +
                                                (is_heavy ? "large" : "small") + " for its shapes");
   diagnostic.caret = text;
+  if (is_marker(link, extent)) diagnostic.severity = Severity::info;
   if (!is_heavy) diagnostic.label(shape, "is this in metres?");
   const bool is_about_mass =
       cause.culprit == Culprit::mass || cause.culprit == Culprit::mass_and_inertia;
   if (is_about_mass) diagnostic.help(cause.question);
-}
-
-/// Whether the shapes only mark a sensor or a frame.
-bool is_marker(const urdf::Link& link, const Extent& extent) {
-  constexpr double kSmall = 0.02;  // m
-  constexpr double kLight = 0.1;   // kg
-  return extent.longest_edge() <= kSmall && *link.inertial->mass <= kLight;
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -83,7 +85,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto extent = extent_of(model, link);
     if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
     const double mass = *link.inertial->mass;
-    const bool is_heavy = mass > kHeaviestMaterial * extent->volume() && !is_marker(link, *extent);
+    const bool is_heavy = mass > kHeaviestMaterial * extent->volume();
     const bool is_light = mass < kLightestMaterial * largest_shape(model, link).volume;
     if (is_heavy || is_light) report(model, link, *extent, is_heavy, findings);
   });
