@@ -17,6 +17,10 @@ ROBOT = """<robot name="r">
   <joint name="j" type="fixd"><parent link="base"/><child link="{name}"/></joint>
 </robot>
 """
+# Its inertia is in kg mm2.
+HEAVY = """<robot name="r"><link name="arm"><inertial><mass value="0.5"/>
+<inertia ixx="130" ixy="0" ixz="0" iyy="6700" iyz="0" izz="6700"/></inertial>
+<collision><geometry><box size="0.4 0.04 0.04"/></geometry></collision></link></robot>"""
 CARDS = "[...document.querySelectorAll('.finding')]"
 STATUS = "document.getElementById('status').textContent"
 
@@ -116,9 +120,7 @@ class ContentTest(ReportTest):
         self.assertEqual([one["fix"]["applicability"] for one in report["diagnostics"] if "fix" in one], ["unsafe"])
 
     def test_another_inertia_is_shown_and_its_command_copied(self):
-        self.write("i.urdf", '<robot name="r"><link name="arm"><inertial><mass value="0.5"/>\n'
-                   '<inertia ixx="130" ixy="0" ixz="0" iyy="6700" iyz="0" izz="6700"/></inertial>\n'
-                   '<collision><geometry><box size="0.4 0.04 0.04"/></geometry></collision></link></robot>')
+        self.write("i.urdf", HEAVY)
         page, _ = self.page("i.urdf", "--select", "SML1518")
         steps = [f"{CARDS}[0].textContent", f"{CARDS}[0].querySelector('.fix ins').textContent",
                  "navigator.clipboard = undefined; window.copied = null;"
@@ -184,6 +186,19 @@ class PictureTest(ReportTest):
         self.assertIn("m/motors.yml", places)
         self.assertEqual(answers[1]["results"][0][::2], ["Two", "entity Two"])
         self.assertEqual(answers[1]["results"][1], ["One", "hand", "motor turner"])
+
+    def test_both_inertias_are_shown_for_a_finding_about_them(self):
+        self.write("i.urdf", HEAVY)
+        page, _ = self.pictured("i.urdf", "--select", "SML1518")
+        sizes = """(() => {
+          const { inertias, solids, parts } = document.getElementById("viewer").contentWindow.smurfViewer.overlays;
+          const lengthOf = ([{ local }]) => Math.max(...[0, 4, 8].map((at) => Math.hypot(...local.elements.slice(at, at + 3))));
+          return [parts.inertias.drawn.visible, parts.solids.drawn.visible, lengthOf(inertias), lengthOf(solids)];
+        })()"""
+        inertias, solids, written, full = self.browse({"page": page, "steps": [self.selected("SML1518"), sizes]})[0]["results"][1]
+        self.assertEqual((inertias, solids), (True, True))
+        self.assertAlmostEqual(written, (2.5 / 0.5 * (2 * 6700 - 130)) ** 0.5, 1)
+        self.assertAlmostEqual(full, (5 / 12) ** 0.5 * 0.4, 3)  # half of an axis
 
     def test_the_picture_covers_nothing_and_is_closed_again(self):
         page, _ = self.pictured(self.robot(), "--target", "mujoco")
