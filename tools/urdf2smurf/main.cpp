@@ -5,14 +5,12 @@
 
 #include "base/counted.hpp"
 #include "base/path.hpp"
-#include "base/rules.hpp"
 #include "common/converter.hpp"
 #include "common/copy_files.hpp"
 #include "common/process.hpp"
 #include "render/printable.hpp"
-#include "smurf/convert.hpp"
+#include "smurf/conversion.hpp"
 #include "smurf/result_losses.hpp"
-#include "smurf/write.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -136,114 +134,6 @@ std::string problem_of(const Options& options) {
   return {};
 }
 
-/// Gazebo calls every robot model.urdf, so a file of that name does not tell robots apart.
-bool is_general(std::string_view stem) {
-  const std::string name = path::to_lower(stem);
-  return name == "model" || name == "robot";
-}
-
-std::string file_name_of(const Options& options, const LinkedModel& model) {
-  if (!options.name.empty()) return options.name;
-  const bool has_file = options.urdf != "-" || !options.common.stdin_filename.empty();
-  std::string stem(has_file ? path::stem(model.urdf_path) : "robot");
-  const bool is_xacro = xacro::is_xacro_file(model.urdf_path);
-  if (is_xacro && path::to_lower(stem).ends_with(".urdf")) stem = path::stem(stem);
-  const bool is_named = model.robot && model.robot->name && !model.robot->name->empty();
-  return render::safe_file_name(is_general(stem) && is_named ? *model.robot->name : stem);
-}
-
-/// Everything that will be written.
-struct Plan {
-  std::string folder;
-  NewModel made;
-  std::vector<TextFile> texts;
-  AssetCopies copies;
-  std::vector<std::string> outputs;
-};
-
-struct Verification {
-  std::string problem;           ///< why the model must not be written; empty if it may be
-  std::size_t dead_motors = 0;   ///< joints without a limit of speed or effort, such as wheels
-  std::size_t wrong_mimics = 0;  ///< motors that follow one of another kind of command
-  std::size_t for_mars = 0;      ///< errors of the URDF that occur only in models
-};
-
-bool has_rule(std::span<const Diagnostic> findings, const Rule& rule) {
-  return std::any_of(findings.begin(), findings.end(),
-                     [&](const Diagnostic& one) { return one.rule == &rule; });
-}
-
-/// Checks the model before it is written: read again, it must be the same robot, without new
-/// errors.
-Verification verify(const LinkedModel& source, std::span<const Diagnostic> known, const Plan& plan,
-                    const Options& options, bool source_is_sound) {
-  // Without limits, because the result may be larger than the source, which the user chose.
-  Limits limits = options.common.limits;
-  for (const LimitInfo& info : kLimits) {
-    limits.*info.value = std::max(limits.*info.value, Limits{}.*info.value);
-  }
-  Session session(limits);
-  for (const TextFile& file : plan.texts) {
-    session.set_text(path::join(plan.folder, file.path), file.text);
-  }
-  CheckSettings settings;
-  settings.is_isolated = true;
-  settings.opens_meshes = false;
-  settings.packages = options.common.packages;
-  LoadedModel written =
-      session.load_model(path::join(plan.folder, plan.texts.back().path), settings);
-  const LinkedModel& result = written.model;
-  if (!result.robot) return {"the result cannot be read again; this is a defect of this tool"};
-  const Proof proof = compare_models(source, result);
-  if (!proof.holds()) return {"the resulting robot differs: " + proof.difference};
-  Verification verification;
-  if (!source_is_sound) return verification;
-  for (const Diagnostic& diagnostic : session.check(written).diagnostics) {
-    verification.wrong_mimics += diagnostic.rule == &rules::sml3208_mimic_not_by_position;
-    if (diagnostic.severity != Severity::error) continue;
-    // Problems of MARS with the URDF are reported to the author, but are not faults of the added
-    // files.
-    if (written.sources->path(diagnostic.span.source).ends_with(".urdf")) {
-      // Copies of meshes do not exist yet, and files missing in the source are already reported.
-      if (diagnostic.rule == &rules::sml1604_mesh_missing) continue;
-      verification.for_mars += !has_rule(known, *diagnostic.rule);
-      continue;
-    }
-    if (diagnostic.rule == &rules::sml4103_dead_motor) {
-      ++verification.dead_motors;
-      continue;
-    }
-    // Collisions for MARS, links for Phobos.
-    if (diagnostic.rule == &rules::sml3103_unknown_collision &&
-        options.style == SmurfStyle::phobos) {
-      continue;
-    }
-    // Values are those of the URDF, which has no rule against a factor of 0 or 1e308.
-    const bool is_about_value = !diagnostic.rule->id.starts_with("SML00");
-    return {std::string("the result would have an error") +
-            (is_about_value ? "" : ", which is a defect of this tool") + ": " +
-            std::string(diagnostic.rule->id) + " " + diagnostic.message +
-            (is_about_value ? "; correct the value in the URDF" : "")};
-  }
-  return verification;
-}
-
-/// Finds the copies in `folder` and their paths, so that the model can name them.
-AssetCopies plan_copies(const LinkedModel& model, const std::string& folder,
-                        const FileReader& files, const Limits& limits, UrdfImport& import) {
-  std::set<std::string> sources;
-  for (const MeshReference& mesh : model.meshes) {
-    sources.insert(path::join(import.current_folder, mesh.path));
-  }
-  CopyPlan plan(files, limits, import.current_folder, folder, std::move(sources));
-  for (const MeshReference& mesh : model.meshes) {
-    if (mesh.path.empty()) continue;
-    const auto copy = plan.copy_of(mesh.path, mesh.is_texture ? "textures" : "meshes");
-    if (copy) import.copies.emplace(mesh.path, *copy);
-  }
-  return plan.take();
-}
-
 /// "3 materials, 7 joints", by sections.
 std::string describe(const NewModel& made, const AssetCopies& copies) {
   std::string text;
@@ -292,74 +182,67 @@ std::size_t count_uris(const LinkedModel& model, const Options& options,
       }));
 }
 
-Plan make_plan(const Options& options, const std::string& current, const LoadedModel& loaded,
-               const xml::Document* srdf, DiagnosticSink& found, const Conversion& conversion) {
-  const LinkedModel& model = loaded.model;
-  Plan plan;
-  plan.folder = !options.common.output.empty() ? options.common.output
-                                               : std::string(path::parent(model.urdf_path));
-  if (model.robot) {
-    UrdfImport import{.name = file_name_of(options, model),
-                      .output_folder = plan.folder,
+/// Where the model is written.
+std::string folder_of(const Options& options, const LinkedModel& model) {
+  const std::string& output = options.common.output;
+  return output.empty() ? std::string(path::parent(model.urdf_path)) : output;
+}
+
+SmurfRequest request_of(const Options& options, const std::string& folder,
+                        const std::string& current, const xml::Document* srdf) {
+  return {.options = {.name = options.name,
+                      .output_folder = folder,
                       .current_folder = current,
                       .layout = options.in_place ? SmurfLayout::in_place
                                 : options.flat   ? SmurfLayout::flat
                                                  : SmurfLayout::phobos,
                       .motors = options.motors,
                       .style = options.style,
-                      .srdf = srdf};
-    if (options.copies_meshes) {
-      plan.copies =
-          plan_copies(model, plan.folder, conversion.files(), options.common.limits, import);
-    }
-    plan.made = import_urdf(model, *loaded.sources, import, found);
-    plan.texts = write_smurf(plan.made);
-  }
-  plan.outputs = places_of(plan.copies, conversion.inputs());
-  for (const TextFile& file : plan.texts) {
-    plan.outputs.push_back(path::join(plan.folder, file.path));
-  }
-  return plan;
+                      .srdf = srdf},
+          .has_file = options.urdf != "-" || !options.common.stdin_filename.empty(),
+          .packages = options.common.packages,
+          .copies_meshes = options.copies_meshes,
+          .force = options.common.force};
 }
 
-ExitCode write_names(const Plan& plan) {
+ExitCode write_names(const std::vector<std::string>& outputs) {
   std::string names;
-  for (const std::string& output : plan.outputs) names += render::escape(output) + "\n";
+  for (const std::string& output : outputs) names += render::escape(output) + "\n";
   return write_output(kTool, {}, names) ? kDone : kFailed;
 }
 
-bool write_plan(const Plan& plan, const Options& options, const Conversion& conversion) {
+bool write_files_of(const SmurfResult& result, const std::string& folder, const Options& options,
+                    const Conversion& conversion) {
   std::vector<OutputFile> written;
-  for (const TextFile& file : plan.texts) written.push_back({plan.folder, file.path, file.text});
-  return copy_files(kTool, plan.copies, conversion.files(), options.common.limits,
+  for (const TextFile& file : result.texts) written.push_back({folder, file.path, file.text});
+  return copy_files(kTool, result.copies, conversion.files(), options.common.limits,
                     options.overwrite,
                     [&] { return write_files(kTool, written, options.overwrite); });
 }
 
 /// Reasons why the robot may not behave as expected.
-std::vector<std::string> remarks_on(const LinkedModel& model, const Plan& plan,
-                                    const Options& options, const Verification& verification) {
+std::vector<std::string> remarks_on(const LinkedModel& model, const SmurfResult& result,
+                                    const std::string& folder, const Options& options) {
   std::vector<std::string> remarks;
   const auto add = [&](std::string remark) { remarks.push_back(std::move(remark)); };
-  const std::string on_motors =
-      remark_on_motors(plan.made, options.motors, verification.dead_motors);
+  const std::string on_motors = remark_on_motors(result.made, options.motors, result.dead_motors);
   if (!on_motors.empty()) add(on_motors);
-  if (verification.wrong_mimics > 0) {
-    add(counted(verification.wrong_mimics, "motor") +
+  if (result.wrong_mimics > 0) {
+    add(counted(result.wrong_mimics, "motor") +
         " will not mimic as in the URDF, because MARS can do that by position only (SML3208)");
   }
-  if (const std::size_t uris = count_uris(model, options, plan.copies); uris > 0) {
+  if (const std::size_t uris = count_uris(model, options, result.copies); uris > 0) {
     add(counted(uris, "mesh path") + (uris == 1 ? " stays a URI" : " stay URIs") +
         ", which MARS does not open: " +
         (options.in_place ? "--in-place does not change the URDF" : "no file was found"));
   }
   if (xacro::is_xacro_file(model.urdf_path)) {
-    add(path::join(plan.folder, plan.made.urdf_path) + " was generated: after a change in " +
+    add(path::join(folder, result.made.urdf_path) + " was generated: after a change in " +
         model.urdf_path + ", run urdf2smurf again");
   }
-  if (verification.for_mars > 0) {
-    add("MARS reads the URDF differently (" + counted(verification.for_mars, "error") +
-        "): see smurf-lint " + path::join(plan.folder, plan.texts.back().path));
+  if (result.for_mars > 0) {
+    add("MARS reads the URDF differently (" + counted(result.for_mars, "error") +
+        "): see smurf-lint " + path::join(folder, result.texts.back().path));
   }
   return remarks;
 }
@@ -379,23 +262,25 @@ ExitCode convert(Conversion& conversion, const Options& options) {
     srdf = conversion.load_xml(options.srdf, *loaded);
     if (!srdf) return conversion.fail();
   }
-  const Plan plan =
-      make_plan(options, *current, *loaded, srdf ? &*srdf : nullptr, loaded->found, conversion);
-  if (!options.dry_run && !conversion.keeps_inputs(plan.outputs)) return kFailed;
-  const Report report = conversion.session().check(*loaded);
-  const ExitCode verdict = conversion.report(report, loss_in_model);
+  const std::string folder = folder_of(options, model);
+  const SmurfResult result =
+      convert_to_smurf(conversion.session(), *loaded,
+                       request_of(options, folder, *current, srdf ? &*srdf : nullptr));
+  std::vector<std::string> outputs = places_of(result.copies, conversion.inputs());
+  for (const TextFile& file : result.texts) outputs.push_back(path::join(folder, file.path));
+  if (!options.dry_run && !conversion.keeps_inputs(outputs)) return kFailed;
+  const ExitCode verdict = conversion.report(result.report, loss_in_model);
   if (verdict == kFailed) return kFailed;
-  if (!model.robot) return conversion.refuse(conversion.why());
+  const Refusal& refusal = result.refusal;
+  if (refusal && refusal.cause == Refusal::Cause::findings) return conversion.refuse(refusal);
   if (verdict != kDone && !options.common.force) {
     return conversion.refuse(conversion.why() + "; see --force");
   }
-  const Verification verification =
-      verify(model, report.diagnostics, plan, options, verdict == kDone);
-  if (!verification.problem.empty()) return conversion.refuse(verification.problem);
-  if (options.dry_run) return write_names(plan);
-  if (!write_plan(plan, options, conversion)) return kFailed;
-  tell(conversion, plan.folder, plan.outputs.size(), describe(plan.made, plan.copies),
-       remarks_on(model, plan, options, verification));
+  if (refusal) return conversion.refuse(refusal);
+  if (options.dry_run) return write_names(outputs);
+  if (!write_files_of(result, folder, options, conversion)) return kFailed;
+  tell(conversion, folder, outputs.size(), describe(result.made, result.copies),
+       remarks_on(model, result, folder, options));
   return kDone;
 }
 

@@ -22,6 +22,7 @@
 #include "smurf/convert.hpp"
 #include "smurf/dialect.hpp"
 #include "smurf/flatten.hpp"
+#include "smurf/new_model.hpp"
 #include "smurf/write_scene.hpp"
 
 namespace smurf {
@@ -83,6 +84,32 @@ struct UrdfResult {
 /// accept it, and all link poses, masses, inertias and limits must be equal, except limits that an
 /// option changes.
 UrdfResult convert_to_urdf(Session& session, LoadedModel& loaded, const UrdfRequest& request);
+
+/// What convert_to_smurf() makes.
+struct SmurfRequest {
+  /// Without a name, the files are called as the URDF, or as the robot if the file has a general
+  /// name. The copies are chosen.
+  UrdfImport options = {};
+  bool has_file = true;                              ///< false: a text without a name
+  std::map<std::string, std::string> packages = {};  ///< names to folders
+  bool copies_meshes = false;
+  bool force = false;
+};
+
+struct SmurfResult {
+  Report report;  ///< of the URDF, with what has no section
+  NewModel made;
+  std::vector<TextFile> texts;  ///< in the output folder
+  AssetCopies copies;
+  std::size_t dead_motors = 0;   ///< joints without a limit of speed or effort, such as wheels
+  std::size_t wrong_mimics = 0;  ///< motors that follow one of another kind of command
+  std::size_t for_mars = 0;      ///< errors of the URDF that occur only in models
+  Refusal refusal;
+};
+
+/// Checks a URDF, makes a SMURF model around it, reads that again and checks it: it must be the
+/// same robot, without new errors.
+SmurfResult convert_to_smurf(Session& session, LoadedModel& loaded, const SmurfRequest& request);
 
 /// Whether a finding is about something that the result lacks. Added values are not losses.
 bool is_loss(const Diagnostic& finding);
