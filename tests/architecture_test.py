@@ -123,6 +123,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/sanitizer.hpp",
     "base/suggest.hpp",
     "base/system.hpp",
+    "base/uri.hpp",
     "base/utf8.hpp",
     "base/windows_paths.hpp",
     "convert/mass_properties.hpp",

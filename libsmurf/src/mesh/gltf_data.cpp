@@ -6,9 +6,9 @@
 #include "base/little_endian.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
+#include "base/uri.hpp"
 #include "base/utf8.hpp"
 #include "mesh/base64_text.hpp"
-#include "mesh/uri.hpp"
 
 namespace smurf::gltf {
 namespace {

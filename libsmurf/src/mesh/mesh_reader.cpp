@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "base/path.hpp"
+#include "base/uri.hpp"
 #include "mesh/formats.hpp"
-#include "mesh/uri.hpp"
 #include "mesh/words.hpp"
 
 namespace smurf {

@@ -4,6 +4,7 @@
 // fingerprints.
 #include <map>
 
+#include "base/uri.hpp"
 #include "base/utf8.hpp"
 #include "render/json_text.hpp"
 #include "render/line_hash.hpp"
@@ -42,22 +43,7 @@ std::string pascal_case(std::string_view name) {
 
 /// A path as a URI reference; what lies outside the repository becomes a file: URI.
 std::string to_uri(const std::string& path) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  constexpr std::string_view kPlain = "-._~/!$&'()*+,;=@";
-  std::string uri = path.starts_with('/') ? "file://" : "";
-  for (const char c : path) {
-    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    const bool is_digit = c >= '0' && c <= '9';
-    if (is_letter || is_digit || kPlain.find(c) != std::string_view::npos) {
-      uri += c;
-    } else {
-      const auto byte = static_cast<unsigned char>(c);
-      uri += '%';
-      uri += kDigits[byte >> 4U];
-      uri += kDigits[byte & 0xFU];
-    }
-  }
-  return uri;
+  return (path.starts_with('/') ? "file://" : "") + encoded_uri(path, "-._~/!$&'()*+,;=@");
 }
 
 /// The reason of the rule and the facts about readers; the summary if there are none.
