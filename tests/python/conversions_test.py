@@ -4,7 +4,6 @@
 All of them print what smurf/conversion.hpp decides; npm runs the programs themselves (tests/parity).
 """
 import json
-import os
 import re
 
 import inputs
@@ -71,15 +70,6 @@ def compare(paths, folder):
 def test_fixtures(tmp_path):
     exported, refused = compare(inputs.fixtures(), tmp_path)
     assert exported > 2000 and refused > 200
-
-
-@pytest.mark.skipif(os.environ.get("SMURF_SLOW") != "1", reason="for nightly runs")
-def test_corpus(tmp_path):
-    paths = inputs.corpus()
-    if not paths:
-        pytest.skip("there is no corpus")
-    exported, _ = compare(paths, tmp_path)
-    assert exported > 100
 
 
 def test_options(tmp_path):
