@@ -5,7 +5,7 @@ import sys
 import sysconfig
 
 MACHINES = {62: "x86_64", 183: "aarch64"}
-# What every glibc brings; who needs other libraries runs where those are.
+# Libraries of every glibc. A program that needs other libraries runs only where these are installed.
 GLIBC = ("libc.so.", "libm.so.", "libdl.so.", "libpthread.so.", "librt.so.", "ld-linux")
 OLDEST_GLIBC = (2, 17)  # no pip asks for an older one
 

@@ -547,7 +547,7 @@ class OldScenes(FlattenTest):
         done = self.run_tool("old.smurfs", "--format", "mjcf", "--report", "json")
         found = {(d["id"], d["message"]) for d in json.loads(done.stderr)["diagnostics"]}
         for loss in [("SML8209", "moving parts of `Old` stand still in the MJCF: `a`"),
-                     ("SML8205", "what `Old` has without a shape of its own, `c`, is not in the MJCF"),
+                     ("SML8205", "the part of `Old` whose shape is not known, `c`, is not in the MJCF"),
                      ("SML8207", "more of `Old` is not in the MJCF: 2 joints, 1 motor")]:
             self.assertIn(loss, found)
 

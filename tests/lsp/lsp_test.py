@@ -1120,7 +1120,7 @@ class Structure(LspTest):
         self.assertEqual(self.client.of("textDocument/inlayHint", self.urdf, range=everything), [])
         self.open(self.motors)
         hints = self.client.of("textDocument/inlayHint", self.motors, range=everything)
-        self.assertTrue(all(one["label"].startswith("taken: ") for one in hints), hints)
+        self.assertTrue(all(one["label"].startswith("default: ") for one in hints), hints)
 
 
 class Pictures(LspTest):

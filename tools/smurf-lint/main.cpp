@@ -408,7 +408,7 @@ ExitCode run(const LintOptions& options, std::set<std::string>* seen) {
   }
   std::optional<Changes> renamed;
   if (options.renames_names()) {
-    if (!!plan.problems.empty()) renamed = rename_all(options, plan, session);
+    if (plan.problems.empty()) renamed = rename_all(options, plan, session);
     if (!renamed) return kFailed;
   }
   const auto check = [&] { return run_check(options, plan, session); };

@@ -132,7 +132,7 @@ class Hints {
       absent.push_back(key.name + ": " + std::string(key.fallback));
     }
     if (absent.empty() || entry.begin() == entry.end()) return;
-    Hint hint{(*entry.begin()).span().end, "taken: "};
+    Hint hint{(*entry.begin()).span().end, "default: "};
     for (std::size_t i = 0; i < absent.size(); ++i) {
       if (i < kShown) hint.label += (i == 0 ? "" : ", ") + absent[i];
       hint.tooltip += absent[i] + "\n";

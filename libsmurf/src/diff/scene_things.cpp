@@ -45,7 +45,7 @@ class SceneCollector {
   void run() {
     for (const SceneUse& use : scene_.uses) {
       const std::size_t scene = to_size(use.scene);
-      if (!scenes_.contains(scene)) this->scene(use);
+      if (!scenes_.contains(scene)) add_scene(use);
       if (!use.outer) continue;
       const std::size_t outer = to_size(scene_.uses[to_size(*use.outer)].scene);
       const auto entity = entities_.find({outer, use.including_entity});
@@ -64,7 +64,7 @@ class SceneCollector {
     return thing;
   }
 
-  void scene(const SceneUse& use) {
+  void add_scene(const SceneUse& use) {
     const SceneFile& file = scene_.file(use);
     const std::size_t index = things_.all.size();
     scenes_.emplace(to_size(use.scene), index);
@@ -77,7 +77,7 @@ class SceneCollector {
       world.properties =
           properties_.mapping({}, file.document->view(), rows_of(scene_keys()), is_of_world);
     }
-    for (std::size_t i = 0; i < file.scene.entities.size(); ++i) entity(use, i, index);
+    for (std::size_t i = 0; i < file.scene.entities.size(); ++i) add_entity(use, i, index);
     if (!is_read) return;
     const std::vector<const KeySpec*> rows = sections::lights.keys();
     for (const Light& light : file.scene.lights) {
@@ -88,7 +88,7 @@ class SceneCollector {
     }
   }
 
-  void entity(const SceneUse& use, std::size_t index, std::size_t parent) {
+  void add_entity(const SceneUse& use, std::size_t index, std::size_t parent) {
     const SceneFile& file = scene_.file(use);
     const Entity& entity = file.scene.entities[index];
     entities_.emplace(EntityKey{to_size(use.scene), index}, things_.all.size());

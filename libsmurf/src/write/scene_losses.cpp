@@ -304,7 +304,7 @@ void SceneLosses::old_scenes() {
                                format_ + ": " + list(old.movable));
     }
     if (!old.shapeless.empty()) {
-      shape(span, "what " + path(old.instance) + " has without a shape of its own, " +
+      shape(span, "the part of " + path(old.instance) + " whose shape is not known, " +
                       list(old.shapeless) + ",");
     }
     std::string others;
