@@ -54,7 +54,7 @@ struct Referees {
 /// Both. In the library smurf::referees.
 Referees all_referees();
 
-/// What convert_to_urdf() makes.
+/// What convert_to_urdf() is asked for.
 struct UrdfRequest {
   /// With MeshUri::package, an empty package_folder means that of `packages`, or else the nearest
   /// folder above the URDF with a package.xml, or else the folder above urdf/.
@@ -72,6 +72,7 @@ struct UrdfProof {
   std::size_t links = 0, joints = 0;  ///< of the result
 };
 
+/// What convert_to_urdf() makes; with a refusal, it must not be written.
 struct UrdfResult {
   Report report;  ///< of the model
   std::string text;
@@ -85,7 +86,7 @@ struct UrdfResult {
 /// option changes.
 UrdfResult convert_to_urdf(Session& session, LoadedModel& loaded, const UrdfRequest& request);
 
-/// What convert_to_smurf() makes.
+/// What convert_to_smurf() is asked for.
 struct SmurfRequest {
   /// Without a name, the files are called as the URDF, or as the robot if the file has a general
   /// name. The copies are chosen.
@@ -96,6 +97,7 @@ struct SmurfRequest {
   bool force = false;
 };
 
+/// What convert_to_smurf() makes; with a refusal, it must not be written.
 struct SmurfResult {
   Report report;  ///< of the URDF, with what has no section
   NewModel made;
@@ -118,7 +120,7 @@ bool is_loss(const Diagnostic& finding);
 SceneForm usual_form(const SceneFormat& format);
 bool has_form(const SceneFormat& format, SceneForm form);
 
-/// What convert_scene() makes.
+/// What convert_scene() is asked for.
 struct SceneRequest {
   const SceneFormat& format;
   SceneForm form = usual_form(format);
@@ -132,6 +134,7 @@ struct SceneRequest {
   bool force = false;
 };
 
+/// What convert_scene() makes; with a refusal, it must not be written.
 struct SceneResult {
   Report report;     ///< of the scene, with the losses
   std::string text;  ///< empty: refused
