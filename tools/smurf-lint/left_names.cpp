@@ -82,6 +82,22 @@ std::size_t line_with(std::string_view path, std::string_view text, std::string_
   return 0;
 }
 
+/// Whether a file defines a link or joint of this name itself: it describes another robot.
+bool defines(std::string_view text, std::string_view name) {
+  for (std::size_t at = text.find(name); at != std::string_view::npos;
+       at = text.find(name, at + 1)) {
+    const std::size_t open = text.rfind('<', at), close = text.find('>', at);
+    if (!is_quoted(text, at, at + name.size()) || open == std::string_view::npos) continue;
+    const std::string_view tag = text.substr(open, close - open);
+    const std::string_view before = text.substr(open, at - 1 - open);
+    if (!before.ends_with(" name=")) continue;
+    // A joint of an element ros2_control has no type.
+    const bool is_joint = tag.starts_with("<joint ") && tag.find(" type=") != tag.npos;
+    if (is_joint || tag.starts_with("<link ")) return true;
+  }
+  return false;
+}
+
 /// The path as a user would write it: relative to the current folder, if it is in there.
 std::string shown(const std::string& path) {
   const std::string inside = places::relative(identity(path), identity("."));
@@ -166,6 +182,7 @@ class Search {
     Kind kind{};
     std::string name;
     std::size_t line = 0;
+    bool is_defined = false;  ///< there as well
   };
 
   std::string manifest_of(const std::string& package) const {
@@ -225,7 +242,9 @@ class Search {
     if (kind == Kind::companion && find_companion_kind(path, content.text) == nullptr) return;
     for (const Rename& rename : renames_) {
       const std::size_t line = line_with(path, content.text, rename.from);
-      if (line > 0) found_.push_back({path, kind, rename.from, line});
+      if (line == 0) continue;
+      const bool is_own = kind == Kind::robot && defines(content.text, rename.from);
+      found_.push_back({path, kind, rename.from, line, is_own});
     }
   }
 
@@ -299,7 +318,9 @@ class Search {
     if (one.kind == Kind::robot) {
       if (loaded_.contains(identity(one.path)) || is_changed(one.path)) return;
       if (!users_files_.contains(identity(one.path))) {
-        if (one.path.ends_with(".xacro")) add(left_.mentions, sentence + "; change it there");
+        if (one.path.ends_with(".xacro") && !one.is_defined) {
+          add(left_.mentions, sentence + "; change it there");
+        }
         return;
       }
       return add(left_.misfits, sentence + ", and '" + shown(users_.front()) +

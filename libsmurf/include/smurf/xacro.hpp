@@ -60,6 +60,12 @@ struct Origin {
   std::vector<Input> inputs;
 };
 
+/// Bytes of the result that stand in a file as they are.
+struct Copied {
+  std::uint32_t begin = 0, end = 0;  ///< in the result
+  Span span;                         ///< in the file
+};
+
 /// An expanded file.
 struct Expansion {
   SourceId root{};    ///< the file that was expanded
@@ -74,6 +80,9 @@ struct Expansion {
   const Frame& frame(FrameId id) const { return frames[static_cast<std::size_t>(id)]; }
   /// The place where a part of the result was written.
   Origin origin_of(Span part) const;
+  /// The pieces of a part of the result that were not computed, such as `_wheel` in
+  /// `${prefix}_wheel`.
+  std::vector<Copied> copied_in(Span part) const;
 };
 
 /// By the source of the result.

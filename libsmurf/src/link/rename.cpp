@@ -91,15 +91,48 @@ std::string escape_for(std::string_view text, char quote) {
   return result;
 }
 
+constexpr std::string_view kDigits = "0123456789";
+
+/// Whether xacro copies a part of a name as it is.
+bool is_plain_part(std::string_view part) {
+  constexpr std::string_view kInner =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-./0123456789";
+  return part.find_first_not_of(kInner) == part.npos;
+}
+
 /// Whether xacro copies a name as it is, wherever it stands.
 bool is_plain_name(std::string_view name) {
-  constexpr std::string_view kDigits = "0123456789";
-  constexpr std::string_view kInner = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-./";
   constexpr std::string_view kRead[] = {"true", "True", "false", "False", "inf", "nan", "infinity"};
   const bool is_word = std::find(std::begin(kRead), std::end(kRead), name) != std::end(kRead);
   return !is_word && kDigits.find(name.front()) == name.npos && name.front() != '.' &&
-         name.front() != '-' &&
-         name.find_first_not_of(std::string(kInner) + std::string(kDigits)) == name.npos;
+         name.front() != '-' && is_plain_part(name);
+}
+
+/// What changes in a file: all of a name, or its only piece that is not computed.
+struct NewText {
+  Span span;
+  std::string text;
+};
+
+/// The piece of a computed name that makes it another one; none if a computed part would change.
+std::optional<NewText> new_piece(const Reference& one, std::string_view to) {
+  std::optional<NewText> best;
+  std::size_t longest = 0;
+  for (const xacro::Copied& piece : one.copied) {
+    const std::string_view head = one.name.substr(0, piece.begin);
+    const std::string_view tail = one.name.substr(piece.end);
+    const std::size_t size = piece.end - piece.begin;
+    if (to.size() <= head.size() + tail.size() || size <= longest) continue;
+    if (!to.starts_with(head) || !to.ends_with(tail)) continue;
+    longest = size;
+    const std::size_t new_size = to.size() - head.size() - tail.size();
+    best = NewText{piece.span, std::string(to.substr(head.size(), new_size))};
+  }
+  return best;
+}
+
+bool is_yaml(const Reference& one) {
+  return one.notation == Reference::Notation::yaml || one.notation == Reference::Notation::yaml_key;
 }
 
 /// The names that change in one text.
@@ -162,8 +195,9 @@ class Renamer {
     if (owners.empty()) return fail(unknown(rename));
     if (kinds.size() > 1) return fail(ambiguous(rename, kinds));
     const Reference& first = *owners.begin()->second;
+    const std::set<Owner> tied = tied_to(owners.begin()->first, first);
     for (const auto& [owner, definition] : owners) {
-      if (place_of(*definition) != place_of(first)) {
+      if (place_of(*definition) != place_of(first) && !tied.contains(owner)) {
         return fail("there are two: the " + thing(first.kind, rename.from) + " of " +
                     place_text(sources_, first.span) + " and that of " +
                     place_text(sources_, definition->span) +
@@ -175,6 +209,22 @@ class Renamer {
         return fail("the " + thing(first.kind, rename.from) + " cannot get two names");
       }
     }
+  }
+
+  /// The owners whose thing of this name must be renamed together with that of `owner`, because a
+  /// text names both: robots that include the same file.
+  std::set<Owner> tied_to(Owner owner, const Reference& definition) const {
+    std::set<Owner> tied{owner};
+    std::set<std::pair<std::string_view, std::uint32_t>> places;
+    for (std::size_t before = 0; before != tied.size() + places.size();) {
+      before = tied.size() + places.size();
+      for_each([&](Owner one, const Reference& use) {
+        if (use.kind != definition.kind || use.name != definition.name || !use.is_known()) return;
+        if (tied.contains(one)) places.insert(place_of(use));
+        if (places.contains(place_of(use))) tied.insert(one);
+      });
+    }
+    return tied;
   }
 
   std::string unknown(const Rename& rename) const {
@@ -218,32 +268,68 @@ class Renamer {
       if (!one.is_known()) return;
       const auto found = new_names_.find(OwnedName{owner, one.kind, one.name});
       if (found == new_names_.end()) return;
-      if (one.is_computed) {
-        return fail("the " + thing(one.kind, one.name) + " is made by an expression at " +
-                    place_text(sources_, one.span) + "; change it there");
-      }
       const bool is_alias = one.span.begin >= one.text.end || one.span.end <= one.text.begin;
-      const Span part = is_alias ? inside(one.text) : one.span;
-      ChangedText& text = texts_[{sources_.path(one.text.source), one.text.begin}];
-      if (text.reference == nullptr) text.reference = &one;
-      const auto [known, is_new] = text.parts.try_emplace(part.begin, part, found->second);
-      if (path::extension(sources_.path(part.source)) == ".xacro" &&
-          !is_plain_name(found->second)) {
-        fail(quoted(found->second) + " could be read as an expression or a number at " +
-             place_text(sources_, part) + "; use letters, digits and `_`");
+      NewText change{is_alias ? inside(one.text) : one.span, found->second};
+      if (one.is_computed) {
+        std::optional<NewText> piece = new_piece(one, found->second);
+        if (!piece) return fail(computed(one));
+        change = std::move(*piece);
       }
-      if (!is_new && known->second.second != found->second) {
+      ChangedText& text = texts_[key_of(one, change.span)];
+      if (text.reference == nullptr) text.reference = &one;
+      const bool is_in_xacro =
+          one.is_computed || path::extension(sources_.path(change.span.source)) == ".xacro";
+      if (is_in_xacro &&
+          !(one.is_computed ? is_plain_part(change.text) : is_plain_name(change.text))) {
+        fail(quoted(found->second) + " could be read as an expression or a number at " +
+             place_text(sources_, change.span) + "; use letters, digits and `_`");
+      }
+      const auto [known, is_new] =
+          text.parts.try_emplace(change.span.begin, change.span, change.text);
+      const auto& [place, text_there] = known->second;  // of the same file, perhaps read again
+      if (!is_new && (place.end != change.span.end || text_there != change.text)) {
         fail("the text at " + place_text(sources_, one.text) + " names two things");
       }
     });
     // Other references in these texts would also change.
     for_each([&](Owner owner, const Reference& one) {
       if (!one.is_known() || new_names_.contains(OwnedName{owner, one.kind, one.name})) return;
-      const auto text = texts_.find({sources_.path(one.text.source), one.text.begin});
-      if (text == texts_.end() || !text->second.parts.contains(one.span.begin)) return;
-      fail("the text at " + place_text(sources_, one.span) + " also names the " +
-           thing(one.kind, one.name));
+      if (!one.is_computed) return check_other(one, one.span);
+      // The name of a transmission may be made from that of its joint.
+      if (one.kind != NameKind::link && one.kind != NameKind::joint) return;
+      for (const xacro::Copied& piece : one.copied) check_other(one, piece.span);
     });
+  }
+
+  /// Parts of a text of XML change independently of each other.
+  std::pair<std::string_view, std::uint32_t> key_of(const Reference& one, Span part) const {
+    const Span span = is_yaml(one) ? one.text : part;
+    return {sources_.path(span.source), span.begin};
+  }
+
+  void check_other(const Reference& one, Span part) {
+    const auto text = texts_.find(key_of(one, part));
+    if (text == texts_.end() || !text->second.parts.contains(part.begin)) return;
+    fail("the text at " + place_text(sources_, part) + " also names the " +
+         thing(one.kind, one.name));
+  }
+
+  /// Why a computed name cannot change.
+  std::string computed(const Reference& one) const {
+    const std::string place = place_text(sources_, one.span);
+    const auto longest = std::max_element(one.copied.begin(), one.copied.end(),
+                                          [](const xacro::Copied& a, const xacro::Copied& b) {
+                                            return a.end - a.begin < b.end - b.begin;
+                                          });
+    if (longest == one.copied.end()) {
+      return "the " + thing(one.kind, one.name) + " is made by an expression at " + place +
+             "; change it there";
+    }
+    std::string form(one.name.substr(0, longest->begin));
+    form.append("NEW").append(one.name.substr(longest->end));
+    return "only a part of the " + thing(one.kind, one.name) +
+           " is written as it is, the rest is made by an expression at " + place +
+           "; choose a name like " + quoted(form);
   }
 
   Span inside(Span scalar) const {
@@ -256,24 +342,23 @@ class Renamer {
   void edit(const ChangedText& text, std::vector<Edit>& edits) {
     const Span whole = text.reference->text;
     const std::string_view raw = sources_.text(whole);
-    const Reference::Notation notation = text.reference->notation;
-    const bool is_yaml =
-        notation == Reference::Notation::yaml || notation == Reference::Notation::yaml_key;
+    const bool is_in_yaml = is_yaml(*text.reference);
     const char first = raw.empty() ? '\0' : raw.front();
-    if (is_yaml && (first == '|' || first == '>')) {
+    if (is_in_yaml && (first == '|' || first == '>')) {
       return fail("the name at " + place_text(sources_, whole) + " spans several lines");
     }
     std::vector<Edit> plain;
     for (const auto& [begin, part] : text.parts) {
       const auto& [span, to] = part;
-      if (is_yaml && first == '\'') {
+      if (is_in_yaml && first == '\'') {
         edits.push_back({span, with_doubled(to, "'", '\'')});
-      } else if (is_yaml && first == '"') {
+      } else if (is_in_yaml && first == '"') {
         edits.push_back({span, with_doubled(to, "\"\\", '\\')});
-      } else if (is_yaml) {
+      } else if (is_in_yaml) {
         plain.push_back({{span.source, span.begin - whole.begin, span.end - whole.begin}, to});
       } else {
-        const bool is_attribute = notation == Reference::Notation::xml_attribute;
+        const bool is_attribute = !text.reference->is_computed &&
+                                  text.reference->notation == Reference::Notation::xml_attribute;
         const char quote = is_attribute ? sources_.text(whole.source)[whole.begin - 1] : '\0';
         edits.push_back({span, escape_for(to, quote)});
       }

@@ -54,6 +54,20 @@ Origin Expansion::origin_of(Span part) const {
   return origin;
 }
 
+std::vector<Copied> Expansion::copied_in(Span part) const {
+  std::vector<Copied> copied;
+  auto leaf = std::partition_point(leaves.begin(), leaves.end(),
+                                   [&](const Leaf& one) { return one.end <= part.begin; });
+  for (; leaf != leaves.end() && leaf->begin < part.end; ++leaf) {
+    if (!leaf->is_exact || leaf->begin == leaf->end) continue;
+    const std::uint32_t begin = std::max(leaf->begin, part.begin);
+    const std::uint32_t end = std::min(leaf->end, part.end);
+    const std::uint32_t at = leaf->origin.begin + (begin - leaf->begin);
+    copied.push_back({begin, end, {leaf->origin.source, at, at + (end - begin)}});
+  }
+  return copied;
+}
+
 void Expander::add_frames(Diagnostic& diagnostic) const {
   constexpr int kMost = 10;
   int count = 0;

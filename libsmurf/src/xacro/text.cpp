@@ -151,6 +151,8 @@ Value Expander::evaluate_text(std::string_view text, const Piece& place, Table& 
   std::string joined;
   Value only;
   std::size_t parts = 0;
+  Piece filled;  // the last that is not empty
+  std::size_t filled_parts = 0;
   for (std::size_t at = 0; at < text.size();) {
     if (!evaluator_.step(2)) {
       place_failure(place, 0);
@@ -206,6 +208,10 @@ Value Expander::evaluate_text(std::string_view text, const Piece& place, Table& 
     }
     joined += shown;
     piece.size = offset(shown.size());
+    if (!shown.empty()) {
+      ++filled_parts;
+      filled = piece;
+    }
     if (pieces != nullptr) pieces->push_back(piece);
   }
   const Value all = evaluator_.text(std::move(joined));
@@ -213,6 +219,10 @@ Value Expander::evaluate_text(std::string_view text, const Piece& place, Table& 
     place_failure(place, 0);
     return all;
   }
+  // `${prefix}wheel` with an empty prefix is `wheel` as it is written.
+  const bool is_one = filled_parts == 1 && filled.is_exact &&
+                      filled.origin.end - filled.origin.begin == filled.size;
+  if (is_one) return all.at(origin(filled));
   Piece whole = place;
   whole.is_exact = false;
   return all.at(origin(whole));
