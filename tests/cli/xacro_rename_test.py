@@ -137,6 +137,26 @@ class Rename(unittest.TestCase):
         done = self.rename("property:size=width", "urdf/cart.urdf.xacro", "load:=3")
         self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_arguments_of_the_configuration(self):
+        path = self.folder / "urdf/cart.urdf.xacro"
+        path.write_text(path.read_text().replace('<link name="base">', '<link name="$(arg root)"/><link name="base">'))
+        config = self.folder / ".smurf-lint.yaml"
+        text = """xacro:
+- file: urdf/cart.urdf.xacro
+  arguments:
+    load: [2, 3]  # load
+    root: world
+- file: urdf/other.urdf.xacro
+  arguments: {load: 5}
+"""
+        config.write_text(text)
+        done = self.rename("argument:load=kilograms")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(config.read_text(), text.replace("    load:", "    kilograms:"))
+        self.assertIn("$(arg kilograms)", path.read_text())
+        self.assertEqual(self.rename("argument:kilograms=load").returncode, 0)
+        self.assertEqual(config.read_text(), text)
+
     def test_wrong_uses(self):
         for what in ("parameter:radius=r", "macro:=a", "property:size"):
             self.assertIn("write " + what.split(":")[0] + ":", self.rename(what).stderr)

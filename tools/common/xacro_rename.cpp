@@ -7,7 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "base/edits.hpp"
 #include "base/quoted.hpp"
+#include "smurf/config.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -131,6 +133,7 @@ class Renaming {
       }
       change(*file, ranges);
     }
+    if (rename_.kind == XacroNameKind::argument) change_configurations();
     return judge(before);
   }
 
@@ -177,11 +180,26 @@ class Renaming {
     }
   }
 
+  /// The settings with the arguments that the configuration has for a robot.
+  CheckSettings with_configured(const std::string& root, CheckSettings settings) const {
+    const std::string path = nearest_config(root, session_.files());
+    if (path.empty()) return settings;
+    SourceMap sources;
+    DiagnosticSink ignored(session_.limits());
+    const Config config = read_config(path, sources, session_.files(), ignored);
+    for (const ConfigXacro& robot : config.xacro) {
+      if (session_.files().identity(robot.file.value) != session_.files().identity(root)) continue;
+      settings.xacro.arguments = combinations_of(robot, settings.xacro.arguments, 1).front();
+      break;
+    }
+    return settings;
+  }
+
   /// The results of the robots that can be expanded.
   std::map<std::string, std::string> expand(const CheckSettings& settings) {
     std::map<std::string, std::string> results;
     for (const std::string& root : roots_) {
-      const LoadedExpansion loaded = session_.load_xacro(root, settings);
+      const LoadedExpansion loaded = session_.load_xacro(root, with_configured(root, settings));
       if (!loaded.expansion.is_complete) continue;
       results[root] = loaded.sources->text(loaded.expansion.source);
     }
@@ -200,6 +218,39 @@ class Renaming {
       result_.edits.push_back({span, rename_.to});
     }
     text += result_.family.text(file).substr(at);
+    session_.set_text(path, text);
+    result_.texts.push_back({path, std::move(text)});
+  }
+
+  /// Renames the argument in the settings `xacro` of the changed robots.
+  void change_configurations() {
+    std::set<std::string> paths;
+    for (const std::string& root : roots_) {
+      std::string path = nearest_config(root, session_.files());
+      if (!path.empty() && !changeable_.is_denied(path)) paths.insert(std::move(path));
+    }
+    for (const std::string& path : paths) change_configuration(path);
+  }
+
+  void change_configuration(const std::string& path) {
+    SourceMap& sources = result_.family.sources;
+    const FileReader& files = session_.files();
+    DiagnosticSink ignored(session_.limits());
+    const Config config = read_config(path, sources, files, ignored);
+    std::set<std::string> roots;
+    for (const std::string& root : roots_) roots.insert(files.identity(root));
+    std::vector<Edit> edits;
+    for (const ConfigXacro& robot : config.xacro) {
+      if (!roots.contains(files.identity(robot.file.value))) continue;
+      for (const auto& [name, values] : robot.arguments) {
+        // What it extends is another file, which other projects may use.
+        if (name.value != rename_.from || sources.path(name.span.source) != path) continue;
+        edits.push_back({name.span, yaml_like(sources.text(name.span), rename_.to)});
+      }
+    }
+    if (edits.empty()) return;
+    std::string text = apply_edits(sources.text(edits.front().span.source), edits);
+    result_.edits.insert(result_.edits.end(), edits.begin(), edits.end());
     session_.set_text(path, text);
     result_.texts.push_back({path, std::move(text)});
   }

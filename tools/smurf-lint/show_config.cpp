@@ -138,8 +138,8 @@ void show_robots(const Config& config, Page& page) {
     for (const auto& [name, values] : robot.arguments) {
       std::string list;
       for (const std::string& value : values) list += (list.empty() ? "" : ", ") + text_of(value);
-      page.raw("    " + text_of(name) + ": " + (values.size() == 1 ? list : "[" + list + "]") +
-               "\n");
+      page.raw("    " + text_of(name.value) + ": " +
+               (values.size() == 1 ? list : "[" + list + "]") + "\n");
     }
   }
 }

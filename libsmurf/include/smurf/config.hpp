@@ -38,7 +38,7 @@ struct ConfigPath {
 /// A robot of xacro, and the values of its arguments.
 struct ConfigXacro {
   Spanned<std::string> file;
-  std::vector<std::pair<std::string, std::vector<std::string>>> arguments;
+  std::vector<std::pair<Spanned<std::string>, std::vector<std::string>>> arguments;
 };
 
 /// Companions of a robot, such as its controllers.yaml.

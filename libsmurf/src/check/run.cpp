@@ -165,7 +165,8 @@ class Run {
       variant.may_be_part = false;
       for (const auto& [name, values] : robot.arguments) {
         if (values.size() < 2) continue;
-        variant.shown += (variant.shown.empty() ? "" : " ") + name + ":=" + arguments.at(name);
+        variant.shown +=
+            (variant.shown.empty() ? "" : " ") + name.value + ":=" + arguments.at(name.value);
       }
       variant.arguments = std::move(arguments);
       all.push_back(std::move(variant));

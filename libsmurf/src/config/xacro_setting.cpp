@@ -76,7 +76,8 @@ class XacroSetting {
       }
     }
     if (values.empty()) return expect(value, "a value or a list of values");
-    robot.arguments.emplace_back(std::string(value.key()), std::move(values));
+    robot.arguments.emplace_back(Spanned<std::string>{std::string(value.key()), value.key_span()},
+                                 std::move(values));
   }
 
   const std::string& folder_;
@@ -96,13 +97,13 @@ combinations_of(const ConfigXacro& robot, const std::map<std::string, std::strin
                 std::size_t most) {
   std::vector<std::map<std::string, std::string>> all{given};
   for (const auto& [name, values] : robot.arguments) {
-    if (given.contains(name)) continue;
+    if (given.contains(name.value)) continue;
     std::vector<std::map<std::string, std::string>> longer;
     for (const auto& one : all) {
       for (const std::string& value : values) {
         if (longer.size() > most) break;
         longer.push_back(one);
-        longer.back()[name] = value;
+        longer.back()[name.value] = value;
       }
     }
     all = std::move(longer);
