@@ -99,6 +99,7 @@ class Xacro(unittest.TestCase):
 
     def test_a_finding_in_an_included_file_while_its_root_is_edited(self):
         found = self.open(self.root, ROBOT.replace('"${size * 2}"', '"-1"'))
+        found = [one for one in found if one["code"] != "SML3413"]  # `size` is no longer used
         self.assertEqual(len(found), 1)
         self.assertEqual(text_in(self.client.texts[str(self.root)], found[0]["range"]), "-1")
         self.part.write_text(WHEEL.replace('value="${mass}"', 'value="-1"'))

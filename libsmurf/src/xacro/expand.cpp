@@ -77,6 +77,7 @@ void Expander::expand_root() {
     xmlns.name = "xmlns";
   }
   if (!is_done) return;
+  check_unused(*file.root, root);
   std::string text;
   write_result(root, pieces_, text, result_.leaves);
   result_.source = context_.sources.add(file.path, std::move(text));
