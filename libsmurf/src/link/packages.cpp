@@ -3,6 +3,7 @@
 
 #include "base/path.hpp"
 #include "base/words.hpp"
+#include "smurf/xacro.hpp"
 
 namespace smurf {
 
@@ -22,9 +23,10 @@ std::string package_name_in(std::string_view text) {
   return std::string(trimmed(std::string_view(plain).substr(name, end - name)));
 }
 
-Packages::Packages(const LoadContext& context, std::string_view urdf_folder, FileIndex& index)
-    : context_(context), index_(index) {
+Packages::Packages(const LoadContext& context, const std::string& urdf_path, FileIndex& index)
+    : context_(context), index_(index), urdf_path_(urdf_path), beside_(context) {
   constexpr int kLevels = 8;
+  const std::string_view urdf_folder = path::parent(urdf_path);
   std::string folder = path::normalize(urdf_folder.empty() ? "." : urdf_folder);
   for (int level = 0; level < kLevels; ++level) {
     folders_.push_back(folder);
@@ -54,6 +56,9 @@ Packages::Place Packages::find(const std::string& name_and_rest) {
   }
   const std::string package = installed(name);
   if (!package.empty()) return {path::join(package, rest)};
+  if (xacro::is_xacro_file(urdf_path_)) {
+    if (const auto found = beside_.find(name, urdf_path_)) return {path::join(*found, rest)};
+  }
   if (guess) {
     guessed_.emplace(name, guess->path.substr(0, guess->path.size() - rest.size()));
     return *guess;

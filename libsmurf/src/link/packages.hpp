@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "link/file_index.hpp"
+#include "link/package_search.hpp"
 #include "smurf/load.hpp"
 
 namespace smurf {
@@ -17,7 +18,7 @@ std::string package_name_in(std::string_view package_xml);
 
 class Packages {
  public:
-  Packages(const LoadContext& context, std::string_view urdf_folder, FileIndex& index);
+  Packages(const LoadContext& context, const std::string& urdf_path, FileIndex& index);
 
   struct Place {
     std::string path;       ///< empty if the package is unknown
@@ -29,7 +30,9 @@ class Packages {
   /// The file for NAME/REST. It is looked up in the folder given for the package; then in the
   /// nearest parent folder that is called NAME, that contains REST (Phobos uses the parent of
   /// urdf/, whatever its name), or whose package.xml has this name; then in the folders that
-  /// contain packages. If it is nowhere, the place where the folder of REST is in a folder NAME.
+  /// contain packages. Of a xacro file, whose `$(find NAME)` finds them as well, it is also looked
+  /// up in the packages beside it. If it is nowhere, the place where the folder of REST is in a
+  /// folder NAME.
   Place find(const std::string& name_and_rest);
 
  private:
@@ -41,6 +44,8 @@ class Packages {
 
   const LoadContext& context_;
   FileIndex& index_;
+  std::string urdf_path_;
+  PackageSearch beside_;
   std::vector<std::string> folders_;  ///< the URDF's folder and its parents
   std::map<std::string, std::string> names_;
   std::map<std::string, std::string> guessed_;  ///< by name: the folder in which a file was found
