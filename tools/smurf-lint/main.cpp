@@ -181,6 +181,21 @@ std::string remark_on_input(const LintOptions& options, const LintPlan& plan,
   return "paths start at the current folder; --stdin-filename PATH sets another place\n";
 }
 
+/// Robots of a folder that need arguments are not expanded. This is no finding, but should not pass
+/// for a check.
+std::string remark_on_arguments(const Checked& checked) {
+  std::set<std::string_view> robots;
+  for (const Diagnostic& one : checked.report.diagnostics) {
+    const bool is_open =
+        one.rule == &rules::sml3313_xacro_unknown_argument && one.severity == Severity::info;
+    if (is_open) robots.insert(checked.session.sources().path(one.span.source));
+  }
+  if (robots.empty()) return {};
+  return counted(robots.size(), "robot") + (robots.size() == 1 ? " was" : " were") +
+         " not checked, because arguments have no value; `smurf-lint --init` writes a configuration "
+         "with the values in launch files\n";
+}
+
 ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked& checked,
                 const Fixed* fixed) {
   // Standard output is then used for the fixed text.
@@ -189,7 +204,7 @@ ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked&
   const std::string place = is_taken ? "/dev/stderr" : options.output;
   const ExitCode written = write_reports(
       options, plan, place, checked,
-      remark_on_input(options, plan, checked.report) +
+      remark_on_input(options, plan, checked.report) + remark_on_arguments(checked) +
           fix_remarks(fixed, checked.report.diagnostics, shown(options, checked.report)));
   if (written != kDone) return written;
   return judge(checked.report.summary, merge_run(checked.report.wishes, options).threshold);

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,27 +42,28 @@ class Overview {
       : sources_(sources), options_(options), style_(style), paint_(style.color) {
     if (!options.shows_all) causes_.emplace(diagnostics, sources);
     std::array<std::vector<Section>, 3> by_severity;
+    // Robots that include a file, or variants of a robot, have read it one by one.
+    std::map<std::pair<Severity, std::string_view>, std::size_t> section_of;
     for (const Diagnostic& each : diagnostics) {
       const Diagnostic* shown = causes_ ? causes_->shown(each) : &each;
       if (shown == nullptr || shown->severity < options.least) continue;
       const Diagnostic& one = *shown;
       const SourceId file = one.span.source;
       auto& sections = by_severity[static_cast<std::size_t>(one.severity)];
-      if (sections.empty() || sections.back().file != file) {
-        sections.push_back({one.severity, file, {}});
-      }
-      sections.back().findings.push_back(&one);
+      const auto [section, is_new] =
+          section_of.try_emplace({one.severity, path_of(file)}, sections.size());
+      if (is_new) sections.push_back({one.severity, file, {}});
+      sections[section->second].findings.push_back(&one);
       Repeated& repeated = repeated_[{one.rule, one.message}];
-      if (repeated.files == 0) repeated.first = file;
-      if (repeated.files == 0 || repeated.last != file) ++repeated.files;
-      repeated.last = file;
+      if (repeated.files.empty()) repeated.first = path_of(file);
+      repeated.files.insert(path_of(file));
     }
     std::for_each(by_severity.rbegin(), by_severity.rend(), [&](std::vector<Section>& sections) {
       if (!options.shows_all && diagnostics.size() > kScreen) put_worst_first(sections);
       std::move(sections.begin(), sections.end(), std::back_inserter(sections_));
     });
     has_titles_ = std::any_of(sections_.begin(), sections_.end(), [&](const Section& section) {
-      return section.file != sections_.front().file;
+      return path_of(section.file) != path_of(sections_.front().file);
     });
   }
 
@@ -77,9 +79,8 @@ class Overview {
  private:
   /// A message that several files may have.
   struct Repeated {
-    SourceId first{};
-    SourceId last{};
-    std::size_t files = 0;
+    std::string_view first;
+    std::set<std::string_view> files;
     bool is_told = false;
   };
 
@@ -109,15 +110,17 @@ class Overview {
 
   /// Otherwise the files are in the order of their names, and the first screen shows any of them.
   void put_worst_first(std::vector<Section>& sections) {
-    std::map<SourceId, Harm> worst;
+    std::map<std::string_view, Harm> worst;
     for (const Section& section : sections) {
-      Harm& harm = worst[section.file];
+      Harm& harm = worst[path_of(section.file)];
       for (const Diagnostic* finding : section.findings) harm = std::max(harm, harm_of(*finding));
     }
     std::stable_sort(sections.begin(), sections.end(), [&](const Section& a, const Section& b) {
-      return worst[a.file] > worst[b.file];
+      return worst[path_of(a.file)] > worst[path_of(b.file)];
     });
   }
+
+  std::string_view path_of(SourceId file) const { return sources_.path(file); }
 
   void write(const std::string& text) {
     lines_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
@@ -138,7 +141,7 @@ class Overview {
     std::vector<std::pair<const Diagnostic*, Tally*>> mine;
     for (const Diagnostic* one : section.findings) {
       const Repeated& repeated = repeated_[{one->rule, one->message}];
-      if (!options_.shows_all && repeated.first != section.file) continue;
+      if (!options_.shows_all && repeated.first != path_of(section.file)) continue;
       mine.emplace_back(one, &of_rule[one->rule->id]);
       ++mine.back().second->all;
     }
@@ -162,9 +165,9 @@ class Overview {
   }
 
   std::string same_elsewhere(Repeated& repeated) const {
-    if (options_.shows_all || repeated.files == 1 || repeated.is_told) return {};
+    if (options_.shows_all || repeated.files.size() == 1 || repeated.is_told) return {};
     repeated.is_told = true;
-    return "... and the same in " + counted(repeated.files - 1, "more file") + "\n\n";
+    return "... and the same in " + counted(repeated.files.size() - 1, "more file") + "\n\n";
   }
 
   /// "... and 12 more of SML1501, 3 of SML1502 in this file; --all shows them"
@@ -187,9 +190,9 @@ class Overview {
   /// The files whose findings do not fit, as "arm.urdf: 3 errors, 2 warnings".
   void add_names(std::span<const Section> rest) {
     std::vector<std::vector<const Section*>> files;
-    std::map<SourceId, std::size_t> index;
+    std::map<std::string_view, std::size_t> index;
     for (const Section& section : rest) {
-      const auto [place, is_new] = index.try_emplace(section.file, files.size());
+      const auto [place, is_new] = index.try_emplace(path_of(section.file), files.size());
       if (is_new) files.emplace_back();
       files[place->second].push_back(&section);
     }
