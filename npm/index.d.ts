@@ -93,7 +93,7 @@ export interface Target {
 export interface LintReport {
   schema_version: string;
   tool: { name: string; version: string };
-  summary: { error: number; warning: number; info: number; suppressed: number; files: number; models: number; scenes: number; links?: number };
+  summary: { error: number; warning: number; info: number; suppressed: number; files: number; models: number; scenes: number; links?: number; companions?: Record<string, number> };
   diagnostics: Diagnostic[];
   /** With `--target`: what becomes of the files in each program, by its name. */
   targets?: Record<string, Target>;

@@ -98,6 +98,9 @@ Json report_json(const SourceMap& sources, const Summary& summary, const ToolNam
                        {"files", summary.files},  {"models", summary.models},
                        {"scenes", summary.scenes}};
   if (summary.links > 0) report["summary"]["links"] = summary.links;
+  for (const auto& [title, count] : summary.companions) {
+    report["summary"]["companions"][std::string(title)] = count;
+  }
   report["diagnostics"] = Json::array();
   for (const TargetVerdict& target : targets) {
     report["targets"][std::string(target.reader->name)] = to_json(target, sources);
