@@ -70,11 +70,20 @@ struct PluginFile {
   State state{};
 };
 
+/// A class that a package around the robot exports for pluginlib.
+struct ExportedClass {
+  std::string package;
+  std::string name;  ///< "arm_driver/Arm"
+  std::string base;  ///< "hardware_interface::SystemInterface"
+};
+
 /// The companions of one robot, in the order of their paths. Views point into them and into the
 /// SourceMap, so they are moved, not copied.
 struct Companions {
   std::vector<Companion> files;
   std::vector<PluginFile> plugin_files;
+  /// Of the packages that the hardware and the controllers name, if they are around the robot.
+  std::vector<ExportedClass> classes;
   bool is_alone = false;  ///< the robot was loaded only to check the first of the files
 };
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -8,6 +12,7 @@
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "link/companions/companion_names.hpp"
+#include "link/companions/exported_classes.hpp"
 #include "link/companions/places.hpp"
 #include "link/companions/plugin_files.hpp"
 #include "link/companions/setup_assistant.hpp"
@@ -41,15 +46,15 @@ bool is_promising(std::string_view name) {
                      [&](std::string_view word) { return lower.find(word) != std::string::npos; });
 }
 
-/// Files with these extensions in the places around a folder, each once.
-std::vector<std::string> candidates(const std::string& folder,
+/// Files with these extensions in these folders, each once.
+std::vector<std::string> candidates(const std::vector<std::string>& folders,
                                     std::initializer_list<std::string_view> extensions,
                                     const LoadContext& context) {
   const bool wants_srdf =
       std::find(extensions.begin(), extensions.end(), ".srdf") != extensions.end();
   std::vector<std::string> found;
   std::set<std::string> seen;
-  for (const std::string& place : companion_places(folder, context.files)) {
+  for (const std::string& place : folders) {
     for (const std::string& name : context.files.list(place)) {
       const bool is_srdf = wants_srdf && is_companion_path(name);
       const bool is_setup = wants_srdf && name == ".setup_assistant";
@@ -65,9 +70,8 @@ std::vector<std::string> candidates(const std::string& folder,
   return found;
 }
 
-/// Whether the package around a file is built with ament, as those of ROS 2 are.
-bool is_in_ros2_package(const std::string& path, const FileReader& files) {
-  std::string folder(path::parent(path));
+/// Whether the package around a folder is built with ament, as those of ROS 2 are.
+bool is_in_ros2_package(std::string folder, const FileReader& files) {
   for (int level = 0; level < 4; ++level, folder = path::join(folder, "..")) {
     const FileContent manifest = files.read(path::join(folder, "package.xml"), kMostBytesOfYaml);
     if (manifest.status == ReadStatus::ok) return manifest.text.find("ament") != std::string::npos;
@@ -92,7 +96,7 @@ class Loader {
     // These exist in ROS 2 only.
     companion.is_ros2 = spec.kind == CompanionKind::controllers ||
                         spec.kind == CompanionKind::moveit_controllers ||
-                        is_in_ros2_package(path, context_.files);
+                        is_in_ros2(companion.folder);
     if (spec.is_xml) {
       const auto text = xacro::is_xacro_file(path) ? expanded(*source, robot) : source;
       if (!text) return std::nullopt;
@@ -126,7 +130,14 @@ class Loader {
     return source;
   }
 
+  bool is_in_ros2(const std::string& folder) {
+    const auto [known, is_new] = ros2_.try_emplace(folder);
+    if (is_new) known->second = is_in_ros2_package(folder, context_.files);
+    return known->second;
+  }
+
   LoadContext& context_;
+  std::map<std::string, bool> ros2_;  ///< by folder
 };
 
 /// Counts the names of the companion that the model has.
@@ -171,8 +182,9 @@ class Finder {
       own_.insert(context_.files.identity(context_.sources.path(file.source)));
     }
     read_ties();
-    const std::string folder(path::parent(model_.urdf_path));
-    for (const std::string& path : candidates(folder, {".srdf", ".yaml", ".yml"}, context_)) {
+    places_ = companion_places(std::string(path::parent(model_.urdf_path)), context_.files);
+    for (const std::string& path :
+         candidates(places_.folders, {".srdf", ".yaml", ".yml"}, context_)) {
       if (!own_.contains(context_.files.identity(path))) look_at(path);
     }
     found_.plugin_files = plugin_files_of(model_, context_.files);
@@ -201,6 +213,7 @@ class Finder {
       const bool is_free = one.srdf || one.kind == CompanionKind::controllers || is_tied(one);
       return !is_free && !folders.contains(one.folder) && !is_only_robot();
     });
+    found_.classes = exported_classes(model_, found_, places_.packages, context_.files);
     return std::move(found_);
   }
 
@@ -263,10 +276,7 @@ class Finder {
   }
 
   const std::vector<std::string>& robots() {
-    if (!robots_) {
-      const std::string folder(path::parent(model_.urdf_path));
-      robots_ = candidates(folder, {".urdf", ".xacro"}, context_);
-    }
+    if (!robots_) robots_ = candidates(places_.folders, {".urdf", ".xacro"}, context_);
     return *robots_;
   }
 
@@ -297,6 +307,7 @@ class Finder {
   LoadContext& context_;
   Loader loader_;
   Companions found_;
+  CompanionPlaces places_;
   std::optional<std::vector<std::string>> robots_;  ///< around it, also in xacro
   std::set<std::string> own_;   ///< files of the model and of others, by identity
   std::set<std::string> tied_;  ///< files that the configuration names, by identity
@@ -306,9 +317,10 @@ class Finder {
 std::vector<std::string> robots_of(const Companion& companion, const LoadContext& context) {
   const srdf::Text& name = companion.srdf->name;
   const std::string folder(path::parent(context.sources.path(companion.source)));
-  const std::vector<std::string> urdfs = candidates(folder, {".urdf"}, context);
+  const std::vector<std::string> folders = companion_places(folder, context.files).folders;
+  const std::vector<std::string> urdfs = candidates(folders, {".urdf"}, context);
   std::vector<std::string> found;
-  for (const auto& all : {urdfs, candidates(folder, {".xacro"}, context)}) {
+  for (const auto& all : {urdfs, candidates(folders, {".xacro"}, context)}) {
     for (const std::string& path : all) {
       if (!name || is_companion_path(path) || found.size() >= kMostRobots) continue;
       if (has_robot({path}, *name, context)) found.push_back(path);

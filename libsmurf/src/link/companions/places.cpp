@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "base/path.hpp"
 #include "base/words.hpp"
@@ -27,7 +30,7 @@ class Search {
  public:
   explicit Search(const FileReader& files) : files_(files) {}
 
-  std::vector<std::string> run(const std::string& start) {
+  CompanionPlaces run(const std::string& start) {
     const std::string folder = path::normalize(start.empty() ? "." : start);
     add(folder);
     std::string package = folder;
@@ -41,12 +44,20 @@ class Search {
       add_package(package);
       add_related(package);
     }
-    return std::move(places_);
+    return {std::move(places_), std::move(packages_)};
   }
 
  private:
-  bool is_package(const std::string& folder) const {
-    return files_.is_file(path::join(folder, "package.xml"));
+  bool is_package(const std::string& folder) { return manifest_of(folder).has_value(); }
+
+  /// The text of the package.xml in a folder. Hundreds of folders are asked, some of them twice.
+  const std::optional<std::string>& manifest_of(const std::string& folder) {
+    const auto [known, is_new] = manifests_.try_emplace(folder);
+    if (is_new) {
+      FileContent content = files_.read(path::join(folder, "package.xml"), kMostBytes);
+      if (content.status == ReadStatus::ok) known->second = std::move(content.text);
+    }
+    return known->second;
   }
 
   bool is_full() const { return places_.size() >= kMostFolders; }
@@ -79,10 +90,6 @@ class Search {
     }
   }
 
-  std::string manifest_of(const std::string& package) const {
-    return files_.read(path::join(package, "package.xml"), kMostBytes).text;
-  }
-
   static std::string_view name_in(std::string_view manifest) {
     const std::size_t begin = manifest.find("<name>");
     const std::size_t end = manifest.find("</name>", begin);
@@ -96,7 +103,7 @@ class Search {
   }
 
   /// The packages beside a package, and those one level above and below.
-  std::vector<std::string> neighbours(const std::string& package) const {
+  std::vector<std::string> neighbours(const std::string& package) {
     std::vector<std::string> found;
     std::size_t looked_at = 0;
     const std::string around = path::join(package, "..");
@@ -118,24 +125,28 @@ class Search {
   }
 
   void add_related(const std::string& package) {
-    const std::string own = manifest_of(package);
+    const std::string_view own = *manifest_of(package);
     const std::string_view name = name_in(own);
+    packages_.push_back({std::string(name), package});
     for (const std::string& other : neighbours(package)) {
       if (seen_.contains(other)) continue;
-      const std::string manifest = manifest_of(other);
+      const std::string_view manifest = *manifest_of(other);
       if (name_in(manifest) == name) continue;  // a copy
+      packages_.push_back({std::string(name_in(manifest)), other});
       if (names(manifest, name) || names(own, name_in(manifest))) add_package(other);
     }
   }
 
   const FileReader& files_;
   std::vector<std::string> places_;
+  std::vector<NearPackage> packages_;
   std::set<std::string> seen_;
+  std::map<std::string, std::optional<std::string>> manifests_;  ///< by folder
 };
 
 }  // namespace
 
-std::vector<std::string> companion_places(const std::string& folder, const FileReader& files) {
+CompanionPlaces companion_places(const std::string& folder, const FileReader& files) {
   return Search(files).run(folder);
 }
 

@@ -10,10 +10,21 @@
 
 namespace smurf {
 
+/// A ROS package around a robot.
+struct NearPackage {
+  std::string name, folder;
+};
+
+/// Where companions may be.
+struct CompanionPlaces {
+  std::vector<std::string> folders;
+  std::vector<NearPackage> packages;  ///< that of the robot, and those beside it
+};
+
 /// The folders of the ROS package around `folder`, and those of packages in the same repository
 /// that depend on it or that it depends on. Without a package: the folder, and the folders beside
 /// it that robots usually have.
-std::vector<std::string> companion_places(const std::string& folder, const FileReader& files);
+CompanionPlaces companion_places(const std::string& folder, const FileReader& files);
 
 /// The `name` of the element `robot`, without parsing the text; "" if there is none.
 std::string_view robot_name_in(std::string_view text);

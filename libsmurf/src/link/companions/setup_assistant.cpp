@@ -14,7 +14,8 @@ void find_missing_files(Companion& companion, LoadContext& context) {
   if (!config || !config.is_mapping()) return;
   PackageSearch packages(context);
   for (const std::string_view name : {"URDF", "SRDF"}) {
-    const yaml::View part = config.find(name);
+    yaml::View part = config.find(name);
+    if (!part) part = config.find(name == "URDF" ? "urdf" : "srdf");  // in ROS 2
     const yaml::View path = part && part.is_mapping() ? part.find("relative_path") : yaml::View();
     if (!path || !path.is_scalar() || path.text().empty()) continue;
     std::string folder = companion.folder;

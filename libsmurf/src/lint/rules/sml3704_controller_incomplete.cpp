@@ -15,7 +15,7 @@ namespace {
 constexpr Circumstance kType{"type"};
 constexpr Circumstance kSection{"section"};
 
-void check_type(const RosController& controller, Findings& findings) {
+void check_type(const RosController& controller, const Companions& companions, Findings& findings) {
   if (!controller.type) {
     if (!controller.section) return;  // a setting of controller_manager
     findings.report(controller.place, title_of(controller) + " has no `type`")
@@ -27,6 +27,13 @@ void check_type(const RosController& controller, Findings& findings) {
   std::vector<std::string_view> known;
   for (const ControllerClass& one : controller_classes()) known.push_back(one.name);
   const std::string_view type = trimmed(controller.type.text());
+  std::string_view own;  // a class that the package exports, if it is around the robot
+  for (const ExportedClass& one : companions.classes) {
+    if (!one.base.starts_with("controller_interface::")) continue;
+    if (one.name == type) return;
+    if (one.package == type.substr(0, type.find('/'))) own = one.name;
+    known.push_back(one.name);
+  }
   const auto near = only_nearest(type, known);
   // Other packages have controllers of similar names.
   const auto package = [](std::string_view one) { return one.substr(0, one.find('/')); };
@@ -36,10 +43,16 @@ void check_type(const RosController& controller, Findings& findings) {
   constexpr int kMostEdits = 2;  // in the name of a package
   const bool is_slip =
       near && edit_distance(package(*near), package(type), kMostEdits) <= kMostEdits;
-  if (!near || is_placeholder(type) || !(is_own || is_slip)) return;
+  const bool is_misspelt = near && (is_own || is_slip);
+  if (is_placeholder(type) || (!is_misspelt && own.empty())) return;
   Diagnostic& found = findings.report(
       controller.type.span(), title_of(controller) + " has the unknown type " + quoted(type));
   found.when(kType);
+  if (!is_misspelt) {
+    found.severity = Severity::warning;
+    found.help("write a class that the package exports, such as " + quoted(own));
+    return;
+  }
   found.help("did you mean " + quoted(*near) + "?");
   found.fixes.push_back({Applicability::unsafe, {{controller.type.span(), std::string(*near)}}});
 }
@@ -112,7 +125,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
   });
   for_each_controller_file(companions, [&](const ControllerFile& file) {
     for (const RosController& controller : file.controllers) {
-      check_type(controller, findings);
+      check_type(controller, companions, findings);
       check_required(controller, findings);
       check_section(controller, sections, findings);
     }
