@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """smurf-lint on the files of ROS beside a robot: which it finds, and what it renames in them."""
+import json
 import pathlib
 import sys
 
@@ -90,6 +91,13 @@ class Companions(cli.CliTest):
         self.assertEqual(self.expect(0, ".").stdout, "no findings in 6 files (1 model), checked with 1 SRDF, "
                          "1 controllers.yaml, 1 joint_limits.yaml, 1 kinematics.yaml and 1 moveit_controllers.yaml\n")
 
+    def test_the_report_for_programs_counts_them(self):
+        report = json.loads(self.expect(0, "--format", "json", ".").stdout)
+        self.assertEqual(report["summary"]["companions"], {"SRDF": 1, "controllers.yaml": 1, "joint_limits.yaml": 1, "kinematics.yaml": 1,
+                                                           "moveit_controllers.yaml": 1})
+        self.write("alone.urdf", URDF)
+        self.assertNotIn("companions", json.loads(self.expect(0, "--format", "json", "alone.urdf").stdout)["summary"])
+
     def test_a_xacro_that_was_found_is_compared_with_its_companions(self):
         (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
         self.write("lamp_description/urdf/lamp.urdf.xacro", URDF.replace("<robot ", '<robot xmlns:xacro="x" '))
@@ -156,6 +164,8 @@ class Companions(cli.CliTest):
         self.write("lamp_moveit_config/config/lamp.urdf.xacro",
                    '<robot xmlns:xacro="x" name="lamp2">\n  <xacro:include filename="other.xacro"/>\n  <joint name="shoulder"/>\n'
                    "  ${keys['shoulder']}\n</robot>\n")
+        self.write("lamp_description/urdf/other_lamp.xacro",
+                   '<robot xmlns:xacro="x">\n<xacro:macro name="other">\n  <joint name="shoulder" type="fixed"/>\n</xacro:macro>\n</robot>\n')
         done = self.run_tool("--rename", "joint:shoulder=hinge", "lamp_description/urdf/lamp.urdf", "lamp_moveit_config/config/lamp.srdf")
         self.assertIn("lamp.urdf.xacro' still names `shoulder` in line 3; change it there", done.stderr)
         self.assertEqual(done.stderr.count("still names"), 1)
@@ -254,6 +264,69 @@ class Companions(cli.CliTest):
         self.assertIn("lamp2.urdf.xacro' includes a changed file; name it, too", done.stderr)
         self.expect(0, "--rename", "joint:shoulder=hinge", ".")
         self.assertIn('"hinge"', self.companion("lamp2.srdf"))
+
+    def test_rename_of_names_behind_a_prefix(self):
+        for name, text in self.files.items():
+            self.write("lamp_moveit_config/config/" + name, text.replace("shoulder", "left_shoulder"))
+        xacro = URDF.replace('"shoulder"', '"${side}_shoulder"').replace(
+            '<robot name="lamp">', '<robot name="lamp" xmlns:xacro="x">\n  <xacro:macro name="body" params="side">') \
+            .replace("</robot>", "  </xacro:macro>\n  <xacro:body side=\"left\"/>\n</robot>")
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        self.write("lamp_description/urdf/lamp.urdf.xacro", xacro)
+        self.expect(0, "--rename", "joint:left_shoulder=left_hinge", ".")
+        self.assertEqual(self.read("lamp_description/urdf/lamp.urdf.xacro"), xacro.replace("_shoulder", "_hinge"))
+        for name, text in self.files.items():
+            self.assertEqual(self.companion(name), text.replace("shoulder", "left_hinge").replace("# left_hinge", "# left_shoulder"), name)
+        self.expect(0, "--rename", "joint:left_hinge=left_shoulder", ".")
+        self.assertEqual(self.read("lamp_description/urdf/lamp.urdf.xacro"), xacro)
+        # The prefix is written in the call.
+        self.expect(0, "--rename", "joint:left_shoulder=right_shoulder", ".")
+        self.assertEqual(self.read("lamp_description/urdf/lamp.urdf.xacro"), xacro.replace('"left"', '"right"'))
+        done = self.expect(2, "--rename", "joint:right_shoulder=hinge", ".")
+        self.assertIn("; choose a name like `right_NEW`" if "right_NEW" in done.stderr else "`rightNEW`", done.stderr)
+
+    def test_rename_of_names_that_macros_get(self):
+        xacro = URDF.replace('"shoulder"', '"${hinge}"').replace('name="hardware"', 'name="${hinge}_drive"').replace(
+            '<robot name="lamp">', '<robot name="lamp" xmlns:xacro="x">\n  <xacro:property name="prefix" value=""/>\n'
+            '  <xacro:macro name="body" params="hinge">').replace(
+            "</robot>", '  </xacro:macro>\n  <xacro:body hinge="${prefix}shoulder"/>\n</robot>')
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        self.write("lamp_description/urdf/lamp.urdf.xacro", xacro)
+        self.expect(0, "--rename", "joint:shoulder=knee", ".")
+        self.assertEqual(self.read("lamp_description/urdf/lamp.urdf.xacro"), xacro.replace("}shoulder", "}knee"))
+        self.expect(0, "--rename", "joint:knee=shoulder", ".")
+        self.assertEqual(self.read("lamp_description/urdf/lamp.urdf.xacro"), xacro)
+
+    def test_a_part_of_a_name_that_other_names_have_stays(self):
+        xacro = URDF.replace('"shoulder"', '"${side}_shoulder"').replace('link name="arm"', 'link name="${side}_arm"') \
+            .replace('child link="arm"', 'child link="${side}_arm"').replace('name="hardware"', 'name="${side}"') \
+            .replace('  <link name="base"/>\n', "") \
+            .replace('<robot name="lamp">', '<robot name="lamp" xmlns:xacro="x">\n  <link name="base"/>\n  <xacro:macro name="body" params="side">') \
+            .replace("</robot>", '  </xacro:macro>\n  <xacro:body side="left"/>\n  <xacro:body side="right"/>\n</robot>')
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        self.write("lamp_description/urdf/lamp.urdf.xacro", xacro)
+        done = self.expect(2, "--rename", "joint:left_shoulder=left_hinge", "lamp_description/urdf/lamp.urdf.xacro")
+        self.assertIn("also names the joint `right_shoulder`", done.stderr)
+        done = self.expect(2, "--rename", "link:left_arm=first_arm", "lamp_description/urdf/lamp.urdf.xacro")
+        self.assertIn("also names the", done.stderr)
+        self.assertEqual(self.read("lamp_description/urdf/lamp.urdf.xacro"), xacro)
+
+    def test_robots_that_share_a_part_are_renamed_together(self):
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        part = URDF.replace('  <link name="base"/>\n', "").replace('<robot name="lamp">', '<robot xmlns:xacro="x">')
+        self.write("lamp_description/urdf/arm.xacro", part)
+        robots = {name: f'<robot xmlns:xacro="x" name="{name}">\n  <link name="base"/>\n  <xacro:include filename="arm.xacro"/>\n</robot>\n'
+                  for name in ("lamp", "lamp2")}
+        for name, text in robots.items():
+            self.write(f"lamp_description/urdf/{name}.urdf.xacro", text)
+        self.expect(0, "--rename", "link:base=foot", ".")
+        for name, text in robots.items():
+            self.assertEqual(self.read(f"lamp_description/urdf/{name}.urdf.xacro"), text.replace('"base"', '"foot"'))
+        self.assertIn('<parent link="foot"/>', self.read("lamp_description/urdf/arm.xacro"))
+        # Without the part in common, they are two things.
+        for name, text in robots.items():
+            self.write(f"lamp_description/urdf/{name}.urdf.xacro", text.replace('  <xacro:include filename="arm.xacro"/>\n', ""))
+        self.assertIn("there are two", self.expect(2, "--rename", "link:base=foot", ".").stderr)
 
     def test_rename_of_joints_in_texts(self):
         more = CONTROLLERS.replace("[position]", "[position]", 1) + """    speed_scaling: {state_interface: shoulder/position}

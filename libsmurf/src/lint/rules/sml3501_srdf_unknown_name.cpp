@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/counted.hpp"
 #include "lint/companions/srdf_queries.hpp"
@@ -74,6 +77,8 @@ class Checker {
 
   void check_group(const Reference& one, xml::View element) {
     if (srdf_.find_group(one.name) != nullptr) return;
+    const auto [place, is_new] = groups_.insert({one.name, nullptr});
+    if (!is_new) return add_to(*place->second, one);
     std::vector<std::string_view> known;
     for (const srdf::Group& group : srdf_.groups) {
       if (group.name) known.push_back(*group.name);
@@ -81,9 +86,16 @@ class Checker {
     Diagnostic& found =
         findings_.report(one.span, subject_of(element) + " names the group " + quoted(one.name) +
                                        ", which this SRDF does not have");
+    place->second = &found;
     if (const auto near = findings_.suggest(one.name, known)) {
       found.help("did you mean " + quoted(*near) + "?");
       found.fixes.push_back({Applicability::unsafe, {{one.span, std::string(*near)}}});
+    } else if (!known.empty()) {
+      std::string names;
+      for (const std::string_view name : known) {
+        names += (names.empty() ? "" : ", ") + quoted(name);
+      }
+      found.help("add the group, or write one of " + shortened(names, 200));
     }
   }
 
@@ -92,6 +104,7 @@ class Checker {
   Findings& findings_;
   using Place = std::pair<bool, std::string_view>;  ///< whether it is in a pair of links
   std::map<Place, Diagnostic*> seen_;               ///< the first finding about a name
+  std::map<std::string_view, Diagnostic*> groups_;  ///< in the same way
   std::map<Diagnostic*, std::size_t> more_;
   Diagnostic* expression_ = nullptr;
 };

@@ -57,16 +57,19 @@ class State {
 };
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
-  for_each_srdf(companions, [&](const srdf::Description& srdf) {
-    for (const srdf::GroupState& state : srdf.states) {
-      State checker(state, findings);
-      for (const srdf::StateJoint& one : state.joints) {
-        const urdf::Joint* joint = one.name ? model.find_joint(*one.name) : nullptr;
-        if (joint != nullptr) checker.check(one, *joint);
-      }
-      checker.finish();
-    }
-  });
+  for_each_state(
+      model, companions,
+      [&](const srdf::Description&, const srdf::GroupState& state, const GroupJoints& joints) {
+        State checker(state, findings);
+        for (const srdf::StateJoint& one : state.joints) {
+          const urdf::Joint* joint = one.name ? model.find_joint(*one.name) : nullptr;
+          if (joint == nullptr) continue;
+          // SML3512 reports joints of other groups.
+          const bool is_inside = !joints.is_complete || joints.contains(model, *one.name);
+          if (is_inside) checker.check(one, *joint);
+        }
+        checker.finish();
+      });
 }
 
 constexpr Fact kFacts[] = {

@@ -6,6 +6,8 @@
 namespace smurf::rules::sml3516_srdf_end_effector_file {
 namespace {
 
+constexpr Circumstance kShared{"shared"};
+
 /// Whether a joint of the group moves the link.
 bool moves(const LinkedModel& model, const GroupJoints& joints, std::string_view link) {
   const auto index = model.link_index(link);
@@ -19,6 +21,25 @@ bool is_member(const srdf::Group& group, std::string_view link) {
   });
 }
 
+/// A plan for the parent group would move the fingers, too.
+void check_shared_joints(const LinkedModel& model, const srdf::EndEffector& one,
+                         const GroupJoints& own, const GroupJoints& parent, Findings& findings) {
+  std::string shared;
+  for (std::size_t i = 0; i < own.of_robot.size() && i < parent.of_robot.size(); ++i) {
+    const urdf::Joint& joint = model.robot->joints[i];
+    if (!own.of_robot[i] || !parent.of_robot[i] || !joint.is_movable() || !joint.name) continue;
+    shared += (shared.empty() ? "" : ", ") + quoted(*joint.name);
+  }
+  if (shared.empty()) return;
+  Diagnostic& found =
+      findings.report(one.parent_group.span, "the parent group " + quoted(*one.parent_group) +
+                                                 " of " + title_of("end effector", one.name) +
+                                                 " also moves " + shortened(shared, 200));
+  found.severity = Severity::info;
+  found.when(kShared);
+  found.help("write the group of the arm alone");
+}
+
 void check_parent_group(const LinkedModel& model, const srdf::Description& srdf,
                         const srdf::EndEffector& one, const srdf::Group& own, Findings& findings) {
   const srdf::Group* parent = one.parent_group ? srdf.find_group(*one.parent_group) : nullptr;
@@ -30,6 +51,7 @@ void check_parent_group(const LinkedModel& model, const srdf::Description& srdf,
     return;
   }
   const GroupJoints joints = joints_of(model, srdf, *parent);
+  check_shared_joints(model, one, joints_of(model, srdf, own), joints, findings);
   if (!one.parent_link || !joints.is_complete) return;
   if (moves(model, joints, *one.parent_link) || is_member(*parent, *one.parent_link)) return;
   findings
@@ -62,6 +84,8 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::moveit, Effect::takes, "plans for the parent group with these joints, too",
+     "moveit2 robot_model.cpp buildGroupsInfoEndEffectors", when(kShared)},
     {&readers::moveit, Effect::changes, "attaches the end effector to another group, or to none",
      "moveit2 robot_model.cpp buildGroupsInfoEndEffectors"},
 };

@@ -2,9 +2,12 @@
 #include <cmath>
 #include <optional>
 
+#include "base/counted.hpp"
 #include "base/numbers.hpp"
+#include "base/path.hpp"
 #include "base/words.hpp"
 #include "lint/companions/ros2_control.hpp"
+#include "smurf/xacro.hpp"
 
 namespace smurf::rules::sml3607_hardware_limit_file {
 namespace {
@@ -13,6 +16,7 @@ constexpr Circumstance kInitial{"initial"};
 constexpr Circumstance kNotANumber{"not a number"};
 constexpr Circumstance kWider{"wider"};
 constexpr Circumstance kAbove{"above"};
+constexpr Circumstance kZero{"zero"};
 constexpr Circumstance kOther{"other interface"};
 
 constexpr double kSlack = 1e-6;  // rad or m: rounding errors
@@ -26,9 +30,29 @@ struct Limit {
   std::optional<double> value;
 };
 
+/// Limits of one kind in an element ros2_control: the first is a finding, the others are counted.
+class Repeated {
+ public:
+  /// Whether a finding is the first.
+  bool is_first() {
+    ++count_;
+    return count_ == 1;
+  }
+  void set(Diagnostic& first) { first_ = &first; }
+  void finish() {
+    if (count_ < 2) return;
+    first_->note("this also applies to " + counted(count_ - 1, "more limit") +
+                 " of this ros2_control");
+  }
+
+ private:
+  Diagnostic* first_ = nullptr;
+  std::size_t count_ = 0;
+};
+
 /// Reads `min` or `max`; reports a text that is not a number.
 Limit read_limit(const HardwareInterface& one, std::string_view name, const std::string& title,
-                 Findings& findings) {
+                 bool is_xacro, Repeated& wrong, Findings& findings) {
   const xml::View element = one.parameter_element(name);
   if (!element) return {};
   const std::string_view text = trimmed(element.text());
@@ -38,18 +62,58 @@ Limit read_limit(const HardwareInterface& one, std::string_view name, const std:
   if (value || is_infinite || !is_limited_interface(one.name)) {
     return {element, value};
   }
+  // SML3408 reports braces without `$` in xacro.
+  const bool is_sum = text.starts_with('{') && text.find_first_of("+-*/") != text.npos;
+  if ((is_xacro && is_sum) || !wrong.is_first()) return {};
   const Span place = element.text_span().empty() ? element.name_span() : element.text_span();
   Diagnostic& found = findings.report(
       place, quoted(name) + " of the " + quoted(one.name) + " interface of " + title +
                  (text.empty() ? " is empty" : " is " + quoted(text) + ", not a number"));
+  wrong.set(found);
   found.when(kNotANumber);
-  const bool is_expression = text.starts_with('{') || text.find("pi") != std::string_view::npos;
-  found.help(is_expression ? "write a number; xacro computes it from `${...}`" : "write a number");
+  const bool is_expression = text.find("pi") != std::string_view::npos;
+  found.help(text.starts_with('{') ? "write `$" + std::string(text) + "`, which xacro computes"
+             : is_expression       ? "write a number; xacro computes it from `${...}`"
+                                   : "write a number");
   return {};
 }
 
+/// Whether limits are not switched off.
+bool has_limits(const HardwareInterface& one) {
+  for (const xml::View child : one.element) {
+    if (child.name() == "limits" && path::to_lower(attribute_text(child, "enable")) == "false") {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Of velocities and efforts, the smaller limit counts.
+void check_most(const HardwareInterface& one, const std::string& title, const urdf::Joint& joint,
+                const Limit& max, const Field<double>& most, Repeated& wider, Findings& findings) {
+  if (!max.value) return;
+  if (*max.value == 0.0) {
+    Diagnostic& found =
+        findings.report(max.element.text_span(),
+                        "`max` of the " + quoted(one.name) + " interface of " + title + " is 0");
+    found.when(kZero);
+    found.help("write the highest " + std::string(one.name) + ", or delete the limit");
+    return;
+  }
+  if (!most || *max.value <= *most + kSlack || !wider.is_first()) return;
+  Diagnostic& found = findings.report(max.element.text_span(),
+                                      title + " allows the " + std::string(one.name) + " " +
+                                          format_rounded(*max.value) + ", above the limit " +
+                                          format_rounded(*most) + " of the joint");
+  wider.set(found);
+  found.when(kWider);
+  found.severity = Severity::info;
+  found.label(joint.name.span, "the joint is defined here")
+      .help("write a limit within that of the joint; the smaller one counts");
+}
+
 void check_range(const HardwareInterface& one, const std::string& title, const urdf::Joint* joint,
-                 const Limit& min, const Limit& max, Findings& findings) {
+                 const Limit& min, const Limit& max, Repeated& wider, Findings& findings) {
   if (min.value && max.value && *min.value > *max.value) {
     findings
         .report(min.element.text_span(), "`min` of the " + quoted(one.name) + " interface of " +
@@ -58,18 +122,26 @@ void check_range(const HardwareInterface& one, const std::string& title, const u
         .help("swap them");
     return;
   }
-  if (joint == nullptr || one.name != "position" || !joint->limit) return;
+  if (joint == nullptr || !joint->limit) return;
+  if (is_one_of(one.name, {"velocity", "effort"})) {
+    const Field<double>& most =
+        one.name == "effort" ? joint->limit->effort : joint->limit->velocity;
+    check_most(one, title, *joint, max, most, wider, findings);
+    return;
+  }
+  if (one.name != "position") return;
   const bool has_range =
       joint->type == urdf::JointType::revolute || joint->type == urdf::JointType::prismatic;
   if (!has_range || !joint->limit->lower || !joint->limit->upper) return;
   const double lower = *joint->limit->lower, upper = *joint->limit->upper;
   const bool is_low = min.value && *min.value < lower - kSlack;
   const bool is_high = max.value && *max.value > upper + kSlack;
-  if (!is_low && !is_high) return;
+  if ((!is_low && !is_high) || !wider.is_first()) return;
   const xml::View element = is_low ? min.element : max.element;
   Diagnostic& found = findings.report(element.text_span(),
                                       title + " allows positions beyond the limits of the joint, " +
                                           format_rounded(lower) + " to " + format_rounded(upper));
+  wider.set(found);
   found.when(kWider);
   found.severity = Severity::info;
   found.label(joint->name.span, "the joint is defined here")
@@ -112,7 +184,8 @@ void check_initial(const HardwareInterface& one, const std::string& title, const
   const bool is_beyond =
       value && ((min.value && *value < *min.value) || (max.value && *value > *max.value));
   const bool has_type = one.element.attribute("data_type") != nullptr;
-  if ((value && !is_beyond) || text.empty() || has_type) return;
+  const bool is_empty_range = min.value && max.value && *min.value > *max.value;
+  if ((value && (!is_beyond || is_empty_range)) || text.empty() || has_type) return;
   const Span place = element.text_span().empty() ? element.name_span() : element.text_span();
   Diagnostic& found =
       findings.report(place, "the initial value " + quoted(text) + " of the " + quoted(one.name) +
@@ -136,24 +209,28 @@ void check_above(const HardwarePart& part, const std::string& title, Findings& f
 }
 
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
+  const bool is_xacro = xacro::is_xacro_file(model.urdf_path);
   for (const Hardware& hardware : hardware_of(model)) {
+    Repeated wrong, wider;
     for (const HardwarePart& part : hardware.parts) {
       if (!part.is_joint()) continue;
       const urdf::Joint* joint = model.find_joint(part.name);
       const std::string title = title_of(part, hardware);
       check_above(part, title, findings);
       for (const HardwareInterface& one : part.interfaces) {
-        const Limit min = read_limit(one, "min", title, findings);
-        const Limit max = read_limit(one, "max", title, findings);
+        const Limit min = read_limit(one, "min", title, is_xacro, wrong, findings);
+        const Limit max = read_limit(one, "max", title, is_xacro, wrong, findings);
         if (one.is_command) {
           check_finite(one, title, min, max, findings);
           check_finite(one, title, max, min, findings);
-          check_range(one, title, joint, min, max, findings);
+          if (has_limits(one)) check_range(one, title, joint, min, max, wider, findings);
           check_other(one, title, min, max, findings);
         }
         check_initial(one, title, min, max, findings);
       }
     }
+    wrong.finish();
+    wider.finish();
   }
 }
 
@@ -168,6 +245,8 @@ constexpr Fact kFacts[] = {
      when(kOther)},
     {&readers::ros2_control, Effect::loses, "passes it to the hardware and limits nothing", kParser,
      when(kAbove)},
+    {&readers::ros2_control, Effect::changes, "does not let the joint move (from Jazzy on)",
+     kParser, when(kZero)},
     {&readers::ros2_control, Effect::ignores, "uses the narrower limits", kParser, when(kWider)},
     {&readers::ros2_control, Effect::changes, "leaves the value to the hardware or the simulator",
      kParser, when(kInitial)},

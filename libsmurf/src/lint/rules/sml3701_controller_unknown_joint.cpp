@@ -34,6 +34,12 @@ bool lists(const RosController& controller, std::string_view joint) {
   return false;
 }
 
+bool has_unknown_joint(const LinkedModel& model, const RosController& controller) {
+  const std::vector<yaml::View> joints = controller.list("joints");
+  return std::any_of(joints.begin(), joints.end(),
+                     [&](yaml::View joint) { return !model.joint_index(joint.text()); });
+}
+
 /// Whether the robot has none of the joints of a controller, which is then for another robot.
 bool is_foreign(const std::vector<Reference>& references, const RosController& controller) {
   return std::none_of(references.begin(), references.end(), [&](const Reference& one) {
@@ -47,6 +53,8 @@ void check_reference_of(const LinkedModel& model, const RosController& controlle
   if (one.is_vague) {
     // `gains` and `constraints`: names of joints of the controller.
     if (controller.list("joints").empty() || lists(controller, one.name)) return;
+    // Then it is `joints` that has another name than meant.
+    if (model.joint_index(one.name) && has_unknown_joint(model, controller)) return;
     Diagnostic& found =
         findings.report(one.span, title_of(controller) + " has settings for the joint " +
                                       quoted(one.name) + ", which is not one of its joints");

@@ -41,8 +41,12 @@ void check_mapping(yaml::View mapping, const std::string& prefix,
     Diagnostic& found =
         findings.report(member.key_span(), title_of(controller) + " has no parameter " +
                                                quoted(prefix + std::string(member.key())));
-    found.help("did you mean " + quoted(*near) + "?");
-    if (mapping.find(*near)) continue;
+    const std::string group = prefix + std::string(*near) + ".";
+    const bool is_group = std::any_of(known.begin(), known.end(), [&](const RosParameter& one) {
+      return one.path.starts_with(group);
+    });
+    found.help("did you mean " + quoted(*near) + (is_group ? ", which is a mapping?" : "?"));
+    if (is_group || mapping.find(*near)) continue;
     found.fixes.push_back({Applicability::unsafe, {{member.key_span(), std::string(*near)}}});
   }
 }

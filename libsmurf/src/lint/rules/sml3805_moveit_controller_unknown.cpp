@@ -17,19 +17,24 @@ namespace {
 constexpr Circumstance kJoints{"joints"};
 constexpr Circumstance kGroup{"group"};
 
-/// A controller of ros2_control, and whether its joints are known.
+/// A controller of ros2_control.
 struct Declared {
   std::set<std::string_view> joints;
+  bool has_unknown = false;  ///< joints that the robot does not have, which SML3701 reports
   Span place;
 };
 
-std::map<std::string_view, Declared> declared_in(const Companions& companions) {
+std::map<std::string_view, Declared> declared_in(const LinkedModel& model,
+                                                 const Companions& companions) {
   std::map<std::string_view, Declared> all;
   for_each_controller_file(companions, [&](const ControllerFile& file) {
     for (const RosController& one : file.controllers) {
       Declared& declared = all[one.name];
       declared.place = one.place;
-      for (const yaml::View joint : one.list("joints")) declared.joints.insert(joint.text());
+      for (const yaml::View joint : one.list("joints")) {
+        declared.joints.insert(joint.text());
+        if (!model.joint_index(joint.text())) declared.has_unknown = true;
+      }
     }
   });
   return all;
@@ -43,7 +48,7 @@ std::string_view without_namespace(std::string_view name) {
 
 void check_joints(yaml::View controller, const Declared& declared, Findings& findings) {
   const yaml::View joints = controller.find("joints");
-  if (!joints || !joints.is_sequence() || declared.joints.empty()) return;
+  if (!joints || !joints.is_sequence() || declared.joints.empty() || declared.has_unknown) return;
   std::string missing;
   for (const yaml::View joint : joints) {
     if (!joint.is_scalar() || is_placeholder(joint.text())) return;
@@ -79,6 +84,7 @@ void check_manager(yaml::View root, const std::map<std::string_view, Declared>& 
       if (controller && controller.is_mapping()) check_joints(controller, known->second, findings);
       continue;
     }
+    if (!controller) continue;  // SML3804
     std::vector<std::string_view> candidates;
     for (const auto& [one, where] : declared) candidates.push_back(one);
     Diagnostic& found = findings.report(
@@ -138,7 +144,7 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
                   if (only == nullptr || file.folder != only->folder) return;
                   Groups(model, *only->srdf).check(root, findings);
                 });
-  const std::map<std::string_view, Declared> declared = declared_in(companions);
+  const std::map<std::string_view, Declared> declared = declared_in(model, companions);
   if (declared.empty()) return;  // they may be on the robot
   for_each_file(companions, CompanionKind::moveit_controllers,
                 [&](const Companion& file, yaml::View root) {
