@@ -355,6 +355,47 @@ chained:
         self.write("lamp_bringup/settings/all.yaml", CONTROLLERS.replace("rate: 100", "rate: 0"))
         self.assertIn("SML3707", self.expect(1, ".").stdout)
 
+    def test_meshes_of_a_package_in_a_folder_of_another_name(self):
+        arm = URDF.replace('<link name="base"/>', '<link name="base"><visual><geometry><mesh filename="package://lamp_meshes/foot.stl"/></geometry>'
+                           "</visual></link>")
+        self.write("lamp_description/urdf/lamp.urdf", arm)
+        self.write("lamp_moveit_config/config/lamp.urdf.xacro", '<robot xmlns:xacro="x" name="lamp">\n'
+                   '  <xacro:include filename="$(find lamp_description)/urdf/lamp.urdf"/>\n</robot>\n')
+        self.write("shapes/package.xml", package("lamp_meshes"))
+        path = "lamp_moveit_config/config/lamp.urdf.xacro"
+        self.assertIn("file not found: `package://lamp_meshes/foot.stl`", self.expect(1, path).stdout)
+        self.write("shapes/foot.stl", "solid foot\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0.1 0 0\nvertex 0 0.1 0.1\n"
+                   "endloop\nendfacet\nendsolid foot\n")
+        self.assertNotIn("SML1604", self.expect(None, path).stdout)
+
+    def test_robots_that_were_not_expanded_are_counted(self):
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        self.write("lamp_description/urdf/lamp.urdf.xacro", URDF.replace('name="lamp"', 'name="$(arg name)" xmlns:xacro="x"'))
+        self.assertIn("1 robot was not checked, because arguments have no value", self.expect(0, ".").stdout)
+        self.assertNotIn("was not checked", self.expect(0, "lamp_description/urdf/lamp.urdf.xacro", "name:=lamp").stdout)
+
+    def test_variants_of_a_robot_have_one_title(self):
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        self.write("lamp_description/urdf/lamp.urdf.xacro", URDF.replace('name="lamp"', 'name="lamp" xmlns:xacro="x"').replace(
+            '<mass value="0.5"/>', '<mass value="$(arg mass)"/>').replace('"0 1 0"', '"$(arg axis)"'))
+        self.write("other.urdf", "<robot/>\n")
+        self.write(".smurf-lint.yaml", "xacro:\n- file: lamp_description/urdf/lamp.urdf.xacro\n  arguments: {mass: [-1, -2], axis: 0 0 0}\n")
+        done = self.expect(1, ".")
+        self.assertEqual(done.stdout.count("lamp.urdf.xacro: "), 1, done.stdout)
+        self.assertIn("with mass:=-2", done.stdout)
+
+    def test_controllers_that_a_package_exports(self):
+        text = CONTROLLERS.replace("    update_rate: 100\n", "    update_rate: 100\n    glow:\n      type: lamp_description/Glow\n") + "glow:\n  ros__parameters: {}\n"
+        self.write("lamp_moveit_config/config/ros2_controllers.yaml", text)
+        self.assertNotIn("SML3704", self.expect(0, ".").stdout)  # the package exports nothing
+        plugins = '<library path="glow">\n  <class name="lamp_description/{}" type="lamp::Glow" base_class_type="controller_interface::ControllerInterface"/>\n</library>\n'
+        self.write("lamp_description/controllers.xml", plugins.format("GlowController"))
+        done = self.expect(None, ".")
+        self.assertIn("controller `glow` has the unknown type `lamp_description/Glow`", done.stdout)
+        self.assertIn("`lamp_description/GlowController`", done.stdout)
+        self.write("lamp_description/controllers.xml", plugins.format("Glow"))
+        self.assertNotIn("SML3704", self.expect(0, ".").stdout)
+
     def test_targets(self):
         self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace('tip_link="arm"', 'tip_link="amr"'))
         done = self.expect(1, "--target", "moveit", ".")
