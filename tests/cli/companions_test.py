@@ -176,6 +176,28 @@ class Companions(cli.CliTest):
         self.expect(0, "--rename", "joint:shoulder=hinge", ".")
         self.assertEqual(self.companion("fake_controllers.yaml"), lists.replace("shoulder", "hinge"))
 
+    def test_controllers_of_ros_1_are_renamed(self):
+        lists = """lamp:
+  hardware_interface:
+    joints:
+      - shoulder
+    sim_control_mode: 1
+  joint_state_controller: {type: joint_state_controller/JointStateController}
+  controller_list:
+    - name: arm
+      joints: [shoulder]
+arm:
+  type: effort_controllers/JointTrajectoryController
+  joints: [shoulder, other]
+  gains:
+    shoulder: {p: 1}
+"""
+        self.write("lamp_moveit_config/config/ros_controllers.yaml", lists)
+        self.expect(0, "--rename", "joint:shoulder=hinge", ".")
+        self.assertEqual(self.companion("ros_controllers.yaml"), lists.replace("shoulder", "hinge"))
+        self.expect(0, "--rename", "joint:hinge=shoulder", ".")
+        self.assertEqual(self.companion("ros_controllers.yaml"), lists)
+
     def test_an_srdf_in_xacro(self):
         (self.folder / "lamp_moveit_config/config/lamp.srdf").unlink()
         macro = SRDF.replace('<robot name="lamp">', '<robot xmlns:xacro="x">\n<xacro:macro name="groups" params="name">') \

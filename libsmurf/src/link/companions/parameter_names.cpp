@@ -139,6 +139,32 @@ void add_of_kinematics(yaml::View root, ReferenceFinder& finder) {
   }
 }
 
+/// Controllers of ROS 1 and their hardware, which the setup assistant writes beside the list of
+/// MoveIt.
+void add_of_ros_control(yaml::View part, ReferenceFinder& finder) {
+  const auto add_known = [&](yaml::View scalar) {
+    if (scalar.is_scalar()) {
+      finder.add_if_known(NameKind::joint, scalar.text(), place_of_name(scalar));
+    }
+  };
+  for (const std::string_view key : {"joints", "joint"}) {
+    const yaml::View joints = part.find(key);
+    if (!joints) continue;
+    add_known(joints);
+    if (!joints.is_sequence()) continue;
+    for (const yaml::View joint : joints) add_known(joint);
+  }
+  for (const std::string_view key : {"gains", "constraints", "limits"}) {
+    const yaml::View settings = part.find(key);
+    if (!settings || !settings.is_mapping()) continue;
+    for (const yaml::View one : settings) {
+      if (!one.is_repeated()) {
+        finder.add_if_known(NameKind::joint, one.key(), place_of_key(one));
+      }
+    }
+  }
+}
+
 void add_of_moveit_controllers(yaml::View root, ReferenceFinder& finder) {
   for (const yaml::View member : root) {
     if (member.is_sequence() && member.key() == "controller_list") {  // ROS 1
@@ -160,6 +186,7 @@ void add_of_moveit_controllers(yaml::View root, ReferenceFinder& finder) {
     } else if (member.find("allowed_start_tolerance_joints")) {
       add_keys({NameKind::joint}, member.find("allowed_start_tolerance_joints"), finder);
     } else {
+      add_of_ros_control(member, finder);
       add_of_moveit_controllers(member, finder);
     }
   }
