@@ -469,7 +469,7 @@ class Names(LspTest):
         self.expect_soon(self.motors, [])
 
     def test_rename_in_models_that_share_a_file(self):
-        """If each has a joint of its own that the same list of motors names, the reason states this."""
+        """The joints of all robots that the same list of motors names are renamed together."""
         robot = ('<robot name="r"><link name="a"/><link name="b"/><joint name="JOINT" type="continuous">'
                  '<parent link="a"/><child link="b"/></joint></robot>\n')
         for model in "ab":
@@ -477,9 +477,10 @@ class Names(LspTest):
             self.write(f"shared/{model}.urdf", robot.replace("JOINT", "elbow"))
         motors = self.write("shared/m.yml", "motors:\n- {name: m, joint: elbow}\n")
         self.open(motors)
-        with self.assertRaisesRegex(client.RequestError, "there are two: the joint `elbow` of .*/a.urdf:1:62 and that "
-                                    "of .*/b.urdf:1:62$"):
-            self.client.at("textDocument/rename", motors, self.find(motors, "elbow") + 1, newName="knee")
+        edit = self.client.at("textDocument/rename", motors, self.find(motors, "elbow") + 1, newName="knee")
+        changed = {pathlib.Path(path_of(one["textDocument"]["uri"])).name for one in edit["documentChanges"]}
+        self.assertEqual(changed, {"a.urdf", "b.urdf", "m.yml"})
+        self.assertEqual(self.applied(motors, edit), "motors:\n- {name: m, joint: knee}\n")
         # The name of the shared file is reported, and so is a joint of a shared robot.
         edit = self.client.at("textDocument/rename", motors, self.find(motors, "m, joint"), newName="drive")
         self.assertEqual(self.applied(motors, edit), "motors:\n- {name: drive, joint: elbow}\n")

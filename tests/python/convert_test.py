@@ -128,7 +128,7 @@ def test_notebooks():
 def test_fixes(tmp_path):
     """As smurf-lint --fix leaves the files."""
     changed = {}
-    folders = sorted(inputs.FIXTURES.glob("rules/*/bad"))[::7] + [inputs.FIXTURES / "rules/SML1424-irrelevant-child/bad"]
+    folders = sorted({*sorted(inputs.FIXTURES.glob("rules/*/bad"))[::3], inputs.FIXTURES / "rules/SML1424-irrelevant-child/bad"})
     for unsafe, infos in ((False, False), (True, False), (True, True)):
         words = ["--fix", *(["--unsafe-fixes"] if unsafe else []), *(["--min-severity", "info"] if infos else [])]
         for bad in folders:

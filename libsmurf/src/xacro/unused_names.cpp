@@ -70,7 +70,8 @@ void collect(const Node& node, std::vector<Definition>& all) {
 /// Whether a name occurs outside of its definitions, as a word that is no name of an attribute.
 bool Expander::is_used(std::string_view name, const std::vector<Span>& definitions) const {
   for (const auto& [path, file] : files_) {
-    const std::string_view text = context_.sources.text(file->source);
+    const SourceId source = file->source;
+    const std::string_view text = context_.sources.text(source);
     for (std::size_t at = text.find(name); at != std::string_view::npos;
          at = text.find(name, at + 1)) {
       const std::size_t end = at + name.size();
@@ -80,7 +81,7 @@ bool Expander::is_used(std::string_view name, const std::vector<Span>& definitio
       const std::size_t next = std::min(text.find_first_not_of(" \t\r\n", end), text.size());
       if (text.substr(next, 1) == "=" && text.substr(next, 2) != "==") continue;
       const bool is_definition = std::any_of(definitions.begin(), definitions.end(), [&](Span one) {
-        return one.source == file->source && one.begin <= at && end <= one.end;
+        return one.source == source && one.begin <= at && end <= one.end;
       });
       if (!is_definition) return true;
     }
