@@ -53,13 +53,7 @@ Setter set_severity(std::map<std::string, Severity>& severities) {
   };
 }
 
-/// Ids, then names.
-std::vector<std::string_view> rule_words() {
-  std::vector<std::string_view> words;
-  for (const Rule* rule : all_rules()) words.push_back(rule->id);
-  for (const Rule* rule : all_rules()) words.push_back(rule->name);
-  return words;
-}
+std::vector<std::string_view> ids_and_names() { return rule_words(); }
 
 std::vector<std::string_view> rule_ids() {
   std::vector<std::string_view> ids;
@@ -115,13 +109,13 @@ std::vector<Option> rule_options(LintOptions& options) {
        .name = "select",
        .metavar = "IDS",
        .help = "Check only these rules: ids, names or prefixes such as SML3, separated by commas.",
-       .suggestions = rule_words,
+       .suggestions = ids_and_names,
        .set = append_rules(options.selection.select)},
       {.group = "Rules",
        .name = "ignore",
        .metavar = "IDS",
        .help = "Check all but these rules.",
-       .suggestions = rule_words,
+       .suggestions = ids_and_names,
        .set = append_rules(options.selection.ignore)},
       {.group = "Rules",
        .name = "target",

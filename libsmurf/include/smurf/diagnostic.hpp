@@ -316,6 +316,9 @@ class DiagnosticSink {
 
 /// All rules, ascending by id.
 std::span<const Rule* const> all_rules();
+/// The ids of all rules, then their names. Always the same list, so that all searches for names to
+/// suggest use one index of it.
+const std::vector<std::string_view>& rule_words();
 
 /// Accepts an id ("SML3101") or a name ("unknown-joint"); null if there is no such rule.
 const Rule* find_rule(std::string_view id_or_name);

@@ -178,6 +178,16 @@ std::span<const Rule* const> all_rules() {
   return sorted;
 }
 
+const std::vector<std::string_view>& rule_words() {
+  static const std::vector<std::string_view> words = [] {
+    std::vector<std::string_view> all;
+    for (const Rule* rule : all_rules()) all.push_back(rule->id);
+    for (const Rule* rule : all_rules()) all.push_back(rule->name);
+    return all;
+  }();
+  return words;
+}
+
 const Rule* find_rule(std::string_view id_or_name) {
   for (const Rule* rule : all_rules()) {
     if (rule->id == id_or_name || rule->name == id_or_name) return rule;

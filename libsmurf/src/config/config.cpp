@@ -352,7 +352,7 @@ class ConfigReader {
 
   bool is_rule(yaml::View value, std::string_view pattern, Span place) {
     if (!rules_matching(pattern).empty()) return true;
-    const std::vector<std::string_view> words = rule_words();
+    const std::vector<std::string_view>& words = rule_words();
     suggest(wrong(value, place, "there is no rule " + quoted(pattern)), pattern, words, place);
     return false;
   }

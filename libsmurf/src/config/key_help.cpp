@@ -201,16 +201,12 @@ ValueForm form_of(SettingType type) {
 }
 
 std::vector<std::string_view> choices_of(SettingType type) {
-  std::vector<std::string_view> choices;
   switch (type) {
   case SettingType::boolean: return {std::begin(kBooleans), std::end(kBooleans)};
   case SettingType::threshold: return {std::begin(kThresholds), std::end(kThresholds)};
   case SettingType::levels: return {std::begin(kLevels), std::end(kLevels)};
   case SettingType::targets: return target_names();
-  case SettingType::rules:
-    for (const Rule* rule : all_rules()) choices.push_back(rule->id);
-    for (const Rule* rule : all_rules()) choices.push_back(rule->name);
-    return choices;
+  case SettingType::rules: return rule_words();
   default: return {};
   }
 }

@@ -19,15 +19,6 @@ inline std::string listed(std::span<const std::string_view> names) {
   return list;
 }
 
-inline std::vector<std::string_view> rule_words() {
-  std::vector<std::string_view> words;
-  for (const Rule* rule : all_rules()) {
-    words.push_back(rule->id);
-    words.push_back(rule->name);
-  }
-  return words;
-}
-
 inline std::optional<Severity> to_severity(std::string_view word) {
   for (const Severity severity : {Severity::error, Severity::warning, Severity::info}) {
     if (to_string(severity) == word) return severity;

@@ -81,10 +81,7 @@ bool has_run(std::string_view name, const RuleSelection& selection, FileSelectio
 void report_unknown_rule(Span span, std::string_view name, DiagnosticSink& sink) {
   Diagnostic& diagnostic = sink.report(rules::sml9102_unknown_rule, span,
                                        "there is no rule `" + std::string(name) + "`");
-  std::vector<std::string_view> known;
-  for (const Rule* rule : all_rules()) known.push_back(rule->id);
-  for (const Rule* rule : all_rules()) known.push_back(rule->name);
-  if (const auto near = sink.suggest(name, known)) {
+  if (const auto near = sink.suggest(name, rule_words())) {
     diagnostic.help("did you mean `" + std::string(*near) + "`?");
     diagnostic.fixes.push_back({Applicability::unsafe, {{span, std::string(*near)}}});
   }
