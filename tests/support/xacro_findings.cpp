@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -42,6 +43,26 @@ bool is_of_xacro(const Diagnostic& one) {
   return one.rule->id.starts_with("SML33") || one.rule->id.starts_with("SML34");
 }
 
+/// Braces without `$`: of xacro, SML3408 reports them instead.
+bool is_of_braces(const Diagnostic& one, Span span, const SourceMap& sources) {
+  return one.rule->id == "SML3607" && sources.text(span).starts_with('{');
+}
+
+/// The packages in which the meshes are looked up: for a xacro file, also those that $(find) finds.
+std::map<std::string, std::string> packages_of(const LinkedModel& model) {
+  constexpr std::string_view kScheme = "package://";
+  std::map<std::string, std::string> packages;
+  for (const MeshReference& mesh : model.meshes) {
+    const std::size_t slash = mesh.filename.find('/', kScheme.size());
+    if (!mesh.filename.starts_with(kScheme) || slash == std::string::npos) continue;
+    const std::string rest = mesh.filename.substr(slash);
+    if (!mesh.path.ends_with(rest)) continue;
+    packages.emplace(mesh.filename.substr(kScheme.size(), slash - kScheme.size()),
+                     mesh.path.substr(0, mesh.path.size() - rest.size()));
+  }
+  return packages;
+}
+
 /// Prints the differences; -1 if the file makes no robot.
 int compare(const std::string& path, const std::string& arguments) {
   const CheckSettings settings = settings_of(arguments);
@@ -52,7 +73,7 @@ int compare(const std::string& path, const std::string& arguments) {
   const auto& [source, expansion] = *expansions->begin();
   std::set<Key> direct;
   for (const Diagnostic& one : session.check(loaded).diagnostics) {
-    if (is_of_xacro(one)) continue;
+    if (is_of_xacro(one) || is_of_braces(one, one.span, *loaded.sources)) continue;
     direct.emplace(one.rule->id, loaded.sources->path(one.span.source), one.span.begin,
                    one.span.end);
   }
@@ -62,6 +83,7 @@ int compare(const std::string& path, const std::string& arguments) {
   of_result.set_text(urdf, std::string(loaded.sources->text(source)));
   CheckSettings plain = settings;
   plain.xacro = {};
+  plain.packages = packages_of(loaded.model);
   LoadedModel result = of_result.load_model(urdf, plain);
   const auto result_path = std::filesystem::path(urdf).lexically_normal();
   std::set<Key> moved;
@@ -71,6 +93,7 @@ int compare(const std::string& path, const std::string& arguments) {
     if (std::filesystem::path(file).lexically_normal() == result_path) {
       span = expansion.origin_of({source, span.begin, span.end}).span;
       file = loaded.sources->path(span.source);
+      if (is_of_braces(one, span, *loaded.sources)) continue;
     }
     moved.emplace(one.rule->id, file, span.begin, span.end);
   }
