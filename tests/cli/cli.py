@@ -38,6 +38,13 @@ TOOL = None
 FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
 
 
+def package(name, *needs):
+    """The package.xml of a package of ROS 2."""
+    lines = "".join(f"  <depend>{need}</depend>\n" for need in needs)
+    return (f'<package format="3">\n  <name>{name}</name>\n{lines}'
+            "  <export><build_type>ament_cmake</build_type></export>\n</package>\n")
+
+
 def is_sanitized(program):
     """Whether the tool was built with AddressSanitizer, which needs several times as much memory."""
     word = b"__asan_init"
@@ -59,6 +66,11 @@ class CliTest(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="smurf-cli-"))
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def enter_workspace(self):
+        """Moves the current folder down: packages are also looked for in the folders beside it, where other tests have theirs."""
+        self.folder = self.folder / "workspace/src"
+        self.folder.mkdir(parents=True)
 
     def leave_repository(self):
         """Moves the current folder out of the build folder, into a place without a repository or package around it."""

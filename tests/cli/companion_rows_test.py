@@ -257,17 +257,12 @@ ROWS = [
 ]
 
 
-def package(name, *needs):
-    lines = "".join(f"  <depend>{need}</depend>\n" for need in needs)
-    return (f'<package format="3">\n  <name>{name}</name>\n{lines}'
-            "  <export><build_type>ament_cmake</build_type></export>\n</package>\n")
-
-
 class CompanionRows(cli.CliTest):
     def setUp(self):
         super().setUp()
-        self.write("lamp_description/package.xml", package("lamp_description"))
-        self.write("lamp_moveit_config/package.xml", package("lamp_moveit_config", "lamp_description"))
+        self.enter_workspace()
+        self.write("lamp_description/package.xml", cli.package("lamp_description"))
+        self.write("lamp_moveit_config/package.xml", cli.package("lamp_moveit_config", "lamp_description"))
         for path, text in FILES.values():
             self.write(path, text)
 

@@ -67,18 +67,13 @@ MOVEIT = """moveit_simple_controller_manager:
 """
 
 
-def package(name, *needs):
-    lines = "".join(f"  <depend>{need}</depend>\n" for need in needs)
-    return (f'<package format="3">\n  <name>{name}</name>\n{lines}'
-            "  <export><build_type>ament_cmake</build_type></export>\n</package>\n")
-
-
 class Companions(cli.CliTest):
     def setUp(self):
         super().setUp()
-        self.write("lamp_description/package.xml", package("lamp_description"))
+        self.enter_workspace()
+        self.write("lamp_description/package.xml", cli.package("lamp_description"))
         self.write("lamp_description/urdf/lamp.urdf", URDF)
-        self.write("lamp_moveit_config/package.xml", package("lamp_moveit_config", "lamp_description"))
+        self.write("lamp_moveit_config/package.xml", cli.package("lamp_moveit_config", "lamp_description"))
         self.files = {"lamp.srdf": SRDF, "joint_limits.yaml": LIMITS, "kinematics.yaml": KINEMATICS,
                       "moveit_controllers.yaml": MOVEIT, "ros2_controllers.yaml": CONTROLLERS}
         for name, text in self.files.items():
@@ -116,7 +111,7 @@ class Companions(cli.CliTest):
             self.assertIn("did you mean `shoulder`?", done.stdout)
 
     def test_a_package_that_does_not_depend_on_it_is_another_robot(self):
-        self.write("lamp_moveit_config/package.xml", package("lamp_moveit_config"))
+        self.write("lamp_moveit_config/package.xml", cli.package("lamp_moveit_config"))
         self.write("lamp_moveit_config/config/joint_limits.yaml", LIMITS.replace("1.5", "1"))
         self.assertNotIn("SML3801", self.expect(0, "lamp_description").stdout)
 
@@ -368,7 +363,7 @@ chained:
         plugin = ('  <gazebo>\n    <plugin filename="gz_ros2_control-system" name="control">\n'
                   "      <parameters>$(find lamp_bringup)/settings/all.yaml</parameters>\n    </plugin>\n  </gazebo>\n</robot>")
         (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
-        self.write("lamp_bringup/package.xml", package("lamp_bringup"))
+        self.write("lamp_bringup/package.xml", cli.package("lamp_bringup"))
         self.write("lamp_description/urdf/lamp.urdf.xacro", URDF.replace("<robot ", '<robot xmlns:xacro="x" ').replace("</robot>", plugin))
         done = self.expect(0, ".")
         self.assertIn("all.yaml`, which does not exist", done.stdout)
@@ -383,7 +378,7 @@ chained:
         self.write("lamp_description/urdf/lamp.urdf", arm)
         self.write("lamp_moveit_config/config/lamp.urdf.xacro", '<robot xmlns:xacro="x" name="lamp">\n'
                    '  <xacro:include filename="$(find lamp_description)/urdf/lamp.urdf"/>\n</robot>\n')
-        self.write("shapes/package.xml", package("lamp_meshes"))
+        self.write("shapes/package.xml", cli.package("lamp_meshes"))
         path = "lamp_moveit_config/config/lamp.urdf.xacro"
         self.assertIn("file not found: `package://lamp_meshes/foot.stl`", self.expect(1, path).stdout)
         self.write("shapes/foot.stl", "solid foot\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0.1 0 0\nvertex 0 0.1 0.1\n"

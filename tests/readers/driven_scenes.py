@@ -129,9 +129,10 @@ class Entity:
         self.turn, self.place = [number / length for number in numbers], vector(dice, 5)
         self.own = product(translation(*self.place), quaternion(*self.turn))
         self.anchor = dice.choice(["none", "world", "parent"] if others else ["none", "world"])
-        self.parent = (dice.choice(others), dice.choice(robot.links).name) if self.anchor == "parent" else None
-        if self.parent:
-            self.parent = (self.parent[0], dice.choice(self.parent[0].robot.links).name)
+        self.parent = None  # an entity and one of its links
+        if self.anchor == "parent":
+            other = dice.choice(others)
+            self.parent = (other, dice.choice(other.robot.links).name)
 
     def yaml(self):
         entity = {"name": self.name, "file": f"{self.robot.name}.smurf", "position": self.place,

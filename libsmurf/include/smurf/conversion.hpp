@@ -44,7 +44,7 @@ using LossOf = std::function<std::optional<std::string>(const Diagnostic&)>;
 /// are none.
 std::string why_not_converted(std::span<const Diagnostic> findings, const LossOf& loss_of);
 
-/// Programs that are asked for their verdict on a result; null: not asked.
+/// Other parsers that must accept the result of a conversion. A null pointer leaves one out.
 struct Referees {
   RefereeVerdict (*urdfdom)(const std::string& urdf) = nullptr;
   /// False, with a finding, if tinyxml2 refuses the text or reads other elements.
@@ -56,8 +56,9 @@ Referees all_referees();
 
 /// What convert_to_urdf() is asked for.
 struct UrdfRequest {
-  /// With MeshUri::package, an empty package_folder means that of `packages`, or else the nearest
-  /// folder above the URDF with a package.xml, or else the folder above urdf/.
+  /// With MeshUri::package and without a package_folder, the package is looked up in `packages`. If
+  /// it is not there, its folder is the nearest one above the URDF with a package.xml; if there is
+  /// none, it is the parent of the folder of the URDF.
   UrdfExport options = {};
   std::map<std::string, std::string> packages = {};  ///< names to folders
   bool force = false;

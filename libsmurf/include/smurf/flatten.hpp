@@ -132,7 +132,7 @@ struct FlattenOptions {
   std::string current_folder = {};
   /// The contents of the old scenes; null: entities of old scenes have no shapes.
   const OldScenes* old_scenes = nullptr;
-  /// How a dialect reads the scene: read_as(). Null: as documented.
+  /// The scene as a dialect reads it, from read_as(). Null means that it is read as documented.
   const SceneReading* reading = nullptr;
 };
 

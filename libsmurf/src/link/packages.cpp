@@ -7,14 +7,19 @@
 
 namespace smurf {
 
-std::string package_name_in(std::string_view text) {
-  std::string plain;  // without comments
-  while (!text.empty()) {
-    const std::size_t open = std::min(text.find("<!--"), text.size());
-    plain += text.substr(0, open);
-    const std::size_t close = text.find("-->", open);
-    text.remove_prefix(close == std::string_view::npos ? text.size() : close + 3);
+std::string without_comments(std::string_view xml) {
+  std::string plain;
+  while (!xml.empty()) {
+    const std::size_t open = std::min(xml.find("<!--"), xml.size());
+    plain += xml.substr(0, open);
+    const std::size_t close = xml.find("-->", open);
+    xml.remove_prefix(close == std::string_view::npos ? xml.size() : close + 3);
   }
+  return plain;
+}
+
+std::string package_name_in(std::string_view text) {
+  const std::string plain = without_comments(text);
   constexpr std::string_view kTag = "<name>";
   const std::size_t begin = plain.find(kTag);
   const std::size_t end = plain.find("</name>");

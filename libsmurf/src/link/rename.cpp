@@ -108,7 +108,7 @@ bool is_plain_name(std::string_view name) {
          name.front() != '-' && is_plain_part(name);
 }
 
-/// What changes in a file: all of a name, or its only piece that is not computed.
+/// The bytes of a file that a rename replaces: a whole name, or the literal part of a computed one.
 struct NewText {
   Span span;
   std::string text;

@@ -63,7 +63,7 @@ std::string_view attribute_at(const urdf::Robot& robot, Span span) {
   return "inertia";
 }
 
-std::string shortened(std::string_view text) {
+std::string first_line(std::string_view text) {
   constexpr std::size_t kLongest = 80;
   std::string line(text.substr(0, std::min(text.find('\n'), kLongest)));
   return line.size() < text.size() ? line + "..." : line;
@@ -138,7 +138,7 @@ class RepairPlaces {
       if (!repair.refusal.empty()) return;
       repair.blamed = origin.span;
       repair.refusal = "not written, because " + quoted(attribute) + " is computed; change " +
-                       quoted(shortened(sources_.text(origin.span))) + " so that it gives " +
+                       quoted(first_line(sources_.text(origin.span))) + " so that it gives " +
                        edit.text;
       return;
     }

@@ -114,31 +114,37 @@ void UsdPhysics::find_joints(const LinkedModel& robot, Model& model) {
   model.own_collisions = names.add("own_collisions");
 }
 
-const UsdPhysics::Assembly& UsdPhysics::assembly_of(std::size_t instance) {
-  const std::size_t count = scene_.flat.instances.size();
-  if (assemblies_.empty()) {
-    bases_.resize(count);
-    assemblies_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      std::size_t base = i;
-      for (std::size_t steps = 0; is_carried(base) && steps < count; ++steps) {
-        base = scene_.flat.instances[base].anchor.index;
-      }
-      bases_[i] = base;
-      if (robot_of(scene_.scene, i) == nullptr || model_of(i).joints.empty()) continue;
-      ++assemblies_[base].articulated;
-    }
-  }
-  return assemblies_[bases_[instance]];
+std::size_t UsdPhysics::robots_with_joints(std::size_t instance) {
+  if (bases_.empty()) find_bases();
+  return robots_with_joints_[bases_[instance]];
 }
 
-/// Whether a link of another instance carries the body of the instance.
-bool UsdPhysics::is_carried(std::size_t instance) {
-  const FlatAttachment& anchor = scene_.flat.instances[instance].anchor;
-  if (anchor.kind != Attachment::Kind::link || !scene_.flat.instances[instance].X_WE) return false;
-  if (robot_of(scene_.scene, instance) == nullptr && !is_body(instance)) return false;
+void UsdPhysics::find_bases() {
+  const std::size_t count = scene_.flat.instances.size();
+  robots_with_joints_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t base = i;
+    for (std::size_t steps = 0; carrying_link(base) != nullptr && steps < count; ++steps) {
+      base = scene_.flat.instances[base].anchor.index;
+    }
+    bases_.push_back(base);
+    const bool has_joints = robot_of(scene_.scene, i) != nullptr && !model_of(i).joints.empty();
+    if (has_joints) ++robots_with_joints_[base];
+  }
+}
+
+const UsdLink* UsdPhysics::carrying_link(std::size_t instance) {
+  const FlatInstance& flat = scene_.flat.instances[instance];
+  if (flat.anchor.kind != Attachment::Kind::link || !flat.X_WE) return nullptr;
+  if (robot_of(scene_.scene, instance) == nullptr && !is_body(instance)) return nullptr;
   const std::optional<std::size_t> link = anchor_link(scene_, instance);
-  return link && layout_of(anchor.index).links[*link];
+  if (!link) return nullptr;
+  const auto& on = layout_of(flat.anchor.index).links[*link];
+  return on ? &*on : nullptr;
+}
+
+bool UsdPhysics::is_articulation(std::size_t instance) {
+  return robots_with_joints(instance) > 0 && bases_[instance] == instance;
 }
 
 void UsdPhysics::find_followers(const LinkedModel& robot, Model& model) {
@@ -173,16 +179,15 @@ void UsdPhysics::add_scene() {
 }
 
 std::vector<std::string> UsdPhysics::schemas_of_robot(std::size_t instance) {
-  if (assembly_of(instance).articulated == 0 || bases_[instance] != instance) return {};
+  if (!is_articulation(instance)) return {};
   return {"PhysicsArticulationRootAPI", "PhysxArticulationAPI"};
 }
 
 void UsdPhysics::add_articulation(std::size_t instance) {
-  const Assembly& assembly = assembly_of(instance);
-  if (assembly.articulated == 0 || bases_[instance] != instance) return;
+  if (!is_articulation(instance)) return;
   // The convex hulls of neighbours overlap. NVIDIA's importer of URDFs writes the same. Robots that
   // are fixed to each other do collide; add_own_collisions() leaves out what is within one.
-  const bool has_several = assembly.articulated > 1;
+  const bool has_several = robots_with_joints(instance) > 1;
   text_.line(std::string("bool physxArticulation:enabledSelfCollisions = ") +
              (has_several ? "1" : "0"));
 }
@@ -258,15 +263,13 @@ std::optional<UsdPhysics::Ends> UsdPhysics::anchor_of(std::size_t i, LinkFrames&
   if (anchor.kind == Attachment::Kind::none || (!has_robot && !is_body(i))) return std::nullopt;
   const std::string body1 = has_robot ? path(i, to_size(robot(i).tree.roots.front())) : path(i);
   if (anchor.kind == Attachment::Kind::world) return Ends{"", *instance.X_WE, body1};
-  const std::optional<std::size_t> link = anchor_link(scene_, i);
+  const UsdLink* on = carrying_link(i);
   const std::optional<Pose> X_LE = pose_on_anchor(scene_, i, frames);
-  const std::size_t other = anchor.index;
-  if (!link || !X_LE || !layout_of(other).links[*link]) {
+  if (on == nullptr || !X_LE) {
     losses_.anchor(i, "there is no link to attach it to");
     return std::nullopt;
   }
-  const UsdLink& on = *layout_of(other).links[*link];
-  return Ends{path(other, on.body), on.X_BL * *X_LE, body1};
+  return Ends{path(anchor.index, on->body), on->X_BL * *X_LE, body1};
 }
 
 void UsdPhysics::add_anchor(std::size_t instance, LinkFrames& frames, const std::string& name) {
@@ -284,7 +287,7 @@ void UsdPhysics::add_joints(std::size_t instance, LinkFrames& frames) {
   text_.open("Scope", model.layout.joints);
   add_anchor(instance, frames, model.anchor);
   for (const Joint& joint : model.joints) add_joint(instance, joint);
-  if (assembly_of(instance).articulated > 1 && !model.joints.empty()) add_own_collisions(instance);
+  if (robots_with_joints(instance) > 1 && !model.joints.empty()) add_own_collisions(instance);
   text_.close();
 }
 

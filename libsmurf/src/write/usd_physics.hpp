@@ -57,12 +57,6 @@ class UsdPhysics {
     std::map<const urdf::Joint*, JointDrive> drives;
     std::map<const urdf::Joint*, DrivenFollower> followers;
   };
-  /// Instances that are fixed to each other. They are one articulation, that of the instance that
-  /// carries the others: PhysX and Newton put articulations together from all bodies that joints
-  /// connect, and a body can be in one only.
-  struct Assembly {
-    std::size_t articulated = 0;  ///< number of its instances with joints
-  };
   struct Ends {
     std::string body0;  ///< path of its prim; "": the world
     Pose X_0J;
@@ -76,8 +70,15 @@ class UsdPhysics {
     return path(instance) + "/" + layout_of(instance).links[link]->path;
   }
   const Model& model_of(std::size_t instance);
-  const Assembly& assembly_of(std::size_t instance);
-  bool is_carried(std::size_t instance);
+  /// The number of robots with joints among the instances that are fixed to each other.
+  std::size_t robots_with_joints(std::size_t instance);
+  void find_bases();
+  /// The link of another instance to which the body of this one is fixed; null if there is none.
+  const UsdLink* carrying_link(std::size_t instance);
+  /// Instances that are fixed to each other are one articulation, that of the instance that carries
+  /// the others: PhysX and Newton put articulations together from all bodies that joints connect,
+  /// and a body can be in one only.
+  bool is_articulation(std::size_t instance);
   void add_own_collisions(std::size_t instance);
   double start_of(std::size_t instance, const urdf::Joint& joint) const;
   static void find_joints(const LinkedModel& robot, Model& model);
@@ -101,8 +102,8 @@ class UsdPhysics {
   SceneLosses& losses_;
   UsdaText& text_;
   std::map<const LinkedModel*, Model> models_;
-  std::vector<std::size_t> bases_;    ///< of each instance, the one that carries it in the end
-  std::vector<Assembly> assemblies_;  ///< by the base
+  std::vector<std::size_t> bases_;  ///< of each instance, the one that carries it in the end
+  std::vector<std::size_t> robots_with_joints_;  ///< by the base
   std::set<const urdf::Joint*> reported_;
 };
 

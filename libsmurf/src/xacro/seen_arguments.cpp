@@ -5,6 +5,7 @@
 
 #include "base/path.hpp"
 #include "base/words.hpp"
+#include "xacro/whole_word.hpp"
 
 namespace smurf::xacro {
 namespace {
@@ -13,10 +14,6 @@ constexpr std::size_t kMostFiles = 100;              // of a package
 constexpr std::uint64_t kMostBytes = 256ULL << 10U;  // of a file
 constexpr int kMostLevels = 6;                       // from a file up to its package.xml
 constexpr std::size_t kMostValue = 60;               // characters
-
-bool is_of_name(char c) {
-  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
 
 /// The folder of the nearest package.xml; that of the file without one.
 std::string package_of(const std::string& file, const FileReader& files) {
@@ -107,9 +104,7 @@ std::vector<SeenArgument> seen_arguments(const std::string& root,
       for (std::size_t at = text.find(name); at != std::string_view::npos;
            at = text.find(name, at + name.size())) {
         const std::size_t end = at + name.size();
-        const bool is_name = (at == 0 || !is_of_name(text[at - 1])) &&
-                             (end >= text.size() || !is_of_name(text[end]));
-        const std::string value = is_name ? value_after(text, at, end) : "";
+        const std::string value = is_whole_name(text, at, end) ? value_after(text, at, end) : "";
         const bool is_known = std::any_of(seen.begin(), seen.end(), [&](const SeenArgument& one) {
           return one.name == name && one.value == value;
         });

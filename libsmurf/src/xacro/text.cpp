@@ -219,7 +219,8 @@ Value Expander::evaluate_text(std::string_view text, const Piece& place, Table& 
     place_failure(place, 0);
     return all;
   }
-  // `${prefix}wheel` with an empty prefix is `wheel` as it is written.
+  // If all other parts are empty, the value is the one that is left, and keeps its place:
+  // `${prefix}wheel` without a prefix is the literal `wheel`.
   const bool is_one = filled_parts == 1 && filled.is_exact &&
                       filled.origin.end - filled.origin.begin == filled.size;
   if (is_one) return all.at(origin(filled));

@@ -15,7 +15,7 @@ const std::string* text_at(Call& call, std::size_t position);
 bool is_ascii(std::string_view text);
 bool is_letter(char c);
 
-// Defined in text_queries.cpp.
+// The methods that search in a text are in text_queries.cpp.
 /// startswith() and endswith().
 Value has_end(Call& call);
 /// find(), rfind(), index(), rindex().

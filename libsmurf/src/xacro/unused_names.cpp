@@ -12,6 +12,7 @@
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "xacro/expander.hpp"
+#include "xacro/whole_word.hpp"
 
 namespace smurf::xacro {
 namespace {
@@ -25,14 +26,10 @@ struct Definition {
   Span place;  ///< the value of the attribute
 };
 
-bool is_of_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 /// "radius:=1" as `radius`, "*block" as `block`
 std::string_view parameter_name(std::string_view written) {
   while (written.starts_with('*')) written.remove_prefix(1);
-  const auto end = std::find_if_not(written.begin(), written.end(), is_of_word);
+  const auto end = std::find_if_not(written.begin(), written.end(), is_of_name);
   return written.substr(0, static_cast<std::size_t>(end - written.begin()));
 }
 
@@ -75,9 +72,7 @@ bool Expander::is_used(std::string_view name, const std::vector<Span>& definitio
     for (std::size_t at = text.find(name); at != std::string_view::npos;
          at = text.find(name, at + 1)) {
       const std::size_t end = at + name.size();
-      if ((at > 0 && is_of_word(text[at - 1])) || (end < text.size() && is_of_word(text[end]))) {
-        continue;
-      }
+      if (!is_whole_name(text, at, end)) continue;
       const std::size_t next = std::min(text.find_first_not_of(" \t\r\n", end), text.size());
       if (text.substr(next, 1) == "=" && text.substr(next, 2) != "==") continue;
       const bool is_definition = std::any_of(definitions.begin(), definitions.end(), [&](Span one) {

@@ -8,6 +8,7 @@
 
 #include "base/path.hpp"
 #include "base/words.hpp"
+#include "link/packages.hpp"
 
 namespace smurf {
 namespace {
@@ -66,20 +67,8 @@ std::string_view attribute_in(std::string_view tag, std::string_view name) {
   return {};
 }
 
-/// The text without its comments.
-std::string without_comments(std::string_view text) {
-  std::string result;
-  while (true) {
-    const std::size_t begin = text.find("<!--");
-    result += text.substr(0, begin);
-    if (begin == std::string_view::npos) return result;
-    const std::size_t end = text.find("-->", begin);
-    if (end == std::string_view::npos) return result;
-    text.remove_prefix(end + 3);
-  }
-}
-
-/// Reads a plugin description, without the findings that a parser would have.
+/// Reads a plugin description. It may have several elements `library` and no root, which is not
+/// XML, but which pluginlib reads.
 void add_classes(const std::string& package, std::string_view xml,
                  std::vector<ExportedClass>& classes) {
   const std::string text = without_comments(xml);

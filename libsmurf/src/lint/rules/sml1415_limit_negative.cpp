@@ -14,7 +14,7 @@ constexpr Circumstance kDriven{"driven by a transmission"};
 
 using Names = std::set<std::string_view>;
 
-/// The joints that transmissions name.
+/// Joints that a `<transmission>` drives.
 Names driven_joints(const LinkedModel& model) {
   Names driven;
   if (!model.robot) return driven;

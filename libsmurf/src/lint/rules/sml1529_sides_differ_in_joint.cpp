@@ -76,7 +76,7 @@ void report(const urdf::Joint& left, const urdf::Joint& right, Findings& finding
       .label(differences.other, "the other side");
 }
 
-/// Whether the joints move different limbs.
+/// Whether neither joint is below the other, so that they can be a left and a right one.
 bool are_sides(const LinkedModel& model, std::size_t left, std::size_t right) {
   const auto& child = model.tree.joint_child;
   if (!child[left] || !child[right]) return true;
