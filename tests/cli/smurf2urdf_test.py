@@ -412,6 +412,22 @@ class Refusal(ExportTest):
         self.assertIn("error[SML3313]: the argument `name` has no value here", done.stderr)
         self.assertEqual(done.stdout, "")
 
+    def test_comments_before_elements_of_xacro_go(self):
+        """As xacro 2.1.1 does: but those stay that another element expands to, or that an empty line parts."""
+        self.write("a.urdf.xacro", """<robot name="a" xmlns:xacro="x">
+  <!-- kept -->
+
+  <!-- gone -->
+  <xacro:macro name="link" params="name"><!-- of a link --><link name="${name}"/><!-- after it --></xacro:macro>
+  <!-- gone -->
+  <xacro:if value="true"><!-- of if --></xacro:if>
+  <!-- gone -->
+  <xacro:link name="b"/>
+  <xacro:link name="c"/>
+</robot>""")
+        comments = re.findall("<!-- (.*?) -->", self.expect(0, "a.urdf.xacro").stdout)
+        self.assertEqual(comments, ["kept", "of if", "of a link", "after it", "of a link", "after it"])
+
     def test_limits_of_xacro(self):
         self.write("a.urdf.xacro", '<robot name="a" xmlns:xacro="x"><link name="${\'a\' * 100}"/></robot>')
         self.run_tool("a.urdf.xacro")

@@ -127,24 +127,27 @@ Node& Expander::new_node(NodeKind kind) {
   return node;
 }
 
-/// Comments directly before an element of xacro belong to it.
+/// Comments directly before an element of xacro belong to it, but not those that the element before
+/// it expands to.
 void Expander::remove_comments(Node& out) {
   auto& nodes = out.children;
+  const std::size_t first = kept_.parent == &out ? kept_.count : 0;
   std::size_t at = nodes.size();
-  while (at > 0) {
+  while (at > first) {
     std::size_t comment = at - 1;
     const Node& before = *nodes[comment];
     const bool is_blank_text =
         before.kind == NodeKind::text && without_blanks(before.text.value).empty() &&
         std::count(before.text.value.begin(), before.text.value.end(), '\n') <= 1;
     if (is_blank_text) {
-      if (comment == 0) return;
+      if (comment == first) break;
       --comment;
     }
-    if (nodes[comment]->kind != NodeKind::comment) return;
+    if (nodes[comment]->kind != NodeKind::comment) break;
     nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(comment));
     at = comment;
   }
+  kept_.is_next = at > 0;
 }
 
 void Expander::set_xmlns(Node& out, const Node& from) {
@@ -221,7 +224,11 @@ bool Expander::evaluate_children(const Node& in, Node& out, Scope scope) {
     switch (child->kind) {
     case NodeKind::element:
       evaluates_comments = false;
+      kept_.is_next = false;
       if (!evaluate_element(*child, out, scope)) return false;
+      if (kept_.is_next && child != in.children.back()) {
+        kept_ = {&out, out.children.size(), false};
+      }
       break;
     case NodeKind::text:
       // Blanks between elements stay as they are.

@@ -102,7 +102,7 @@ class Expander final : public Host {
   void warn_of_others(const Node& in, std::initializer_list<std::string_view> known);
   std::optional<bool> truth_of(const Value& value);
   Node& new_node(NodeKind kind);
-  static void remove_comments(Node& out);
+  void remove_comments(Node& out);
   void set_xmlns(Node& out, const Node& from);
   bool has_room();
 
@@ -198,6 +198,12 @@ class Expander final : public Host {
   Heap heap_;
   Expressions expressions_;
   Evaluator evaluator_;
+  /// Comments that remove_comments() leaves: those among the first children of a result.
+  struct {
+    const Node* parent = nullptr;
+    std::size_t count = 0;
+    bool is_next = false;  ///< those before the next node are, too
+  } kept_;
   Expansion result_;
   Arena nodes_;
   std::deque<Table> tables_;
