@@ -424,9 +424,12 @@ class Refusal(ExportTest):
   <!-- gone -->
   <xacro:link name="b"/>
   <xacro:link name="c"/>
+  <!-- gone -->
+  <xacro:include filename="b.xacro"/>
 </robot>""")
+        self.write("b.xacro", '<robot xmlns:xacro="x"><!-- of a file --></robot>')
         comments = re.findall("<!-- (.*?) -->", self.expect(0, "a.urdf.xacro").stdout)
-        self.assertEqual(comments, ["kept", "of if", "of a link", "after it", "of a link", "after it"])
+        self.assertEqual(comments, ["kept", "of if", "of a link", "after it", "of a link", "after it", "of a file"])
 
     def test_limits_of_xacro(self):
         self.write("a.urdf.xacro", '<robot name="a" xmlns:xacro="x"><link name="${\'a\' * 100}"/></robot>')

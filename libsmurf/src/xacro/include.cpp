@@ -354,11 +354,12 @@ bool Expander::include(const Node& in, Node& out, Scope scope) {
                 "no file matches " + quoted(path))
         .help("correct the pattern");
   }
+  Node& included = new_node(NodeKind::element);
   for (const std::string& one : paths) {
     const FrameId frame = frame_;
     const std::size_t files = file_stack_.size();
     optional_includes_ += is_optional ? 1 : 0;
-    const bool is_done = include_file(in, one, out, {*macros, *symbols});
+    const bool is_done = include_file(in, one, included, {*macros, *symbols});
     optional_includes_ -= is_optional ? 1 : 0;
     if (is_done) continue;
     // Also a file that the optional one needs.
@@ -369,6 +370,8 @@ bool Expander::include(const Node& in, Node& out, Scope scope) {
     file_stack_.resize(files);
   }
   remove_comments(out);
+  set_xmlns(out, included);
+  out.children.insert(out.children.end(), included.children.begin(), included.children.end());
   return true;
 }
 
