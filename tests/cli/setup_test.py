@@ -161,7 +161,7 @@ class Mistakes(cli.CliTest):
     def test_each_says_what_to_do(self):
         self.expect_complaint("--limit: there is no limit 'yaml-dept'; did you mean 'yaml-depth'?; --limit help lists them",
                               "--limit", "yaml-dept=3", "x.urdf")
-        self.assertIn("smurfs-flatten --format usda writes for it", self.expect(2, "--target", "isaac", "x.urdf").stderr)
+        self.assertIn("did you mean 'isaac'?", self.expect(2, "--target", "isaacs", "x.urdf").stderr)
         (self.folder / "loop.urdf").symlink_to("loop.urdf")
         self.expect_complaint("cannot read 'loop.urdf': is a link that leads to no file", "loop.urdf")
 

@@ -74,11 +74,14 @@ def readers(build):
             found.append(Reader(name, [build / program], version))
         else:
             absent.append(name)
-    for version in ("2.3.7", "3.1.6", "3.3.7"):
-        name = f"MuJoCo-{version[:3]}"
-        folder = PYTHON.parent.parent.parent / f"mujoco-{version}"
+    for name, program, package in (("MuJoCo-2.3", "mujoco_robot.py", "mujoco-2.3.7"), ("MuJoCo-3.1", "mujoco_robot.py", "mujoco-3.1.6"),
+                                   ("MuJoCo-3.3", "mujoco_robot.py", "mujoco-3.3.7"),
+                                   ("Isaac", "isaac_robot.py", "urdf-usd-converter-0.3.4")):
+        folder = PYTHON.parent.parent.parent / package
+        # Without the packages of the environment, whose OpenUSD is another than that of Isaac's converter.
+        options = ["-S"] if name == "Isaac" else []
         if folder.is_dir():
-            found.append(Reader(name, ["env", f"PYTHONPATH={folder}", PYTHON, HERE / "mujoco_robot.py"], version))
+            found.append(Reader(name, ["env", f"PYTHONPATH={folder}", PYTHON, *options, HERE / program], package.rsplit("-", 1)[1]))
         else:
             absent.append(name)
     for name, program, package in (("MuJoCo", "mujoco_robot.mjs", "@mujoco/mujoco"),
@@ -90,7 +93,8 @@ def readers(build):
     for name, program, package, text_of in (("MuJoCo-4", "mujoco_robot.py", "mujoco", as_it_is),
                                             ("Bullet", "bullet_robot.py", "pybullet", as_it_is),
                                             ("Drake", "drake_robot.py", "drake", with_obj),
-                                            ("Pinocchio", "pinocchio_robot.py", "pin", as_it_is)):
+                                            ("Pinocchio", "pinocchio_robot.py", "pin", as_it_is),
+                                            ("Newton", "newton_robot.py", "newton", as_it_is)):
         version = python_version(package)
         if version:
             found.append(Reader(name, [PYTHON, HERE / program], version, text_of))
@@ -169,7 +173,7 @@ def judge(cases, paths, said):
 def read_table(table=TABLE):
     """{reader: version}, {name: {reader: cell}}"""
     lines = table.read_text(encoding="utf-8").splitlines()
-    versions = dict(re.findall(r"([\w-]+) ([\w.+-]+)(?:,|$)", lines[1].lstrip("# ")))
+    versions = dict(re.findall(r"([\w.-]+) ([\w.+-]+)(?:,|$)", lines[1].lstrip("# ")))
     heading = lines[2].split("\t")[1:]
     rows = (line.split("\t") for line in lines[3:])
     return versions, {row[0]: dict(zip(heading, row[1:])) for row in rows}

@@ -66,9 +66,6 @@ Setter append_targets(std::vector<const Reader*>& targets) {
   return [&targets](std::string_view value) -> std::optional<std::string> {
     for (const std::string_view name : split_items(value)) {
       const Reader* reader = find_target(name);
-      if (reader == nullptr && name.starts_with("isaac")) {
-        return "there are no facts about Isaac Sim yet; smurfs-flatten --format usda writes for it";
-      }
       if (reader == nullptr) return none_of(name, target_names());
       if (std::find(targets.begin(), targets.end(), reader) == targets.end()) {
         targets.push_back(reader);

@@ -262,9 +262,10 @@ class NumberReader {
 
   bool check_count(const std::vector<Token>& tokens, std::size_t count) {
     if (tokens.empty()) {
-      report(rules::sml1801_not_a_number, attribute_.span(),
-             quoted(attribute_.name()) + " is empty")
-          .when(cases::kEmpty);
+      Diagnostic& diagnostic = report(rules::sml1801_not_a_number, attribute_.span(),
+                                      quoted(attribute_.name()) + " is empty");
+      diagnostic.when(cases::kEmpty);
+      if (!attribute_.value().empty()) diagnostic.when(cases::kBlanks);
       return false;
     }
     if (tokens.size() == count) return true;

@@ -6,6 +6,9 @@
 namespace smurf::rules::sml1204_several_roots_file {
 namespace {
 
+/// Joints lead on from the root.
+constexpr Circumstance kOfTree{"root of a tree"};
+
 /// Joints that name an unknown link, or one link twice, are reported instead of the roots that they
 /// cause.
 bool has_broken_joints(const LinkedModel& model) {
@@ -32,6 +35,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.caret = "also a root";
     diagnostic.help("connect it by a joint, or delete it");
     diagnostic.label(name_place(model, first), "the first root link");
+    if (!model.tree.child_joints[to_size(model.tree.roots[i])].empty()) diagnostic.when(kOfTree);
     if (!led_to_by_drake.contains(*root.name)) continue;
     diagnostic.when(drake::kDrakeJoint);
     diagnostic.note(drake::kJointNote);
@@ -47,6 +51,9 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::takes, "knows the joint that leads to the link", kRun,
      when(drake::kDrakeJoint)},
     {&readers::drake, Effect::takes, "accepts several trees", kRun},
+    {&readers::newton, Effect::refuses, "drops the link, and then misses it at its joints", kRun,
+     when(kOfTree)},
+    {&readers::newton, Effect::loses, "drops links that no joint connects to the first root", kRun},
 };
 
 }  // namespace

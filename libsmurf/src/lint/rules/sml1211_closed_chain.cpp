@@ -13,7 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!joint && extension.name() != "loop_joint") continue;
     findings.report((joint ? joint : extension).name_span(),
                     joint ? "a joint that only sdformat (Gazebo) reads"
-                          : "a `loop_joint`, which Isaac reads and Drake refuses");
+                          : "a `loop_joint`, which Drake refuses and the others ignore");
   }
 }
 
@@ -32,11 +32,11 @@ extern constinit const Rule sml1211_closed_chain{
     .name = "closed-chain",
     .severity = Severity::info,
     .summary = "A robot has a closed chain that only some readers support.",
-    .why = "URDF describes trees. Isaac reads `loop_joint`.",
+    .why = "URDF describes trees.",
     .remedy =
         "Write the loop for each target, e.g. in the annotations of the model, and check that it "
         "is closed there.",
-    .sources = "Isaac UrdfParser.cpp.",
+    .sources = "The older importer of Isaac Sim read `loop_joint` (UrdfParser.cpp).",
     .check_model = check,
     .facts = kFacts,
     .blocks_building = true};

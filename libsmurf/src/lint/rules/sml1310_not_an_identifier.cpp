@@ -33,7 +33,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic->note("Gazebo derives names of topics from it, which must not contain spaces");
   }
   if (Diagnostic* diagnostic = others.report("such names", findings)) {
-    diagnostic->note("Isaac and USD rename it to " + quoted(renamed));
+    diagnostic->note("USD and Isaac rename it to " + quoted(renamed));
   }
 }
 
@@ -49,7 +49,7 @@ extern constinit const Rule sml1310_not_an_identifier{
     .name = "not-an-identifier",
     .severity = Severity::info,
     .summary = "Names contain characters that some targets replace.",
-    .why = "Isaac and USD accept letters, digits and underscores only: `-`, `.` and spaces become "
+    .why = "USD accepts letters, digits and underscores only: `-`, `.` and spaces become "
            "`_`, a leading digit gets a prefix, and mimic joints and controllers that refer to the "
            "old name no longer find it. Code generators and Modelica do the same.",
     .remedy = "Use letters, digits and underscores, and do not begin with a digit.",

@@ -21,7 +21,7 @@ extern constinit const Rule sml1311_identifier_collision{
     .severity = Severity::warning,
     .summary = "Two names become the same where only identifiers are allowed.",
     .why =
-        "Isaac and USD replace every character except letters, digits and underscores by `_`: one of the two overwrites the other.",
+        "USD replaces every character except letters, digits and underscores by `_`: one of the two overwrites the other.",
     .remedy = "Rename one of them.",
     .sources = "Isaac importer PathUtils.cpp:356-369.",
     .check_model = check};

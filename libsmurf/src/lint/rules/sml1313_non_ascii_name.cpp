@@ -19,8 +19,8 @@ extern constinit const Rule sml1313_non_ascii_name{
     .name = "non-ascii-name",
     .severity = Severity::warning,
     .summary = "A name contains a non-ASCII character.",
-    .why = "ROS allows letters, digits and underscores in graph and frame names, USD and Isaac "
-           "replace the character; tools that guess the encoding see another name.",
+    .why = "ROS allows letters, digits and underscores in graph and frame names, USD "
+           "replaces the character; tools that guess the encoding see another name.",
     .remedy = "Spell the name with ASCII letters.",
     .sources = "ROS 2 naming rules (design.ros2.org, topic and service names); Isaac importer "
                "PathUtils.cpp:356-369.",

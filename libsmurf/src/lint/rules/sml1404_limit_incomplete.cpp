@@ -40,7 +40,7 @@ extern constinit const Rule sml1404_limit_incomplete{
     .name = "limit-incomplete",
     .severity = Severity::error,
     .summary = "A limit has no effort or no velocity.",
-    .why = "Isaac uses the largest float for the effort; urdf-rs refuses the whole file.",
+    .why = "urdf-rs refuses the whole file.",
     .remedy = "Write the effort and velocity limits of the drive.",
     .check_model = check,
     .facts = kFacts};

@@ -17,7 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings
             .report(lower.written ? lower.span : upper.span,
                     title(joint) + " is continuous, but has position limits")
-            .note("MuJoCo, Drake and Isaac enforce them, the others ignore them");
+            .note("MuJoCo, Drake and Newton apply them, the others ignore them");
     if (lower.value_or(0) > upper.value_or(0)) diagnostic.when(kReversed);
   });
 }
@@ -40,7 +40,6 @@ extern constinit const Rule sml1409_continuous_with_bounds{
     .name = "continuous-with-bounds",
     .severity = Severity::warning,
     .summary = "A continuous joint has position limits.",
-    .why = "Isaac enforces them.",
     .remedy = "Make the joint revolute, or delete the limits.",
     .check_model = check,
     .facts = kFacts};

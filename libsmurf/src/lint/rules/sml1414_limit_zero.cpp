@@ -16,8 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
           .note("in MuJoCo, 0 means no limit; in Gazebo and Bullet, no force");
     } else if (velocity && *velocity == 0) {
       findings.report(velocity.span, "the velocity limit of " + title(joint) + " is 0")
-          .note(
-              "in MoveIt and Isaac, 0 means no limit; in Drake and Bullet, the joint cannot move");
+          .note("in MoveIt, 0 means no limit; in Drake and Bullet, the joint cannot move");
     }
   });
 }
@@ -41,9 +40,8 @@ extern constinit const Rule sml1414_limit_zero{
     .name = "limit-zero",
     .severity = Severity::warning,
     .summary = "The effort or velocity limit of a movable joint is 0.",
-    .why = "Isaac treats a velocity of 0 as no limit.",
     .remedy = "Write the effort that the drive can provide, and the speed that it reaches.",
-    .sources = "88 of 322 files of the Tola/Corke dataset; Isaac UrdfImporter.cpp:964.",
+    .sources = "88 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
     .facts = kFacts};
 

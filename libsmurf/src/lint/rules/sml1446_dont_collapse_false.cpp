@@ -10,8 +10,8 @@ void check(const LinkedModel& model, Findings& findings) {
         xml::View(model.robot->document, joint.element).attribute("dont_collapse");
     if (attribute == nullptr || (attribute->value() != "false" && attribute->value() != "0"))
       return;
-    Diagnostic& diagnostic =
-        findings.report(attribute->span(), "Isaac reads any value of `dont_collapse` as true");
+    Diagnostic& diagnostic = findings.report(
+        attribute->span(), "importers that know `dont_collapse` read any value as true");
     diagnostic.help("delete the attribute");
     diagnostic.fixes.push_back({Applicability::unsafe, {{attribute->span(), ""}}});
   });
@@ -23,9 +23,10 @@ extern constinit const Rule sml1446_dont_collapse_false{
     .id = "SML1446",
     .name = "dont-collapse-false",
     .severity = Severity::warning,
-    .summary = "A joint has `dont_collapse=\"false\"`, which Isaac reads as true.",
-    .why = "Isaac only checks whether the attribute is there: any value keeps the fixed joint from "
-           "being merged.",
+    .summary = "A joint has `dont_collapse=\"false\"`, which importers read as true.",
+    .why =
+        "The older importer of Omniverse only checks whether the attribute is there: any value keeps the fixed joint from "
+        "being merged.",
     .remedy = "Delete the attribute.",
     .sources = "Isaac importer UrdfParser.cpp:1270-1274.",
     .check_model = check};

@@ -26,7 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   if (count == 0) return;
   Diagnostic& diagnostic = findings.report(first, "the inertial of " + whose + " is rotated");
-  diagnostic.note("Isaac ignores the rotation, and Phobos cannot merge such links");
+  diagnostic.note("Phobos cannot merge such links");
   if (count > 1) {
     diagnostic.note(counted(count - 1, "more link") + " in this file");
   }
@@ -46,7 +46,8 @@ extern constinit const Rule sml1527_inertial_frame_rotated{
     .name = "inertial-frame-rotated",
     .severity = Severity::info,
     .summary = "The frame of an inertial is rotated.",
-    .why = "Isaac reads the position of the origin only, so it uses the tensor in the wrong frame.",
+    .why =
+        "Some importers read the position of the origin only, and so use the tensor in the wrong frame.",
     .remedy =
         "Rotate the tensor into the axes of the link and write rpy=\"0 0 0\", if these readers "
         "matter.",

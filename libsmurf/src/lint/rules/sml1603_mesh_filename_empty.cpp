@@ -38,6 +38,12 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
      at("mesh")},
     {&readers::phobos, Effect::loses, "keeps a mesh without a file", kRun},
+    {&readers::newton, Effect::takes, "needs no texture", kRun, at("texture")},
+    {&readers::newton, Effect::refuses, "opens the folder, and refuses the file", kRun,
+     when(kEmpty)},
+    {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun},
+    {&readers::isaac, Effect::takes, "needs no texture", kRun, at("texture")},
+    {&readers::isaac, Effect::loses, "builds the link without the shape", kRun},
 };
 
 }  // namespace

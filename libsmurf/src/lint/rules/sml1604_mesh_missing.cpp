@@ -185,6 +185,10 @@ constexpr Fact kFacts[] = {
      when(kMesh)},
     {&readers::pinocchio, Effect::refuses, "finds only packages whose folders it was given", kRun,
      when(kPackage)},
+    {&readers::newton, Effect::refuses, "opens the folder, and refuses the file", kRun,
+     when(kMesh, kFolder)},
+    {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun},
+    {&readers::isaac, Effect::loses, "builds the link without the shape", kRun},
 };
 
 }  // namespace

@@ -9,6 +9,7 @@ namespace {
 
 constexpr Circumstance kModel{"model"};
 constexpr Circumstance kFound{"found"};
+constexpr Circumstance kAbsolute{"absolute"};  ///< `file:///...`
 
 bool has_foreign_scheme(std::string_view path) {
   return path.find("://") != std::string_view::npos && !path.starts_with("package://");
@@ -17,11 +18,12 @@ bool has_foreign_scheme(std::string_view path) {
 /// One finding per file, because exporters write all paths alike.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
-  bool has_model_scheme = false, are_found = true;
+  bool has_model_scheme = false, are_found = true, are_absolute = true;
   for (const MeshReference& mesh : model.meshes) {
     if (!has_foreign_scheme(mesh.filename)) continue;
     has_model_scheme = has_model_scheme || mesh.filename.starts_with("model://");
     are_found = are_found && mesh.exists;
+    are_absolute = are_absolute && mesh.filename.starts_with("file:///");
     habit.add(mesh.span,
               "the path " + quoted(mesh.filename) + " has a scheme that MuJoCo and MARS refuse");
   }
@@ -29,6 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (diagnostic == nullptr) return;
   if (has_model_scheme) diagnostic->when(kModel);
   if (are_found) diagnostic->when(kFound);
+  if (are_absolute) diagnostic->when(kAbsolute);
 }
 
 constexpr Fact kFacts[] = {
@@ -53,6 +56,14 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
     {&readers::pinocchio, Effect::takes, "opens the file", kRun, when(kFound)},
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
+    {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun,
+     when(kModel)},
+    {&readers::newton, Effect::takes, "opens the file", kRun, when(kAbsolute, kFound)},
+    {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun,
+     when(kAbsolute)},
+    {&readers::newton, Effect::refuses,
+     "refuses a file of a relative URI, and one that it cannot download", kRun},
+    {&readers::isaac, Effect::loses, "builds the link without the shape", kRun},
 };
 
 }  // namespace

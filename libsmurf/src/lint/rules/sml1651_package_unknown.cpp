@@ -83,6 +83,10 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, at("mesh")},
     {&readers::pinocchio, Effect::refuses, "finds only packages whose folders it was given", kRun,
      at("mesh")},
+    {&readers::newton, Effect::takes, "looks three folders above the URDF, too", kRun,
+     when(kAbove)},
+    {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun,
+     at("mesh")},
 };
 
 }  // namespace

@@ -15,14 +15,14 @@ constexpr Fact kFacts[] = {
 
 }  // namespace
 
-extern constinit const Rule sml1805_decimal_comma{
-    .id = "SML1805",
-    .name = "decimal-comma",
-    .severity = Severity::error,
-    .summary = "A number is written with a decimal comma.",
-    .why = "urdf-loader and Isaac silently read `1,5` as 1.",
-    .remedy = "Write a point.",
-    .sources = "urdf-loader 0.13, executed.",
-    .facts = kFacts};
+extern constinit const Rule sml1805_decimal_comma{.id = "SML1805",
+                                                  .name = "decimal-comma",
+                                                  .severity = Severity::error,
+                                                  .summary =
+                                                      "A number is written with a decimal comma.",
+                                                  .why = "urdf-loader silently reads `1,5` as 1.",
+                                                  .remedy = "Write a point.",
+                                                  .sources = "urdf-loader 0.13, executed.",
+                                                  .facts = kFacts};
 
 }  // namespace smurf::rules::sml1805_decimal_comma_file

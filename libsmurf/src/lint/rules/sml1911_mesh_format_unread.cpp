@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <tuple>
+#include <unordered_set>
 
 #include "base/path.hpp"
 #include "base/ranges.hpp"
@@ -14,11 +16,12 @@ namespace smurf::rules::sml1911_mesh_format_unread_file {
 namespace {
 
 constexpr Circumstance kMixedCase{"mixed case"};
+constexpr Circumstance kAbsent{"no such file"};
 constexpr Circumstance kObj{"obj"}, kStl{"stl"}, kMsh{"msh"}, kDae{"dae"}, kVtk{"vtk"}, kCdf{"cdf"},
-    kGlb{"glb"}, kGltf{"gltf"}, kBobj{"bobj"}, kWrl{"wrl"};
+    kGlb{"glb"}, kGltf{"gltf"}, kBobj{"bobj"}, kWrl{"wrl"}, kPly{"ply"}, kOff{"off"};
 /// Those of which MuJoCo recognises only extensions in one case come first.
-constexpr const Circumstance* kKnown[] = {&kObj, &kStl, &kMsh,  &kDae,  &kVtk,
-                                          &kCdf, &kGlb, &kGltf, &kBobj, &kWrl};
+constexpr const Circumstance* kKnown[] = {&kObj, &kStl,  &kMsh,  &kDae, &kVtk, &kCdf,
+                                          &kGlb, &kGltf, &kBobj, &kWrl, &kPly, &kOff};
 constexpr std::size_t kOfMujoco = 3;
 
 /// The format of a mesh, by its extension.
@@ -54,19 +57,27 @@ std::string message(const std::string& what, const Format& format) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
+  std::unordered_set<std::string_view> existing;
+  for (const MeshReference& mesh : model.meshes) {
+    if (mesh.exists) existing.insert(mesh.filename);
+  }
   // One finding per format, because a robot has dozens of meshes.
   std::map<std::pair<GeometryRole, Format>, std::vector<Span>> uses;
+  std::set<std::pair<GeometryRole, Format>> opened;
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (use.mesh() == nullptr || !use.mesh()->filename) return;
     const std::string& filename = *use.mesh()->filename;
     if (trimmed(filename).empty()) return;
-    uses[{use.role, format_of(filename)}].push_back(use.mesh()->filename.span);
+    const std::pair key(use.role, format_of(filename));
+    uses[key].push_back(use.mesh()->filename.span);
+    if (existing.contains(filename)) opened.insert(key);
   });
   for (const auto& [key, places] : uses) {
     const auto& [role, format] = key;
     const std::string what = std::string(to_string(role));
     Diagnostic& diagnostic = findings.report(places.front(), message(what, format));
     if (format.known != nullptr) diagnostic.when(*format.known);
+    if (!opened.contains(key)) diagnostic.when(kAbsent);
     if (format.is_mixed) diagnostic.when(kMixedCase);
     if (places.size() > 1) {
       diagnostic.note("the same applies to those of " + std::to_string(places.size() - 1) +
@@ -115,6 +126,20 @@ constexpr Fact kFacts[] = {
      when(kWrl)},
     {&readers::pinocchio, Effect::refuses, "cannot load the mesh, and refuses the shapes", kRun,
      when(kMsh)},
+    {&readers::newton, Effect::ignores, "finds no file to read", kRun, when(kAbsent)},
+    {&readers::newton, Effect::takes, "reads it", kRun, when(kObj)},
+    {&readers::newton, Effect::takes, "reads it", kRun, when(kStl)},
+    {&readers::newton, Effect::takes, "reads it", kRun, when(kDae)},
+    {&readers::newton, Effect::takes, "reads it", kRun, when(kGlb)},
+    {&readers::newton, Effect::takes, "reads it", kRun, when(kGltf)},
+    {&readers::newton, Effect::takes, "reads it", kRun, when(kVtk)},
+    {&readers::newton, Effect::takes, "reads it", kRun, when(kPly)},
+    {&readers::newton, Effect::takes, "reads it", kRun, when(kOff)},
+    {&readers::newton, Effect::refuses, "refuses the file: it cannot load the mesh", kRun},
+    {&readers::isaac, Effect::takes, "reads it", kRun, when(kObj)},
+    {&readers::isaac, Effect::takes, "reads it", kRun, when(kStl)},
+    {&readers::isaac, Effect::takes, "reads it", kRun, when(kDae)},
+    {&readers::isaac, Effect::loses, "builds the link without the shape", kRun},
 };
 
 }  // namespace
