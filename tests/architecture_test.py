@@ -136,7 +136,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "render/json_text.hpp",
     "render/printable.hpp",
     "render/wrap.hpp",
-    "write/json_text.hpp",
+    "write/text/json_text.hpp",
 }
 
 

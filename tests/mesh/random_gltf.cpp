@@ -7,7 +7,7 @@
 #include "base/bits.hpp"
 #include "base/numbers.hpp"
 #include "smurf/pose.hpp"
-#include "write/base64.hpp"
+#include "write/text/base64.hpp"
 
 namespace smurf::test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "parsed.hpp"
 #include "syntax/yaml_reader.hpp"
-#include "write/yaml_text.hpp"
+#include "write/text/yaml_text.hpp"
 
 using namespace smurf;
 

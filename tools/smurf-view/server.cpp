@@ -11,7 +11,7 @@
 
 #include "common/random_word.hpp"
 #include "smurf-view/frame_page.hpp"
-#include "write/json_text.hpp"
+#include "write/text/json_text.hpp"
 
 namespace smurf::tools {
 namespace {

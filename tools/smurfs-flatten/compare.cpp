@@ -9,7 +9,7 @@
 #include "base/numbers.hpp"
 #include "render/printable.hpp"
 #include "render/wrap.hpp"
-#include "write/json_text.hpp"
+#include "write/text/json_text.hpp"
 
 namespace smurf::tools {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the scene that smurfs-flatten wrote into the page (libsmurf/src/write/viewer_data.cpp). Units are m, rad and kg.
+// Reads the scene that smurfs-flatten wrote into the page (libsmurf/src/write/pages/viewer_data.cpp). Units are m, rad and kg.
 //
 // scene: name of its file
 // models: [{name, file, old, links, joints, poses, devices, sensors}]

@@ -8,7 +8,7 @@
 #include "diff/sentences.hpp"
 #include "diff/values.hpp"
 #include "smurf/diff.hpp"
-#include "write/json_printer.hpp"
+#include "write/text/json_printer.hpp"
 
 namespace smurf {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
-#include "write/json_text.hpp"
-#include "write/scene_losses.hpp"
-#include "write/scene_parts.hpp"
+#include "write/losses/scene_losses.hpp"
+#include "write/parts/scene_parts.hpp"
+#include "write/text/json_text.hpp"
 
 namespace smurf::scene_dmd_file {
 namespace {

@@ -4,7 +4,7 @@
 #include "base/misread.hpp"
 #include "base/utf8.hpp"
 #include "smurf/write_scene.hpp"
-#include "write/scene_parts.hpp"
+#include "write/parts/scene_parts.hpp"
 
 namespace smurf::scene_dot_file {
 namespace {

@@ -8,13 +8,13 @@
 
 #include "base/bits.hpp"
 #include "base/numbers.hpp"
-#include "write/annotated_colors.hpp"
-#include "write/base64.hpp"
-#include "write/json_text.hpp"
-#include "write/placed_shapes.hpp"
-#include "write/preview_meshes.hpp"
-#include "write/scene_losses.hpp"
-#include "write/unit_meshes.hpp"
+#include "write/losses/scene_losses.hpp"
+#include "write/pages/preview_meshes.hpp"
+#include "write/parts/annotated_colors.hpp"
+#include "write/parts/placed_shapes.hpp"
+#include "write/parts/unit_meshes.hpp"
+#include "write/text/base64.hpp"
+#include "write/text/json_text.hpp"
 
 namespace smurf::scene_gltf_file {
 namespace {

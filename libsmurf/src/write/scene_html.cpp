@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pages that show a scene, or two versions of one, in a browser: the viewer of web/viewer with the
 // scene as JSON in it.
-#include "write/viewer_data.hpp"
+#include "write/pages/viewer_data.hpp"
 #include "write/viewer_page.hpp"
 
 namespace smurf::scene_html_file {

@@ -5,7 +5,7 @@
 #include "base/numbers.hpp"
 #include "smurf/write.hpp"
 #include "smurf/write_scene.hpp"
-#include "write/json_text.hpp"
+#include "write/text/json_text.hpp"
 
 namespace smurf::scene_json_file {
 namespace {

@@ -9,10 +9,10 @@
 #include "base/numbers.hpp"
 #include "base/quoted.hpp"
 #include "base/unique_names.hpp"
-#include "write/annotated_colors.hpp"
-#include "write/mjcf_attach.hpp"
-#include "write/mjcf_excludes.hpp"
-#include "write/mjcf_sensors.hpp"
+#include "write/mjcf/mjcf_attach.hpp"
+#include "write/mjcf/mjcf_excludes.hpp"
+#include "write/mjcf/mjcf_sensors.hpp"
+#include "write/parts/annotated_colors.hpp"
 
 namespace smurf::scene_mjcf_file {
 namespace {

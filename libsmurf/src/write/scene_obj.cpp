@@ -9,12 +9,12 @@
 #include "base/misread.hpp"
 #include "base/numbers.hpp"
 #include "base/utf8.hpp"
-#include "write/annotated_colors.hpp"
-#include "write/long_text.hpp"
-#include "write/placed_shapes.hpp"
-#include "write/preview_meshes.hpp"
-#include "write/scene_losses.hpp"
-#include "write/unit_meshes.hpp"
+#include "write/losses/scene_losses.hpp"
+#include "write/pages/preview_meshes.hpp"
+#include "write/parts/annotated_colors.hpp"
+#include "write/parts/placed_shapes.hpp"
+#include "write/parts/unit_meshes.hpp"
+#include "write/text/long_text.hpp"
 
 namespace smurf::scene_obj_file {
 namespace {

@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "base/unique_names.hpp"
-#include "write/annotated_colors.hpp"
-#include "write/body_inertia.hpp"
-#include "write/scene_losses.hpp"
-#include "write/scene_parts.hpp"
-#include "write/sdf_model.hpp"
-#include "write/sdf_names.hpp"
-#include "write/xml_text.hpp"
+#include "write/losses/scene_losses.hpp"
+#include "write/parts/annotated_colors.hpp"
+#include "write/parts/body_inertia.hpp"
+#include "write/parts/scene_parts.hpp"
+#include "write/sdf/sdf_model.hpp"
+#include "write/sdf/sdf_names.hpp"
+#include "write/text/xml_text.hpp"
 
 namespace smurf::scene_sdf_file {
 namespace {

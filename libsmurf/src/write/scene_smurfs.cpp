@@ -4,7 +4,7 @@
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "smurf/write_scene.hpp"
-#include "write/json_text.hpp"
+#include "write/text/json_text.hpp"
 
 namespace smurf::scene_smurfs_file {
 namespace {

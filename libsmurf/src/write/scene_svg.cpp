@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "base/path.hpp"
-#include "write/scene_parts.hpp"
-#include "write/svg_view.hpp"
+#include "write/parts/scene_parts.hpp"
+#include "write/svg/svg_view.hpp"
 
 namespace smurf::scene_svg_file {
 namespace {

@@ -10,10 +10,10 @@
 #include "base/utf8.hpp"
 #include "convert/xml_edits.hpp"
 #include "syntax/strict_xml.hpp"
-#include "write/raw_xml.hpp"
-#include "write/scene_losses.hpp"
-#include "write/scene_parts.hpp"
-#include "write/xml_text.hpp"
+#include "write/losses/scene_losses.hpp"
+#include "write/parts/scene_parts.hpp"
+#include "write/text/raw_xml.hpp"
+#include "write/text/xml_text.hpp"
 
 namespace smurf::scene_urdf_file {
 namespace {

@@ -7,12 +7,12 @@
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/unique_names.hpp"
-#include "write/annotated_colors.hpp"
-#include "write/contacts.hpp"
-#include "write/placed_shapes.hpp"
-#include "write/preview_meshes.hpp"
-#include "write/usd_lights.hpp"
-#include "write/usd_physics.hpp"
+#include "write/pages/preview_meshes.hpp"
+#include "write/parts/annotated_colors.hpp"
+#include "write/parts/contacts.hpp"
+#include "write/parts/placed_shapes.hpp"
+#include "write/usd/usd_lights.hpp"
+#include "write/usd/usd_physics.hpp"
 
 namespace smurf::scene_usda_file {
 namespace {

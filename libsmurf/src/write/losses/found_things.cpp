@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/losses/found_things.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "ast/urdf_schema.hpp"
+#include "base/quoted.hpp"
+#include "base/ranges.hpp"
+#include "convert/import.hpp"
+#include "convert/passes.hpp"
+#include "write/mjcf/mujoco_sensors.hpp"
+#include "write/pages/viewer_sensors.hpp"
+#include "write/parts/gazebo_elements.hpp"
+#include "write/parts/joint_drives.hpp"
+#include "write/parts/scene_parts.hpp"
+
+namespace smurf::things {
+namespace {
+
+/// Longer names are truncated, because a long name may be repeated for many parts. Messages show
+/// fewer bytes than this.
+constexpr std::size_t kMostOfName = 240;
+
+/// Joints for which `part_of` returns a part.
+template <class PartOf>
+Found joints_with(const LinkedModel& model, PartOf part_of) {
+  Found found;
+  if (!model.robot) return found;
+  for (const urdf::Joint& joint : model.robot->joints) {
+    if (const std::optional<Span> span = part_of(joint)) {
+      found.push_back({*span, joint.name.value_or({})});
+    }
+  }
+  return found;
+}
+
+std::string name_of(xml::View element) {
+  const xml::Attribute* name = element.attribute("name");
+  return std::string(name != nullptr ? name->value() : element.name());
+}
+
+/// What URDF does not define.
+struct Undefined {
+  Found elements;  ///< without those that passes::extension_elements() finds
+  Found attributes;
+};
+
+template <class Spec>
+bool has_name(std::span<const Spec> table, std::string_view name) {
+  return ranges::any_of(table, [&](const Spec& known) { return known.name == name; });
+}
+
+/// Adds what is undefined in an element of URDF, at any depth.
+void add_undefined(xml::View element, const urdf::ElementSpec& spec, int depth, Undefined& found) {
+  for (const xml::Attribute& at : element.attributes()) {
+    if (at.name().starts_with("xmlns") || has_name(spec.attributes, at.name())) continue;
+    found.attributes.push_back({at.name_span(), shortened(at.name(), kMostOfName)});
+  }
+  for (const xml::View child : element) {
+    const urdf::ElementSpec* known =
+        has_name(spec.children, child.name()) ? urdf::find_element_spec(child.name()) : nullptr;
+    if (known != nullptr) {
+      add_undefined(child, *known, depth + 1, found);
+    } else if (depth > 1) {
+      found.elements.push_back({child.name_span(), shortened(child.name(), kMostOfName)});
+    }
+  }
+}
+
+Undefined find_undefined(const LinkedModel& model) {
+  Undefined found;
+  add_undefined(model.robot->document.view(), *urdf::find_element_spec("robot"), 0, found);
+  return found;
+}
+
+/// Whether a format has actuators.
+bool has_drives(SceneColumn column) {
+  return column == SceneColumn::mjcf || column == SceneColumn::usda;
+}
+
+/// Whether an actuator or drive has what this part of a transmission or ros2_control states. Its
+/// own parts are considered separately. Drives of USD have no limits of positions.
+bool is_said_by_drive(xml::View part, const std::set<xml::ElementId>& commands,
+                      SceneColumn column) {
+  const std::string_view name = part.name();
+  if (name == "mechanicalReduction") return import::text_of(part) == "1";
+  if (name == "command_interface") return commands.contains(part.id());
+  if (name == "param" && commands.contains(part.parent().id())) {
+    const std::string_view limit = import::attribute_of(part, "name");
+    const bool is_position = import::attribute_of(part.parent(), "name") == "position";
+    return is_position ? column == SceneColumn::mjcf && (limit == "min" || limit == "max")
+                       : limit == "max";
+  }
+  return name == "type" || name == "joint" || name == "actuator" || name == "hardwareInterface";
+}
+
+void add_unsaid_settings(xml::View element, const std::string& driver,
+                         const std::set<xml::ElementId>& commands, SceneColumn column,
+                         Found& found) {
+  for (const xml::View part : element) {
+    if (is_said_by_drive(part, commands, column)) {
+      add_unsaid_settings(part, driver, commands, column, found);
+    } else {
+      found.push_back({part.name_span(), std::string(part.name()) + " of " + driver});
+    }
+  }
+}
+
+Found drivers(const LinkedModel& model, SceneColumn column, std::string_view element) {
+  Found found;
+  if (!model.robot) return found;
+  std::set<xml::ElementId> written;
+  std::set<xml::ElementId> commands;
+  if (has_drives(column)) {
+    for (const JointDrive& drive : joint_drives(model)) {
+      written.insert(drive.element);
+      commands.insert(drive.command);
+    }
+  }
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View view(model.robot->document, id);
+    if (view.name() != element) continue;
+    if (written.contains(id)) {
+      add_unsaid_settings(view, shortened(name_of(view), kMostOfName), commands, column, found);
+    } else {
+      found.push_back({view.name_span(), name_of(view)});
+    }
+  }
+  return found;
+}
+
+/// The place of a setting that the scene lacks: the scene.
+Found missing(const SceneExport& scene) {
+  for (const SceneFile& file : scene.scene.scenes) {
+    if (file.scene.physics) return {{file.scene.physics->span, scene.scene.path}};
+  }
+  if (scene.flat.instances.empty()) return {};
+  return {{place_of(*scene.flat.instances.front().entity), scene.scene.path}};
+}
+
+/// Everybody expects gravity and a step of the simulator around a robot that is not in a scene.
+bool is_lone_urdf(const SceneExport& scene) {
+  return scene.scene.models.size() == 1 && !scene.scene.models.front().has_main &&
+         !scene.scene.scenes.front().document;
+}
+
+}  // namespace
+
+Found masses(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (!model.robot) return found;
+  for (const urdf::Link& link : model.robot->links) {
+    if (link.inertial) found.push_back({link.inertial->span, link.name.value_or({})});
+  }
+  return found;
+}
+
+Found collision_shapes(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (!model.robot) return found;
+  for (const urdf::Link& link : model.robot->links) {
+    for (const urdf::Collision& shape : link.collisions) {
+      found.push_back({shape.span, link.name.value_or({})});
+    }
+  }
+  return found;
+}
+
+Found movable_joints(const LinkedModel& model, SceneColumn) {
+  return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.is_movable()) return std::nullopt;
+    return joint.span;
+  });
+}
+
+Found textures(const LinkedModel& model, SceneColumn column) {
+  Found found;
+  if (column == SceneColumn::html) return found;
+  for (const MeshReference& reference : model.meshes) {
+    if (column == SceneColumn::mjcf && is_texture_of_mujoco(reference)) continue;
+    if (reference.is_texture) found.push_back({reference.span, reference.filename});
+  }
+  return found;
+}
+
+Found efforts(const LinkedModel& model, SceneColumn column) {
+  std::set<const urdf::Joint*> driven;
+  if (column == SceneColumn::mjcf) {
+    for (const JointDrive& drive : joint_drives(model)) driven.insert(drive.joint);
+  }
+  return joints_with(model, [&](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.limit || !joint.limit->effort || driven.contains(&joint)) return std::nullopt;
+    return joint.limit->effort.span;
+  });
+}
+
+Found velocities(const LinkedModel& model, SceneColumn) {
+  return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.limit || !joint.limit->velocity) return std::nullopt;
+    return joint.limit->velocity.span;
+  });
+}
+
+Found own_collisions(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (!model.robot) return found;
+  const auto collides = [](const urdf::Link& link) { return !link.collisions.empty(); };
+  const auto& links = model.robot->links;
+  if (std::count_if(links.begin(), links.end(), collides) < 2) return found;
+  found.push_back({{model.robot->document.source, 0, 0}, shortened(model.path, kMostOfName)});
+  return found;
+}
+
+Found joint_frictions(const LinkedModel& model, SceneColumn) {
+  return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.dynamics || joint.dynamics->friction.value_or(0) == 0) return std::nullopt;
+    return joint.dynamics->friction.span;
+  });
+}
+
+Found safety_controllers(const LinkedModel& model, SceneColumn) {
+  return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.safety_controller) return std::nullopt;
+    return joint.safety_controller->span;
+  });
+}
+
+Found calibrations(const LinkedModel& model, SceneColumn) {
+  return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.calibration) return std::nullopt;
+    return joint.calibration->span;
+  });
+}
+
+Found newer_limits(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (!model.robot) return found;
+  for (const xml::Attribute* limit : passes::newer_limits(model, "1.0")) {
+    found.push_back({limit->name_span(), std::string(limit->name())});
+  }
+  return found;
+}
+
+Found chosen_gains(const LinkedModel& model, SceneColumn) {
+  Found found;
+  for (const JointDrive& drive : joint_drives(model)) {
+    if (drive.kind == DriveKind::effort) continue;
+    found.push_back({drive.motor != nullptr ? drive.motor->span : drive.joint->span,
+                     shortened(drive.name, kMostOfName)});
+  }
+  return found;
+}
+
+Found transmissions(const LinkedModel& model, SceneColumn column) {
+  return drivers(model, column, "transmission");
+}
+
+Found ros2_controls(const LinkedModel& model, SceneColumn column) {
+  return drivers(model, column, "ros2_control");
+}
+
+namespace {
+
+/// The elements in <gazebo> that a format loses: all except the sensors that it has, plus the
+/// settings of those sensors that it does not have.
+Found other_than_sensors(const LinkedModel& model, const auto& sensors,
+                         std::vector<xml::View> (*lost_settings)(xml::View sensor)) {
+  Found found;
+  std::set<xml::ElementId> written;
+  for (const auto& sensor : sensors) written.insert(sensor.element);
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    if (gazebo.name() != "gazebo") continue;
+    for (const xml::View child : gazebo) {
+      if (!written.contains(child.id())) {
+        found.push_back({child.name_span(), name_of(child)});
+        continue;
+      }
+      const std::string name = shortened(name_of(child), kMostOfName);
+      for (const xml::View setting : lost_settings(child)) {
+        found.push_back({setting.name_span(), std::string(setting.name()) + " of " + name});
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+Found gazebo_elements(const LinkedModel& model, SceneColumn column) {
+  Found found;
+  if (!model.robot) return found;
+  if (column == SceneColumn::mjcf) {
+    return other_than_sensors(model, mujoco_sensors(model), unsaid_by_mujoco);
+  }
+  if (column == SceneColumn::html) {
+    return other_than_sensors(model, viewer_sensors(model), unshown_settings);
+  }
+  const bool is_sdf = column == SceneColumn::sdf || column == SceneColumn::sdf16;
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    if (gazebo.name() != "gazebo") continue;
+    for (const xml::View child : gazebo) {
+      if (!is_sdf || !is_taken_by_gazebo(model, child)) {
+        found.push_back({child.name_span(), name_of(child)});
+        continue;
+      }
+      for (const xml::View plugin : broken_plugins(child)) {
+        found.push_back({plugin.name_span(), name_of(plugin)});
+      }
+    }
+  }
+  return found;
+}
+
+Found other_extensions(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (!model.robot) return found;
+  for (const xml::View element : passes::extension_elements(*model.robot)) {
+    const bool has_row = element.name() == "gazebo" || element.name() == "transmission" ||
+                         element.name() == "ros2_control";
+    if (!has_row) found.push_back({element.name_span(), std::string(element.name())});
+  }
+  append(found, find_undefined(model).elements);
+  return found;
+}
+
+Found other_attributes(const LinkedModel& model, SceneColumn) {
+  return model.robot ? find_undefined(model).attributes : Found();
+}
+
+Found motors(const LinkedModel& model, SceneColumn column) {
+  if (!has_drives(column)) return entries<&Annotations::motors>(model, column);
+  Found found;
+  for (const Motor* motor : idle_motors(model)) {
+    found.push_back({motor->span, motor->name.value_or({})});
+  }
+  return found;
+}
+
+Found motor_keys(const LinkedModel& model, SceneColumn column) {
+  std::vector<std::string_view> said{"name",        "joint",     "type",        "p",
+                                     "maxSpeed",    "maxEffort", "mimic_motor", "mimic_multiplier",
+                                     "mimic_offset"};
+  if (column == SceneColumn::mjcf) {
+    said.insert(said.end(), {"minValue", "maxValue", "minPosition", "maxPosition"});
+  }
+  Found found;
+  for (const Motor& motor : model.annotations.motors) {
+    append(found, other_keys(model, motor, said));
+  }
+  return found;
+}
+
+Found sensors(const LinkedModel& model, SceneColumn column) {
+  std::set<const Sensor*> written;
+  if (column == SceneColumn::mjcf) {
+    for (const MujocoSensor& sensor : mujoco_sensors(model)) written.insert(sensor.annotation);
+  } else if (column == SceneColumn::html) {
+    written = sensors_on_page(model);
+  } else if (column == SceneColumn::sdf) {
+    for (const Sensor& sensor : model.annotations.sensors) {
+      const bool is_known = !passes::gazebo_type(sensor).empty() && sensor.name &&
+                            !passes::gazebo_carrier(model, sensor).empty();
+      if (is_known) written.insert(&sensor);
+    }
+  }
+  Found found;
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (!written.contains(&sensor)) found.push_back({sensor.span, sensor.name.value_or({})});
+  }
+  return found;
+}
+
+Found sensor_keys(const LinkedModel& model, SceneColumn column) {
+  Found found;
+  const auto add = [&](const Sensor& sensor, auto is_said) {
+    for (FoundThing& key : other_keys(model, sensor, {})) {
+      if (!is_said(sensor, key.name)) found.push_back(std::move(key));
+    }
+  };
+  if (column == SceneColumn::mjcf) {
+    const Sensor* last = nullptr;  // each ray of a scan becomes a sensor
+    for (const MujocoSensor& sensor : mujoco_sensors(model)) {
+      if (sensor.annotation == nullptr || sensor.annotation == last) continue;
+      last = sensor.annotation;
+      add(*last, is_said_by_mujoco);
+    }
+    return found;
+  }
+  if (column == SceneColumn::html) {
+    for (const Sensor* sensor : sensors_on_page(model)) add(*sensor, is_shown);
+    return found;
+  }
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (!passes::gazebo_type(sensor).empty()) add(sensor, passes::gazebo_says);
+  }
+  return found;
+}
+
+Found other_sections(const LinkedModel& model, SceneColumn) {
+  Found found;
+  for (const auto* sections : {&model.annotations.custom, &model.main.extra}) {
+    for (const CustomSection& section : *sections) {
+      // Their text names the URDF file.
+      if (section.name.value == "urdf_extensions") continue;
+      found.push_back({section.name.span, section.name.value});
+    }
+  }
+  return found;
+}
+
+Found no_gravity(const SceneExport& scene, SceneColumn) {
+  return scene.flat.physics.gravity || is_lone_urdf(scene) ? Found() : missing(scene);
+}
+
+Found no_step(const SceneExport& scene, SceneColumn) {
+  return scene.flat.physics.step_size || is_lone_urdf(scene) ? Found() : missing(scene);
+}
+
+Found ambient_lights(const SceneExport& scene, SceneColumn) {
+  Found found;
+  for (const Light* light : world_lights(scene)) {
+    if (light->ambient) found.push_back({light->ambient.span, light->name.value_or({})});
+  }
+  return found;
+}
+
+Found light_details(const SceneExport& scene, SceneColumn) {
+  Found found;
+  for (const Light* light : world_lights(scene)) {
+    const std::string name = light->name.value_or({});
+    for (const auto* number : {&light->constant_attenuation, &light->linear_attenuation,
+                               &light->quadratic_attenuation}) {
+      if (number->written) found.push_back({number->span, name});
+    }
+    if (light->specular) found.push_back({light->specular.span, name});
+  }
+  return found;
+}
+
+Found start_positions(const SceneExport& scene, SceneColumn) {
+  Found found;
+  const auto is_bent = [](const auto& joint) { return joint.second != 0; };
+  for (std::size_t i = 0; i < scene.flat.instances.size(); ++i) {
+    const auto& positions = scene.flat.instances[i].joint_positions;
+    if (std::none_of(positions.begin(), positions.end(), is_bent)) continue;
+    const Entity& entity = *scene.flat.instances[i].entity;
+    found.push_back(
+        {entity.pose.written ? entity.pose.span : place_of(entity), scene.flat.instances[i].path});
+  }
+  return found;
+}
+
+Found world_roots(const SceneExport& scene, SceneColumn) {
+  Found found;
+  for (std::size_t i = 0; i < scene.flat.instances.size(); ++i) {
+    const FlatInstance& instance = scene.flat.instances[i];
+    const LinkedModel* model = robot_of(scene.scene, i);
+    if (model == nullptr || instance.anchor.kind != Attachment::Kind::world) continue;
+    const Entity& entity = *scene.flat.instances[i].entity;
+    const SceneUse& use = scene.scene.use(scene.scene.instances[i]);
+    const bool is_chosen = !entity.anchor.written && root_link_name(*model) == "world" &&
+                           use.placement.anchor.kind == Attachment::Kind::none;
+    if (is_chosen) found.push_back({place_of(entity), instance.path});
+  }
+  return found;
+}
+
+Found entity_keys(const SceneExport& scene, SceneColumn column) {
+  const bool has_masks = column == SceneColumn::sdf || column == SceneColumn::mjcf;
+  const auto is_said = [&](std::string_view key) {
+    constexpr std::string_view kSaid[] = {"geometry", "physicmode", "extend",   "mass",   "movable",
+                                          "material", "length",     "width",    "height", "t_width",
+                                          "t_height", "t_scale",    "t_srcname"};
+    if (ranges::contains(kSaid, key)) return true;
+    if (key == "cfriction1") return has_masks || column == SceneColumn::usda;
+    if (key == "cfriction2") return column == SceneColumn::sdf;
+    return has_masks && (key == "coll_bitmask" || key == "bitmask");
+  };
+  Found found;
+  for (std::size_t i = 0; i < scene.flat.instances.size(); ++i) {
+    const FlatInstance& instance = scene.flat.instances[i];
+    if (instance.shapes.empty()) continue;
+    const std::string path = shortened(instance.path, kMostOfName);
+    for (const ValueMember& member : instance.properties) {
+      if (is_said(member.key)) continue;
+      const Entity& entity = *scene.flat.instances[i].entity;
+      found.push_back({place_of(entity), member.key + " of " + path});
+    }
+  }
+  return found;
+}
+
+}  // namespace smurf::things

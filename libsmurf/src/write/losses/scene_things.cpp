@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/losses/scene_things.hpp"
+
+#include "write/losses/found_things.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr std::string_view kKept = "kept";
+constexpr std::string_view kLost = "lost";
+constexpr std::string_view kOfUrdf = "partly: materials of the URDF";
+constexpr std::string_view kNotApplied = "lost: smurf2urdf --apply materials writes them";
+constexpr std::string_view kDiffuse = "lost: only the diffuse colour and transparency are written";
+constexpr std::string_view kMaterialName = "partly: names of materials";
+constexpr std::array<std::string_view, kSceneColumns> kLostEverywhere{kLost, kLost, kLost, kLost,
+                                                                      kLost, kLost, kLost, kLost};
+constexpr std::string_view kShown = "shown";
+constexpr std::string_view kNoPlace = "lost: SDF has no element for them";
+constexpr std::string_view kSpeed = "lost: MuJoCo does not limit speeds";
+constexpr std::string_view kEffort =
+    "lost: only actuators have them in MuJoCo, and these joints have no motor; `urdf2smurf --motors "
+    "all` adds motors";
+constexpr std::string_view kActuator =
+    "partly: actuators, where one joint is driven, without other settings";
+constexpr std::string_view kDrive =
+    "partly: drives, where one joint is driven, without other settings";
+constexpr std::string_view kFields = "partly: poses and fields of view of sensors";
+constexpr std::string_view kGazeboOnly = "lost: only Gazebo reads them";
+constexpr std::string_view kAsGazebo =
+    "partly: as Gazebo converts them, if their link or joint exists";
+constexpr std::string_view kPlugin = "lost: Gazebo leaves them to a plug-in that reads the URDF";
+constexpr std::string_view kNearest = "changed: to the nearest inertia that the simulator accepts";
+constexpr std::string_view kTenGrams = "added: 10 g in a ball of 1 cm, the default of MARS";
+constexpr std::string_view kOfShapes =
+    "added: those of the shapes, filled with the mass, if the shapes are closed";
+constexpr std::string_view kReadMeshes =
+    "kept: meshes that are STL, OBJ, bobj, COLLADA or glTF, without skins and textures";
+constexpr std::string_view kFixedWorld =
+    "added: them fixed to the world, as readers of URDFs do; `anchor: none` or --base floating "
+    "frees them, as in MARS";
+constexpr std::string_view kGains =
+    "added: a damping of 10 times the largest effort divided by the largest speed, 100 without "
+    "these limits, and for positions a stiffness of `p` times that, 20 times without `p`";
+constexpr std::string_view kPlainName =
+    "changed: names have ASCII letters, digits and _ only, are unique, and are not reserved";
+constexpr std::string_view kColours = "lost: shapes have colours";
+
+constexpr SceneThing kThings[] = {
+    // In the URDF.       sdf, sdf16, mjcf, urdf, dmd, html, gltf, usda
+    {.title = "masses and inertias",
+     .in_model = things::masses,
+     .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, kKept}},
+    {.title = kInventedMasses,
+     .cells = {kTenGrams, kTenGrams, kTenGrams, kKept, kKept, kKept, kKept, kTenGrams}},
+    {.title = kAbsentInertias,
+     .cells = {kOfShapes, kOfShapes, kOfShapes, kKept, kKept, kKept, kKept, kOfShapes}},
+    {.title = kRefusedInertias,
+     .cells = {kNearest, kNearest, kNearest, kKept, kKept, kKept, kKept,
+               "changed: USD computes moments of inertia of 0 from shapes"}},
+    {.title = "visual shapes",
+     .cells = {kKept, "kept: capsules are lost", kReadMeshes, kKept, kKept, kReadMeshes,
+               kReadMeshes, kReadMeshes}},
+    {.title = "collision shapes",
+     .in_model = things::collision_shapes,
+     .cells = {kKept, "kept: capsules are lost", kReadMeshes, kKept, kKept, kReadMeshes, kShown,
+               kReadMeshes}},
+    {.title = kEmptyShapes,
+     .cells = {kKept, kKept, "lost: MuJoCo refuses them", kKept, kKept, kKept, kKept, kKept}},
+    {.title = "names of visuals and collisions",
+     .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, "kept: as attributes"}},
+    {.title = "colours", .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kKept, kKept}},
+    {.title = kColorsOfMeshes,
+     .cells = {kKept, kKept,
+               "lost: MuJoCo shows a mesh in one colour, and refuses a flat part as a mesh", kKept,
+               kKept, kKept, kKept, kKept}},
+    {.title = "textures",
+     .in_model = things::textures,
+     .cells = {"kept: as albedo maps", "lost: SDF 1.6 has scripts of Gazebo Classic for them",
+               "partly: PNG files, but not those that a mesh file names", kKept, kKept,
+               "partly: PNG and JPEG files, but not those that a mesh file names", kColours,
+               kColours}},
+    {.title = "movable joints",
+     .in_model = things::movable_joints,
+     .cells = {"kept: planar ones as fixed", "kept: planar ones as fixed",
+               "kept: planar and floating ones as fixed", kKept, kKept,
+               "kept: planar and floating ones as fixed", kShown, kKept}},
+    {.title = "mimicking joints",
+     .cells = {"changed: for Gazebo Harmonic and later; before, they move without their leader",
+               "changed: they move without their leader", "kept: as equalities", kKept, kKept,
+               kKept, kShown, "kept: for PhysX"}},
+    {.title = "position limits",
+     .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, kKept}},
+    {.title = "effort limits",
+     .in_model = things::efforts,
+     .cells = {kKept, kKept, kEffort, kKept, kKept, kKept, kShown, "kept: of drives"}},
+    {.title = "velocity limits",
+     .in_model = things::velocities,
+     .cells = {kKept, kKept, kSpeed, kKept, kKept, kKept, kShown, "kept: for PhysX"}},
+    {.title = "soft limits and safety controllers",
+     .in_model = things::safety_controllers,
+     .cells = {kNoPlace, kNoPlace, kLost, kKept, kKept, kShown, kShown, kLost}},
+    {.title = "calibrations of joints",
+     .in_model = things::calibrations,
+     .cells = {kNoPlace, kNoPlace, kLost, kKept, kKept, kShown, kShown, kLost}},
+    {.title = "limits of acceleration and jerk",
+     .in_model = things::newer_limits,
+     .cells = {kNoPlace, kNoPlace, kLost, kKept, kKept, kShown, kShown, kLost}},
+    {.title = "damping and friction of joints",
+     .in_model = things::joint_frictions,
+     .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, "kept: friction for PhysX"}},
+    {.title = "transmissions",
+     .in_model = things::transmissions,
+     .cells = {kPlugin, kPlugin, kActuator, kKept, kKept, kShown, kShown, kDrive}},
+    {.title = "elements of ros2_control",
+     .in_model = things::ros2_controls,
+     .cells = {kPlugin, kPlugin, kActuator, kKept, kKept, kShown, kShown, kDrive}},
+    {.title = "collisions within a robot",
+     .in_model = things::own_collisions,
+     .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown,
+               "added: none, as in NVIDIA's importer of URDFs, because convex hulls overlap"}},
+    {.title = "gains of motors",
+     .in_model = things::chosen_gains,
+     .cells = {kKept, kKept, kGains, kKept, kKept, kKept, kKept, kGains}},
+    {.title = "elements in <gazebo>",
+     .in_model = things::gazebo_elements,
+     .cells = {kAsGazebo, kAsGazebo, "partly: sensors that MuJoCo has", kKept, kKept, kFields,
+               kShown, kGazeboOnly}},
+    {.title = kLostContacts,
+     .cells = {"lost: a contact sensor of Gazebo belongs to one link",
+               "lost: a contact sensor of Gazebo belongs to one link", kKept, kKept, kKept, kKept,
+               kKept, kKept}},
+    {.title = "systems of Gazebo for sensors",
+     .in_model = things::sensor_systems,
+     .cells = {"added: the plug-ins of Gazebo Fortress and later that run them", kKept, kKept,
+               kKept, kKept, kKept, kKept, kKept}},
+    {.title = "elements that URDF does not define",
+     .in_model = things::other_extensions,
+     .cells = {kLost, kLost, kLost, kKept, kKept, kShown, kShown, kLost}},
+    {.title = "attributes that URDF does not define",
+     .in_model = things::other_attributes,
+     .cells = {kLost, kLost, kLost, kKept, kKept, kShown, kShown, kLost}},
+    // Annotations.
+    {.title = "motor",
+     .of = ThingOf::annotation,
+     .in_model = things::motors,
+     .cells = {kLost, kLost, "partly: motors that drive a joint, as actuators", kLost, kLost, kLost,
+               kLost, "partly: motors that drive a joint, as drives"}},
+    {.title = "motor setting",
+     .of = ThingOf::annotation,
+     .in_model = things::motor_keys,
+     .cells = {kKept, kKept, "lost: MuJoCo has gain p and limits only", kKept, kKept, kKept, kKept,
+               "lost: drives of USD have stiffness, damping, effort and speed only"}},
+    {.title = "sensor",
+     .of = ThingOf::annotation,
+     .in_model = things::sensors,
+     .cells = {"partly: types that Gazebo has", kLost, "partly: types that MuJoCo has", kLost,
+               kLost, "partly: sensors on a link", kLost, kLost}},
+    {.title = "sensor setting",
+     .of = ThingOf::annotation,
+     .in_model = things::sensor_keys,
+     .cells = {"lost: Gazebo's sensors have no such setting", kKept,
+               "lost: MuJoCo's sensors have no such setting", kKept, kKept,
+               "lost: the page shows poses and fields of view", kKept, kKept}},
+    {.title = "controller",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::controllers>,
+     .cells = kLostEverywhere},
+    {.title = "material",
+     .of = ThingOf::annotation,
+     .in_model = things::materials,
+     .cells = {kOfUrdf, kOfUrdf, kOfUrdf, kNotApplied, kNotApplied, kOfUrdf, kOfUrdf, kOfUrdf}},
+    {.title = "material setting",
+     .of = ThingOf::annotation,
+     .in_model = things::material_keys,
+     .cells = {"lost: diffuse colours, textures and transparency are written", kDiffuse, kDiffuse,
+               kKept, kKept, "lost: the page shows diffuse colours and textures, and transparency",
+               kDiffuse, kDiffuse}},
+    {.title = "collision setting",
+     .of = ThingOf::annotation,
+     .in_model = things::collision_settings,
+     .cells = {"partly: bitmask and friction", kLost, "partly: bitmask and first friction", kLost,
+               kLost, kLost, kLost, "partly: first friction"}},
+    {.title = "joint setting",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::joints>,
+     .cells = kLostEverywhere},
+    {.title = "link setting",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::links>,
+     .cells = kLostEverywhere},
+    {.title = "visual setting",
+     .of = ThingOf::annotation,
+     .in_model = things::visual_settings,
+     .cells = {kMaterialName, kMaterialName, kMaterialName, kLost, kLost, kMaterialName,
+               kMaterialName, kMaterialName}},
+    {.title = "node",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::nodes>,
+     .cells = kLostEverywhere},
+    {.title = "joint task",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::joint_tasks>,
+     .cells = kLostEverywhere},
+    {.title = "light",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::lights>,
+     .cells = kLostEverywhere},
+    {.title = "graphics section",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::graphics>,
+     .cells = kLostEverywhere},
+    {.title = "joint pose set",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::poses>,
+     .cells = {kLost, kLost, kLost, kLost, kLost, kKept, kLost, kLost}},
+    {.title = "submechanism",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::submechanisms>,
+     .cells = kLostEverywhere},
+    {.title = "exoskeleton",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::exoskeletons>,
+     .cells = kLostEverywhere},
+    {.title = "interface",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::interfaces>,
+     .cells = kLostEverywhere},
+    {.title = "submodel",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::submodels>,
+     .cells = kLostEverywhere},
+    {.title = "other section",
+     .of = ThingOf::annotation,
+     .in_model = things::other_sections,
+     .cells = kLostEverywhere},
+    // In scenes and entities.
+    {.title = "gravity",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::gravity,
+     .cells = {kKept, kKept, kKept, kLost, kLost, kShown, kLost, kKept}},
+    {.title = "gravity when none is set",
+     .of = ThingOf::scene,
+     .in_scene = things::no_gravity,
+     .cells = {"added: 9.81 m/s^2 downward, the default of MARS",
+               "added: 9.81 m/s^2 downward, the default of MARS",
+               "added: 9.81 m/s^2 downward, the default of MARS", kKept, kKept, kKept, kKept,
+               "added: 9.81 m/s^2 downward, the default of MARS"}},
+    {.title = "step size",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::step_size,
+     .cells = {kKept, kKept, kKept, kLost, kLost, kShown, kLost, kLost}},
+    {.title = "step size when none is set",
+     .of = ThingOf::scene,
+     .in_scene = things::no_step,
+     .cells = {"added: 1 ms, where MARS uses 10 ms", "added: 1 ms, where MARS uses 10 ms",
+               "added: 1 ms; MARS uses 10 ms, with which many robots are unstable here", kKept,
+               kKept, kKept, kKept, kKept}},
+    {.title = "solver settings",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::solver,
+     .cells = {kKept, kKept, kLost, kLost, kLost, kShown, kLost, kLost}},
+    {.title = "environment",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::environment,
+     .cells = kLostEverywhere},
+    {.title = "plug-ins of MARS",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::plugins,
+     .cells = kLostEverywhere},
+    {.title = "lights",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::lights,
+     .cells = {kKept, kKept, kKept, kLost, kLost, kLost, kLost,
+               "kept: place, direction, diffuse colour and cone"}},
+    {.title = "ambient colours of lights",
+     .of = ThingOf::scene,
+     .in_scene = things::ambient_lights,
+     .cells = {"lost: SDF has one ambient colour per world",
+               "lost: SDF has one ambient colour per world", kKept, kKept, kKept, kKept, kKept,
+               kLost}},
+    {.title = "attenuations and specular colours of lights",
+     .of = ThingOf::scene,
+     .in_scene = things::light_details,
+     .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kKept,
+               "lost: light of USD falls off with the square of the distance"}},
+    {.title = kUnsureHeights,
+     .of = ThingOf::scene,
+     .cells = {kKept, kKept,
+               "changed: MuJoCo stretches the red part of the image from the darkest pixel to the "
+               "brightest one",
+               kKept, kKept, kKept, kKept, kKept}},
+    {.title = "entities of other types",
+     .of = ThingOf::scene,
+     .cells = {kLost, kLost, kLost, kLost, kLost, "kept: in the tree", "kept: as nodes",
+               "kept: as Xforms"}},
+    {.title = "anchors",
+     .of = ThingOf::scene,
+     .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, kKept}},
+    {.title = "roots named `world` without an anchor",
+     .of = ThingOf::scene,
+     .in_scene = things::world_roots,
+     .cells = {kFixedWorld, kFixedWorld, kFixedWorld, kFixedWorld, kKept, kKept, kKept,
+               kFixedWorld}},
+    {.title = "names of entities",
+     .of = ThingOf::scene,
+     .in_scene = things::changed_names,
+     .cells = {kPlainName, kPlainName, kKept, kPlainName, kPlainName, kKept, kKept,
+               "kept: as attributes"}},
+    {.title = "start positions",
+     .of = ThingOf::scene,
+     .in_scene = things::start_positions,
+     .cells = {"changed: they become the zero of the joints, and limits are shifted accordingly",
+               "changed: they become the zero of the joints, and limits are shifted accordingly",
+               "kept: in the keyframe", kLost, kKept, kKept, "kept: as poses", "kept: as poses"}},
+    {.title = "keys of primitives",
+     .of = ThingOf::scene,
+     .in_scene = things::entity_keys,
+     .cells = {"partly: keys of the shape, mass, bitmask and friction",
+               "partly: keys of the shape and mass",
+               "partly: keys of the shape, mass, bitmask and first friction",
+               "partly: keys of the shape and mass", kKept, "partly: keys of the shape",
+               "partly: keys of the shape", "partly: keys of the shape, mass and first friction"}},
+};
+
+}  // namespace
+
+std::span<const SceneThing> scene_things() { return kThings; }
+
+Fate fate_of(std::string_view cell) {
+  if (cell.starts_with("partly")) return Fate::partly;
+  if (cell.starts_with("changed")) return Fate::changed;
+  if (cell.starts_with("lost")) return Fate::lost;
+  if (cell.starts_with("added")) return Fate::added;
+  return cell == "shown" ? Fate::shown : Fate::kept;
+}
+
+std::string_view reason_of(std::string_view cell) {
+  const std::size_t colon = cell.find(": ");
+  return colon == std::string_view::npos ? std::string_view() : cell.substr(colon + 2);
+}
+
+}  // namespace smurf

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Inertias that simulators accept: they refuse a whole world because of an impossible one.
+#pragma once
+
+#include "write/parts/scene_parts.hpp"
+
+namespace smurf {
+
+struct BodyInertia {
+  LinkInertial mass;
+  /// Whether `mass` contains principal moments, ascending, with their axes in X_LC. Otherwise, it
+  /// is the inertial of the link as written: moments above the bound, the largest at most the sum
+  /// of the others.
+  bool is_principal = false;
+  bool is_changed = false;  ///< the change is larger than rounding
+};
+
+/// The nearest inertia of a possible body whose mass and moments are at least `least` (kg, kg m^2).
+/// Moments up to `least_in_tensor` are given by principal moments.
+BodyInertia body_inertia(const LinkInertial& mass, double least, double least_in_tensor);
+
+/// The same, always with principal moments, for readers that only refuse moments below `least`.
+BodyInertia principal_inertia(const LinkInertial& mass, double least);
+
+/// R I R^T: the tensor in the axes of the link; xx, yy, zz, xy, xz, yz.
+std::array<double, 6> tensor_in_link(const LinkInertial& mass);
+
+}  // namespace smurf

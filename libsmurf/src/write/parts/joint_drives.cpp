@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/parts/joint_drives.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "base/numbers.hpp"
+#include "base/quantity.hpp"
+#include "convert/annotation_values.hpp"
+#include "convert/import.hpp"
+#include "convert/joint_commands.hpp"
+#include "convert/passes.hpp"
+
+namespace smurf {
+namespace {
+
+/// A limit that is too large for computations is treated as absent.
+std::optional<double> above_zero(std::optional<double> value) {
+  return value && *value > 0 && is_quantity(*value) ? value : std::nullopt;
+}
+
+DriveKind kind_of(std::string_view interface) {
+  if (interface.find("osition") != std::string_view::npos) return DriveKind::position;
+  if (interface.find("elocity") != std::string_view::npos) return DriveKind::velocity;
+  return DriveKind::effort;
+}
+
+class DriveReader {
+ public:
+  explicit DriveReader(const LinkedModel& model)
+      : model_(model), drives_(model.robot->joints.size()) {}
+
+  std::vector<JointDrive> read() {
+    const AnnotationValues values(model_);
+    for (const Motor& motor : model_.annotations.motors) {
+      if (!motor.mimic_motor) of_motor(motor, values.joint_of(motor));
+    }
+    of_extensions("ros2_control", &DriveReader::of_ros2_control);
+    of_extensions("transmission", &DriveReader::of_transmission);
+    std::vector<JointDrive> found;
+    for (std::optional<JointDrive>& drive : drives_) {
+      if (drive) found.push_back(std::move(*drive));
+    }
+    return found;
+  }
+
+ private:
+  /// Null if the joint is already driven, or cannot be driven.
+  JointDrive* drive_of(const urdf::Joint* joint) {
+    if (joint == nullptr || !joint->has_one_axis() || joint->mimic || !joint->name) return nullptr;
+    const auto at = static_cast<std::size_t>(joint - model_.robot->joints.data());
+    if (drives_[at]) return nullptr;
+    JointDrive& drive = drives_[at].emplace();
+    drive.joint = joint;
+    drive.name = *joint->name;
+    if (joint->limit) {
+      drive.effort = above_zero(joint->limit->effort.value());
+      drive.speed = above_zero(joint->limit->velocity.value());
+      if (joint->type != urdf::JointType::continuous) {
+        drive.lower = joint->limit->lower.value_or(0);
+        drive.upper = joint->limit->upper.value_or(0);
+      }
+    }
+    // Phobos gives its motors this gain (representation.py).
+    constexpr double kUsualGain = 20;
+    drive.gain = kUsualGain;
+    return &drive;
+  }
+
+  const urdf::Joint* joint_named(xml::View element) const {
+    return model_.find_joint(import::attribute_of(element, "name"));
+  }
+
+  void of_motor(const Motor& motor, const urdf::Joint* joint) {
+    JointDrive* drive = drive_of(joint);
+    if (drive == nullptr) return;
+    drive->motor = &motor;
+    if (motor.name) drive->name = *motor.name;
+    drive->kind = kind_of(passes::interface_of(motor));
+    if (const auto effort = above_zero(limit_of(motor, LimitValue::effort))) drive->effort = effort;
+    if (const auto speed = above_zero(limit_of(motor, LimitValue::velocity))) drive->speed = speed;
+    const auto lower = limit_of(motor, LimitValue::lower);
+    const auto upper = limit_of(motor, LimitValue::upper);
+    if (lower && upper && *lower < *upper) {
+      drive->lower = lower;
+      drive->upper = upper;
+    }
+    drive->gain = above_zero(motor.p.value()).value_or(drive->gain);
+  }
+
+  void of_extensions(std::string_view name, void (DriveReader::*take)(xml::View)) {
+    for (const xml::ElementId id : model_.robot->extensions) {
+      const xml::View element(model_.robot->document, id);
+      if (element.name() == name) (this->*take)(element);
+    }
+  }
+
+  void of_ros2_control(xml::View system) {
+    for (const xml::View joint : system) {
+      if (joint.name() != "joint") continue;
+      const std::optional<JointCommand> command = joint_command(joint);
+      if (!command) continue;
+      JointDrive* drive = add(system, joint_named(joint), command->interface);
+      if (drive == nullptr) continue;
+      drive->command = command->element.id();
+      narrow(*drive, *command);
+    }
+  }
+
+  /// The limits of a command may narrow those of the joint, never widen them.
+  static void narrow(JointDrive& drive, const JointCommand& command) {
+    const auto least = [](std::optional<double>& limit, std::optional<double> other) {
+      other = above_zero(other);
+      if (other && (!limit || *other < *limit)) limit = other;
+    };
+    least(drive.speed, command.speed);
+    least(drive.effort, command.effort);
+    const std::optional<double>& lower = command.position_lower;
+    const std::optional<double>& upper = command.position_upper;
+    if (!lower || !upper || !is_quantity(*lower) || !is_quantity(*upper)) return;
+    const double low = std::max(*lower, drive.lower.value_or(*lower));
+    const double high = std::min(*upper, drive.upper.value_or(*upper));
+    if (!(low < high)) return;
+    drive.lower = low;
+    drive.upper = high;
+  }
+
+  void of_transmission(xml::View transmission) {
+    const xml::View joint = transmission.child("joint");
+    std::string_view type = import::child_text(transmission, "type");
+    if (type.empty()) type = import::attribute_of(transmission, "type");
+    if (!joint || type.find("SimpleTransmission") == std::string_view::npos) return;
+    const std::optional<std::string_view> interface = transmission_interface(transmission);
+    // A position, as for urdf2smurf, if it does not state how the joint is commanded.
+    if (interface) {
+      add(transmission, joint_named(joint), interface->empty() ? "position" : *interface);
+    }
+  }
+
+  JointDrive* add(xml::View element, const urdf::Joint* joint, std::string_view interface) {
+    JointDrive* drive = drive_of(joint);
+    if (drive == nullptr) return nullptr;
+    drive->kind = kind_of(interface);
+    drive->element = element.id();
+    return drive;
+  }
+
+  const LinkedModel& model_;
+  std::vector<std::optional<JointDrive>> drives_;  ///< by joint
+};
+
+}  // namespace
+
+std::vector<JointDrive> joint_drives(const LinkedModel& model) {
+  return model.robot ? DriveReader(model).read() : std::vector<JointDrive>();
+}
+
+double speed_gain(const JointDrive& drive) {
+  constexpr double kWithoutLimits = 100;
+  const double gain =
+      drive.effort && drive.speed ? 10 * *drive.effort / *drive.speed : kWithoutLimits;
+  return is_quantity(gain) ? gain : kWithoutLimits;
+}
+
+std::vector<DrivenFollower> driven_followers(const LinkedModel& model) {
+  std::vector<DrivenFollower> followers;
+  if (!model.robot) return followers;
+  const AnnotationValues values(model);
+  for (const Motor& motor : model.annotations.motors) {
+    const urdf::Joint* joint = motor.mimic_motor ? values.joint_of(motor) : nullptr;
+    const urdf::Joint* leader = values.leader_of(motor);
+    if (joint == nullptr || leader == nullptr || joint == leader || joint->mimic) continue;
+    followers.push_back(
+        {joint, leader, motor.mimic_multiplier.value_or(0), motor.mimic_offset.value_or(0)});
+  }
+  return followers;
+}
+
+std::vector<const Motor*> idle_motors(const LinkedModel& model) {
+  std::vector<const Motor*> idle;
+  if (!model.robot) return idle;
+  const AnnotationValues values(model);
+  std::set<const Motor*> driving;
+  for (const JointDrive& drive : joint_drives(model)) driving.insert(drive.motor);
+  for (const Motor& motor : model.annotations.motors) {
+    const bool is_follower = motor.mimic_motor && values.joint_of(motor) != nullptr &&
+                             values.leader_of(motor) != nullptr;
+    if (!is_follower && !driving.contains(&motor)) idle.push_back(&motor);
+  }
+  return idle;
+}
+
+}  // namespace smurf
