@@ -84,21 +84,21 @@ PRINTING = re.compile(
     r"#include\s*<(iostream|cstdio|stdio\.h)>|\b(printf|fprintf|puts|putchar|perror)\s*\(|"
     r"\bstd::(cout|cerr|clog)\b"
 )
-# The only file that prints into a text, which the test of base/floating.hpp compares with the standard library.
-PRINTS_INTO_TEXT = SOURCE / "base/portable_floating.cpp"
+# The only file that prints into a text, which the test of base/numbers/floating.hpp compares with the standard library.
+PRINTS_INTO_TEXT = SOURCE / "base/numbers/portable_floating.cpp"
 # Features that the libc++ of Emscripten lacks, or that C libraries round differently, and their replacements.
 UNPORTABLE = {
     re.compile(r"\bstd::ranges::"): "base/ranges.hpp",
-    re.compile(r"\bstd::bit_cast\b"): "base/bits.hpp",
+    re.compile(r"\bstd::bit_cast\b"): "base/numbers/bits.hpp",
     re.compile(r"\bstd::jthread\b"): "check/parallel.hpp",
-    re.compile(r"\bstd::(sin|cos|tan|asin|acos|atan|atan2|hypot)\("): "base/exact_math.hpp",
-    re.compile(r"\bstd::chars_format\b"): "base/floating.hpp",
+    re.compile(r"\bstd::(sin|cos|tan|asin|acos|atan|atan2|hypot)\("): "base/numbers/exact_math.hpp",
+    re.compile(r"\bstd::chars_format\b"): "base/numbers/floating.hpp",
 }
-REPLACEMENTS = {"base/ranges.hpp", "base/bits.hpp", "base/exact_math.hpp", "base/exact_math.cpp", "base/floating.cpp"}
+REPLACEMENTS = {"base/ranges.hpp", "base/numbers/bits.hpp", "base/numbers/exact_math.hpp", "base/numbers/exact_math.cpp", "base/numbers/floating.cpp"}
 # Headers of a system, and the only files that include them. std::filesystem behaves differently on Windows than
-# base/places.hpp.
+# base/files/places.hpp.
 SYSTEM_HEADERS = re.compile(r"(dirent|fcntl|io|poll|shellapi|signal|spawn|unistd|windows|winioctl|winsock2)\.h|(sys|netinet)/.*\.h|filesystem")
-SYSTEM_FILES = re.compile(r"src/base/(places_posix\.cpp|system(_posix|_windows)?\.[ch]pp|windows_paths\.cpp)|"
+SYSTEM_FILES = re.compile(r"src/base/files/(places_posix\.cpp|system(_posix|_windows)?\.[ch]pp|windows_paths\.cpp)|"
                           r"tools/(common/(process|browser)|smurf-view/sockets)_(posix|windows)\.cpp|tools/smurf-load-check/")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 LONGEST_FILE = 500
@@ -109,23 +109,23 @@ PIPELINE_FOLDERS = [SOURCE / "check", SOURCE / "lint"]
 # Private headers that tools still include. Make their contents public, or change the tool to do without. The list
 # should get shorter, never longer.
 PRIVATE_HEADERS_OF_TOOLS = {
-    "base/canonical_paths.hpp",
-    "base/counted.hpp",
-    "base/did_you_mean.hpp",
-    "base/edits.hpp",
-    "base/limits.hpp",
-    "base/numbers.hpp",
-    "base/path.hpp",
-    "base/path_patterns.hpp",
-    "base/places.hpp",  # differences between systems are in this file
-    "base/quoted.hpp",
-    "base/rules.hpp",
+    "base/files/canonical_paths.hpp",
+    "base/text/counted.hpp",
+    "base/text/did_you_mean.hpp",
+    "base/text/edits.hpp",
+    "base/findings/limits.hpp",
+    "base/numbers/numbers.hpp",
+    "base/files/path.hpp",
+    "base/files/path_patterns.hpp",
+    "base/files/places.hpp",  # differences between systems are in this file
+    "base/text/quoted.hpp",
+    "base/findings/rules.hpp",
     "base/sanitizer.hpp",
-    "base/suggest.hpp",
-    "base/system.hpp",
-    "base/uri.hpp",
-    "base/utf8.hpp",
-    "base/windows_paths.hpp",
+    "base/text/suggest.hpp",
+    "base/files/system.hpp",
+    "base/files/uri.hpp",
+    "base/text/utf8.hpp",
+    "base/files/windows_paths.hpp",
     "convert/mass_properties.hpp",
     "flatten/shapes.hpp",
     "link/kinematics.hpp",
@@ -142,9 +142,9 @@ PRIVATE_HEADERS_OF_TOOLS = {
 
 # Tables with one file for each row, the folders of the files, and the namespaces around those of the files.
 FILES_OF_TABLES = {
-    "base/rules.def": ("lint/rules", "smurf::rules"),
+    "base/findings/rules.def": ("lint/rules", "smurf::rules"),
     "ast/sections.def": ("ast/sections", "smurf::sections"),
-    "base/readers.def": ("readers", "smurf::readers"),
+    "base/findings/readers.def": ("readers", "smurf::readers"),
     "flatten/dialects.def": ("flatten/dialects", "smurf::readings"),
     "write/scene_formats.def": ("write", "smurf"),
 }
@@ -228,7 +228,7 @@ def check_systems():
         for number, line in code_lines(path):
             include = INCLUDE.match(line)
             if include and SYSTEM_HEADERS.fullmatch(include[2]) and not SYSTEM_FILES.search(path.as_posix()):
-                yield path, number, f"<{include[2]}> is for base/system.hpp and base/places.hpp"
+                yield path, number, f"<{include[2]}> is for base/files/system.hpp and base/files/places.hpp"
 
 
 def check_public_headers():

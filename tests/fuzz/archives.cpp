@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "archive/zip.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "fuzz/bundle.hpp"
 
 using namespace smurf;

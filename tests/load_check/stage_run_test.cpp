@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 #include <ode/ode.h>
 
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
 #include "load_check/built.hpp"
 
 using namespace smurf;

@@ -8,7 +8,7 @@
 #include <limits>
 #include <tuple>
 
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
 
 using namespace smurf;
 using namespace smurf::load_check;

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "smurf/pose.hpp"
 
 namespace smurf::test {

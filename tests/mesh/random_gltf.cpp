@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "base/bits.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/bits.hpp"
+#include "base/numbers/numbers.hpp"
 #include "smurf/pose.hpp"
 #include "write/text/base64.hpp"
 

@@ -9,9 +9,9 @@
 #include <initializer_list>
 #include <set>
 
-#include "base/cases.hpp"
-#include "base/place_names.hpp"
-#include "base/uncertain.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/place_names.hpp"
+#include "base/findings/uncertain.hpp"
 #include "readers/circumstances.hpp"
 #include "smurf/check.hpp"
 #include "support/loaded.hpp"

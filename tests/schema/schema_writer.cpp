@@ -12,7 +12,7 @@
 #include "ast/model_reader.hpp"
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "schema/ros_schemas.hpp"
 #include "schema/schema_head.hpp"
 #include "smurf/config.hpp"

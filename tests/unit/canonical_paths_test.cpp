@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "base/canonical_paths.hpp"
+#include "base/files/canonical_paths.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace smurf;

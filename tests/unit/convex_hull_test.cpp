@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/vectors.hpp"
+#include "base/numbers/vectors.hpp"
 #include "mesh/outer_points.hpp"
 #include "unit/random.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "base/count.hpp"
+#include "base/text/count.hpp"
 #include "unit/random.hpp"
 
 using namespace smurf;

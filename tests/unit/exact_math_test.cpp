@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/exact_math.hpp"
+#include "base/numbers/exact_math.hpp"
 
 #include <doctest/doctest.h>
 

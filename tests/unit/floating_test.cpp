@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compares our number conversions, for standard libraries that lack them, with the standard
 // library.
-#include "base/floating.hpp"
+#include "base/numbers/floating.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/bits.hpp"
+#include "base/numbers/bits.hpp"
 #include "unit/random.hpp"
 
 using namespace smurf;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include "base/path_patterns.hpp"
+#include "base/files/path_patterns.hpp"
 
 using namespace smurf;
 

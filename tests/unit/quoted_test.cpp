@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include "base/quoted.hpp"
-#include "base/utf8.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/utf8.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/yaml.hpp"
 #include "syntax/yaml_reader.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/suggest.hpp"
+#include "base/text/suggest.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
 #include "unit/random.hpp"
 
 using namespace smurf;

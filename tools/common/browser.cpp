@@ -4,8 +4,8 @@
 #include <cerrno>
 #include <cstring>
 
-#include "base/places.hpp"
-#include "base/system.hpp"
+#include "base/files/places.hpp"
+#include "base/files/system.hpp"
 #include "common/new_file.hpp"
 #include "common/output.hpp"
 #include "common/random_word.hpp"

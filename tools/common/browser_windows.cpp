@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "base/system.hpp"
-#include "base/windows_paths.hpp"
+#include "base/files/system.hpp"
+#include "base/files/windows_paths.hpp"
 #include "common/browser.hpp"
 // The headers of Windows come last, because they define many macros; the others need the first one.
 #include <windows.h>

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/did_you_mean.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/did_you_mean.hpp"
 #include "render/wrap.hpp"
 
 namespace smurf::tools {

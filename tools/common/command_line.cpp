@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
-#include "base/did_you_mean.hpp"
-#include "base/system.hpp"
+#include "base/files/system.hpp"
+#include "base/text/did_you_mean.hpp"
 #include "common/command.hpp"
 #include "common/output.hpp"
 #include "common/pages.hpp"

@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
-#include "base/counted.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/text/counted.hpp"
 #include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/shared_options.hpp"

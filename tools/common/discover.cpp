@@ -11,10 +11,10 @@
 #include <system_error>
 #include <utility>
 
-#include "base/limits.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
-#include "base/system.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/files/system.hpp"
+#include "base/findings/limits.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"
 #include "smurf/companions.hpp"

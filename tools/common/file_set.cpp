@@ -8,9 +8,9 @@
 #include <ctime>
 #include <system_error>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/system.hpp"
+#include "base/files/path.hpp"
+#include "base/files/system.hpp"
+#include "base/numbers/numbers.hpp"
 #include "smurf/repository.hpp"
 
 namespace smurf::tools {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/path.hpp"
-#include "base/places.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
 
 namespace smurf::tools {
 namespace {

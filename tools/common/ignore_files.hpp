@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "base/path_patterns.hpp"
+#include "base/files/path_patterns.hpp"
 #include "smurf/file_reader.hpp"
 
 namespace smurf::tools {

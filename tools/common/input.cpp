@@ -6,11 +6,11 @@
 #include <cerrno>
 #include <system_error>
 
-#include "base/canonical_paths.hpp"
-#include "base/limits.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
-#include "base/system.hpp"
+#include "base/files/canonical_paths.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/files/system.hpp"
+#include "base/findings/limits.hpp"
 #include "common/output.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/source.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/limits.hpp"
-#include "base/rules.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
 #include "common/input.hpp"
 #include "smurf/load.hpp"
 

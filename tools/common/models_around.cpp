@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "common/input.hpp"
 #include "smurf/check.hpp"
 #include "smurf/load.hpp"

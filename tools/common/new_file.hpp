@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/system.hpp"
+#include "base/files/system.hpp"
 
 namespace smurf::tools {
 

@@ -10,10 +10,10 @@
 #include <system_error>
 #include <thread>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
-#include "base/system.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/files/system.hpp"
+#include "base/numbers/numbers.hpp"
 #include "common/file_set.hpp"
 #include "common/process.hpp"
 #include "render/printable.hpp"

@@ -3,7 +3,7 @@
 #include <new>
 #include <string_view>
 
-#include "base/windows_paths.hpp"
+#include "base/files/windows_paths.hpp"
 #include "common/command.hpp"
 #include "common/new_file.hpp"
 #include "common/process.hpp"

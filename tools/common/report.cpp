@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "base/counted.hpp"
-#include "base/system.hpp"
+#include "base/files/system.hpp"
+#include "base/text/counted.hpp"
 #include "smurf/repository.hpp"
 
 namespace smurf::tools {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "base/did_you_mean.hpp"
-#include "base/numbers.hpp"
-#include "base/system.hpp"
+#include "base/files/system.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/did_you_mean.hpp"
 #include "render/wrap.hpp"
 
 namespace smurf::tools {

@@ -4,9 +4,9 @@
 #include <csignal>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/places.hpp"
-#include "base/system.hpp"
+#include "base/files/places.hpp"
+#include "base/files/system.hpp"
+#include "base/text/counted.hpp"
 
 namespace smurf::tools {
 namespace {

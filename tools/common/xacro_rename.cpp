@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "base/edits.hpp"
-#include "base/quoted.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/quoted.hpp"
 #include "smurf/config.hpp"
 
 namespace smurf::tools {

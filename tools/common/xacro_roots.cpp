@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "base/path.hpp"
-#include "base/places.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
 #include "common/input.hpp"
 #include "common/xacro_text.hpp"
 #include "smurf/confine.hpp"

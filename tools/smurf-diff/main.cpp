@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/places.hpp"
+#include "base/files/places.hpp"
 #include "common/browser.hpp"
 #include "common/discover.hpp"
 #include "common/input.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "common/shared_options.hpp"
 
 namespace smurf::tools {

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "base/findings/limits.hpp"
 #include "common/input.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/check.hpp"

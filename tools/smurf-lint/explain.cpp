@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/did_you_mean.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/text/did_you_mean.hpp"
 #include "render/wrap.hpp"
 #include "smurf-lint/options.hpp"
 #include "smurf/format.hpp"

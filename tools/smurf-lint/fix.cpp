@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/limits.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/limits.hpp"
+#include "base/text/counted.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/line_diff.hpp"
 #include "smurf/confine.hpp"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/text/counted.hpp"
 #include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"

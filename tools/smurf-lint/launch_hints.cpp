@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "base/path.hpp"
-#include "base/places.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
 #include "common/xacro_text.hpp"
 #include "smurf/file_reader.hpp"
 

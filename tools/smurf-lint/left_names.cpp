@@ -7,8 +7,8 @@
 #include <map>
 #include <string_view>
 
-#include "base/path.hpp"
-#include "base/places.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
 #include "common/input.hpp"
 #include "common/xacro_roots.hpp"
 #include "smurf/companions.hpp"

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/limits.hpp"
-#include "base/rules.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/counted.hpp"
 #include "common/browser.hpp"
 #include "common/input.hpp"
 #include "common/process.hpp"

@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "common/input.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/settings.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "base/did_you_mean.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/did_you_mean.hpp"
 #include "common/shared_options.hpp"
 #include "smurf-lint/rename.hpp"
 #include "smurf/format.hpp"

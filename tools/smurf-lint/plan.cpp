@@ -9,11 +9,11 @@
 #include <optional>
 #include <set>
 
-#include "base/canonical_paths.hpp"
-#include "base/limits.hpp"
-#include "base/path.hpp"
-#include "base/path_patterns.hpp"
-#include "base/places.hpp"
+#include "base/files/canonical_paths.hpp"
+#include "base/files/path.hpp"
+#include "base/files/path_patterns.hpp"
+#include "base/files/places.hpp"
+#include "base/findings/limits.hpp"
 #include "common/discover.hpp"
 #include "common/ignore_files.hpp"
 #include "common/input.hpp"

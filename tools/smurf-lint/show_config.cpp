@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
-#include "base/places.hpp"
+#include "base/files/places.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
 #include "common/input.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/plan.hpp"

@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/places.hpp"
+#include "base/files/places.hpp"
+#include "base/text/counted.hpp"
 #include "common/discover.hpp"
 #include "common/output.hpp"
 #include "common/stamps.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "base/numbers.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
 #include "lint/queries.hpp"
 

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <vector>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "common/command.hpp"
 
 namespace smurf::load_check {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/numbers.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/quoted.hpp"
 #include "link/kinematics.hpp"
 #include "lint/queries.hpp"
 #include "smurf-load-check/bodies.hpp"

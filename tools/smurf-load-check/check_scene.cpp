@@ -3,8 +3,8 @@
 #include <map>
 #include <set>
 
-#include "base/numbers.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/numbers.hpp"
 #include "smurf-load-check/bodies.hpp"
 #include "smurf-load-check/check.hpp"
 #include "smurf-load-check/environment.hpp"

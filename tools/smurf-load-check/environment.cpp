@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "base/path.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
 #include "flatten/shapes.hpp"
 #include "smurf-load-check/heightfield.hpp"
 

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "base/limits.hpp"
+#include "base/findings/limits.hpp"
 
 namespace smurf::load_check {
 namespace {

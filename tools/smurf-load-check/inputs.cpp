@@ -6,7 +6,7 @@
 #include <iterator>
 #include <set>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/suggest.hpp"
+#include "base/text/suggest.hpp"
 #include "common/process.hpp"
 #include "common/progress.hpp"
 #include "smurf-load-check/options.hpp"

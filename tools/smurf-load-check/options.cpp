@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
 #include "common/shared_options.hpp"
 
 namespace smurf::load_check {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
 #include "common/command.hpp"
 #include "render/json_text.hpp"
 #include "render/printable.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
 #include "smurf-load-check/bodies.hpp"
 #include "smurf-load-check/trace.hpp"
 #include "smurf-load-check/wire.hpp"

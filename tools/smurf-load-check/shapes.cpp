@@ -6,9 +6,9 @@
 #include <map>
 #include <unordered_map>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/queries.hpp"
 #include "smurf-load-check/mesh.hpp"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/numbers.hpp"
 #include "smurf-load-check/trace.hpp"
 
 namespace smurf::load_check {

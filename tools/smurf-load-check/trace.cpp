@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-load-check/trace.hpp"
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "render/printable.hpp"
 
 namespace smurf::load_check {

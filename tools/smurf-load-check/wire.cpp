@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 
 namespace smurf::load_check {
 namespace {

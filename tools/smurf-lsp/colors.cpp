@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf/key_help.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "base/edits.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/text/edits.hpp"
 #include "render/printable.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/xacro_completion.hpp"

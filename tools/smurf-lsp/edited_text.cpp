@@ -5,7 +5,7 @@
 #include <iterator>
 #include <tuple>
 
-#include "base/utf8.hpp"
+#include "base/text/utf8.hpp"
 
 namespace smurf::lsp {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "base/edits.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/text/edits.hpp"
 #include "render/printable.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/uri.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf/companion_help.hpp"
 #include "smurf/companions.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf/describe.hpp"
 #include "smurf/key_help.hpp"

@@ -2,7 +2,7 @@
 // Document links: the file names in a document and their targets.
 #include <set>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf/key_help.hpp"
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/xacro.hpp"
 

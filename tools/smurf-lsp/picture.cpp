@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The model or scene of a document as a page in 3D, which an editor shows beside the text.
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "common/input.hpp"
 #include "common/pictured_scene.hpp"
 #include "smurf-lsp/capabilities.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-lsp/printed_lists.hpp"
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 
 namespace smurf::lsp {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/xacro.hpp"
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
 
 namespace smurf::lsp {
 namespace {

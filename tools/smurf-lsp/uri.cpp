@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-lsp/uri.hpp"
 
-#include "base/path.hpp"
-#include "base/uri.hpp"
+#include "base/files/path.hpp"
+#include "base/files/uri.hpp"
 
 namespace smurf::lsp {
 namespace {

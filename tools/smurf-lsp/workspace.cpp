@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "common/input.hpp"
 #include "common/models_around.hpp"
 #include "common/planned_rename.hpp"

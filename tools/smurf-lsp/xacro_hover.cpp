@@ -2,9 +2,9 @@
 // Hover in a xacro: what a name is, and which values an expression has in which call.
 #include <algorithm>
 
-#include "base/counted.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
+#include "base/files/path.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/quoted.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/xacro.hpp"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "common/browser.hpp"
 #include "common/converter.hpp"
 #include "common/input.hpp"

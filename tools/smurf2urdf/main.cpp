@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf2urdf: the plain URDF of a SMURF model, checked before it is written.
-#include "base/counted.hpp"
-#include "base/limits.hpp"
-#include "base/numbers.hpp"
+#include "base/findings/limits.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
 #include "smurf/conversion.hpp"

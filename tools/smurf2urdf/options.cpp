@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 
 namespace smurf::tools {
 namespace {

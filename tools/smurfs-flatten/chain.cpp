@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/did_you_mean.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/did_you_mean.hpp"
 #include "common/command.hpp"
 #include "render/printable.hpp"
 

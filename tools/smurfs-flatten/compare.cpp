@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "render/printable.hpp"
 #include "render/wrap.hpp"
 #include "write/text/json_text.hpp"

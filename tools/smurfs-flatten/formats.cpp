@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurfs-flatten/formats.hpp"
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "render/wrap.hpp"
 #include "smurf/write_scene.hpp"
 

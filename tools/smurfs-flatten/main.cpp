@@ -2,8 +2,8 @@
 // smurfs-flatten: a scene as instances in the world frame.
 #include <algorithm>
 
-#include "base/counted.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/text/counted.hpp"
 #include "common/browser.hpp"
 #include "common/converter.hpp"
 #include "common/copy_files.hpp"

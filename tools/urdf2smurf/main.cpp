@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <span>
 
-#include "base/counted.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/text/counted.hpp"
 #include "common/converter.hpp"
 #include "common/copy_files.hpp"
 #include "common/process.hpp"

@@ -74,7 +74,8 @@ class Circumstances {
   std::vector<const Circumstance*> cases_;
 };
 
-/// An element, attribute or key that facts name. at() in base/place_names.hpp makes it of a text.
+/// An element, attribute or key that facts name. at() in base/findings/place_names.hpp makes it of
+/// a text.
 enum class PlaceName : std::uint8_t {};
 
 /// The version of a reader: 12.7.2.

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "archive/zip.hpp"
-#include "base/limits.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/limits.hpp"
 
 namespace smurf {
 namespace {

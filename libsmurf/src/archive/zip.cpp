@@ -9,10 +9,10 @@
 
 #include <minizip/unzip.h>
 
-#include "base/limits.hpp"
-#include "base/little_endian.hpp"
-#include "base/path.hpp"
-#include "base/utf8.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/limits.hpp"
+#include "base/numbers/little_endian.hpp"
+#include "base/text/utf8.hpp"
 
 namespace smurf {
 namespace {

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <optional>
 
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
-#include "base/rules.hpp"
-#include "base/words.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

@@ -6,7 +6,7 @@
 #include "ast/model_reader.hpp"
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 
 namespace smurf {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
-#include "base/cases.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/suggest.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
 
 namespace smurf {
 namespace {

@@ -9,13 +9,13 @@
 #include "ast/key_renames.hpp"
 #include "ast/notation.hpp"
 #include "ast/wrong_type.hpp"
-#include "base/cases.hpp"
-#include "base/numbers.hpp"
-#include "base/quantity.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/suggest.hpp"
-#include "base/words.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/numbers/quantity.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ast/sections.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
 
 namespace smurf {
 namespace {

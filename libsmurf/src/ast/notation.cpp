@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "base/numbers.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

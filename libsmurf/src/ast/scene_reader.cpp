@@ -9,10 +9,10 @@
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
 #include "ast/wrong_type.hpp"
-#include "base/cases.hpp"
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
-#include "base/rules.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
 
 namespace smurf {
 namespace {

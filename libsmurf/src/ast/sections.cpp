@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ast/wrong_type.hpp"
-#include "base/cases.hpp"
+#include "base/findings/cases.hpp"
 
 namespace smurf {
 namespace {

@@ -9,15 +9,15 @@
 #include <optional>
 #include <vector>
 
-#include "base/cases.hpp"
-#include "base/counted.hpp"
-#include "base/floating.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/uncertain.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/findings/uncertain.hpp"
+#include "base/numbers/floating.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

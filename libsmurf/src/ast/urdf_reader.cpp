@@ -8,13 +8,13 @@
 #include <set>
 
 #include "ast/urdf_numbers.hpp"
-#include "base/cases.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/quantity.hpp"
-#include "base/quoted.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/numbers/quantity.hpp"
 #include "base/ranges.hpp"
-#include "base/rules.hpp"
+#include "base/text/quoted.hpp"
 
 namespace smurf {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/suggest.hpp"
-#include "base/words.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf::urdf {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "ast/urdf_reader.hpp"
 #include "ast/urdf_schema.hpp"
-#include "base/cases.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "ast/notation.hpp"
+#include "base/findings/rules.hpp"
 #include "base/ranges.hpp"
-#include "base/rules.hpp"
 
 namespace smurf {
 namespace {

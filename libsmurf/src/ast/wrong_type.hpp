@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ast/keys.hpp"
-#include "base/cases.hpp"
+#include "base/findings/cases.hpp"
 
 namespace smurf {
 

@@ -7,12 +7,12 @@
 #include <optional>
 #include <set>
 
-#include "base/canonical_paths.hpp"
-#include "base/open_folder.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
+#include "base/files/canonical_paths.hpp"
+#include "base/files/open_folder.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/files/system.hpp"
 #include "base/ranges.hpp"
-#include "base/system.hpp"
 #include "smurf/check.hpp"
 #include "smurf/config.hpp"
 #include "smurf/repository.hpp"

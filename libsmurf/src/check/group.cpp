@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "base/canonical_paths.hpp"
-#include "base/path_patterns.hpp"
+#include "base/files/canonical_paths.hpp"
+#include "base/files/path_patterns.hpp"
 
 namespace smurf {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "smurf/check.hpp"
 
 namespace smurf {

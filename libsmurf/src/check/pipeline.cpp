@@ -6,11 +6,11 @@
 #include <set>
 #include <utility>
 
-#include "base/canonical_paths.hpp"
-#include "base/limits.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
-#include "base/rules.hpp"
+#include "base/files/canonical_paths.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
 #include "check/xacro_places.hpp"
 #include "smurf/lint_companions.hpp"
 #include "syntax/yaml_reader.hpp"

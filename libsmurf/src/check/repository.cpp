@@ -5,10 +5,10 @@
 #include <map>
 #include <optional>
 
-#include "base/canonical_paths.hpp"
-#include "base/open_folder.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
+#include "base/files/canonical_paths.hpp"
+#include "base/files/open_folder.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
 #include "base/ranges.hpp"
 
 namespace smurf {

@@ -8,10 +8,10 @@
 #include <set>
 #include <utility>
 
-#include "base/canonical_paths.hpp"
-#include "base/limits.hpp"
-#include "base/path.hpp"
-#include "base/rules.hpp"
+#include "base/files/canonical_paths.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
 #include "check/parallel.hpp"
 #include "lint/companions/ros2_control.hpp"
 

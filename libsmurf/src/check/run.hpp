@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "base/canonical_paths.hpp"
+#include "base/files/canonical_paths.hpp"
 #include "check/group.hpp"
 #include "check/pipeline.hpp"
 #include "check/shared_companions.hpp"

@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "base/path.hpp"
-#include "base/system.hpp"
+#include "base/files/path.hpp"
+#include "base/files/system.hpp"
 #include "check/group.hpp"
 #include "check/pipeline.hpp"
 #include "check/run.hpp"

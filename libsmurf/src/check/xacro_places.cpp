@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "base/counted.hpp"
-#include "base/quoted.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/quoted.hpp"
 
 namespace smurf {
 namespace {

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <iterator>
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "smurf/ros_parameters.hpp"
 
 namespace smurf {

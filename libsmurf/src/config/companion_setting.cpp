@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/companion_setting.hpp"
 
-#include "base/path.hpp"
-#include "base/quoted.hpp"
+#include "base/files/path.hpp"
+#include "base/text/quoted.hpp"
 #include "config/setting_findings.hpp"
 
 namespace smurf {

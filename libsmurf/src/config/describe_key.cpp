@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/quoted.hpp"
+#include "base/text/quoted.hpp"
 #include "smurf/key_help.hpp"
 
 namespace smurf {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/path.hpp"
-#include "base/places.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
 #include "smurf/config.hpp"
 
 namespace smurf {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "ast/keys.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 
 namespace smurf {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 
 namespace smurf {
 

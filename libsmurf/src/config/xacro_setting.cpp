@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/xacro_setting.hpp"
 
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "config/setting_findings.hpp"
 #include "smurf/xacro.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/limits.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/limits.hpp"
 #include "render/printable.hpp"
 
 namespace smurf {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/limits.hpp"
-#include "base/rules.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
 #include "conversion/floor.hpp"
 #include "conversion/refusal.hpp"
 #include "conversion/scene_assets.hpp"

@@ -4,8 +4,8 @@
 #include <set>
 #include <utility>
 
-#include "base/path.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
 #include "conversion/refusal.hpp"
 #include "render/printable.hpp"
 #include "smurf/conversion.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/did_you_mean.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/text/did_you_mean.hpp"
 #include "conversion/refusal.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/conversion.hpp"

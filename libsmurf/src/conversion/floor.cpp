@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "base/numbers.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/quoted.hpp"
 
 namespace smurf {
 namespace {

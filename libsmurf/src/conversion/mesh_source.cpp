@@ -2,7 +2,7 @@
 // Reads meshes and textures for formats that show them.
 #include <map>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "smurf/asset_copies.hpp"
 
 namespace smurf {

@@ -3,7 +3,7 @@
 
 #include <system_error>
 
-#include "base/places.hpp"
+#include "base/files/places.hpp"
 
 namespace smurf {
 

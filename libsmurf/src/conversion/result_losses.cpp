@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/cases.hpp"
-#include "base/readers.hpp"
-#include "base/rules.hpp"
-#include "base/words.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/words.hpp"
 #include "smurf/check.hpp"
 
 namespace smurf {

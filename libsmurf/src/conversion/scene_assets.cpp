@@ -7,8 +7,8 @@
 #include <set>
 #include <vector>
 
-#include "base/edits.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/text/edits.hpp"
 
 namespace smurf {
 namespace {

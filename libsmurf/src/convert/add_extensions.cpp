@@ -6,10 +6,10 @@
 #include <numbers>
 #include <set>
 
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
-#include "base/quantity.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/numbers/quantity.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/words.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/passes.hpp"
 #include "convert/sensor_views.hpp"

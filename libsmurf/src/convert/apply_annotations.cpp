@@ -4,11 +4,11 @@
 #include <map>
 #include <set>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
-#include "base/quantity.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/numbers/quantity.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/passes.hpp"
 

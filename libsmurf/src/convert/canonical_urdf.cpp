@@ -6,9 +6,9 @@
 #include <map>
 #include <span>
 
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/words.hpp"
 #include "convert/passes.hpp"
 
 namespace smurf {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
 #include "convert/link_references.hpp"
 #include "convert/mass_properties.hpp"
 #include "convert/passes.hpp"

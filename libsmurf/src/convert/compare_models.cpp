@@ -6,8 +6,8 @@
 #include <random>
 #include <set>
 
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/mass_properties.hpp"
 #include "convert/passes.hpp"

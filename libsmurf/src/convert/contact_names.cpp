@@ -3,8 +3,8 @@
 #include <cmath>
 #include <map>
 
-#include "base/edits.hpp"
-#include "base/exact_math.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/text/edits.hpp"
 #include "convert/passes.hpp"
 #include "link/gazebo_names.hpp"
 

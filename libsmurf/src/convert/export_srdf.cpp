@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
 #include "convert/passes.hpp"
 #include "link/kinematics.hpp"
 #include "smurf/convert.hpp"

@@ -5,10 +5,10 @@
 #include <functional>
 #include <memory>
 
-#include "base/edits.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/edits.hpp"
 #include "convert/passes.hpp"
 #include "convert/rebase.hpp"
 #include "smurf/load.hpp"

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "base/numbers.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/words.hpp"
 #include "convert/import.hpp"
 
 namespace smurf {

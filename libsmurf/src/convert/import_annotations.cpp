@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "convert/import.hpp"
 #include "convert/xml_edits.hpp"
 

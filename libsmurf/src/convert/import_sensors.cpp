@@ -7,9 +7,9 @@
 #include <map>
 #include <numbers>
 
-#include "base/edits.hpp"
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
 #include "convert/gazebo_sensors.hpp"
 #include "convert/import.hpp"
 #include "link/gazebo_names.hpp"

@@ -2,11 +2,11 @@
 // The URDF is kept, and annotations are added beside it. Entries of sections repeat parts
 // of the URDF; text sections repeat the rest, so that readers of the annotations miss
 // nothing.
-#include "base/edits.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
-#include "base/rules.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/words.hpp"
 #include "convert/import.hpp"
 #include "convert/rebase.hpp"
 #include "smurf/xacro.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert/joint_commands.hpp"
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "convert/import.hpp"
 
 namespace smurf {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "convert/gazebo_sensors.hpp"
 #include "convert/passes.hpp"
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <set>
 
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/words.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/passes.hpp"
 

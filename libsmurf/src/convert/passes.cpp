@@ -3,12 +3,12 @@
 
 #include <set>
 
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/places.hpp"
-#include "base/system.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/files/system.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/words.hpp"
 #include "smurf/references.hpp"
 
 namespace smurf::passes {

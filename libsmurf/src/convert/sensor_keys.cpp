@@ -3,8 +3,8 @@
 
 #include <numbers>
 
-#include "base/exact_math.hpp"
-#include "base/quantity.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/quantity.hpp"
 
 namespace smurf {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
-#include "base/quantity.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/numbers/quantity.hpp"
 #include "convert/gazebo_sensors.hpp"
 #include "convert/import.hpp"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "ast/urdf_numbers.hpp"
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
 #include "convert/passes.hpp"
 
 namespace smurf::passes {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert/xml_edits.hpp"
 
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
 
 namespace smurf {
 namespace {

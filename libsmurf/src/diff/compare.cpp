@@ -8,8 +8,8 @@
 #include <unordered_set>
 #include <utility>
 
-#include "base/path.hpp"
-#include "base/quoted.hpp"
+#include "base/files/path.hpp"
+#include "base/text/quoted.hpp"
 #include "diff/values.hpp"
 
 namespace smurf {

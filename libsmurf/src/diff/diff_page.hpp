@@ -2,7 +2,7 @@
 // The page of web/diff, which shows differences.
 #pragma once
 
-#include "base/embedded_page.hpp"
+#include "base/text/embedded_page.hpp"
 
 namespace smurf {
 

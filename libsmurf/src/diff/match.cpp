@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/bits.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/bits.hpp"
 #include "base/ranges.hpp"
 
 namespace smurf {

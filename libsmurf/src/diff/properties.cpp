@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exact_math.hpp"
+#include "base/numbers/exact_math.hpp"
 #include "diff/values.hpp"
 
 namespace smurf {

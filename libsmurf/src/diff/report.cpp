@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "diff/sentences.hpp"
 #include "diff/values.hpp"
 #include "render/paint.hpp"

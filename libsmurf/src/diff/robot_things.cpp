@@ -7,10 +7,10 @@
 #include <unordered_map>
 
 #include "ast/urdf_schema.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
 #include "base/ranges.hpp"
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "diff/collect.hpp"
 
 namespace smurf {

@@ -7,7 +7,7 @@
 
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "diff/collect.hpp"
 
 namespace smurf {

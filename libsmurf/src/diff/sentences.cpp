@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "diff/sentences.hpp"
 
-#include "base/quoted.hpp"
+#include "base/text/quoted.hpp"
 #include "diff/values.hpp"
 #include "render/printable.hpp"
 

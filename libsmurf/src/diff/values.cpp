@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
 #include "smurf/describe.hpp"
 
 namespace smurf {

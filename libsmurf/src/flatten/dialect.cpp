@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/quantity.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/quantity.hpp"
+#include "base/text/quoted.hpp"
 #include "flatten/dialect_parts.hpp"
 
 namespace smurf {

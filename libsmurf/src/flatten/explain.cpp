@@ -2,8 +2,8 @@
 // The way from the world to an instance, transform by transform. The steps multiply to X_WE.
 #include <algorithm>
 
-#include "base/numbers.hpp"
-#include "base/quoted.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/quoted.hpp"
 #include "link/scene_link.hpp"
 #include "smurf/dialect.hpp"
 #include "smurf/flatten.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks the numbers of a flat scene. No earlier stage reads the keys of primitives and old
 // scenes.
-#include "base/quantity.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/quantity.hpp"
+#include "base/text/quoted.hpp"
 #include "flatten/shapes.hpp"
 #include "smurf/flatten.hpp"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "base/path.hpp"
-#include "base/places.hpp"
-#include "base/unique_names.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/text/unique_names.hpp"
 #include "flatten/old_shapes.hpp"
 #include "flatten/shapes.hpp"
 #include "flatten/value.hpp"

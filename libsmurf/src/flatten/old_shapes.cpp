@@ -6,9 +6,9 @@
 #include <map>
 #include <unordered_map>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/words.hpp"
 #include "flatten/shapes.hpp"
 #include "flatten/value.hpp"
 

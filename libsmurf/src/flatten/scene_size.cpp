@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "base/edits.hpp"
-#include "base/limits.hpp"
-#include "base/path.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/edits.hpp"
 #include "smurf/flatten.hpp"
 
 namespace smurf {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 
 namespace smurf {
 namespace {

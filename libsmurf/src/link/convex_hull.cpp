@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "base/vectors.hpp"
+#include "base/numbers/vectors.hpp"
 
 namespace smurf {
 namespace {

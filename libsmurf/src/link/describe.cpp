@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/counted.hpp"
-#include "base/numbers.hpp"
-#include "base/quoted.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/quoted.hpp"
 
 namespace smurf {
 namespace {

@@ -11,10 +11,10 @@
 #include <unordered_map>
 
 #include "ast/drawing_reader.hpp"
-#include "base/limits.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/numbers.hpp"
 #include "link/file_index.hpp"
 #include "link/read_file.hpp"
 #include "syntax/xml_reader.hpp"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/path.hpp"
-#include "base/utf8.hpp"
+#include "base/files/path.hpp"
+#include "base/text/utf8.hpp"
 
 namespace smurf {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "base/exact_math.hpp"
-#include "base/quantity.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/quantity.hpp"
 
 namespace smurf {
 

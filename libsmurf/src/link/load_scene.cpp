@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene in four steps; each reports what it finds and goes on with what is sound.
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "link/scene_link.hpp"
 #include "smurf/xacro.hpp"
 

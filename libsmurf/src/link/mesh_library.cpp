@@ -4,7 +4,7 @@
 #include <mutex>
 #include <set>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "link/file_index.hpp"
 #include "mesh/mesh_reader.hpp"
 #include "smurf/mesh.hpp"

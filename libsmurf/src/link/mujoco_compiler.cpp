@@ -3,9 +3,9 @@
 // `strippath="true"`, only the file name is kept.
 #include "link/mujoco_compiler.hpp"
 
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "link/file_index.hpp"
 
 namespace smurf {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "base/hash.hpp"
+#include "base/numbers/hash.hpp"
 
 namespace smurf {
 namespace {

@@ -2,11 +2,11 @@
 #include <set>
 
 #include "archive/zip.hpp"
-#include "base/cases.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "link/read_file.hpp"
 #include "link/scene_link.hpp"
 #include "smurf/old_scene.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "link/packages.hpp"
 
 namespace smurf {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string>
 
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
 #include "link/sections_of.hpp"
 
 namespace smurf {

@@ -6,14 +6,14 @@
 #include <map>
 #include <vector>
 
-#include "base/cases.hpp"
-#include "base/edits.hpp"
-#include "base/limits.hpp"
-#include "base/path.hpp"
-#include "base/rules.hpp"
-#include "base/suggest.hpp"
-#include "base/utf8.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/utf8.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

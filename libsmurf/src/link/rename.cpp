@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "ast/notation.hpp"
-#include "base/edits.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/suggest.hpp"
-#include "base/utf8.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/utf8.hpp"
+#include "base/text/words.hpp"
 #include "smurf/yaml.hpp"
 
 namespace smurf {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "base/edits.hpp"
-#include "base/path.hpp"
-#include "base/suggest.hpp"
+#include "base/files/path.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/suggest.hpp"
 #include "link/packages.hpp"
 #include "link/read_file.hpp"
 

@@ -5,11 +5,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/edits.hpp"
-#include "base/limits.hpp"
-#include "base/quantity.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/quantity.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/quoted.hpp"
 #include "link/kinematics.hpp"
 #include "link/scene_link.hpp"
 

@@ -2,11 +2,11 @@
 // Resolves the names of parents and anchors to frames. Another step composes the frames.
 #include <unordered_map>
 
-#include "base/edits.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/suggest.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
 #include "link/scene_link.hpp"
 
 namespace smurf {

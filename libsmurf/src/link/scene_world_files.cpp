@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The files that `environment` names. MARS looks for most of them in the folder it is started in.
-#include "base/path.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
 #include "link/scene_link.hpp"
 
 namespace smurf {

@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <vector>
 
-#include "base/exact_math.hpp"
-#include "base/vectors.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/vectors.hpp"
 #include "link/shape_solids.hpp"
 
 namespace smurf {

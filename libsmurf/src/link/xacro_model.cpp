@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/xacro_model.hpp"
 
-#include "base/path.hpp"
-#include "base/places.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/files/places.hpp"
+#include "base/findings/rules.hpp"
 #include "link/package_search.hpp"
 #include "link/read_file.hpp"
 

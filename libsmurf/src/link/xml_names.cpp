@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "ast/urdf_schema.hpp"
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/text/words.hpp"
 #include "link/reference_finder.hpp"
 #include "smurf/extension_names.hpp"
 

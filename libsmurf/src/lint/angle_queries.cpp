@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/numbers.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

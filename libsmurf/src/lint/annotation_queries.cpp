@@ -6,10 +6,10 @@
 #include <set>
 
 #include "ast/notation.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/suggest.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <set>
 
-#include "base/edits.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/quoted.hpp"
 #include "smurf/suppress.hpp"
 
 namespace smurf {

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "ast/urdf_numbers.hpp"
-#include "base/numbers.hpp"
-#include "base/quoted.hpp"
-#include "base/suggest.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 #include "readers/drake_language.hpp"
 #include "smurf/pose.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/drake_queries.hpp"
 
-#include "base/quoted.hpp"
-#include "base/words.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf::drake {
 

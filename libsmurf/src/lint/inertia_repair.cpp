@@ -5,7 +5,7 @@
 #include <array>
 #include <set>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/edits.hpp"
-#include "base/quoted.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/quoted.hpp"
 #include "lint/queries.hpp"
 #include "smurf/inertia_repair.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ast/keys.hpp"
-#include "base/suggest.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf {

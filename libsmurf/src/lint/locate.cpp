@@ -8,9 +8,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "base/cases.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/lint_companions.hpp"
 #include "smurf/readers.hpp"

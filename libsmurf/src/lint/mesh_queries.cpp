@@ -7,9 +7,9 @@
 #include <unordered_map>
 
 #include "ast/urdf_numbers.hpp"
-#include "base/edits.hpp"
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/suggest.hpp"
+#include "base/text/suggest.hpp"
 
 namespace smurf {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "ast/urdf_numbers.hpp"
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf {

@@ -6,9 +6,9 @@
 #include "ast/sections.hpp"
 #include "ast/urdf_numbers.hpp"
 #include "ast/urdf_schema.hpp"
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/words.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/quoted.hpp"
+#include "base/text/quoted.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/names.hpp"
 

@@ -9,11 +9,11 @@
 
 #include "ast/sections.hpp"
 #include "ast/urdf_numbers.hpp"
-#include "base/cases.hpp"
-#include "base/edits.hpp"
+#include "base/findings/cases.hpp"
 #include "base/ranges.hpp"
-#include "base/suggest.hpp"
-#include "base/words.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/scene_queries.hpp"
 
-#include "base/path.hpp"
-#include "base/suggest.hpp"
+#include "base/files/path.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/queries.hpp"
 #include "smurf/user_schemas.hpp"
 

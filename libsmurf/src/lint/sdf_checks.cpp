@@ -5,11 +5,11 @@
 
 #include <utility>
 
-#include "base/path.hpp"
-#include "base/quoted.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/uncertain.hpp"
 #include "base/ranges.hpp"
-#include "base/uncertain.hpp"
-#include "base/words.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "readers/sdf_language.hpp"
 #include "readers/sdf_values.hpp"
 

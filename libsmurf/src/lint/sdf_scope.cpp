@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/quoted.hpp"
+#include "base/text/quoted.hpp"
 #include "readers/rigid_bodies.hpp"
 #include "readers/sdf_language.hpp"
 #include "readers/sdf_values.hpp"

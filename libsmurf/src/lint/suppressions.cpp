@@ -3,9 +3,9 @@
 #include <map>
 #include <optional>
 
-#include "base/quoted.hpp"
-#include "base/rule_patterns.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rule_patterns.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "lint/file_selection.hpp"
 #include "smurf/suppress.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "base/uncertain.hpp"
+#include "base/findings/uncertain.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/little_endian.hpp"
+#include "base/numbers/little_endian.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/surface.hpp"
 

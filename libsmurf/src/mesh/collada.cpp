@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "mesh/collada_file.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/surface.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
 #include "mesh/words.hpp"
 #include "syntax/xml_reader.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/numbers.hpp"
-#include "base/quoted.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/quoted.hpp"
 #include "mesh/words.hpp"
 
 namespace smurf::collada {

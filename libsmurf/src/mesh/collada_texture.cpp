@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 
 namespace smurf::collada {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "base/quoted.hpp"
+#include "base/text/quoted.hpp"
 #include "mesh/collada_colors.hpp"
 #include "mesh/collada_geometry.hpp"
 #include "mesh/formats.hpp"

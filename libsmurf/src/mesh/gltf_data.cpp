@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "base/little_endian.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/uri.hpp"
-#include "base/utf8.hpp"
+#include "base/files/path.hpp"
+#include "base/files/uri.hpp"
+#include "base/numbers/little_endian.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/utf8.hpp"
 #include "mesh/base64_text.hpp"
 
 namespace smurf::gltf {

@@ -13,7 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/little_endian.hpp"
+#include "base/numbers/little_endian.hpp"
 #include "smurf/mesh_triangles.hpp"
 #include "smurf/pose.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "base/path.hpp"
-#include "base/uri.hpp"
+#include "base/files/path.hpp"
+#include "base/files/uri.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/words.hpp"
 

@@ -2,8 +2,8 @@
 // Renames the files that a mesh names.
 #include <algorithm>
 
-#include "base/little_endian.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/little_endian.hpp"
 #include "mesh/gltf_data.hpp"
 #include "mesh/gltf_names.hpp"
 #include "mesh/mesh_reader.hpp"

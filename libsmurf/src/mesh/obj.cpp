@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "base/numbers.hpp"
-#include "base/vectors.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/numbers/vectors.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/mesh_reader.hpp"
 #include "mesh/obj_materials.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "mesh/mesh_reader.hpp"
 #include "mesh/words.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/vectors.hpp"
+#include "base/numbers/vectors.hpp"
 
 namespace smurf {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/counted.hpp"
-#include "base/little_endian.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/little_endian.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/quoted.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/surface.hpp"
 #include "mesh/words.hpp"

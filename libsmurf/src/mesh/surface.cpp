@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "base/bits.hpp"
-#include "base/vectors.hpp"
+#include "base/numbers/bits.hpp"
+#include "base/numbers/vectors.hpp"
 
 namespace smurf {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/hash.hpp"
+#include "base/numbers/hash.hpp"
 
 namespace smurf {
 namespace {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "smurf/linked.hpp"
 
 namespace smurf {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // DART, which reads URDF with urdfdom.
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 
 namespace smurf::readers::dart_file {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drake, which has its own URDF reader.
-#include "base/cases.hpp"
+#include "base/findings/cases.hpp"
 #include "readers/circumstances.hpp"
 
 namespace smurf::readers::drake_file {

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf::drake {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MARS with envire (envire4mars), the generation between MARS 1 and MARS 2.
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 
 namespace smurf::readers::envire_file {
 

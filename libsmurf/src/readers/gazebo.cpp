@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Gazebo, which reads URDF with sdformat, which reads it with urdfdom.
-#include "base/cases.hpp"
-#include "base/rules.hpp"
-#include "base/uncertain.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/findings/uncertain.hpp"
 #include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Isaac Sim and Isaac Lab, whose converter from URDF to USD is executed. It reads with ElementTree
 // and float() of Python.
-#include "base/cases.hpp"
+#include "base/findings/cases.hpp"
 #include "readers/circumstances.hpp"
 
 namespace smurf::readers::isaac_file {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MARS 1 (rock-simulation/mars) with its SMURF and scene loaders.
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 
 namespace smurf::readers::mars_file {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MARS 2 (mars-robot-simulation) with its envire model loader and its scene loader.
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 
 namespace smurf::readers::mars2_file {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MoveIt 2: a robot with its SRDF and its parameter files.
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 
 namespace smurf::readers::moveit_file {
 

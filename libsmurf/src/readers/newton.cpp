@@ -2,7 +2,7 @@
 // Newton, whose importer reads URDF with ElementTree, which refuses what is no strict XML, and with
 // float() of Python. Its builder checks little: it keeps numbers that make no sense, and takes its
 // own defaults for those that are absent.
-#include "base/cases.hpp"
+#include "base/findings/cases.hpp"
 #include "readers/circumstances.hpp"
 
 namespace smurf::readers::newton_file {

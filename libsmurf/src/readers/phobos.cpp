@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Phobos 2, which reads URDF with Python's XML and YAML with PyYAML.
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bullet's URDF reader, which PyBullet uses.
-#include "base/cases.hpp"
-#include "base/readers.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/readers.hpp"
 
 namespace smurf::readers::pybullet_file {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "base/readers.hpp"
-#include "base/uncertain.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/uncertain.hpp"
 #include "smurf/linked.hpp"
 
 namespace smurf {

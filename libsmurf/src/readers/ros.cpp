@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The programs of ROS that load a URDF: urdfdom, RViz, MoveIt, KDL.
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 
 namespace smurf::readers::ros_file {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The resource manager of ros2_control, which reads the elements `ros2_control` of a URDF.
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 
 namespace smurf::readers::ros2_control_file {
 namespace {

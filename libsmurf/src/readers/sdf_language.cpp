@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "base/ranges.hpp"
-#include "base/suggest.hpp"
-#include "base/words.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf::sdf {
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "ast/urdf_numbers.hpp"
-#include "base/floating.hpp"
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/floating.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf::sdf {
 namespace {

@@ -10,8 +10,8 @@
 #include <tuple>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/quoted.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/quoted.hpp"
 
 namespace smurf::render {
 namespace {

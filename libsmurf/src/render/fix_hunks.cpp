@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "base/edits.hpp"
+#include "base/text/edits.hpp"
 #include "render/printable.hpp"
 
 namespace smurf::render {

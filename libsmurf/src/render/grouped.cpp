@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf {

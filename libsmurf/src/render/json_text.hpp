@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/utf8.hpp"
+#include "base/text/utf8.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/source.hpp"
 

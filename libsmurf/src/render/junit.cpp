@@ -4,9 +4,9 @@
 #include <map>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/edits.hpp"
-#include "base/utf8.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/utf8.hpp"
 #include "render/json_text.hpp"
 #include "render/printable.hpp"
 #include "smurf/render.hpp"

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <numeric>
 
-#include "base/utf8.hpp"
+#include "base/text/utf8.hpp"
 
 namespace smurf::render {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "render/causes.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"

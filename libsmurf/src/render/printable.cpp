@@ -3,8 +3,8 @@
 // screen or hide text, so no text of a file reaches the terminal unescaped.
 #include "render/printable.hpp"
 
-#include "base/misread.hpp"
-#include "base/utf8.hpp"
+#include "base/text/misread.hpp"
+#include "base/text/utf8.hpp"
 
 namespace smurf::render {
 namespace {

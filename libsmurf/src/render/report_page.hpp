@@ -2,7 +2,7 @@
 // The page of web/report, which shows a report.
 #pragma once
 
-#include "base/embedded_page.hpp"
+#include "base/text/embedded_page.hpp"
 
 namespace smurf {
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"
 #include "smurf/render.hpp"

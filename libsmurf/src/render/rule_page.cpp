@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "render/paint.hpp"
 #include "render/wrap.hpp"
 #include "smurf/render.hpp"

@@ -4,8 +4,8 @@
 // fingerprints.
 #include <map>
 
-#include "base/uri.hpp"
-#include "base/utf8.hpp"
+#include "base/files/uri.hpp"
+#include "base/text/utf8.hpp"
 #include "render/json_text.hpp"
 #include "render/line_hash.hpp"
 #include "smurf/render.hpp"

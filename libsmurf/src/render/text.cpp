@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "render/advice.hpp"
 #include "render/frame.hpp"
 #include "render/paint.hpp"

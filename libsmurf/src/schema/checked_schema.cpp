@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "ast/keys.hpp"
-#include "base/numbers.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/suggest.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
 #include "schema/json_value.hpp"
 
 namespace smurf {

@@ -6,9 +6,9 @@
 
 #include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
-#include "base/edits.hpp"
-#include "base/quoted.hpp"
-#include "base/suggest.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
 #include "schema/checked_schema.hpp"
 
 namespace smurf {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "base/utf8.hpp"
+#include "base/text/utf8.hpp"
 #include "schema/json_value.hpp"
 
 namespace smurf {

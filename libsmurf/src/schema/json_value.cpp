@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "base/bits.hpp"
-#include "base/hash.hpp"
+#include "base/numbers/bits.hpp"
+#include "base/numbers/hash.hpp"
 
 namespace smurf {
 namespace {

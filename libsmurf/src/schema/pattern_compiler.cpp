@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "base/quoted.hpp"
-#include "base/utf8.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/utf8.hpp"
 #include "schema/pattern.hpp"
 
 namespace smurf {

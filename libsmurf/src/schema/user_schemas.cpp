@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
 #include "schema/checked_schema.hpp"
 #include "schema/explain.hpp"
 #include "schema/json_schema.hpp"

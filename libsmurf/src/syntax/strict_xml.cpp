@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "base/edits.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
 #include "base/ranges.hpp"
-#include "base/rules.hpp"
-#include "base/utf8.hpp"
-#include "base/words.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/utf8.hpp"
+#include "base/text/words.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_reader.hpp"
 #include "syntax/xml_references.hpp"

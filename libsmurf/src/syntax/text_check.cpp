@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cstring>
 
-#include "base/cases.hpp"
-#include "base/rules.hpp"
-#include "base/uncertain.hpp"
-#include "base/utf8.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/findings/uncertain.hpp"
+#include "base/text/utf8.hpp"
 
 namespace smurf {
 

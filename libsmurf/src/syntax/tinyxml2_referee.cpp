@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "base/cases.hpp"
+#include "base/findings/cases.hpp"
 #include "syntax/xml_lenient.hpp"
 #include "syntax/xml_references.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/count.hpp"
-#include "base/words.hpp"
+#include "base/text/count.hpp"
+#include "base/text/words.hpp"
 #include "syntax/xml_references.hpp"
 
 namespace smurf {

@@ -4,11 +4,11 @@
 #include <string>
 #include <utility>
 
-#include "base/cases.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/uncertain.hpp"
-#include "base/words.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/findings/uncertain.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "syntax/xml_bytes.hpp"
 #include "syntax/xml_references.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
 
 namespace smurf {
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <string>
 
-#include "base/cases.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/utf8.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/utf8.hpp"
+#include "base/text/words.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_bytes.hpp"
 #include "syntax/xml_lenient.hpp"

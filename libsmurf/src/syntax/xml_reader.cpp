@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "syntax/xml_reader.hpp"
 
-#include "base/rules.hpp"
-#include "base/words.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/words.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_scanner.hpp"
 

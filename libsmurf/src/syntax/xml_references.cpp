@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/utf8.hpp"
+#include "base/text/utf8.hpp"
 
 namespace smurf {
 namespace {

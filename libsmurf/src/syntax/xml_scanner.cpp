@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "base/cases.hpp"
-#include "base/limits.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/words.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_builder.hpp"
 #include "syntax/xml_bytes.hpp"

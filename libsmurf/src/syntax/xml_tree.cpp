@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "base/quoted.hpp"
-#include "base/words.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "smurf/xml.hpp"
 
 namespace smurf::xml {

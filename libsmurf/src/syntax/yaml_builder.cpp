@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <bitset>
 
-#include "base/count.hpp"
-#include "base/limits.hpp"
-#include "base/rules.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/count.hpp"
 
 namespace smurf {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "syntax/text_check.hpp"
 
 namespace smurf {

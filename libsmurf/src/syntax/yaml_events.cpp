@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "syntax/yaml_events.hpp"
 
-#include "base/cases.hpp"
-#include "base/rules.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
 #include "syntax/yaml_spans.hpp"
 
 namespace smurf {

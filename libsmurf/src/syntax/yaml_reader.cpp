@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/limits.hpp"
-#include "base/rules.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
 #include "syntax/plain_yaml.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/yaml_builder.hpp"

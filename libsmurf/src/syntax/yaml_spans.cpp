@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

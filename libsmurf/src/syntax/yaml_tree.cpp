@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
-#include "base/numbers.hpp"
-#include "base/quoted.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "smurf/yaml.hpp"
 
 namespace smurf::yaml {

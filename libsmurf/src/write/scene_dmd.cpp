@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
 #include "write/losses/scene_losses.hpp"
 #include "write/parts/scene_parts.hpp"
 #include "write/text/json_text.hpp"

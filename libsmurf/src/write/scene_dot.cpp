@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shows which entities are fixed to each other, for Graphviz. Nested scenes are boxes around their
 // entities.
-#include "base/misread.hpp"
-#include "base/utf8.hpp"
+#include "base/text/misread.hpp"
+#include "base/text/utf8.hpp"
 #include "smurf/write_scene.hpp"
 #include "write/parts/scene_parts.hpp"
 

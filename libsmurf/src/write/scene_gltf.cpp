@@ -6,8 +6,8 @@
 #include <map>
 #include <variant>
 
-#include "base/bits.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/bits.hpp"
+#include "base/numbers/numbers.hpp"
 #include "write/losses/scene_losses.hpp"
 #include "write/pages/preview_meshes.hpp"
 #include "write/parts/annotated_colors.hpp"

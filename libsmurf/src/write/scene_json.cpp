@@ -2,7 +2,7 @@
 // Flat JSON, one line per instance: large scenes stay readable and easy to compare.
 #include <vector>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "smurf/write.hpp"
 #include "smurf/write_scene.hpp"
 #include "write/text/json_text.hpp"

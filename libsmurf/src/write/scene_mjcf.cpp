@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
-#include "base/numbers.hpp"
-#include "base/quoted.hpp"
-#include "base/unique_names.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/unique_names.hpp"
 #include "write/mjcf/mjcf_attach.hpp"
 #include "write/mjcf/mjcf_excludes.hpp"
 #include "write/mjcf/mjcf_sensors.hpp"

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "base/misread.hpp"
-#include "base/numbers.hpp"
-#include "base/utf8.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/misread.hpp"
+#include "base/text/utf8.hpp"
 #include "write/losses/scene_losses.hpp"
 #include "write/pages/preview_meshes.hpp"
 #include "write/parts/annotated_colors.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "base/unique_names.hpp"
+#include "base/text/unique_names.hpp"
 #include "write/losses/scene_losses.hpp"
 #include "write/parts/annotated_colors.hpp"
 #include "write/parts/body_inertia.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The flat scene as a scene again: no nested scenes, no parents, world poses. Entities are called
 // by their paths, so that no two share a name.
-#include "base/numbers.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
 #include "smurf/write_scene.hpp"
 #include "write/text/json_text.hpp"
 

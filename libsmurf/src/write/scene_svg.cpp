@@ -4,7 +4,7 @@
 #include <numbers>
 #include <optional>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "write/parts/scene_parts.hpp"
 #include "write/svg/svg_view.hpp"
 

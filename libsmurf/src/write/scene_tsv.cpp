@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A table of poses, for shells, spreadsheets and spawn scripts.
-#include "base/misread.hpp"
-#include "base/numbers.hpp"
-#include "base/utf8.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/misread.hpp"
+#include "base/text/utf8.hpp"
 #include "smurf/write_scene.hpp"
 
 namespace smurf::scene_tsv_file {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <map>
 
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/utf8.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/utf8.hpp"
 #include "convert/xml_edits.hpp"
 #include "syntax/strict_xml.hpp"
 #include "write/losses/scene_losses.hpp"

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <map>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/unique_names.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/unique_names.hpp"
 #include "write/pages/preview_meshes.hpp"
 #include "write/parts/annotated_colors.hpp"
 #include "write/parts/contacts.hpp"

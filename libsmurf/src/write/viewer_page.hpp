@@ -2,7 +2,7 @@
 // The page that scripts/viewer makes from web/viewer, if it existed at build time.
 #pragma once
 
-#include "base/embedded_page.hpp"
+#include "base/text/embedded_page.hpp"
 
 namespace smurf {
 

@@ -2,10 +2,10 @@
 // `value.name`, `value[index]` and the items of `[a, b]`.
 #include <algorithm>
 
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/suggest.hpp"
-#include "base/utf8.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/utf8.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "base/rules.hpp"
-#include "base/utf8.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/utf8.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

@@ -2,9 +2,9 @@
 // Elements of xacro that change or insert others: blocks, names, attributes, conditions.
 #include <algorithm>
 
-#include "base/limits.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "xacro/expander.hpp"
 
 namespace smurf::xacro {

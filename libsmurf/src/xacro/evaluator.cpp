@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "base/limits.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/suggest.hpp"
-#include "base/utf8.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/utf8.hpp"
 #include "xacro/python_text.hpp"
 
 namespace smurf::xacro {

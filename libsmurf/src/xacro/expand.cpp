@@ -2,12 +2,12 @@
 // The elements of xacro, in the order of the file.
 #include <algorithm>
 
-#include "base/limits.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/utf8.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/utf8.hpp"
+#include "base/text/words.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 #include "xacro/tokens.hpp"

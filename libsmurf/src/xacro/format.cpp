@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/utf8.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/utf8.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

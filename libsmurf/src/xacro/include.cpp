@@ -2,12 +2,12 @@
 // Other files: includes, and where `$(find ...)` leads.
 #include <algorithm>
 
-#include "base/limits.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/suggest.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 #include "syntax/xml_reader.hpp"
 #include "xacro/expander.hpp"
 

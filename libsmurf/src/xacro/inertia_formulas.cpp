@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 

@@ -2,10 +2,10 @@
 // Macros: their parameters, and their calls.
 #include <algorithm>
 
-#include "base/limits.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/suggest.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "base/exact_math.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/exact_math.hpp"
 #include "xacro/evaluator.hpp"
 
 namespace smurf::xacro {

@@ -4,10 +4,10 @@
 #include <array>
 #include <cctype>
 
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/utf8.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/utf8.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 #include "xacro/text_methods.hpp"

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <string>
 
-#include "base/utf8.hpp"
+#include "base/text/utf8.hpp"
 
 namespace smurf::xacro {
 namespace {

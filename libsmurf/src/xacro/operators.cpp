@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exact_math.hpp"
-#include "base/limits.hpp"
-#include "base/rules.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/exact_math.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

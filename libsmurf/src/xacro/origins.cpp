@@ -2,7 +2,7 @@
 // From a part of the result back to the place where it was written, and the calls around it.
 #include <algorithm>
 
-#include "base/quoted.hpp"
+#include "base/text/quoted.hpp"
 #include "xacro/expander.hpp"
 
 namespace smurf::xacro {

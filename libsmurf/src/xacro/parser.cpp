@@ -2,8 +2,8 @@
 // Texts of operators, and each expression parsed once.
 #include <algorithm>
 
-#include "base/rules.hpp"
-#include "base/words.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/words.hpp"
 #include "xacro/parser.hpp"
 
 namespace smurf::xacro {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
 #include "xacro/syntax.hpp"
 #include "xacro/tokens.hpp"
 

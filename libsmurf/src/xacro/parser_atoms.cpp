@@ -2,8 +2,8 @@
 // What binds closest: names, constants, brackets, calls, indices.
 #include <algorithm>
 
-#include "base/quoted.hpp"
-#include "base/words.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "xacro/parser.hpp"
 
 namespace smurf::xacro {

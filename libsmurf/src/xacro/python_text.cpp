@@ -9,9 +9,9 @@
 #include <iterator>
 #include <limits>
 
-#include "base/floating.hpp"
-#include "base/path.hpp"
-#include "base/utf8.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/floating.hpp"
+#include "base/text/utf8.hpp"
 #include "xacro/value.hpp"
 
 namespace smurf::xacro {

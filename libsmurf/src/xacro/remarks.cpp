@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/words.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 

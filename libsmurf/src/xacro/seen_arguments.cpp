@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/text/words.hpp"
 #include "xacro/whole_word.hpp"
 
 namespace smurf::xacro {

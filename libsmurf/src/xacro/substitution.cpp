@@ -2,11 +2,11 @@
 // `$(...)`: find, arg, env, optenv, eval, cwd.
 #include <algorithm>
 
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/suggest.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 #include "xacro/seen_arguments.hpp"

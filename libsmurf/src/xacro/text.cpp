@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/limits.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 

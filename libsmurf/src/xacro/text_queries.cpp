@@ -4,8 +4,8 @@
 #include <cctype>
 #include <optional>
 
-#include "base/quoted.hpp"
-#include "base/utf8.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/utf8.hpp"
 #include "xacro/python_text.hpp"
 #include "xacro/text_methods.hpp"
 

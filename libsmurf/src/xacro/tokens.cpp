@@ -5,10 +5,10 @@
 #include <array>
 #include <cctype>
 
-#include "base/path.hpp"
-#include "base/rules.hpp"
-#include "base/utf8.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/utf8.hpp"
+#include "base/text/words.hpp"
 #include "xacro/python_text.hpp"
 
 namespace smurf::xacro {

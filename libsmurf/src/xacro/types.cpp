@@ -2,8 +2,8 @@
 // Calls of types: int('7'), list(x), dict(a=1), range(3).
 #include <cmath>
 
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 

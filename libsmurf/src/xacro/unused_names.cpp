@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/quoted.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/whole_word.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf::xacro {
 

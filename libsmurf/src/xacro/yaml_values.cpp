@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "syntax/yaml_reader.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"

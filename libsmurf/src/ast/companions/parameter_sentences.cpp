@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "smurf/ros_parameters.hpp"
 
 namespace smurf {

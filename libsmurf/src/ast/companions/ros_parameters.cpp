@@ -8,9 +8,9 @@
 
 #include <algorithm>
 
-#include "base/numbers.hpp"
-#include "base/quoted.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

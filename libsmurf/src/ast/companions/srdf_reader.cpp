@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf::srdf {
 namespace {

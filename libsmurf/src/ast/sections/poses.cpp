@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sources: MARS SimEntity.cpp:503-513; Phobos poses.py.
 #include "ast/sections.hpp"
-#include "base/quantity.hpp"
+#include "base/numbers/quantity.hpp"
 
 namespace smurf::sections::poses_file {
 namespace {

@@ -6,9 +6,9 @@
 #include <queue>
 
 #include "ast/scene_reader.hpp"
-#include "base/path.hpp"
-#include "base/quantity.hpp"
-#include "base/quoted.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/quantity.hpp"
+#include "base/text/quoted.hpp"
 #include "flatten/dialect_parts.hpp"
 #include "smurf/archive_files.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MARS 2 reads a flat list: every entity is placed in the world (MarsSceneLoader.cpp:187-397).
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "flatten/dialect_parts.hpp"
 
 namespace smurf::readings::mars2_file {

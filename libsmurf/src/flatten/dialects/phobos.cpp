@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "flatten/dialect_parts.hpp"
 #include "smurf/archive_files.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "link/companions/parameter_names.hpp"
 #include "link/reference_finder.hpp"
 

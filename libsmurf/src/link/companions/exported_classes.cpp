@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/text/words.hpp"
 #include "link/packages.hpp"
 
 namespace smurf {

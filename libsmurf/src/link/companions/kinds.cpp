@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/source.hpp"
 

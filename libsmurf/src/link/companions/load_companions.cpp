@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "ast/companions/srdf_reader.hpp"
-#include "base/path.hpp"
-#include "base/rules.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
 #include "link/companions/companion_names.hpp"
 #include "link/companions/exported_classes.hpp"
 #include "link/companions/places.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "link/reference_finder.hpp"
 #include "smurf/ros_parameters.hpp"
 

@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

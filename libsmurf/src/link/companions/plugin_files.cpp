@@ -2,8 +2,8 @@
 // Source: gz_ros2_control gz_ros2_control_plugin.cpp (e19b0ef).
 #include "link/companions/plugin_files.hpp"
 
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

@@ -2,7 +2,7 @@
 // Source: moveit_setup_assistant, urdf_config.cpp, srdf_config.cpp.
 #include "link/companions/setup_assistant.hpp"
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "link/package_search.hpp"
 
 namespace smurf {

@@ -12,7 +12,7 @@ struct Row {
 };
 constexpr Row kRows[] = {
 #define SMURF_RULE(name) {&rules::name, &companion_checks::name},
-#include "base/companion_rules.def"
+#include "base/findings/companion_rules.def"
 #undef SMURF_RULE
 };
 

@@ -2,8 +2,8 @@
 // Rules about a robot with its companions, and the readers that their facts are about.
 #pragma once
 
-#include "base/readers.hpp"
-#include "base/rules.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/rules.hpp"
 #include "lint/queries.hpp"
 #include "smurf/companions.hpp"
 
@@ -17,7 +17,7 @@ using CompanionCheck = void (*)(const LinkedModel& model, const Companions& comp
 namespace companion_checks {
 
 #define SMURF_RULE(name) extern const CompanionCheck name;
-#include "base/companion_rules.def"
+#include "base/findings/companion_rules.def"
 #undef SMURF_RULE
 
 }  // namespace companion_checks

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 
 namespace smurf {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/cases.hpp"
-#include "base/readers.hpp"
-#include "base/rules.hpp"
-#include "base/uncertain.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/rules.hpp"
+#include "base/findings/uncertain.hpp"
 
 namespace smurf::rules::sml0004_control_character_file {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readers.hpp"
-#include "base/rules.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/rules.hpp"
 
 namespace smurf::rules::sml0016_cyclic_alias_file {
 namespace {

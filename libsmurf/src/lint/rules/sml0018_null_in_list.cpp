@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <vector>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml0018_null_in_list_file {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readers.hpp"
-#include "base/rules.hpp"
-#include "base/uncertain.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/rules.hpp"
+#include "base/findings/uncertain.hpp"
 
 namespace smurf::rules::sml1006_xml_several_roots_file {
 namespace {

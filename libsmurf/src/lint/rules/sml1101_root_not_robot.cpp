@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/cases.hpp"
-#include "base/readers.hpp"
-#include "base/rules.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/rules.hpp"
 
 namespace smurf::rules::sml1101_root_not_robot_file {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/edits.hpp"
-#include "base/path.hpp"
-#include "base/readers.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/words.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1102_robot_name_missing_file {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/readers.hpp"
-#include "base/words.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/words.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1105_feature_needs_newer_version_file {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "ast/urdf_schema.hpp"
+#include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 #include "readers/circumstances.hpp"
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 

@@ -2,8 +2,8 @@
 #include <cstdint>
 
 #include "ast/urdf_reader.hpp"
-#include "base/counted.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/counted.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1121_xacro_definition_file {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/counted.hpp"
 #include "lint/name_queries.hpp"
 #include "lint/reference_queries.hpp"
 

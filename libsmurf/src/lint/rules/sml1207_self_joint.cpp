@@ -3,8 +3,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "base/readers.hpp"
-#include "base/rules.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/rules.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 

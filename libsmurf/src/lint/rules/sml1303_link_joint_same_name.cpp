@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 #include "readers/rigid_bodies.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/edits.hpp"
-#include "base/readers.hpp"
-#include "base/words.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/words.hpp"
 #include "lint/name_queries.hpp"
 #include "readers/circumstances.hpp"
 

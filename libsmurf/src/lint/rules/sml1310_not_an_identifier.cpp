@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readers.hpp"
-#include "base/utf8.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/utf8.hpp"
 #include "lint/habit.hpp"
 #include "lint/name_queries.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "lint/name_queries.hpp"
 
 namespace smurf::rules::sml1312_case_only_difference_file {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules::sml1314_unnamed_collision_or_visual_file {

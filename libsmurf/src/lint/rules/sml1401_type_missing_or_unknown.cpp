@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/path.hpp"
-#include "base/readers.hpp"
-#include "base/suggest.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/mimic_queries.hpp"
 #include "lint/queries.hpp"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1411_bounds_look_like_degrees_file {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1412_prismatic_bounds_look_like_millimetres_file {

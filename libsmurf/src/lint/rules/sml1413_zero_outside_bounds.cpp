@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "base/cases.hpp"
-#include "base/readers.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1413_zero_outside_bounds_file {

@@ -2,8 +2,8 @@
 #include <set>
 #include <string_view>
 
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "base/exact_math.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/exact_math.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1421_axis_zero_file {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1422_axis_not_unit_file {

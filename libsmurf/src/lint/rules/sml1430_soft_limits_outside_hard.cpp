@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1430_soft_limits_outside_hard_file {

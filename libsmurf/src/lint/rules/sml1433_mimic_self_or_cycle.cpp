@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/mimic_queries.hpp"
 
 namespace smurf::rules::sml1433_mimic_self_or_cycle_file {

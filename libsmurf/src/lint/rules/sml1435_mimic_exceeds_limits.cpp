@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <utility>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/mimic_queries.hpp"
 #include "lint/queries.hpp"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/angle_queries.hpp"
 #include "lint/queries.hpp"
 

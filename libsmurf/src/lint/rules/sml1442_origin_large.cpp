@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
-#include "base/uncertain.hpp"
-#include "base/words.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/uncertain.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/words.hpp"
 #include "lint/body.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/readers.hpp"
-#include "base/suggest.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1444_transmission_type_file {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/edits.hpp"
-#include "base/readers.hpp"
-#include "base/suggest.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml1445_gazebo_reference_dangling_file {

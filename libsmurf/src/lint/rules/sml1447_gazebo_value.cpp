@@ -3,10 +3,10 @@
 #include <string>
 #include <utility>
 
-#include "base/cases.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/uncertain.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
-#include "base/uncertain.hpp"
 #include "lint/queries.hpp"
 #include "lint/sdf_scope.hpp"
 #include "readers/sdf_values.hpp"

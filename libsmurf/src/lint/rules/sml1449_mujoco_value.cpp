@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "ast/urdf_numbers.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/uncertain.hpp"
+#include "base/numbers/numbers.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
-#include "base/suggest.hpp"
-#include "base/uncertain.hpp"
-#include "base/words.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/queries.hpp"
 

@@ -2,11 +2,11 @@
 #include <algorithm>
 
 #include "ast/urdf_numbers.hpp"
-#include "base/numbers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
-#include "base/suggest.hpp"
-#include "base/words.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 #include "lint/drake_checks.hpp"
 #include "lint/queries.hpp"
 #include "readers/drake_language.hpp"

@@ -3,9 +3,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "lint/queries.hpp"
 #include "readers/sdf_values.hpp"
 

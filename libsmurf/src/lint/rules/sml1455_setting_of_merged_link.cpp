@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/path.hpp"
-#include "base/readers.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/counted.hpp"
 #include "link/gazebo_names.hpp"
 #include "lint/queries.hpp"
 #include "readers/rigid_bodies.hpp"

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "link/gazebo_names.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"

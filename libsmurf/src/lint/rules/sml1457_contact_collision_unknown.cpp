@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/edits.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/edits.hpp"
 #include "link/gazebo_names.hpp"
 #include "lint/queries.hpp"
 

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "base/edits.hpp"
+#include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
-#include "base/suggest.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/queries.hpp"
 #include "lint/sdf_checks.hpp"
 #include "readers/sdf_language.hpp"

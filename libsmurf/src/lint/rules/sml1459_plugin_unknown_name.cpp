@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "base/edits.hpp"
-#include "base/path.hpp"
-#include "base/readers.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/words.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1459_plugin_unknown_name_file {

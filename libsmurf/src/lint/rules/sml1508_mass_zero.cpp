@@ -2,7 +2,7 @@
 #include <set>
 #include <vector>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "link/inertia.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "ast/urdf_numbers.hpp"
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
 #include "lint/inertia_slips.hpp"
 #include "lint/queries.hpp"

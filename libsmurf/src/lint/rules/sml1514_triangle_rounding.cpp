@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/numbers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/uncertain.hpp"
+#include "base/numbers/numbers.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
-#include "base/uncertain.hpp"
 #include "link/inertia.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/queries.hpp"

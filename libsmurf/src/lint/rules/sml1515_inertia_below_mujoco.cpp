@@ -2,10 +2,10 @@
 #include <array>
 
 #include "ast/urdf_numbers.hpp"
-#include "base/cases.hpp"
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
-#include "base/words.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/words.hpp"
 #include "link/inertia.hpp"
 #include "lint/queries.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "base/counted.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
 #include "link/inertia.hpp"
 #include "lint/queries.hpp"
 

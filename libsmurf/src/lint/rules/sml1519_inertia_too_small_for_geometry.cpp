@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <optional>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/body.hpp"
 #include "lint/inertia_slips.hpp"
 #include "lint/likely_cause.hpp"

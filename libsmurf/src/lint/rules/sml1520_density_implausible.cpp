@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/body.hpp"
 #include "lint/geometry_queries.hpp"
 #include "lint/likely_cause.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"
 #include "lint/queries.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
 #include "lint/body.hpp"
 #include "lint/queries.hpp"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1525_mass_ratio_file {

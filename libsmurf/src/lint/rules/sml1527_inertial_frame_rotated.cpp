@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/counted.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/counted.hpp"
 #include "link/inertia.hpp"
 #include "lint/queries.hpp"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
 #include "lint/body.hpp"
 #include "lint/queries.hpp"

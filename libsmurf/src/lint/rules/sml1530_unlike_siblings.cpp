@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
 #include "lint/queries.hpp"
 #include "lint/sides.hpp"

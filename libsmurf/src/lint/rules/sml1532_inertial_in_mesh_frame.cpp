@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "base/numbers.hpp"
-#include "base/vectors.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/numbers/vectors.hpp"
 #include "lint/body.hpp"
 #include "lint/geometry_queries.hpp"
 

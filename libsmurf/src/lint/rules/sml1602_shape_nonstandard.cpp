@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/readers.hpp"
-#include "base/words.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/words.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules::sml1602_shape_nonstandard_file {

@@ -2,10 +2,10 @@
 #include <map>
 #include <set>
 
-#include "base/path.hpp"
-#include "base/readers.hpp"
-#include "base/uncertain.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/uncertain.hpp"
+#include "base/text/words.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
 #include "lint/mesh_queries.hpp"

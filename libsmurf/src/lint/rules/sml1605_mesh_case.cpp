@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/path.hpp"
-#include "base/readers.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/mesh_queries.hpp"
 #include "readers/circumstances.hpp"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <map>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/mesh_queries.hpp"
 #include "readers/circumstances.hpp"
 

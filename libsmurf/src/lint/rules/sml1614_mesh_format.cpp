@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <set>
 
-#include "base/path.hpp"
-#include "base/readers.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1614_mesh_format_file {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1616_stl_ascii_file {

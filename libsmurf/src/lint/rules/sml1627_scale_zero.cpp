@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules::sml1627_scale_zero_file {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1630_mesh_units_file {

@@ -2,9 +2,9 @@
 #include <map>
 #include <set>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/readers.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1634_mesh_basename_clash_file {

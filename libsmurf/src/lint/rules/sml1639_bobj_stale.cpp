@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1639_bobj_stale_file {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <set>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1642_bobj_broken_file {

@@ -2,9 +2,9 @@
 #include <set>
 #include <vector>
 
-#include "base/limits.hpp"
-#include "base/readers.hpp"
-#include "base/uncertain.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/uncertain.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1644_mesh_broken_file {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/counted.hpp"
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"
 #include "lint/geometry_queries.hpp"

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/readers.hpp"
-#include "base/suggest.hpp"
-#include "base/uncertain.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/uncertain.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1651_package_unknown_file {

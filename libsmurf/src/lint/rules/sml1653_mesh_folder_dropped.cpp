@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/quoted.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/quoted.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/geometry_queries.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/counted.hpp"
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
 #include "link/convex_hull.hpp"
 #include "lint/mesh_queries.hpp"
 

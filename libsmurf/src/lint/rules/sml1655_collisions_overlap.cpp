@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
 #include "link/shape_hulls.hpp"
 #include "lint/companions/srdf_queries.hpp"
 #include "lint/geometry_queries.hpp"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "link/shape_hulls.hpp"
 #include "lint/geometry_queries.hpp"
 #include "lint/sides.hpp"

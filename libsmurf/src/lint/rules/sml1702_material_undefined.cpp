@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
 
-#include "base/edits.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/edits.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1702_material_undefined_file {

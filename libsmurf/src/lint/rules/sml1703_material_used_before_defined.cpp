@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1703_material_used_before_defined_file {

@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1705_material_redefined_file {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 

@@ -6,10 +6,10 @@
 #include <tuple>
 #include <unordered_set>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules::sml1911_mesh_format_unread_file {

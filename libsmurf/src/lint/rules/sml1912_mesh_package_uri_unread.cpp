@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
 
+#include "base/findings/readers.hpp"
+#include "base/findings/uncertain.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
-#include "base/uncertain.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
 #include "readers/circumstances.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/counted.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1915_mimic_unread_file {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/counted.hpp"
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
 #include "lint/queries.hpp"
 #include "readers/rigid_bodies.hpp"
 

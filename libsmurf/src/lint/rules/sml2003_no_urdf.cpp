@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/how_to_expand.hpp"
-#include "base/path.hpp"
-#include "base/readers.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/how_to_expand.hpp"
 #include "lint/annotation_queries.hpp"
 #include "smurf/xacro.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml2005_unlisted_file_file {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml2012_section_order_file {

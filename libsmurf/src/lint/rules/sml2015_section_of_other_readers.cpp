@@ -6,7 +6,7 @@
 
 #include "ast/key_renames.hpp"
 #include "ast/sections.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml2015_section_of_other_readers_file {

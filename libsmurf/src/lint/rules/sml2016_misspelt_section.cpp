@@ -5,8 +5,8 @@
 
 #include "ast/key_renames.hpp"
 #include "ast/sections.hpp"
-#include "base/readers.hpp"
-#include "base/suggest.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/annotation_queries.hpp"
 #include "smurf/user_schemas.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/cases.hpp"
-#include "base/readers.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml3101_unknown_joint_file {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml3106_unknown_visual_file {

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml3110_pose_joint_without_motor_file {

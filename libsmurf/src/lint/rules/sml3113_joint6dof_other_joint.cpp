@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/edits.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/edits.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3113_joint6dof_other_joint_file {

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3116_starved_sensor_file {

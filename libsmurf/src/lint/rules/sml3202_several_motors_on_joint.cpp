@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3202_several_motors_on_joint_file {

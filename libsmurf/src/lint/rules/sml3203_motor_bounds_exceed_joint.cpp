@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
-#include "base/suggest.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3203_motor_bounds_exceed_joint_file {

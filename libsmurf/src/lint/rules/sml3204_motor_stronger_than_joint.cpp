@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3204_motor_stronger_than_joint_file {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3205_mimic_circle_file {

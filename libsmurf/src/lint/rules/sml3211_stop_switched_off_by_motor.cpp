@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3211_stop_switched_off_by_motor_file {

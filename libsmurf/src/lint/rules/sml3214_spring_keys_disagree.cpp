@@ -2,8 +2,8 @@
 #include <string>
 
 #include "ast/keys.hpp"
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3214_spring_keys_disagree_file {

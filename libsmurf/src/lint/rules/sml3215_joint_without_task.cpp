@@ -3,7 +3,7 @@
 #include <set>
 #include <string_view>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml3215_joint_without_task_file {

@@ -2,8 +2,8 @@
 #include <set>
 #include <unordered_map>
 
-#include "base/edits.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/edits.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3220_shape_on_other_link_file {

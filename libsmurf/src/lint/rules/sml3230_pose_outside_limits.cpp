@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3230_pose_outside_limits_file {

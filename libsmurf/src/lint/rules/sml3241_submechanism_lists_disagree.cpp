@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3241_submechanism_lists_disagree_file {

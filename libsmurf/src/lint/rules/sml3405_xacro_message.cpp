@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
+#include "base/findings/rules.hpp"
 
 namespace smurf::rules::sml3405_xacro_message_file {
 

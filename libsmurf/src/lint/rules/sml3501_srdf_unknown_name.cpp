@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3501_srdf_unknown_name_file {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ast/companions/srdf_reader.hpp"
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3503_srdf_attribute_missing_file {

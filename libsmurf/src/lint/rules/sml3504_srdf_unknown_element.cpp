@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "ast/companions/srdf_reader.hpp"
-#include "base/suggest.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3504_srdf_unknown_element_file {

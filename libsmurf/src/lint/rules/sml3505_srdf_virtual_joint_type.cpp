@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 
-#include "base/path.hpp"
-#include "base/suggest.hpp"
+#include "base/files/path.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3505_srdf_virtual_joint_type_file {

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/numbers.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/words.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3511_srdf_state_value_file {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3513_srdf_state_beyond_limit_file {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 
-#include "base/quoted.hpp"
+#include "base/text/quoted.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3514_srdf_state_of_follower_file {

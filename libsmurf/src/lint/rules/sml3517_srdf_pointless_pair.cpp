@@ -2,7 +2,7 @@
 #include <map>
 #include <tuple>
 
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3517_srdf_pointless_pair_file {

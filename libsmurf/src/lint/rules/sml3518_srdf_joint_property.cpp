@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
-#include "base/numbers.hpp"
-#include "base/suggest.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3518_srdf_joint_property_file {

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <string>
 
-#include "base/counted.hpp"
-#include "base/numbers.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/words.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3519_srdf_sphere_file {

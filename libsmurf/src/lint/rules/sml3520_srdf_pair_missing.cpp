@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "lint/companions/srdf_queries.hpp"
 
 namespace smurf::rules::sml3520_srdf_pair_missing_file {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3601_hardware_incomplete_file {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <span>
 
-#include "base/suggest.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3602_hardware_unknown_element_file {

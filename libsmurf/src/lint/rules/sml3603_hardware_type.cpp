@@ -3,7 +3,7 @@
 #include <array>
 #include <map>
 
-#include "base/suggest.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3603_hardware_type_file {

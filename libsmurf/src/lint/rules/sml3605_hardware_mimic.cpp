@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3605_hardware_mimic_file {

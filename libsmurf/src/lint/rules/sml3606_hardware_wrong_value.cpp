@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/words.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3606_hardware_wrong_value_file {

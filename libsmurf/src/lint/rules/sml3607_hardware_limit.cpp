@@ -2,10 +2,10 @@
 #include <cmath>
 #include <optional>
 
-#include "base/counted.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/words.hpp"
 #include "lint/companions/ros2_control.hpp"
 #include "smurf/xacro.hpp"
 

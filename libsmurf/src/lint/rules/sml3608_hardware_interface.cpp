@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "base/suggest.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3608_hardware_interface_file {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3609_hardware_transmission_file {

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3610_hardware_commanded_twice_file {

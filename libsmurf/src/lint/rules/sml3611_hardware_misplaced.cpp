@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "base/suggest.hpp"
-#include "base/words.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3611_hardware_misplaced_file {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/counted.hpp"
-#include "base/words.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/words.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3614_hardware_old_transmission_file {

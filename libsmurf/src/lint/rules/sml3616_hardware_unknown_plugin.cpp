@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/suggest.hpp"
-#include "base/uncertain.hpp"
-#include "base/words.hpp"
+#include "base/findings/uncertain.hpp"
+#include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
 

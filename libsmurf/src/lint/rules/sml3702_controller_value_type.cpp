@@ -2,8 +2,8 @@
 #include <cctype>
 #include <string>
 
-#include "base/path.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/text/words.hpp"
 #include "lint/companions/controllers.hpp"
 
 namespace smurf::rules::sml3702_controller_value_type_file {

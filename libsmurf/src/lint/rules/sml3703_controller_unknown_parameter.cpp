@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/suggest.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/controllers.hpp"
 
 namespace smurf::rules::sml3703_controller_unknown_parameter_file {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/suggest.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
 

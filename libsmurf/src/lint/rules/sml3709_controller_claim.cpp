@@ -2,7 +2,7 @@
 #include <map>
 #include <string>
 
-#include "base/counted.hpp"
+#include "base/text/counted.hpp"
 #include "lint/companions/controllers.hpp"
 
 namespace smurf::rules::sml3709_controller_claim_file {

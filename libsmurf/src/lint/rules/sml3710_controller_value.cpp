@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/companions/controllers.hpp"
 
 namespace smurf::rules::sml3710_controller_value_file {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <optional>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/companions/moveit_files.hpp"
 
 namespace smurf::rules::sml3803_moveit_limit_file {

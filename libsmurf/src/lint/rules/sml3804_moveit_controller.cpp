@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 
-#include "base/counted.hpp"
-#include "base/suggest.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/moveit_files.hpp"
 
 namespace smurf::rules::sml3804_moveit_controller_file {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/quoted.hpp"
+#include "base/text/quoted.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/moveit_files.hpp"
 #include "lint/companions/srdf_queries.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 
-#include "base/suggest.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/moveit_files.hpp"
 
 namespace smurf::rules::sml3808_moveit_sensor_file {

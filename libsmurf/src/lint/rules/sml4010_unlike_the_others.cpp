@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ast/keys.hpp"
-#include "base/path.hpp"
-#include "base/readers.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4010_unlike_the_others_file {

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "ast/known_words.hpp"
-#include "base/readers.hpp"
-#include "base/suggest.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4102_unknown_sensor_type_file {

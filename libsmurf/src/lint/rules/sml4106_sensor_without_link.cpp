@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "ast/keys.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4106_sensor_without_link_file {

@@ -3,7 +3,7 @@
 
 #include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4107_sensor_without_targets_file {

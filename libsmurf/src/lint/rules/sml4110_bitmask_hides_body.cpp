@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/counted.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4110_bitmask_hides_body_file {

@@ -2,8 +2,8 @@
 #include <initializer_list>
 #include <utility>
 
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4113_minimum_above_maximum_file {

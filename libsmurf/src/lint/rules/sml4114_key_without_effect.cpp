@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4114_key_without_effect_file {

@@ -3,7 +3,7 @@
 #include <initializer_list>
 #include <numbers>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4117_angle_looks_like_degrees_file {

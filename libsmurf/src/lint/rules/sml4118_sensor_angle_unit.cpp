@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/angle_queries.hpp"
 #include "lint/annotation_queries.hpp"
 

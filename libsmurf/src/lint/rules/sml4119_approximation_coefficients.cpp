@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4119_approximation_coefficients_file {

@@ -3,8 +3,8 @@
 #include <initializer_list>
 #include <string>
 
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4120_quaternion_of_model_file {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4124_object_cannot_be_made_file {

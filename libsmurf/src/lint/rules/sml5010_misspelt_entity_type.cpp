@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/edits.hpp"
-#include "base/path.hpp"
-#include "base/readers.hpp"
+#include "base/files/path.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/edits.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"

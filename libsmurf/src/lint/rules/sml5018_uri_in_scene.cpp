@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <set>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 

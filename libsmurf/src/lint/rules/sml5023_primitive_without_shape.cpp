@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "ast/keys.hpp"
-#include "base/numbers.hpp"
-#include "base/readers.hpp"
-#include "base/suggest.hpp"
+#include "base/findings/readers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/suggest.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"

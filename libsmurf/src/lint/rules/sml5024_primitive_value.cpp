@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
-#include "base/cases.hpp"
-#include "base/readers.hpp"
-#include "base/rules.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/readers.hpp"
+#include "base/findings/rules.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"

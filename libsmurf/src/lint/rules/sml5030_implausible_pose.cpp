@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "ast/scene_keys.hpp"
+#include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
-#include "base/readers.hpp"
 #include "lint/misspelt_key.hpp"
 #include "lint/scene_queries.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ast/keys.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readers.hpp"
-#include "base/words.hpp"
+#include "base/findings/readers.hpp"
+#include "base/text/words.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml7005_motor_type_of_other_reader_file {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml7008_list_unknown_to_phobos_file {

@@ -3,7 +3,7 @@
 #include <initializer_list>
 
 #include "ast/sections.hpp"
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
 #include "lint/queries.hpp"
 

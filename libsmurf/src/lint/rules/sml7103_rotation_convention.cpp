@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules::sml7103_rotation_convention_file {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readers.hpp"
+#include "base/findings/readers.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules::sml7104_pose_as_mapping_file {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Names that a format changes, and plug-ins that it adds.
-#include "base/quoted.hpp"
+#include "base/text/quoted.hpp"
 #include "write/losses/found_things.hpp"
 #include "write/parts/scene_parts.hpp"
 #include "write/sdf/sdf_model.hpp"

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "ast/urdf_schema.hpp"
-#include "base/quoted.hpp"
 #include "base/ranges.hpp"
+#include "base/text/quoted.hpp"
 #include "convert/import.hpp"
 #include "convert/passes.hpp"
 #include "write/mjcf/mujoco_sensors.hpp"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <set>
 
-#include "base/cases.hpp"
-#include "base/counted.hpp"
-#include "base/quoted.hpp"
-#include "base/rules.hpp"
+#include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/quoted.hpp"
 #include "smurf/archive_files.hpp"
 #include "write/parts/scene_parts.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/mjcf/mjcf_actuators.hpp"
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 
 namespace smurf {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <unordered_set>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "write/mjcf/mjcf_parts.hpp"
 
 namespace smurf {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/floating.hpp"
-#include "base/little_endian.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/vectors.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/floating.hpp"
+#include "base/numbers/little_endian.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/numbers/vectors.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "mesh/mesh_reader.hpp"
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/quoted.hpp"
-#include "base/unique_names.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/unique_names.hpp"
 #include "write/parts/body_inertia.hpp"
 #include "write/parts/height_range.hpp"
 

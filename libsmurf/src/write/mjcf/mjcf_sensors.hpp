@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "base/unique_names.hpp"
+#include "base/text/unique_names.hpp"
 #include "write/mjcf/mjcf_actuators.hpp"
 #include "write/mjcf/mujoco_sensors.hpp"
 

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <set>
 
-#include "base/numbers.hpp"
-#include "base/unique_names.hpp"
-#include "base/words.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/unique_names.hpp"
+#include "base/text/words.hpp"
 #include "convert/gazebo_sensors.hpp"
 #include "convert/import.hpp"
 #include "convert/passes.hpp"

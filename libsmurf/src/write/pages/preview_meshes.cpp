@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/limits.hpp"
-#include "base/rules.hpp"
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
 
 namespace smurf {
 

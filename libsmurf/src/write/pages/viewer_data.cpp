@@ -4,7 +4,7 @@
 #include <deque>
 #include <set>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "link/kinematics.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/geometry_queries.hpp"

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "base/bits.hpp"
+#include "base/numbers/bits.hpp"
 #include "write/text/base64.hpp"
 
 namespace smurf {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/pages/viewer_sensors.hpp"
 
-#include "base/words.hpp"
+#include "base/text/words.hpp"
 #include "convert/gazebo_sensors.hpp"
 #include "convert/import.hpp"
 #include "write/parts/scene_parts.hpp"

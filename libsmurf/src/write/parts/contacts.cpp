@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/parts/contacts.hpp"
 
-#include "base/quantity.hpp"
+#include "base/numbers/quantity.hpp"
 #include "flatten/shapes.hpp"
 
 namespace smurf {

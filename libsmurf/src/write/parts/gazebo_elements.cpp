@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
-#include "base/path.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
 #include "convert/import.hpp"
 #include "write/sdf/sdf_names.hpp"
 #include "write/text/raw_xml.hpp"

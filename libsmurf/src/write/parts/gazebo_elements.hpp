@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/unique_names.hpp"
+#include "base/text/unique_names.hpp"
 #include "smurf/linked.hpp"
 #include "write/text/xml_text.hpp"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "base/inflate.hpp"
+#include "base/numbers/inflate.hpp"
 
 namespace smurf {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "base/numbers.hpp"
-#include "base/quantity.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/numbers/quantity.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/import.hpp"
 #include "convert/joint_commands.hpp"

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <vector>
 
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "write/parts/annotated_colors.hpp"
 
 namespace smurf {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exact_math.hpp"
-#include "base/path.hpp"
-#include "base/unique_names.hpp"
-#include "base/vectors.hpp"
-#include "base/words.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/vectors.hpp"
+#include "base/text/unique_names.hpp"
+#include "base/text/words.hpp"
 #include "flatten/shapes.hpp"
 #include "link/inertia.hpp"
 #include "link/kinematics.hpp"

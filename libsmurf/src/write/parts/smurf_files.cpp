@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/path.hpp"
+#include "base/files/path.hpp"
 #include "smurf/write.hpp"
 #include "write/text/yaml_text.hpp"
 

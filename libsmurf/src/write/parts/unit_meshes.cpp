@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/exact_math.hpp"
+#include "base/numbers/exact_math.hpp"
 
 namespace smurf {
 namespace {

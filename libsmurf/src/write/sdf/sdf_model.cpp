@@ -5,7 +5,7 @@
 #include <array>
 #include <set>
 
-#include "base/edits.hpp"
+#include "base/text/edits.hpp"
 #include "convert/import.hpp"
 #include "convert/passes.hpp"
 #include "link/gazebo_names.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/sdf/sdf_names.hpp"
 
-#include "base/path.hpp"
-#include "base/unique_names.hpp"
+#include "base/files/path.hpp"
+#include "base/text/unique_names.hpp"
 #include "write/parts/scene_parts.hpp"
 
 namespace smurf {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 
 namespace smurf {
 namespace {

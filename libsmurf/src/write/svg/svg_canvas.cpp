@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
-#include "base/utf8.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
+#include "base/text/utf8.hpp"
 
 namespace smurf {
 namespace {

@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <numbers>
 
-#include "base/exact_math.hpp"
-#include "base/vectors.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/vectors.hpp"
 #include "write/svg/svg_canvas.hpp"
 
 namespace smurf {

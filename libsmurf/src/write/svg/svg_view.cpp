@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "base/edits.hpp"
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
 #include "write/parts/annotated_colors.hpp"
 #include "write/parts/scene_parts.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
 #include "write/text/json_text.hpp"
 
 namespace smurf {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/numbers.hpp"
-#include "base/utf8.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/utf8.hpp"
 
 namespace smurf {
 namespace {

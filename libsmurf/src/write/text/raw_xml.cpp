@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "base/edits.hpp"
+#include "base/text/edits.hpp"
 #include "syntax/strict_xml.hpp"
 
 namespace smurf {

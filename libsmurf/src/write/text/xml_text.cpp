@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/edits.hpp"
-#include "base/numbers.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/edits.hpp"
 #include "write/text/long_text.hpp"
 
 namespace smurf {

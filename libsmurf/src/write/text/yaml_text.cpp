@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 
-#include "base/numbers.hpp"
-#include "base/path.hpp"
-#include "base/utf8.hpp"
+#include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/utf8.hpp"
 
 namespace smurf {
 namespace {

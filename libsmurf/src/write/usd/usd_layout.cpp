@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/usd/usd_layout.hpp"
 
-#include "base/unique_names.hpp"
+#include "base/text/unique_names.hpp"
 #include "write/parts/scene_parts.hpp"
 
 namespace smurf {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/usd/usd_lights.hpp"
 
-#include "base/numbers.hpp"
-#include "base/unique_names.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/unique_names.hpp"
 #include "write/parts/scene_parts.hpp"
 
 namespace smurf {

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <utility>
 
-#include "base/exact_math.hpp"
-#include "base/numbers.hpp"
-#include "base/unique_names.hpp"
+#include "base/numbers/exact_math.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/unique_names.hpp"
 #include "write/parts/body_inertia.hpp"
 
 namespace smurf {

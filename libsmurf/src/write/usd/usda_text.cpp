@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/usd/usda_text.hpp"
 
-#include "base/floating.hpp"
-#include "base/misread.hpp"
-#include "base/numbers.hpp"
-#include "base/utf8.hpp"
+#include "base/numbers/floating.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/misread.hpp"
+#include "base/text/utf8.hpp"
 #include "write/text/long_text.hpp"
 
 namespace smurf {

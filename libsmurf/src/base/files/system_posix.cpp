@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <dirent.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "base/files/system.hpp"
+
+namespace smurf::sys {
+std::vector<std::string> names_in(int folder) {
+  std::vector<std::string> names;
+  DIR* opened = folder < 0 ? nullptr : ::fdopendir(folder);
+  if (opened == nullptr) return names;
+  while (const dirent* entry = ::readdir(opened)) {
+    const std::string_view name = entry->d_name;
+    if (name != "." && name != "..") names.emplace_back(name);
+  }
+  ::closedir(opened);
+  return names;
+}
+
+std::optional<std::string> real_path(const std::string& path) {
+  const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
+                                                         &std::free);
+  if (!real) return std::nullopt;
+  return std::string(real.get());
+}
+
+std::optional<std::string> place_of(int number) {
+  std::error_code error;
+  const std::filesystem::path place =
+      std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(number), error);
+  return error ? std::nullopt : std::optional(place.string());
+}
+
+int adopt_owner(int number, const Status& other) {
+  // The owner comes first, because the mode is meant for this owner. Only root may change it.
+  const bool is_given = ::fchown(number, other.st_uid, other.st_gid) == 0;
+  [[maybe_unused]] const bool is_kept =
+      is_given || ::fchown(number, static_cast<uid_t>(-1), other.st_gid) == 0;
+  return ::fchmod(number, other.st_mode & 0777U) == 0 ? 0 : errno;
+}
+
+bool is_running(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
+
+std::string process_space() {
+  std::error_code error;
+  std::string space = std::filesystem::read_symlink("/proc/self/ns/pid", error).string();
+  std::erase_if(space, [](char c) { return c < '0' || c > '9'; });  // of "pid:[4026531836]"
+  char boot[8] = {};
+  const int file = ::open("/proc/sys/kernel/random/boot_id", O_RDONLY | O_CLOEXEC);
+  if (file >= 0) {
+    if (::read(file, boot, sizeof boot) == sizeof boot) space.append("x").append(boot, sizeof boot);
+    ::close(file);
+  }
+  return space.empty() ? "0" : space;
+}
+
+void wait_until_writable(int number) {
+  pollfd ready{number, POLLOUT, 0};
+  ::poll(&ready, 1, -1);
+}
+
+void allow_open_files(std::size_t count) {
+  constexpr rlim_t kOthers = 64;
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= count + kOthers) return;
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, count + kOthers);
+  ::setrlimit(RLIMIT_NOFILE, &limit);  // a denial shows later, when a file is opened
+}
+
+std::string_view why_no_name(std::string_view /*name*/) { return {}; }
+std::string from_user(std::string_view path) { return std::string(path); }
+std::string_view for_others(std::string_view path) { return path; }
+bool is_named_so(const std::string& /*path*/) { return true; }
+std::string_view without_drive(std::string_view path) { return path; }
+const char* home() { return std::getenv("HOME"); }
+
+}  // namespace smurf::sys
