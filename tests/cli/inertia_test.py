@@ -76,6 +76,14 @@ class Repair(cli.CliTest):
         done = self.run_tool("--fix-inertia=nearest", "--diff", "r.urdf")
         self.assertIn("principal moments -0.00013, 0.0067, 0.0067 become", done.stdout)
 
+    def test_a_little_too_much_is_rounding(self):
+        """Not the decimal point of a small product, although the tensor were possible without it."""
+        self.write("r.urdf", '<robot name="r"><link name="a"><inertial><mass value="2"/><inertia ixx="0.0051" iyy="0.01" '
+                   'izz="0.0153" ixy="0.00001" ixz="0" iyz="0.000002"/></inertial></link></robot>')
+        said = self.expect(1, "r.urdf").stdout
+        self.assertIn("rounded or measured numbers? The largest moment is 1.3 % beyond that of a body", said)
+        self.assertNotIn("decimal point", said)
+
     def test_moments_are_in_the_difference_which_git_applies(self):
         done = self.run_tool("--fix-inertia", "--diff", "r.urdf")
         lines = done.stdout.splitlines()

@@ -215,6 +215,18 @@ class CasesTest(unittest.TestCase):
         self.check(right, "dart", "takes", options=("--package", "mini_description=pkg"), name="pkg/urdf/r.urdf")
         self.check(right, "dart", "unknown", "SML1912", name="pkg/urdf/r.urdf")
 
+    def test_file_addresses_of_found_packages(self):
+        """As `file://$(find PACKAGE)` writes them: only MuJoCo and MARS refuse them."""
+        text = robot(link("a", collision("file://$(find mini_description)/meshes/a.obj")))
+        files = [("pkg/package.xml", PACKAGE), ("pkg/meshes/a.obj", TETRAHEDRON)]
+        name = "pkg/urdf/r.urdf.xacro"
+        self.assertEqual(self.rules(text, files=files, name=name).get("SML1610"), "info")
+        for reader in ("ros", "gazebo", "dart", "drake", "newton", "isaac"):
+            self.check(text, reader, "takes", name=name)
+        self.check(text, "mujoco", "refuses", "SML1610", "scheme", name=name)
+        relative = robot(link("a", collision("file://meshes/a.obj")))
+        self.assertEqual(self.rules(relative, name="pkg/r.urdf").get("SML1610"), "error")
+
     def test_packages_without_package_xml(self):
         files = [("go/meshes/a.obj", TETRAHEDRON), ("go/visuals/b.obj", TETRAHEDRON)]
         text = robot(link("a", collision("package://other/meshes/a.obj")))

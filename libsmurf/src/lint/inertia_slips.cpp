@@ -7,6 +7,7 @@
 
 #include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
+#include "link/possible_inertia.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"
 
@@ -101,6 +102,17 @@ void add_decimal_points(const Tensor& t, InertiaSlips& slips) {
   }
 }
 
+/// A little too much is not of a slip, but of rounded or measured numbers.
+void add_small_excess(const Tensor& t, InertiaSlips& slips) {
+  constexpr double kSmall = 0.05;
+  const Vector3 moments = principal_of(t).moments;
+  const double excess = triangle_excess(moments);
+  if (!is_positive_definite(moments) || excess > kSmall) return;
+  slips.add(nearest_possible(t), 0,
+            "rounded or measured numbers? The largest moment is " +
+                format_rounded(100 * excess, 2) + " % beyond that of a body");
+}
+
 /// A tensor about the origin of the link instead of the centre of mass, or moved there twice.
 void add_offsets(const Tensor& t, double mass, const Vector3& offset, InertiaSlips& slips) {
   slips.add(shifted(t, -mass, offset), 0.5,
@@ -159,6 +171,7 @@ std::optional<InertiaSlip> likely_slip(const LinkedModel& model, const urdf::Lin
   add_orders(written, slips);
   add_decimal_points(written, slips);
   add_rods(written, slips);
+  add_small_excess(written, slips);
   return slips.best();
 }
 

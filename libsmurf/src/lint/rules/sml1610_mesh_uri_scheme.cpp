@@ -32,9 +32,18 @@ void check(const LinkedModel& model, Findings& findings) {
   if (has_model_scheme) diagnostic->when(kModel);
   if (are_found) diagnostic->when(kFound);
   if (are_absolute) diagnostic->when(kAbsolute);
+  // Where `$(find PACKAGE)` stands behind it in a xacro, only these two readers mind.
+  if (are_found && are_absolute) diagnostic->severity = Severity::info;
 }
 
+constexpr Where kOpened = when(kAbsolute, kFound);
+
 constexpr Fact kFacts[] = {
+    {&readers::drake, Effect::takes, "opens the file", kRun, kOpened},
+    {&readers::dart, Effect::takes, "opens the file", kRun, kOpened},
+    {&readers::ros, Effect::takes, "opens the file", "resource_retriever", kOpened},
+    {&readers::gazebo, Effect::takes, "opens the file", "sdformat keeps the address, run", kOpened},
+    {&readers::isaac, Effect::takes, "opens the file", kRun, kOpened},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, when(kModel)},
     {&readers::pybullet, Effect::takes, "opens the file", kRun, when(kFound)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun},
@@ -58,7 +67,7 @@ constexpr Fact kFacts[] = {
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
     {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun,
      when(kModel)},
-    {&readers::newton, Effect::takes, "opens the file", kRun, when(kAbsolute, kFound)},
+    {&readers::newton, Effect::takes, "opens the file", kRun, kOpened},
     {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun,
      when(kAbsolute)},
     {&readers::newton, Effect::refuses,
