@@ -498,6 +498,12 @@ class Options(LoadCheckTest):
         self.assertEqual(result["ruleId"], "SML1512")
         self.assertIn("::error file=bad.urdf", self.read("found.txt"))
 
+    def test_a_small_stack(self):
+        if cli.is_sanitized(cli.TOOL):
+            return
+        small = (64 << 10, resource.getrlimit(resource.RLIMIT_STACK)[1])
+        self.expect(0, "good.urdf", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_STACK, small))
+
     def test_nothing_to_check(self):
         self.expect_complaint("cannot read 'none.urdf': No such file or directory", "none.urdf")
 

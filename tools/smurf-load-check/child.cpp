@@ -204,9 +204,8 @@ class Pool {
 
   /// False at the end of the child's output.
   bool read_from(Child& child) {
-    char buffer[65536];
-    const ssize_t count = ::read(child.pipe, buffer, sizeof buffer);
-    if (count > 0) take(std::string_view(buffer, static_cast<std::size_t>(count)), child);
+    const ssize_t count = ::read(child.pipe, buffer_.data(), buffer_.size());
+    if (count > 0) take(std::string_view(buffer_.data(), static_cast<std::size_t>(count)), child);
     return count > 0 || (count < 0 && errno == EINTR);
   }
 
@@ -271,6 +270,8 @@ class Pool {
   std::vector<Batch> broken_off_;       ///< remaining tasks of children that ended early
   std::map<std::size_t, double> used_;  ///< seconds, by group
   std::vector<Child> running_;
+  std::vector<char> buffer_ =
+      std::vector<char>(65536);  ///< as large as a pipe; stacks can be small
 };
 
 }  // namespace
