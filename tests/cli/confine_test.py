@@ -297,6 +297,12 @@ class Confine(cli.CliTest):
             done = self.run_tool("--isolated", "--format", "concise", "--allow-outside", named, cwd=self.project)
             self.assertEqual(done.returncode, 1, named)
 
+    def test_a_named_file_that_is_missing_is_not_called_outside(self):
+        for named in ("/smurf-none.urdf", "/home/smurf-none.urdf", "/smurf-none/r.urdf", "none.urdf", "../none.urdf"):
+            done = self.run_tool("--isolated", named, cwd=self.project)
+            self.assertEqual((done.returncode, done.stderr.split(": ", 1)[1]),
+                             (2, f"cannot read '{named}': No such file or directory\n"))
+
     def test_a_search_is_bounded(self):
         for i in range(30):
             self.write(f"a/b/project/many/{i}/x.txt", "")

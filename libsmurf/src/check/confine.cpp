@@ -166,6 +166,9 @@ void confine_to_projects(ConfinedFiles& files, std::span<const std::string> inpu
       for (const std::string_view name : kRuleFiles) files.allow_named(std::string(name), input);
     } else if (auto folder = folder_of(input)) {
       folders.insert(*std::move(folder));
+      // In "/" and /home only files that are there are allowed, and a misspelt name is not there.
+      const bool is_missing = !is_file && !places::has_entry(input);
+      if (is_missing && link_out_of_repository(input).empty()) files.allow(input);
     }
   }
   for (const std::string& folder : folders) allow_project(files, folder);
