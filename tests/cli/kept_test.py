@@ -46,7 +46,7 @@ URDF = """<robot name="rich">
 <gazebo reference="base"><sensor name="touch" type="contact"><contact>
   <collision>base_fixed_joint_lump__bumper_collision</collision>
   <collision>base_fixed_joint_lump__pad_collision_2</collision></contact></sensor></gazebo>
-<link name="flat"><visual><geometry><mesh filename="two.obj"/></geometry></visual><inertial><mass value="1"/><inertia ixx="0.0001" iyy="0.0001" izz="0.000201" ixy="0"
+<link name="flat"><collision><geometry><mesh filename="fork.obj"/></geometry></collision><visual><geometry><mesh filename="two.obj"/></geometry></visual><inertial><mass value="1"/><inertia ixx="0.0001" iyy="0.0001" izz="0.000201" ixy="0"
   ixz="0" iyz="0"/></inertial></link>
 <joint name="hinge" type="continuous"><parent link="base"/><child link="flat"/><axis xyz="0 0 1"/></joint>
 <link name="ball"><inertial><mass value="1"/></inertial>
@@ -126,6 +126,12 @@ f 3 1 4
 usemtl green
 f 1 2 3
 """
+# Two prongs on a bar: the hull has 2.5 times the volume.
+PROFILE = ((0, 0), (10, 0), (10, 10), (8.5, 10), (8.5, 1.5), (1.5, 1.5), (1.5, 10), (0, 10))
+LID = ((1, 2, 5), (1, 5, 6), (2, 3, 4), (2, 4, 5), (1, 6, 7), (1, 7, 8))
+FORK = "".join(f"v {x} {y} {z}\n" for z in (0, 2) for x, y in PROFILE) + "".join(
+    f"f {c} {b} {a}\nf {a + 8} {b + 8} {c + 8}\n" for a, b, c in LID) + "".join(
+    f"f {i + 1} {(i + 1) % 8 + 1} {(i + 1) % 8 + 9}\nf {i + 1} {(i + 1) % 8 + 9} {i + 9}\n" for i in range(8))
 
 
 def png(*pixels):
@@ -147,6 +153,7 @@ CHANGES = {
                       '<visual name="hull"><geometry><box size="1 2 4"/>'),
     "collision shapes": ('<collision name="bumper"><geometry><box size="1 2 3"/>',
                          '<collision name="bumper"><geometry><box size="1 2 4"/>'),
+    "concave meshes of collisions": ("fork.obj", "two.obj"),
     "shapes with a size of 0": ('<sphere radius="0"/>', '<sphere radius="1"/>'),
     "names of visuals and collisions": ('<visual name="hull">', '<visual name="shell">'),
     "colours": ('rgba="0 0 1 1"', 'rgba="0 1 1 1"'),
@@ -300,7 +307,7 @@ class KeptTest(cli.CliTest):
     def texts():
         return {"rich.urdf": URDF, "rich_all.yml": ANNOTATIONS, "rich.smurfs": SCENE,
                 "free.urdf": '<robot name="free"><link name="world"/></robot>',
-                "two.obj": TWO, "two.mtl": "newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\n",
+                "two.obj": TWO, "fork.obj": FORK, "two.mtl": "newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\n",
                 "rich.smurf": "modelname: rich\nfiles: [rich.urdf, rich_all.yml]\n"}
 
     def test_nothing_is_lost_without_a_word(self):

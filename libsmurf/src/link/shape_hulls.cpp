@@ -104,6 +104,13 @@ std::optional<ConvexHull> hull_of(const LinkedModel& model, const urdf::Geometry
   return convex_hull(points_of(model, geometry.shape));
 }
 
+double hull_ratio(const LinkedModel& model, const urdf::Geometry& geometry) {
+  const std::optional<Solid> solid = solid_of(model, geometry);
+  if (!solid) return 0;
+  const std::optional<ConvexHull> hull = hull_of(model, geometry);
+  return hull ? hull->volume / solid->volume : 0;
+}
+
 std::optional<double> reach_of(const LinkedModel& model, const urdf::Geometry& geometry,
                                const Vector3& direction) {
   const double across = hypotenuse(direction[0], direction[1]);

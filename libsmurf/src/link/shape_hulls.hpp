@@ -14,6 +14,12 @@ namespace smurf {
 /// flat.
 std::optional<ConvexHull> hull_of(const LinkedModel& model, const urdf::Geometry& geometry);
 
+/// The volume of the hull as a multiple of that of the shape. 0 if it is not known, as for an open
+/// mesh.
+double hull_ratio(const LinkedModel& model, const urdf::Geometry& geometry);
+/// From this ratio on, gaps that matter are full in the hull.
+inline constexpr double kGapsInHull = 2;
+
 /// The farthest that a shape reaches from its origin in a direction of unit length, in its frame,
 /// in m. None if its size is unknown.
 std::optional<double> reach_of(const LinkedModel& model, const urdf::Geometry& geometry,

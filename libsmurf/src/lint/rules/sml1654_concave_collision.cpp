@@ -2,21 +2,11 @@
 #include "base/findings/readers.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/counted.hpp"
-#include "link/convex_hull.hpp"
+#include "link/shape_hulls.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1654_concave_collision_file {
 namespace {
-
-/// The volume of the convex hull, as a multiple of that of the mesh. 0 if it is not known.
-double hull_ratio(const LinkedModel& model, const OpenedMesh& mesh) {
-  const std::optional<Solid> solid = solid_of(model, mesh.uses.front().geometry);
-  if (!solid || !mesh.facts.solid) return 0;
-  std::vector<Vector3> points;
-  for (const auto& [x, y, z] : mesh.facts.outer) points.push_back({x, y, z});
-  const std::optional<ConvexHull> hull = convex_hull(points);
-  return hull ? hull->volume / mesh.facts.solid->volume : 0;
-}
 
 void check(const LinkedModel& model, Findings& findings) {
   const OpenedMesh* worst = nullptr;
@@ -25,7 +15,7 @@ void check(const LinkedModel& model, Findings& findings) {
   const std::vector<OpenedMesh> meshes = opened_meshes(model);
   for (const OpenedMesh& mesh : meshes) {
     if (!mesh.is_collision()) continue;
-    const double ratio = hull_ratio(model, mesh);
+    const double ratio = hull_ratio(model, mesh.uses.front().geometry);
     if (ratio < findings.tolerance()) continue;
     ++others;
     if (ratio <= largest && worst != nullptr) continue;
@@ -63,7 +53,7 @@ extern constinit const Rule sml1654_concave_collision{
     .sources = "13 threads on simulators, such as MuJoCo issue 1873 and Bullet issue 1954.",
     .check_model = check,
     .needs_target = true,
-    .tolerance = {.value = 2,
+    .tolerance = {.value = kGapsInHull,
                   .meaning = "the volume of the hull, as a multiple of that of the mesh"},
     .facts = kFacts};
 

@@ -12,6 +12,8 @@ void append(Found& all, Found some);
 // In a URDF.
 Found masses(const LinkedModel& model, SceneColumn);
 Found collision_shapes(const LinkedModel& model, SceneColumn);
+/// Meshes of collisions whose convex hull is much larger, with the ratio of the volumes.
+Found concave_meshes(const LinkedModel& model, SceneColumn);
 Found movable_joints(const LinkedModel& model, SceneColumn);
 /// MJCF: only textures that MuJoCo does not read. HTML: none, because the writer reports them.
 Found textures(const LinkedModel& model, SceneColumn column);

@@ -43,6 +43,9 @@ constexpr std::string_view kGains =
     "these limits, and for positions a stiffness of `p` times that, 20 times without `p`";
 constexpr std::string_view kPlainName =
     "changed: names have ASCII letters, digits and _ only, are unique, and are not reserved";
+constexpr std::string_view kHulls =
+    "changed: MuJoCo uses the convex hull, which has this multiple of the volume, so that gaps are "
+    "full; divide the mesh into convex parts, each in one `collision`";
 constexpr std::string_view kColours = "lost: shapes have colours";
 
 constexpr SceneThing kThings[] = {
@@ -64,6 +67,10 @@ constexpr SceneThing kThings[] = {
      .in_model = things::collision_shapes,
      .cells = {kKept, "kept: capsules are lost", kReadMeshes, kKept, kKept, kReadMeshes, kShown,
                kReadMeshes}},
+    {.title = "concave meshes of collisions",
+     .in_model = things::concave_meshes,
+     .cells = {kKept, kKept, kHulls, kKept, kKept, kKept, kShown,
+               "kept: those that move as their convex hulls, for PhysX"}},
     {.title = kEmptyShapes,
      .cells = {kKept, kKept, "lost: MuJoCo refuses them", kKept, kKept, kKept, kKept, kKept}},
     {.title = "names of visuals and collisions",

@@ -67,21 +67,21 @@ void skip_leaders(Followers& followers) {
 
 namespace {
 
-using Limits = std::pair<double, double>;
+using JointRange = std::pair<double, double>;
 
-std::optional<Limits> limits_of(const urdf::Joint& joint) {
+std::optional<JointRange> limits_of(const urdf::Joint& joint) {
   if (joint.type == urdf::JointType::continuous || !joint.limit) return std::nullopt;
-  const Limits limits{joint.limit->lower.value_or(0), joint.limit->upper.value_or(0)};
+  const JointRange limits{joint.limit->lower.value_or(0), joint.limit->upper.value_or(0)};
   return limits.first <= limits.second ? std::optional(limits) : std::nullopt;
 }
 
 /// Those that follow from the limits of the leader.
-std::optional<Limits> limits_of_follower(const DrivenFollower& follower) {
+std::optional<JointRange> limits_of_follower(const DrivenFollower& follower) {
   const auto leader = limits_of(*follower.leader);
   if (!leader) return std::nullopt;
   const double first = leader->first * follower.multiplier + follower.offset;
   const double second = leader->second * follower.multiplier + follower.offset;
-  return Limits{std::min(first, second), std::max(first, second)};
+  return JointRange{std::min(first, second), std::max(first, second)};
 }
 
 }  // namespace
