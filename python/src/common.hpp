@@ -110,10 +110,6 @@ py::object to_optional(const OwnerPtr& owner, const std::unique_ptr<T>& value) {
 /// ValueError for values that mean nothing.
 CheckSettings settings_of(const py::kwargs& keywords);
 
-/// The files that smurf-lint would check in these paths, which may be folders; raises smurf.Error
-/// for a path that cannot be read.
-Plan plan_of(const std::vector<std::string>& paths, const CheckSettings& settings);
-
 /// A smurf.Scene.
 py::object load_scene(const std::shared_ptr<Session>& session, const std::string& path,
                       const CheckSettings& settings, bool is_shared, const py::object& recipe);

@@ -52,17 +52,11 @@ auto run_alone(bool is_shared, const Run& run) {
   return run();
 }
 
-bool is_folder(const std::string& path) {
-  std::error_code error;
-  return std::filesystem::is_directory(path, error);
-}
-
 py::object check(Session& session, const std::vector<std::string>& paths,
                  const CheckSettings& settings, bool is_shared) {
-  const bool is_one = paths.size() == 1 && !is_folder(paths.front());
   Report report = run_alone(is_shared, [&] {
-    return is_one ? session.check(paths.front(), settings)
-                  : session.check(plan_of(paths, settings), settings);
+    return paths.size() == 1 ? session.check(paths.front(), settings)
+                             : session.check(paths, settings);
   });
   return to_report(std::move(report), session.sources());
 }

@@ -126,6 +126,38 @@ TEST_CASE("a path that cannot be read is a finding") {
   CHECK(report.diagnostics[0].message == "cannot read `" + (folder / "robots") + "`: is a folder");
 }
 
+TEST_CASE("a folder is checked as smurf-lint does it") {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    fs::create_directories(fs::path(folder / name).parent_path());
+    std::ofstream(folder / name) << text;
+  };
+  const std::string xacro = "<robot name='r' xmlns:xacro='x'>";
+  // Names of includes that no file has, and one of which the folder is not known.
+  std::string parts;
+  for (int i = 0; i < 20; ++i) {
+    parts += "<xacro:include filename='$(find p)/a_name_that_is_long_enough_" + std::to_string(i) +
+             ".xacro'/>";
+  }
+  write("r/urdf/r.urdf.xacro",
+        xacro + parts + "<xacro:include filename='$(find p)/urdf/wheel.xacro'/></robot>");
+  write("r/urdf/wheel.xacro", xacro + "<link name='w'><mass/></link></robot>");
+  write("r/plain.urdf", "<robot name='p'><link name='a'/><link name='b'/></robot>");
+  write("r/old/left_out.urdf", "<robot");
+  write("r/.smurf-lint.yaml", "exclude: [old]\n");
+  Session session;
+  const Report report = session.check(folder / "r");
+  std::set<std::string> found;
+  for (const Diagnostic& one : report.diagnostics) {
+    found.insert(std::string(one.rule->id) + " " +
+                 fs::path(session.sources().path(one.span.source)).filename().string());
+  }
+  CHECK(found == std::set<std::string>{"SML1204 plain.urdf", "SML3309 r.urdf.xacro"});
+  CHECK(report.problems.empty());
+  const std::vector<std::string> paths{folder / "r/plain.urdf", folder / "r/urdf"};
+  CHECK(session.check(paths).diagnostics.size() == report.diagnostics.size());
+}
+
 TEST_CASE("a loaded model is checked again with the same result") {
   MemoryFiles files;
   files.add(

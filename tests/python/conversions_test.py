@@ -21,14 +21,18 @@ def as_json(losses):
              "pointer": one.pointer} for one in losses]
 
 
+def reason_of(refusal):
+    """Without the path, which the module normalises."""
+    return re.sub(r"^([\w-]+: )?'[^']*' ", "", refusal)
+
+
 def by_program(tool, path, folder, *options):
     """The bytes and the losses, or the reason of the refusal."""
     report = folder / "losses.json"
     report.unlink(missing_ok=True)
     done = inputs.run(tool, path, "--loss-report", report, *options)
     if done.returncode == 1:
-        reason = done.stderr.decode().splitlines()[-1].split(f"'{path}' ", 1)[-1]
-        return AT_THE_END.sub("", reason)
+        return AT_THE_END.sub("", reason_of(done.stderr.decode().splitlines()[-1]))
     assert done.returncode == 0, (path, done.stderr)
     losses = json.loads(report.read_text())["losses"]
     for one in losses:
@@ -45,7 +49,7 @@ def by_module(thing, path, name):
         export = thing.write(name)
         return export.text.encode(), as_json(export.losses)
     except smurf.Error as refused:
-        return refused.args[0].split(f"'{path}' ", 1)[-1]
+        return reason_of(refused.args[0].splitlines()[0])
 
 
 def compare(paths, folder):

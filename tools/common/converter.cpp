@@ -8,13 +8,13 @@
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/text/counted.hpp"
-#include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/shared_options.hpp"
 #include "render/printable.hpp"
 #include "render/wrap.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/confine.hpp"
+#include "smurf/found_inputs.hpp"
 #include "smurf/result_losses.hpp"
 
 namespace smurf::tools {

@@ -6,13 +6,13 @@
 #include <cerrno>
 #include <system_error>
 
-#include "base/files/canonical_paths.hpp"
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/files/system.hpp"
 #include "base/findings/limits.hpp"
 #include "common/output.hpp"
 #include "smurf/archive_files.hpp"
+#include "smurf/found_inputs.hpp"
 #include "smurf/source.hpp"
 
 namespace smurf::tools {
@@ -61,17 +61,6 @@ std::optional<std::string> read_standard_input(std::string_view tool, const std:
   return name;
 }
 
-std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files) {
-  // Does not read the content. A file that is too large is a finding later, because other readers
-  // may load it.
-  const FileContent content = files.read(path, 0);
-  if (content.status == ReadStatus::ok || content.status == ReadStatus::too_large) {
-    return std::nullopt;
-  }
-  if (places::is_link(path) && !places::exists(path)) return "is a link that leads to no file";
-  return content.reason;
-}
-
 std::optional<std::string> find_main_file(std::string_view tool, const std::string& path,
                                           const FileReader& files) {
   std::optional<std::string> reason = why_unreadable(path, files);
@@ -82,6 +71,24 @@ std::optional<std::string> find_main_file(std::string_view tool, const std::stri
   }
   if (!reason) return path;
   complain(tool, "cannot read '" + path + "': " + *reason);
+  return std::nullopt;
+}
+
+std::optional<std::string> find_only_input(std::string_view tool, const std::string& folder,
+                                           std::span<const InputKind> kinds, const Limits& limits) {
+  const FoundInputs found = find_inputs(folder, limits);
+  for (const std::string& problem : found.unreadable) complain(tool, "cannot read " + problem);
+  if (!found.unreadable.empty()) return std::nullopt;
+  for (const InputKind kind : kinds) {
+    std::vector<std::string> files = found.files;
+    std::erase_if(files, [&](const std::string& file) { return input_kind(file) != kind; });
+    if (files.size() == 1) return files.front();
+    if (files.empty()) continue;
+    complain(tool, "'" + folder + "' contains " + std::to_string(files.size()) +
+                       " files to choose from; name one, such as '" + files.front() + "'");
+    return std::nullopt;
+  }
+  complain(tool, why_nothing(found, folder));
   return std::nullopt;
 }
 
@@ -144,17 +151,6 @@ bool keeps_inputs(std::string_view tool, const InputFiles& inputs,
     return false;
   }
   return true;
-}
-
-const CanonicalPaths& canonical_paths() {
-  static const CanonicalPaths paths;
-  return paths;
-}
-
-std::string identity(const std::string& path) { return smurf::identity(path, canonical_paths()); }
-
-std::string identity(const std::string& path, const FileReader& files) {
-  return smurf::identity(path, canonical_paths(), files);
 }
 
 }  // namespace smurf::tools

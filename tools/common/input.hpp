@@ -14,6 +14,7 @@
 
 #include "smurf/file_reader.hpp"
 #include "smurf/limits.hpp"
+#include "smurf/plan.hpp"
 
 namespace smurf::tools {
 
@@ -22,14 +23,15 @@ namespace smurf::tools {
 std::optional<std::string> read_standard_input(std::string_view tool, const std::string& filename,
                                                const Limits& limits, MemoryFiles& files);
 
-/// The reason why the user's path cannot be checked: "No such file or directory", "is not a regular
-/// file". None if it can be read.
-std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files);
-
 /// The path to load for a path of the user: itself, or the main file of an archive. Reports an
 /// error and returns none if it cannot be read.
 std::optional<std::string> find_main_file(std::string_view tool, const std::string& path,
                                           const FileReader& files);
+
+/// The only file of a kind in a folder, for the first of these kinds that occurs. Reports an error
+/// and returns none if there are several files of that kind, or no file of any kind.
+std::optional<std::string> find_only_input(std::string_view tool, const std::string& folder,
+                                           std::span<const InputKind> kinds, const Limits& limits);
 
 /// The current folder. Reports an error if it no longer exists.
 std::optional<std::string> current_folder(std::string_view tool);
@@ -68,12 +70,5 @@ class InputFiles final : public FileReader {
 /// Reports an error and returns false if one of these files was read. "" and "-" are not files.
 bool keeps_inputs(std::string_view tool, const InputFiles& inputs,
                   std::span<const std::string> outputs);
-
-/// Shared by the whole run, because it looks up each path only once.
-const CanonicalPaths& canonical_paths();
-/// Equal for two spellings of one file; links are resolved.
-std::string identity(const std::string& path);
-/// Like identity(), but a denied path is identified by its name.
-std::string identity(const std::string& path, const FileReader& files);
 
 }  // namespace smurf::tools

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/loaded_names.hpp"
-#include "common/models_around.hpp"
+#include "smurf/models_around.hpp"
 
 namespace smurf::tools {
 namespace {

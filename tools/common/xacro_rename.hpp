@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "common/xacro_names.hpp"
-#include "common/xacro_roots.hpp"
 #include "smurf/check.hpp"
 #include "smurf/fix.hpp"
+#include "smurf/xacro_files.hpp"
 
 namespace smurf::tools {
 

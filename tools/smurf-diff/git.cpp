@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "common/input.hpp"
-#include "common/models_around.hpp"
 #include "common/output.hpp"
 #include "render/printable.hpp"
 #include "smurf-diff/versions.hpp"
 #include "smurf/confine.hpp"
+#include "smurf/models_around.hpp"
 
 namespace smurf::tools {
 namespace {

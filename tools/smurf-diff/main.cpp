@@ -6,7 +6,6 @@
 
 #include "base/files/places.hpp"
 #include "common/browser.hpp"
-#include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"
 #include "common/process.hpp"
@@ -15,6 +14,7 @@
 #include "smurf-diff/picture.hpp"
 #include "smurf-diff/versions.hpp"
 #include "smurf/confine.hpp"
+#include "smurf/found_inputs.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;

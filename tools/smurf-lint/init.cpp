@@ -10,16 +10,16 @@
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/text/counted.hpp"
-#include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"
-#include "common/xacro_roots.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/launch_hints.hpp"
 #include "smurf/check.hpp"
 #include "smurf/config.hpp"
 #include "smurf/file_reader.hpp"
+#include "smurf/found_inputs.hpp"
 #include "smurf/readers.hpp"
+#include "smurf/xacro_files.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -76,7 +76,7 @@ void find_folders(const std::string& folder, const std::string& shown, std::size
   }
 }
 
-Seen look_at(const std::string& folder, const Found& found, const Limits& limits) {
+Seen look_at(const std::string& folder, const FoundInputs& found, const Limits& limits) {
   Seen seen;
   const DiskFiles disk;
   seen.xacro = found.xacro;
@@ -219,7 +219,7 @@ ExitCode init(const LintOptions& options) {
     complain(kSmurfLint, "'" + folder + "' is not a folder; --init sets up a folder");
     return kFailed;
   }
-  const Found found = find_inputs(folder, options.limits);
+  const FoundInputs found = find_inputs(folder, options.limits);
   if (found.files.empty() && found.xacro.empty()) {
     complain(kSmurfLint, why_nothing(found, folder) + "; nothing was written");
     return kFailed;

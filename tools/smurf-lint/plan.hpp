@@ -10,13 +10,13 @@
 #include "smurf/check.hpp"
 #include "smurf/config.hpp"
 #include "smurf/file_reader.hpp"
+#include "smurf/plan.hpp"
 
 namespace smurf::tools {
 
 /// `problems` have been reported.
-struct LintPlan : Plan {
+struct LintPlan : FoundPlan {
   std::string standard_input;  ///< its name in `files`; "": not read
-  std::size_t links = 0;       ///< links that lead out of the folders, which are not followed
 };
 
 /// Allows reading the files of the command line and of their projects, which planning needs:

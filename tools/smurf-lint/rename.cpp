@@ -12,10 +12,10 @@
 #include "common/output.hpp"
 #include "common/planned_rename.hpp"
 #include "common/xacro_rename.hpp"
-#include "common/xacro_roots.hpp"
 #include "smurf-lint/left_names.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/names.hpp"
+#include "smurf/xacro_files.hpp"
 
 namespace smurf::tools {
 

@@ -9,9 +9,9 @@
 
 #include "base/files/places.hpp"
 #include "base/text/counted.hpp"
-#include "common/discover.hpp"
 #include "common/output.hpp"
 #include "common/stamps.hpp"
+#include "smurf/found_inputs.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -28,7 +28,7 @@ Stamps watched(const std::set<std::string>& seen, const LintOptions& options) {
   for (const std::string& path : named) {
     add(path);
     if (!places::is_folder(path)) continue;
-    const Found found = find_inputs(path, options.limits);
+    const FoundInputs found = find_inputs(path, options.limits);
     for (const std::string& file : found.files) add(file);
     for (const std::string& file : found.xacro) add(file);
   }

@@ -7,12 +7,12 @@
 #include <set>
 
 #include "base/files/path.hpp"
-#include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/confine.hpp"
+#include "smurf/found_inputs.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf::load_check {
@@ -85,7 +85,7 @@ class Loader {
       inputs_.has_failed = inputs_.has_failed || !name;
       if (name) files.push_back(*name);
     } else if (std::filesystem::is_directory(path, ignored)) {
-      Found found = find_inputs(path, options_.limits);
+      FoundInputs found = find_inputs(path, options_.limits);
       std::erase_if(found.files, [](const std::string& one) { return is_companion_path(one); });
       if (is_shared_folder(path)) {
         confine(inputs_.disk, found.files, options_.packages, options_.allow_outside);

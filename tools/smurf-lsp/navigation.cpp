@@ -79,14 +79,14 @@ std::vector<std::string> xacro_files_at(Context& context, const Json& params) {
   const auto request = xacro_request(context, params);
   if (!request) return {};
   const std::string_view text = request->text();
-  const tools::XacroExpression around = tools::xacro_expression_at(text, request->offset);
+  const XacroExpression around = xacro_expression_at(text, request->offset);
   constexpr std::string_view kFind = "find ";
   if (around.kind == '(' && around.inner.of(text).starts_with(kFind)) {
     const std::string name(around.inner.of(text).substr(kFind.size()));
     const auto folder = context.workspace.package_folder(name, request->path);
     if (folder) return {path::join(*folder, "package.xml")};
   }
-  for (const tools::TextRange include : request->own().read.includes) {
+  for (const TextRange include : request->own().read.includes) {
     if (!include.holds(request->offset)) continue;
     return context.workspace.xacro_files_meant(std::string(include.of(text)), request->path);
   }

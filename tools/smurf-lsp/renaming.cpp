@@ -75,7 +75,7 @@ Json prepare_rename(Context& context, const Json& params) {
   if (const auto target = xacro_target(context, params)) {
     const Positions positions(target->request.family->sources, context.client.encoding);
     const SourceId source = target->request.own().source;
-    const tools::TextRange at = target->meaning.at;
+    const TextRange at = target->meaning.at;
     const Span span{source, static_cast<std::uint32_t>(at.begin),
                     static_cast<std::uint32_t>(at.end)};
     return {{"range", positions.range(span)}, {"placeholder", target->meaning.name}};

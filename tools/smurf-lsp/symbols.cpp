@@ -170,7 +170,7 @@ class XacroOutline {
   void print() {
     std::vector<std::size_t> open;  // ends of the symbols that are not closed
     for (std::size_t i = 0; i < read_.tags.size(); ++i) {
-      const tools::XacroTag& tag = read_.tags[i];
+      const XacroTag& tag = read_.tags[i];
       for (; !open.empty() && open.back() <= tag.tag.begin; open.pop_back()) symbols_.end();
       if (begin(tag)) open.push_back(tag.end);
     }
@@ -178,33 +178,32 @@ class XacroOutline {
   }
 
  private:
-  Span span_of(tools::TextRange range) const {
+  Span span_of(TextRange range) const {
     return {source_, static_cast<std::uint32_t>(range.begin),
             static_cast<std::uint32_t>(range.end)};
   }
 
   /// False for a tag that is no symbol.
-  bool begin(const tools::XacroTag& tag) {
+  bool begin(const XacroTag& tag) {
     constexpr int kModule = 2, kConstant = 14;
     const std::string_view element = tag.name.of(text_);
     const Span whole = span_of({tag.tag.begin, tag.end});
-    const tools::XacroAttribute* name = tag.find(text_, "name");
+    const XacroAttribute* name = tag.find(text_, "name");
     if (element == "xacro:include") {
-      const tools::XacroAttribute* file = tag.find(text_, "filename");
+      const XacroAttribute* file = tag.find(text_, "filename");
       if (file == nullptr) return false;
       symbols_.begin(file->value.of(text_), kModule, whole, span_of(file->value), "include");
       return true;
     }
-    const std::string_view called = tools::called_macro(element);
+    const std::string_view called = called_macro(element);
     if (!called.empty()) {
       symbols_.begin(called, kEvent, whole, span_of(tag.name), "call");
       return true;
     }
-    const bool is_of_robot =
-        tag.parent == tools::XacroTag::kNone || is_container(read_.tags[tag.parent]);
+    const bool is_of_robot = tag.parent == XacroTag::kNone || is_container(read_.tags[tag.parent]);
     if (name == nullptr || !is_of_robot) return false;
     if (element == "xacro:macro") {
-      const tools::XacroAttribute* params = tag.find(text_, "params");
+      const XacroAttribute* params = tag.find(text_, "params");
       symbols_.begin(name->value.of(text_), kFunction, whole, span_of(name->value),
                      params != nullptr ? params->value.of(text_) : std::string_view());
     } else if (element == "xacro:property" || element == "xacro:arg") {
@@ -221,12 +220,12 @@ class XacroOutline {
   }
 
   /// Whether links may be in an element.
-  bool is_container(const tools::XacroTag& tag) const {
+  bool is_container(const XacroTag& tag) const {
     const std::string_view name = tag.name.of(text_);
     return name == "robot" || name.starts_with("xacro:");
   }
 
-  const tools::XacroText& read_;
+  const XacroText& read_;
   std::string_view text_;
   SourceId source_;
   SymbolPrinter& symbols_;

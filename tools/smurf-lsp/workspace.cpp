@@ -8,13 +8,13 @@
 
 #include "base/files/path.hpp"
 #include "common/input.hpp"
-#include "common/models_around.hpp"
 #include "common/planned_rename.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf-lsp/edited_text.hpp"
 #include "smurf-lsp/uri.hpp"
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
+#include "smurf/models_around.hpp"
 
 namespace smurf::lsp {
 namespace {
@@ -40,7 +40,7 @@ bool is_checkable(const std::string& path) {
 std::vector<std::string> includes_of(const std::string& path, std::string_view text) {
   std::vector<std::string> includes;
   if (!xacro::is_xacro_file(path)) return includes;
-  for (const tools::TextRange one : tools::read_xacro_text(text).includes) {
+  for (const TextRange one : read_xacro_text(text).includes) {
     includes.emplace_back(one.of(text));
   }
   return includes;
@@ -118,10 +118,10 @@ Files files_to_change(const tools::LoadedNames& loaded, const std::string& first
     for (const Reference& one : names) {
       if (one.kind != rename.kind || one.name != rename.from) continue;
       const std::string& path = sources.path(one.span.source);
-      files.emplace(tools::identity(path), path);
+      files.emplace(smurf::identity(path), path);
     }
   }
-  Files all{{tools::identity(first), first}};
+  Files all{{smurf::identity(first), first}};
   for (std::size_t before = 0; before != all.size();) {
     before = all.size();
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -150,7 +150,7 @@ Plan readers_of(const Files& files, const Plan& all, const tools::LoadedNames& l
           return one.model != nullptr && one.model->model.path == path::normalize(file.path);
         });
     const bool reads = own != loaded.parts().end() && reads_one(*own, files);
-    if (reads || files.contains(tools::identity(file.path))) those.strays.push_back(file);
+    if (reads || files.contains(smurf::identity(file.path))) those.strays.push_back(file);
   }
   return those;
 }
@@ -373,7 +373,7 @@ Plan Workspace::plan_of_rename(const std::string& defined_in, const Rename& rena
   std::vector<std::string> paths = checkable_documents();
   paths.insert(paths.end(), folders_.begin(), folders_.end());
   paths.push_back(defined_in);
-  tools::ModelsAround around(files());
+  ModelsAround around(files());
   for (const std::string& model : around.listing(defined_in)) paths.push_back(model);
   CheckSettings settings = settings_of_check();
   settings.opens_meshes = false;

@@ -14,10 +14,10 @@
 #include "common/loaded_names.hpp"
 #include "common/xacro_names.hpp"
 #include "common/xacro_rename.hpp"
-#include "common/xacro_roots.hpp"
 #include "smurf-lint/plan.hpp"
 #include "smurf-lsp/positions.hpp"
 #include "smurf/check.hpp"
+#include "smurf/xacro_files.hpp"
 
 namespace smurf::lsp {
 
@@ -128,7 +128,7 @@ class Workspace {
  private:
   /// Includes of an edited xacro may mean other files than before.
   void forget_xacro_files();
-  const tools::XacroFiles& xacro_files_around(const std::string& path);
+  const XacroFiles& xacro_files_around(const std::string& path);
   tools::LintPlan make_plan(const std::vector<std::string>& paths) const;
   std::vector<std::string> checkable_documents() const;
   /// The URDF files that open SRDF files may be about.
@@ -155,7 +155,7 @@ class Workspace {
   Report report_;
   bool is_checked_ = false;
   std::optional<tools::LoadedNames> names_;
-  std::map<std::string, tools::XacroFiles> xacro_files_;      ///< by project
+  std::map<std::string, XacroFiles> xacro_files_;             ///< by project
   std::map<std::string, tools::XacroFamily> xacro_families_;  ///< by document
   std::optional<tools::LoadedNames> folder_names_;            ///< loaded by folder_session_
 };

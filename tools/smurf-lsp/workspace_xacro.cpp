@@ -14,7 +14,7 @@ void Workspace::forget_xacro_files() {
   xacro_families_.clear();
 }
 
-const tools::XacroFiles& Workspace::xacro_files_around(const std::string& path) {
+const XacroFiles& Workspace::xacro_files_around(const std::string& path) {
   const std::string project = project_around(path);
   const auto known = xacro_files_.find(project);
   if (known != xacro_files_.end()) return known->second;
@@ -22,7 +22,7 @@ const tools::XacroFiles& Workspace::xacro_files_around(const std::string& path) 
   confine_to_projects(disk, std::array{path});
   MemoryFiles files(&disk);
   for (const auto& [name, document] : documents_) files.add(name, document.text);
-  return xacro_files_.emplace(project, tools::xacro_files_around(path, files, session_.limits()))
+  return xacro_files_.emplace(project, smurf::xacro_files_around(path, files, session_.limits()))
       .first->second;
 }
 

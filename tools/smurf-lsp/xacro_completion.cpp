@@ -8,10 +8,6 @@
 namespace smurf::lsp {
 namespace {
 
-using tools::XacroName;
-using tools::XacroNameKind;
-using tools::XacroTag;
-
 /// An element of the language, with its attributes.
 struct Element {
   std::string_view name, doc, snippet;
@@ -77,7 +73,7 @@ class Collector {
         context_(context) {}
 
   XacroItems run() {
-    const tools::XacroExpression around = tools::xacro_expression_at(text_, offset_);
+    const XacroExpression around = xacro_expression_at(text_, offset_);
     if (around.kind != '\0' && offset_ <= around.inner.end) {
       items_.begin = around.word.begin;
       items_.are_all = true;
@@ -122,8 +118,7 @@ class Collector {
     for (const XacroFamily::File& file : family_.files) {
       for (const XacroName& one : file.read.names) {
         if (one.macro == XacroTag::kNone) continue;
-        const tools::XacroAttribute* name =
-            file.read.tags[one.macro].find(family_.text(file), "name");
+        const XacroAttribute* name = file.read.tags[one.macro].find(family_.text(file), "name");
         if (name != nullptr && name->value.of(family_.text(file)) == macro) visit(one);
       }
     }
@@ -131,11 +126,11 @@ class Collector {
 
   std::string_view macro_around() const {
     const XacroTag* macro = xacro_macro_around(own_, text_, offset_);
-    const tools::XacroAttribute* name = macro != nullptr ? macro->find(text_, "name") : nullptr;
+    const XacroAttribute* name = macro != nullptr ? macro->find(text_, "name") : nullptr;
     return name != nullptr ? name->value.of(text_) : std::string_view();
   }
 
-  void in_expression(const tools::XacroExpression& around) {
+  void in_expression(const XacroExpression& around) {
     const std::string_view before =
         text_.substr(around.inner.begin, around.word.begin - around.inner.begin);
     if (around.kind == '(' && before.empty()) {
@@ -208,7 +203,7 @@ class Collector {
       if (one.name != context_.element) continue;
       for (const std::string_view name : one.attributes) add_attribute(name, {});
     }
-    const std::string_view called = tools::called_macro(context_.element);
+    const std::string_view called = called_macro(context_.element);
     if (called.empty()) return;
     for_each_parameter(called, [&](const XacroName& one) {
       if (one.kind != XacroNameKind::parameter) return;

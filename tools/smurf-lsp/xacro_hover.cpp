@@ -11,10 +11,6 @@
 namespace smurf::lsp {
 namespace {
 
-using tools::TextRange;
-using tools::XacroName;
-using tools::XacroNameKind;
-
 std::string place_of(const SourceMap& sources, Span span) {
   return std::string(path::file_name(sources.path(span.source))) + ":" +
          std::to_string(sources.line_of(span.source, span.begin));
@@ -103,8 +99,7 @@ Json xacro_hover(Context& context, const Json& params) {
   const auto request = xacro_request(context, params);
   if (!request) return nullptr;
   const auto meaning = xacro_meaning(*request->family, request->offset);
-  const tools::XacroExpression around =
-      tools::xacro_expression_at(request->text(), request->offset);
+  const XacroExpression around = xacro_expression_at(request->text(), request->offset);
   std::vector<std::string> lines;
   TextRange shown;
   if (around.kind != '\0') {

@@ -26,20 +26,11 @@
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
 #include "smurf/old_scene.hpp"
+#include "smurf/plan.hpp"
 #include "smurf/render.hpp"
 #include "smurf/source.hpp"
 
 namespace smurf {
-
-/// Where ROS keeps packages on this machine: ROS_PACKAGE_PATH, then share/ of AMENT_PREFIX_PATH.
-std::vector<std::string> ros_package_folders();
-
-/// The kind of a file. A resource is a mesh or an image that models refer to. A drawing (.svg) is a
-/// scene only when a user names it.
-enum class InputKind : std::uint8_t { model, scene, drawing, urdf, annotation, resource, other };
-
-/// Decided by the extension.
-InputKind input_kind(std::string_view path);
 
 /// Settings of a check, which override those of a configuration.
 struct CheckSettings {
@@ -68,26 +59,6 @@ struct CheckSettings {
   /// Called before each file, possibly from several threads. True ends the check: its report lacks
   /// the files that were not checked yet.
   std::function<bool()> is_cancelled;
-};
-
-/// A file to check with all files that it loads, and its configuration.
-struct PlannedFile {
-  std::string path;
-  std::size_t config = 0;  ///< index into Plan::configs
-  /// A xacro file that was found in a folder. It may be a part of a robot; then it has no findings.
-  bool may_be_part = false;
-  /// Of a xacro file, from a configuration; set by the session.
-  std::map<std::string, std::string> arguments = {};
-  std::string shown = {};  ///< the arguments that have several values: "ur_type:=ur5e"
-};
-
-/// The files to load, their kinds, and their configurations.
-struct Plan {
-  std::vector<PlannedFile> scenes;
-  std::vector<PlannedFile> models;
-  std::vector<PlannedFile> strays;    ///< .urdf and .yml files: alone, unless a model reads them
-  std::vector<std::string> configs;   ///< files; "": none. The first is that of the first path.
-  std::vector<std::string> problems;  ///< "cannot read 'arm.smurf': No such file or directory"
 };
 
 /// Settings of the configuration of the first path that concern the report.
@@ -161,9 +132,11 @@ class Session {
   void set_text(const std::string& path, std::string text);
   void clear_text(const std::string& path);
 
-  /// Checks one file with all files that it loads: a .smurf, .smurfs, .smurfa, .svg, .urdf or
-  /// annotation file.
+  /// Checks one file with all files that it loads (a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro
+  /// or annotation file), or the files in a folder on disk, as make_plan() finds them.
   Report check(const std::string& path, const CheckSettings& settings = {});
+  /// Checks files and folders, as smurf-lint does when it gets them.
+  Report check(std::span<const std::string> paths, const CheckSettings& settings = {});
   /// Checks a plan: scenes, models that no scene loads, and other files that no model loads.
   Report check(const Plan& plan, const CheckSettings& settings = {});
   /// The texts of the last check; its findings point into them.

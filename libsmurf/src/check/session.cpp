@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <ctime>
 #include <deque>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "base/files/path.hpp"
+#include "base/files/places.hpp"
 #include "base/files/system.hpp"
 #include "check/group.hpp"
 #include "check/pipeline.hpp"
@@ -20,17 +20,6 @@
 
 namespace smurf {
 namespace {
-
-/// The entries of a list such as PATH, each followed by `suffix`.
-void append_entries(const char* variable, std::string_view suffix, std::vector<std::string>& to) {
-  const char* value = std::getenv(variable);
-  std::string_view rest = value == nullptr ? "" : value;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(sys::kListSeparator), rest.size());
-    if (end > 0) to.push_back(path::join(sys::from_user(rest.substr(0, end)), suffix));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-}
 
 std::string text_of(const struct timespec& time) {
   return std::to_string(time.tv_sec) + "." + std::to_string(time.tv_nsec);
@@ -67,13 +56,6 @@ FileStamp stamp_on_disk(const std::string& path) {
   }
   const std::time_t last = std::max(status.st_mtim.tv_sec, status.st_ctim.tv_sec);
   return {std::move(text), std::time(nullptr) - last >= kResolution};
-}
-
-std::vector<std::string> ros_package_folders() {
-  std::vector<std::string> folders;
-  append_entries("ROS_PACKAGE_PATH", ".", folders);
-  append_entries("AMENT_PREFIX_PATH", "share", folders);
-  return folders;
 }
 
 struct LoadedWith {
@@ -153,6 +135,16 @@ struct Session::State {
     return {&loaded_sources, DiagnosticSink(limits), &with};
   }
 
+  Plan plan(std::span<const std::string> paths, const CheckSettings& settings) {
+    open(paths, settings);
+    PlanSettings wanted;
+    wanted.paths.assign(paths.begin(), paths.end());
+    wanted.config = settings.config;
+    wanted.is_isolated = settings.is_isolated;
+    wanted.limits = limits;
+    return make_plan(wanted, *files);
+  }
+
   /// Call it after open().
   Report run(const Plan& plan, const CheckSettings& settings) {
     if (!settings.remembers) {
@@ -229,9 +221,19 @@ Report Session::check(const Plan& plan, const CheckSettings& settings) {
   return state_->run(plan, settings);
 }
 
+Report Session::check(std::span<const std::string> paths, const CheckSettings& settings) {
+  return check(state_->plan(paths, settings), settings);
+}
+
 Report Session::check(const std::string& path, const CheckSettings& settings) {
-  state_->open(std::span(&path, 1), settings);
   Plan plan;
+  if (places::is_folder(path)) {
+    Plan found = state_->plan(std::span(&path, 1), settings);
+    const bool is_nothing = found.scenes.empty() && found.models.empty() && found.strays.empty();
+    if (!is_nothing) return check(found, settings);
+    plan.problems = std::move(found.problems);  // and a finding, which nobody overlooks
+  }
+  state_->open(std::span(&path, 1), settings);
   plan.configs.push_back(config_for(path, settings, *state_->files));
   const InputKind kind = input_kind(path);
   const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;

@@ -13,8 +13,8 @@
 #include "base/files/places.hpp"
 #include "base/files/system.hpp"
 #include "base/ranges.hpp"
-#include "smurf/check.hpp"
 #include "smurf/config.hpp"
+#include "smurf/plan.hpp"
 #include "smurf/repository.hpp"
 
 namespace smurf {

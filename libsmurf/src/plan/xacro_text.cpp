@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/xacro_text.hpp"
+#include "smurf/xacro_text.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace smurf::tools {
+namespace smurf {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r\n";
@@ -315,4 +315,4 @@ std::vector<TextRange> xacro_uses(std::string_view text, std::string_view name, 
   return uses;
 }
 
-}  // namespace smurf::tools
+}  // namespace smurf

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/ignore_files.hpp"
+#include "plan/ignore_files.hpp"
 
 #include <algorithm>
 
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 namespace {
 
 constexpr std::uint64_t kMostBytes = 1U << 20U;
@@ -107,4 +107,4 @@ bool IgnoreFiles::leaves_out_with_folders(const std::string& path) {
   return leaves_out(path, false);
 }
 
-}  // namespace smurf::tools
+}  // namespace smurf

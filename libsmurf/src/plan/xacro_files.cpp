@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/xacro_roots.hpp"
+#include "smurf/xacro_files.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,11 +8,11 @@
 
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
-#include "common/input.hpp"
-#include "common/xacro_text.hpp"
+#include "plan/paths.hpp"
 #include "smurf/confine.hpp"
+#include "smurf/xacro_text.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 namespace {
 
 /// The parts of a path without its expressions: "$(find a)/urdf/${x}.xacro" is "", "/urdf/",
@@ -80,7 +80,9 @@ XacroFiles::XacroFiles(std::vector<std::string> files, const FileReader& reader,
     for (const TextRange place : read_xacro_text(content.text).includes) {
       const std::string written(place.of(content.text));
       const std::string_view name = literal_name(written);
-      for (const std::size_t other : name.empty() ? all : by_name[name]) {
+      const auto named = by_name.find(name);
+      if (!name.empty() && named == by_name.end()) continue;
+      for (const std::size_t other : name.empty() ? all : named->second) {
         if (other == i || !may_mean(written, files_[i], files_[other])) continue;
         includes_[i].push_back(other);
         users_[other].push_back(i);
@@ -185,4 +187,4 @@ XacroFiles xacro_files_around(const std::string& path, const FileReader& reader,
   return {std::move(files), reader, limits};
 }
 
-}  // namespace smurf::tools
+}  // namespace smurf

@@ -9,7 +9,7 @@
 
 #include "smurf/file_reader.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 
 /// Finds the models around files, and reads each of them once. Ignores files above the limit for
 /// such searches (docs/limits.md).
@@ -49,4 +49,4 @@ class ModelsAround {
   std::map<std::string, Users> listing_, using_;  ///< by the folder that contains the models
 };
 
-}  // namespace smurf::tools
+}  // namespace smurf

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/files/path.hpp"
-#include "smurf/check.hpp"
+#include "smurf/plan.hpp"
 
 namespace smurf {
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "common/discover.hpp"
 #include "smurf/file_reader.hpp"
+#include "smurf/found_inputs.hpp"
 #include "smurf/limits.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 
 /// Xacro files and their includes. Nothing is expanded: an include whose path has an expression
 /// counts as an include of every file that the rest of the path matches.
@@ -45,4 +45,4 @@ class XacroFiles {
 XacroFiles xacro_files_around(const std::string& path, const FileReader& reader,
                               const Limits& limits, const LeftOut& is_left_out = nullptr);
 
-}  // namespace smurf::tools
+}  // namespace smurf

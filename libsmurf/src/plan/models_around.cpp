@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/models_around.hpp"
+#include "smurf/models_around.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include "base/files/path.hpp"
-#include "common/input.hpp"
-#include "smurf/check.hpp"
+#include "plan/paths.hpp"
 #include "smurf/load.hpp"
+#include "smurf/plan.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 namespace {
 
 /// Limits for files that are read only to find out whether they use another file, because the user
@@ -26,7 +26,7 @@ class OnlyMainFile final : public FileReader {
 
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override {
     if (path::normalize(path) == main_) return files_.read(path, max_bytes);
-    asked_.insert(tools::identity(path));
+    asked_.insert(smurf::identity(path));
     return {};
   }
   bool is_file(const std::string&) const override { return false; }
@@ -149,4 +149,4 @@ std::vector<std::string> ModelsAround::using_resource(const std::string& path) {
   return models;
 }
 
-}  // namespace smurf::tools
+}  // namespace smurf

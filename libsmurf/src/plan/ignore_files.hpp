@@ -10,7 +10,7 @@
 #include "base/files/path_patterns.hpp"
 #include "smurf/file_reader.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 
 /// Reads the ignore files of each folder once. As in git, the nearest file with a matching pattern
 /// applies, and .gitignore only applies inside a repository; .smurf-lintignore applies everywhere,
@@ -55,4 +55,4 @@ class IgnoreFiles {
   std::map<std::string, Level> levels_;
 };
 
-}  // namespace smurf::tools
+}  // namespace smurf

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace smurf::tools {
+namespace smurf {
 
 /// A part of a text.
 struct TextRange {
@@ -17,6 +17,7 @@ struct TextRange {
   std::string_view of(std::string_view text) const { return text.substr(begin, end - begin); }
 };
 
+/// An attribute of a start tag.
 struct XacroAttribute {
   TextRange name;
   TextRange value;  ///< without quotes
@@ -52,6 +53,7 @@ struct XacroName {
   std::size_t macro = XacroTag::kNone;  ///< index of the tag of the macro of a parameter
 };
 
+/// What a text defines and includes.
 struct XacroText {
   std::vector<XacroTag> tags;
   std::vector<XacroName> names;
@@ -77,4 +79,4 @@ XacroExpression xacro_expression_at(std::string_view text, std::size_t at);
 /// `$(arg ...)`.
 std::vector<TextRange> xacro_uses(std::string_view text, std::string_view name, bool is_argument);
 
-}  // namespace smurf::tools
+}  // namespace smurf

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The result does not depend on the order in which a file system lists a folder.
-#include "common/discover.hpp"
+#include "smurf/found_inputs.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -15,13 +15,15 @@
 #include "base/files/places.hpp"
 #include "base/files/system.hpp"
 #include "base/findings/limits.hpp"
-#include "common/input.hpp"
-#include "common/output.hpp"
+#include "plan/paths.hpp"
 #include "smurf/companions.hpp"
+#include "smurf/confine.hpp"
 #include "smurf/file_reader.hpp"
+#include "smurf/plan.hpp"
 #include "smurf/render.hpp"
+#include "smurf/xacro.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 namespace {
 
 bool is_sought(std::string_view path) {
@@ -38,7 +40,7 @@ class Search {
   Search(const Limits& limits, const LeftOut& is_left_out)
       : is_left_out_(is_left_out), most_entries_(limits.folder_entries) {}
 
-  Found run(const std::string& folder) {
+  FoundInputs run(const std::string& folder) {
     root_ = identity(folder);
     inside_.allow(folder);
     walk(folder);
@@ -140,18 +142,19 @@ class Search {
   std::uint64_t entries_ = 0;
   std::string root_;  ///< with all links followed
   ConfinedFiles inside_;
-  Found found_;
+  FoundInputs found_;
   std::vector<std::string> links_;
   std::set<std::pair<std::uint64_t, std::uint64_t>> seen_;
 };
 
 }  // namespace
 
-Found find_inputs(const std::string& folder, const Limits& limits, const LeftOut& is_left_out) {
+FoundInputs find_inputs(const std::string& folder, const Limits& limits,
+                        const LeftOut& is_left_out) {
   return Search(limits, is_left_out).run(folder);
 }
 
-std::string why_nothing(const Found& found, const std::string& folder) {
+std::string why_nothing(const FoundInputs& found, const std::string& folder) {
   std::string text = "no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'";
   if (found.left_out > 0) text += " (" + std::to_string(found.left_out) + " left out)";
   if (!found.xacro.empty()) {
@@ -164,22 +167,4 @@ std::string why_nothing(const Found& found, const std::string& folder) {
   return text;
 }
 
-std::optional<std::string> find_only_input(std::string_view tool, const std::string& folder,
-                                           std::span<const InputKind> kinds, const Limits& limits) {
-  const Found found = find_inputs(folder, limits);
-  for (const std::string& problem : found.unreadable) complain(tool, "cannot read " + problem);
-  if (!found.unreadable.empty()) return std::nullopt;
-  for (const InputKind kind : kinds) {
-    std::vector<std::string> files = found.files;
-    std::erase_if(files, [&](const std::string& file) { return input_kind(file) != kind; });
-    if (files.size() == 1) return files.front();
-    if (files.empty()) continue;
-    complain(tool, "'" + folder + "' contains " + std::to_string(files.size()) +
-                       " files to choose from; name one, such as '" + files.front() + "'");
-    return std::nullopt;
-  }
-  complain(tool, why_nothing(found, folder));
-  return std::nullopt;
-}
-
-}  // namespace smurf::tools
+}  // namespace smurf
