@@ -251,6 +251,13 @@ class CasesTest(unittest.TestCase):
         self.check(robot(link("a", INERTIAL + red + grey)), "ros", "loses", "SML1713", "`red`")
         self.check(robot(link("a", INERTIAL + red + red)), "ros", "takes")
 
+    def test_a_link_in_the_wrong_case_is_missed_only_by_its_joints(self):
+        lost = link("a") + '<Link name="b"/>'
+        for target in ("ros", "gazebo", "dart", "mujoco"):
+            self.check(robot(lost), target, "loses", "SML1114")
+            self.check(robot(lost + fixed("j", "a", "b")), target, "refuses", "SML1114")
+            self.check(robot('<Link name="a"/>'), "ros", "refuses", "SML1114")
+
     def test_dangling_link_is_a_missing_file(self):
         (self.folder / "a.obj").symlink_to("nowhere.obj")
         found = self.rules(robot(link("a", collision("a.obj"))))

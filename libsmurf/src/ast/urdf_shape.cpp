@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "ast/urdf_reader.hpp"
 #include "ast/urdf_schema.hpp"
@@ -289,12 +291,27 @@ class ShapeChecker {
         .note("URDF readers silently ignore it");
   }
 
+  /// Whether a reader that ignores a link misses it: a joint names it, or there is no other.
+  bool is_needed(View robot, View link) {
+    if (!named_links_) {
+      named_links_.emplace();
+      for (const View one : robot) {
+        if (is_same(one.name(), "link")) has_links_ = true;
+        for (const View end : one) {
+          if (const xml::Attribute* at = end.attribute("link")) named_links_->emplace(at->value());
+        }
+      }
+    }
+    const xml::Attribute* name = link.attribute("name");
+    return !has_links_ || (name != nullptr && named_links_->count(std::string(name->value())) > 0);
+  }
+
   void wrong_case(View parent, View child, std::string_view name) {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1114_tag_case, child.name_span(),
                      "the element " + quoted(child.name()) + " must be written " + quoted(name));
     diagnostic.note("URDF readers silently ignore it, with all its contents");
-    if (name == "link") diagnostic.when(cases::kLinkTag);
+    if (name == "link" && is_needed(parent, child)) diagnostic.when(cases::kLinkTag);
     if (name == "joint") diagnostic.when(cases::kJointTag);
     if (name == "material" && parent.name() == "robot") {
       diagnostic.when(cases::kSharedMaterialTag);
@@ -337,6 +354,8 @@ class ShapeChecker {
   std::unordered_map<const ChildSpec*, const ElementSpec*> specs_;  ///< of children, a cache
   std::vector<Foreign> foreign_;
   std::map<std::string, std::size_t> foreign_by_message_;
+  std::optional<std::unordered_set<std::string>> named_links_;  ///< by joints, once they are needed
+  bool has_links_ = false;
 };
 
 }  // namespace

@@ -29,6 +29,8 @@ void check(const LinkedModel& model, Findings& findings) {
     // A second link of the same name is reported as a duplicate, not as a root.
     if (root.name && model.link_names.find(*root.name) != to_size(model.tree.roots[i])) continue;
     if (!root.name || root.name->empty()) continue;
+    // Readers ignore `Link`, which is reported.
+    if (xml::View(model.robot->document, root.element).name() != "link") continue;
     Diagnostic& diagnostic =
         findings.report(name_place(model, root), "no joint leads to " + title(root) +
                                                      ", so the robot has several root links");
