@@ -258,6 +258,16 @@ class CasesTest(unittest.TestCase):
             self.check(robot(lost + fixed("j", "a", "b")), target, "refuses", "SML1114")
             self.check(robot('<Link name="a"/>'), "ros", "refuses", "SML1114")
 
+    def test_wheels_of_two_kinds_have_no_odd_one(self):
+        def wheels(*masses):
+            return robot(link("base") + "".join(
+                link(f"wheel_{i}", INERTIAL.replace('mass value="1"', f'mass value="{mass}"')) + moving(f"j{i}", "base", f"wheel_{i}")
+                for i, mass in enumerate(masses)))
+        self.assertIn("SML1530", self.rules(wheels(1, 1, 1, 1, 3)))
+        self.assertIn("SML1530", self.rules(wheels(3, 1, 1, 1, 1)))
+        self.assertNotIn("SML1530", self.rules(wheels(1, 1, 2, 2, 6)))
+        self.assertNotIn("SML1530", self.rules(wheels(1, 3)))
+
     def test_dangling_link_is_a_missing_file(self):
         (self.folder / "a.obj").symlink_to("nowhere.obj")
         found = self.rules(robot(link("a", collision("a.obj"))))

@@ -27,22 +27,24 @@ double factor_between(const Values& a, const Values& b) {
   return worst;
 }
 
+bool are_alike(const Sibling& a, const Sibling& b) {
+  constexpr double kAlike = 1.01;
+  return factor_between(a.values, b.values) <= kAlike;
+}
+
 /// The only member that differs from all others, which are alike.
 const Sibling* odd_one(const std::vector<Sibling>& group, double most) {
-  constexpr double kAlike = 1.01;
+  if (group.size() < 3) return nullptr;  // of two, none is odd
+  // At most one of the first three is odd, so the other two show what is usual.
+  const bool is_first_usual = are_alike(group[0], group[1]) || are_alike(group[0], group[2]);
+  const Sibling& usual = is_first_usual ? group[0] : group[1];
   const Sibling* odd = nullptr;
   for (const Sibling& one : group) {
-    const auto unlike = std::count_if(group.begin(), group.end(), [&](const Sibling& other) {
-      return factor_between(one.values, other.values) > kAlike;
-    });
-    if (unlike == 0) return nullptr;  // one group of two would need no odd member
-    if (static_cast<std::size_t>(unlike) + 1 < group.size()) continue;
+    if (are_alike(one, usual)) continue;
     if (odd != nullptr) return nullptr;
     odd = &one;
   }
-  if (odd == nullptr) return nullptr;
-  const Sibling& other = odd == &group.front() ? group.back() : group.front();
-  return factor_between(odd->values, other.values) > most ? odd : nullptr;
+  return odd != nullptr && factor_between(odd->values, usual.values) > most ? odd : nullptr;
 }
 
 /// Links of a chain, such as wrist_1 to wrist_3, are numbered, too, but differ.
