@@ -51,7 +51,7 @@ struct PlanSettings {
   bool excludes_named = false;     ///< `exclude` also leaves out files that are named
   bool heeds_ignore_files = true;  ///< .gitignore and .smurf-lintignore
   /// A named annotation file, mesh or xacro file stands for the models and robots that use it; if
-  /// there are none, it is passed over, as a hook of pre-commit needs it.
+  /// there are none, it is ignored, as a hook of pre-commit needs it.
   bool stands_for_users = false;
   std::string given;  ///< one of the paths whose text the caller has, such as standard input
   Limits limits;
