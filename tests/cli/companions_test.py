@@ -110,6 +110,13 @@ class Companions(cli.CliTest):
             self.assertIn("SML3801", done.stdout)
             self.assertIn("did you mean `shoulder`?", done.stdout)
 
+    def test_the_other_link_of_a_pair_is_no_suggestion(self):
+        for name, wanted in (("amr", "did you mean `arm`?"), ("bsae", "correct the name")):
+            pair = '<disable_collisions link1="base" link2="%s" reason="Never"/>' % name
+            self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace("</robot>", pair + "</robot>"))
+            found = json.loads(self.run_tool("--select", "SML3501", "--format", "json", ".").stdout)["diagnostics"]
+            self.assertEqual([one["help"] for one in found], [wanted])
+
     def test_a_package_that_does_not_depend_on_it_is_another_robot(self):
         self.write("lamp_moveit_config/package.xml", cli.package("lamp_moveit_config"))
         self.write("lamp_moveit_config/config/joint_limits.yaml", LIMITS.replace("1.5", "1"))

@@ -725,6 +725,30 @@ class Suggestions(LintTest):
             self.assertEqual({(one["id"], one["severity"]) for one in found} & {("SML1102", "error"), ("SML1115", "error")},
                              {("SML1102", "error"), ("SML1115", "error")})
 
+    def test_foreign_elements_say_where_they_belong(self):
+        self.write("r.urdf", '<robot name="r"><link name="l"><gazebo reference="l"/><insert_block name="b"/><density/></link></robot>')
+        found = json.loads(self.run_tool("--select", "SML1106", "--format", "json", "r.urdf").stdout)["diagnostics"]
+        self.assertEqual([one["help"] for one in found], [
+            'move it to `robot`, as `<gazebo reference="NAME">` with the name of the link: Gazebo reads it only there',
+            "write `xacro:insert_block`: without the prefix, xacro copies it",
+            "correct the name; foreign data belongs under `robot` or needs a prefix"])
+
+    def test_a_placeholder_is_no_other_unit(self):
+        """0.0001 three times: as if it were in lb in2."""
+        link = ('<robot name="r"><link name="l"><inertial><mass value="0.005"/><inertia ixx="{0}" ixy="0" ixz="0" iyy="{0}" iyz="0" izz="{0}"/></inertial>'
+                '<collision><geometry><sphere radius="0.005"/></geometry></collision></link></robot>')
+        for moment, wanted in ((0.0001, "it looks like a placeholder; compute it from the geometry and the mass, in kg m2"), (0.00017, "is it in lb in2?")):
+            self.write("r.urdf", link.format(moment))
+            found = json.loads(self.run_tool("--select", "SML1518", "--format", "json", "r.urdf").stdout)["diagnostics"]
+            self.assertEqual([one["help"] for one in found], [wanted])
+
+    def test_load_yaml_of_an_empty_argument(self):
+        self.write("r.xacro", """<robot name="r" xmlns:xacro="x"><xacro:arg name="file" default=""/><xacro:property name="f" value="$(arg file)"/>
+            <xacro:property name="y" value="${load_yaml(f)}"/><link name="${y['a']}"/></robot>""")
+        done = self.expect(1, "r.xacro").stdout
+        self.assertIn("error[SML3310]: the name of the YAML file is empty", done)
+        self.assertIn("give the argument that names the file a value: `NAME:=PATH`", done)
+
     def test_an_inertia_in_other_units(self):
         link = '<robot name="r"><link name="l"><inertial><mass value="{}"/><inertia ixx="{}" ixy="0" ixz="0" iyy="{}" iyz="0" izz="{}"/></inertial></link></robot>'
         for mass, moment, wanted in ((6921, 24480, ""), (6921, 99480, "are these g and g mm2? write kg and kg m2"),

@@ -253,7 +253,8 @@ class ShapeChecker {
     std::string message =
         "unknown element " + quoted(child.name()) + " in " + quoted(parent.name());
     if (!near) {
-      add_foreign(rules::sml1106_unknown_element, child.name_span(), std::move(message));
+      add_foreign(rules::sml1106_unknown_element, child.name_span(), std::move(message),
+                  help_with_foreign(child.name(), parent.name()));
       return;
     }
     Diagnostic& diagnostic =
@@ -266,10 +267,22 @@ class ShapeChecker {
     diagnostic.help("did you mean " + quoted(*near) + "?");
   }
 
+  /// What to do with an element that is right elsewhere; empty if it is not known.
+  static std::string help_with_foreign(std::string_view name, std::string_view parent) {
+    if (name == "gazebo" && (parent == "link" || parent == "joint")) {
+      return "move it to `robot`, as `<gazebo reference=\"NAME\">` with the name of the " +
+             std::string(parent) + ": Gazebo reads it only there";
+    }
+    constexpr std::string_view kOfXacro[] = {"if",    "include",  "insert_block",
+                                             "macro", "property", "unless"};
+    if (!holds(kOfXacro, name)) return {};
+    return "write `xacro:" + std::string(name) + "`: without the prefix, xacro copies it";
+  }
+
   /// Names of other vocabularies occur in every joint; each name is reported once.
-  void add_foreign(const Rule& rule, Span place, std::string message) {
+  void add_foreign(const Rule& rule, Span place, std::string message, std::string help = {}) {
     const auto [known, is_new] = foreign_by_message_.emplace(message, foreign_.size());
-    if (is_new) foreign_.push_back({&rule, place, std::move(message), 0});
+    if (is_new) foreign_.push_back({&rule, place, std::move(message), std::move(help), 0});
     ++foreign_[known->second].count;
   }
 
@@ -281,6 +294,7 @@ class ShapeChecker {
       if (foreign.count > 1) {
         diagnostic.note("it occurs " + std::to_string(foreign.count) + " times in this file");
       }
+      if (!foreign.help.empty()) diagnostic.help(std::move(foreign.help));
     }
   }
 
@@ -347,6 +361,7 @@ class ShapeChecker {
     const Rule* rule = nullptr;
     Span place;
     std::string message;
+    std::string help;  ///< empty: that of the rule
     std::size_t count = 0;
   };
 

@@ -415,6 +415,11 @@ Value Expander::yaml_value(yaml::View view, std::string_view source) {
 }
 
 Value Expander::load_yaml(const std::string& written) {
+  if (written.empty()) {
+    return evaluator_.fail(
+        rules::sml3310_xacro_missing_file, "the name of the YAML file is empty",
+        "write a path, or give the argument that names the file a value: `NAME:=PATH`");
+  }
   const std::string path = whole_path(written);
   File* file = open(path, {});
   if (file == nullptr) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
 #include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
 #include "lint/axis_order.hpp"
@@ -8,6 +10,16 @@
 
 namespace smurf::rules::sml1518_inertia_too_large_for_geometry_file {
 namespace {
+
+/// Three equal moments that are a power of ten: nobody measured them, in whatever unit.
+bool is_placeholder(const Body& body) {
+  const auto [x, y, z] = body.second_moments;
+  const double moment = x + y;
+  const double exponent = std::log10(moment);
+  constexpr double kRounding = 1e-9;
+  return std::abs(x - y) <= kRounding * moment && std::abs(y - z) <= kRounding * moment &&
+         std::abs(exponent - std::round(exponent)) <= kRounding;
+}
 
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kSlack = 1.2;   // shapes are simplified
@@ -35,6 +47,11 @@ void check(const LinkedModel& model, Findings& findings) {
                         "the inertia of " + title(link) + " is too large for its mass and shapes");
     diagnostic.caret = format_rounded(excess, 2) + " times what they allow";
     if (excess < kSure) diagnostic.severity = Severity::info;
+    if (is_placeholder(*body)) {
+      diagnostic.help(
+          "it looks like a placeholder; compute it from the geometry and the mass, in kg m2");
+      return;
+    }
     const Cause cause = likely_cause(model, link, *body, *extent);
     const bool is_named =
         cause.culprit != Culprit::unknown && cause.culprit != Culprit::mass && cause.inertia <= 1;

@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/ranges.hpp"
 #include "base/text/counted.hpp"
 #include "lint/companions/srdf_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml3501_srdf_unknown_name_file {
 namespace {
@@ -19,6 +21,12 @@ std::string subject_of(xml::View element) {
   const bool is_own = name != nullptr && named.name() != "passive_joint";
   return is_own ? std::string(named.name()) + " " + quoted(name->value())
                 : "`" + std::string(named.name()) + "`";
+}
+
+/// A pair of links has two different ones.
+bool names(xml::View pair, std::string_view link) {
+  return ranges::any_of(pair.attributes(),
+                        [&](const xml::Attribute& one) { return one.value() == link; });
 }
 
 class Checker {
@@ -41,8 +49,11 @@ class Checker {
       if (known->second != nullptr) add_to(*known->second, one);
       return;
     }
+    Meanings meanings;
+    if (is_pair)
+      meanings.is_impossible = [&](std::string_view name) { return names(element, name); };
     Diagnostic* found = check_reference(model_, one.kinds.first(), one.name, one.span,
-                                        subject_of(element).c_str(), findings_);
+                                        subject_of(element).c_str(), findings_, meanings);
     if (found == nullptr) return;
     if (is_pair) found->severity = Severity::warning;
     known->second = found;
