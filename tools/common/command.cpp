@@ -116,13 +116,6 @@ Setter set_text(std::string& text) {
   };
 }
 
-Setter append_to(std::vector<std::string>& list) {
-  return [&list](std::string_view value) {
-    list.emplace_back(value);
-    return std::nullopt;
-  };
-}
-
 Setter set_number(std::optional<int>& number, int least) {
   return [&number, least](std::string_view value) -> std::optional<std::string> {
     const std::optional<std::int64_t> parsed = parse_integer(value);

@@ -75,7 +75,6 @@ std::optional<ExitCode> parse_command_line(const Command& command, int argc,
 /// Setters for plain values. The variables must outlive the command.
 Setter set_flag(bool& flag);
 Setter set_text(std::string& text);
-Setter append_to(std::vector<std::string>& list);
 /// A whole number of at least `least`.
 Setter set_number(std::optional<int>& number, int least);
 

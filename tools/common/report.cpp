@@ -147,8 +147,6 @@ constexpr ReportFormat kFormats[] = {
 
 }  // namespace
 
-std::span<const ReportFormat> report_formats() { return kFormats; }
-
 const ReportFormat* find_report_format(std::string_view name) {
   const auto* found = std::find_if(std::begin(kFormats), std::end(kFormats),
                                    [&](const ReportFormat& format) { return format.name == name; });

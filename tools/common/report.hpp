@@ -37,7 +37,6 @@ struct ReportFormat {
   std::string_view help;
   std::string (*render)(const Results& results, const TextStyle& style);
 };
-std::span<const ReportFormat> report_formats();
 /// Null if there is no such format.
 const ReportFormat* find_report_format(std::string_view name);
 

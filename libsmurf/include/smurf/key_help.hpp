@@ -73,7 +73,5 @@ std::vector<std::string> describe(const KeyHelp& help);
 
 /// All keys of this name: "maxEffort" finds several, "motors.maxEffort" or "limit.effort" one.
 std::vector<KeyHelp> find_keys(std::string_view name);
-/// The names that find_keys() knows.
-std::vector<std::string> key_names();
 
 }  // namespace smurf

@@ -371,12 +371,4 @@ std::vector<KeyHelp> find_keys(std::string_view name) {
   return found;
 }
 
-std::vector<std::string> key_names() {
-  std::vector<std::string> names;
-  for_each_key([&](std::string_view owner, const KeyHelp& help) {
-    names.push_back(owner.empty() ? help.name : std::string(owner) + "." + help.name);
-  });
-  return names;
-}
-
 }  // namespace smurf

@@ -30,16 +30,6 @@ std::optional<Spanned<std::string>> text_at(yaml::View mapping, std::string_view
   return Spanned<std::string>{std::string(value.text()), value.span()};
 }
 
-NameList texts_at(yaml::View mapping, std::string_view key) {
-  NameList texts;
-  const yaml::View list = mapping ? mapping.find(key) : yaml::View();
-  if (!list || !list.is_sequence()) return texts;
-  for (const yaml::View item : list) {
-    if (item.is_scalar()) texts.push_back({std::string(item.text()), item.span()});
-  }
-  return texts;
-}
-
 bool has_misspelt(yaml::View mapping, std::string_view key) {
   const std::string_view known[] = {key};
   return std::any_of(mapping.begin(), mapping.end(),

@@ -18,8 +18,6 @@ yaml::View mapping_of(const LinkedModel& model, const Annotation& entry);
 std::optional<double> number_at(yaml::View mapping, std::string_view key);
 /// The scalar under a key, with its place.
 std::optional<Spanned<std::string>> text_at(yaml::View mapping, std::string_view key);
-/// The scalars of the list under a key.
-NameList texts_at(yaml::View mapping, std::string_view key);
 
 /// Whether an unknown key is a misspelling of `key`, which is then reported elsewhere.
 bool has_misspelt(yaml::View mapping, std::string_view key);

@@ -80,14 +80,6 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
   return check_reference(model, kind, name, place, subject, findings, Meanings{});
 }
 
-void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,
-                      const Subject& subject, Findings& findings) {
-  if (!list) return;
-  for (const Spanned<std::string>& name : *list) {
-    check_reference(model, kind, name.value, name.span, subject, findings);
-  }
-}
-
 Span within_quotes(const LinkedModel& model, Span place) {
   const yaml::Document* document = model.document(place.source);
   if (document == nullptr) return place;
@@ -134,11 +126,6 @@ void for_each_material(const LinkedModel& model,
 std::optional<NameKind> sensor_target(std::string_view type) {
   const NameKinds kinds = sections::measured_by(type);
   return kinds.empty() ? std::nullopt : std::optional(kinds.first());
-}
-
-bool creates_collision(const LinkedModel& model, const CollisionAnnotation& entry) {
-  const yaml::Document* document = model.document(entry.span.source);
-  return document != nullptr && yaml::View(*document, entry.node).find("geometry");
 }
 
 bool is_section_name(std::string_view key) {

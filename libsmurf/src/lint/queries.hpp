@@ -51,10 +51,6 @@ Subject subject(const urdf::Joint& joint);
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
                             Span place, const Subject& subject, Findings& findings);
 
-/// check_reference() for every name of a list.
-void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,
-                      const Subject& subject, Findings& findings);
-
 /// The place of a YAML scalar within its quotes, if it has any, so that an edit keeps them.
 Span within_quotes(const LinkedModel& model, Span place);
 
@@ -68,8 +64,6 @@ void for_each_material(const LinkedModel& model,
 
 /// The main kind of the names in `id` of a sensor of this type; none if MARS does not read `id`.
 std::optional<NameKind> sensor_target(std::string_view type);
-/// Phobos 2 makes collisions that the URDF does not have from entries with a geometry.
-bool creates_collision(const LinkedModel& model, const CollisionAnnotation& entry);
 bool is_section_name(std::string_view key);
 /// The words of a text that are numbers, in order; the reader of the URDF reports the
 /// others.
