@@ -101,7 +101,7 @@ REPLACEMENTS = {"base/ranges.hpp", "base/numbers/bits.hpp", "base/numbers/exact_
 # base/files/places.hpp.
 SYSTEM_HEADERS = re.compile(r"(dirent|fcntl|io|poll|shellapi|signal|spawn|unistd|windows|winioctl|winsock2)\.h|(sys|netinet)/.*\.h|filesystem")
 SYSTEM_FILES = re.compile(r"src/base/files/(places_posix\.cpp|system(_posix|_windows)?\.[ch]pp|windows_paths\.cpp)|"
-                          r"tools/(common/(process|browser)|smurf-view/sockets)_(posix|windows)\.cpp|tools/smurf-load-check/")
+                          r"tools/(common/cli/(process|browser)|smurf-view/sockets)_(posix|windows)\.cpp|tools/smurf-load-check/")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 LONGEST_FILE = 500
 

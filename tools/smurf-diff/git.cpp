@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "common/input.hpp"
-#include "common/output.hpp"
+#include "common/files/input.hpp"
+#include "common/files/output.hpp"
 #include "render/printable.hpp"
 #include "smurf-diff/versions.hpp"
 #include "smurf/confine.hpp"

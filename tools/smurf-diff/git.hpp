@@ -2,7 +2,7 @@
 // The diff driver of git.
 #pragma once
 
-#include "common/command.hpp"
+#include "common/cli/command.hpp"
 #include "smurf-diff/options.hpp"
 
 namespace smurf::tools {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "base/files/places.hpp"
-#include "common/browser.hpp"
-#include "common/input.hpp"
-#include "common/output.hpp"
-#include "common/process.hpp"
+#include "common/cli/browser.hpp"
+#include "common/cli/process.hpp"
+#include "common/files/input.hpp"
+#include "common/files/output.hpp"
 #include "smurf-diff/git.hpp"
 #include "smurf-diff/options.hpp"
 #include "smurf-diff/picture.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/numbers/numbers.hpp"
-#include "common/shared_options.hpp"
+#include "common/cli/shared_options.hpp"
 
 namespace smurf::tools {
 namespace {

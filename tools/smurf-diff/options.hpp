@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "common/command.hpp"
-#include "common/output.hpp"
+#include "common/cli/command.hpp"
+#include "common/files/output.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/load.hpp"
 

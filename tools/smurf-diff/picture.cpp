@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-diff/picture.hpp"
 
-#include "common/input.hpp"
-#include "common/pictured_scene.hpp"
+#include "common/convert/pictured_scene.hpp"
+#include "common/files/input.hpp"
 
 namespace smurf::tools {
 

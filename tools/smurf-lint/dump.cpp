@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/findings/limits.hpp"
-#include "common/input.hpp"
+#include "common/files/input.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/check.hpp"
 #include "smurf/confine.hpp"

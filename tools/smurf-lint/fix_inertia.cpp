@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "common/output.hpp"
+#include "common/files/output.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/confine.hpp"

@@ -2,7 +2,7 @@
 // Sets up smurf-lint in a folder.
 #pragma once
 
-#include "common/command.hpp"
+#include "common/cli/command.hpp"
 #include "smurf-lint/options.hpp"
 
 namespace smurf::tools {

@@ -9,7 +9,7 @@
 
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
-#include "common/input.hpp"
+#include "common/files/input.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/xacro_files.hpp"

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/numbers/numbers.hpp"
-#include "common/input.hpp"
+#include "common/files/input.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/archive_files.hpp"

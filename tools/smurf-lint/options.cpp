@@ -6,7 +6,7 @@
 
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"
-#include "common/shared_options.hpp"
+#include "common/cli/shared_options.hpp"
 #include "smurf-lint/rename.hpp"
 #include "smurf/format.hpp"
 

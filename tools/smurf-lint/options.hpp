@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "common/command.hpp"
-#include "common/output.hpp"
-#include "common/report.hpp"
-#include "common/xacro_rename.hpp"
+#include "common/cli/command.hpp"
+#include "common/cli/report.hpp"
+#include "common/files/output.hpp"
+#include "common/rename/xacro_rename.hpp"
 #include "smurf/inertia_repair.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/lint.hpp"

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "common/input.hpp"
-#include "common/pictured_scene.hpp"
+#include "common/convert/pictured_scene.hpp"
+#include "common/files/input.hpp"
 #include "smurf-lint/settings.hpp"
 
 namespace smurf::tools {

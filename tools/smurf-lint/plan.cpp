@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "common/input.hpp"
+#include "common/files/input.hpp"
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/lint.hpp"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "common/output.hpp"
+#include "common/files/output.hpp"
 #include "smurf-lint/options.hpp"
 #include "smurf/check.hpp"
 #include "smurf/config.hpp"

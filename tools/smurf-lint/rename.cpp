@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "common/input.hpp"
-#include "common/output.hpp"
-#include "common/planned_rename.hpp"
-#include "common/xacro_rename.hpp"
+#include "common/files/input.hpp"
+#include "common/files/output.hpp"
+#include "common/rename/planned_rename.hpp"
+#include "common/rename/xacro_rename.hpp"
 #include "smurf-lint/left_names.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/names.hpp"

@@ -7,7 +7,7 @@
 #include "base/files/places.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/edits.hpp"
-#include "common/input.hpp"
+#include "common/files/input.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/plan.hpp"
 #include "smurf-lint/settings.hpp"

@@ -9,8 +9,8 @@
 
 #include "base/files/places.hpp"
 #include "base/text/counted.hpp"
-#include "common/output.hpp"
-#include "common/stamps.hpp"
+#include "common/files/output.hpp"
+#include "common/files/stamps.hpp"
 #include "smurf/found_inputs.hpp"
 
 namespace smurf::tools {

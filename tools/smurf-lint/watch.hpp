@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "common/command.hpp"
+#include "common/cli/command.hpp"
 #include "smurf-lint/options.hpp"
 
 namespace smurf::tools {

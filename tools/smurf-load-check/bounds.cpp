@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/numbers/numbers.hpp"
-#include "common/command.hpp"
+#include "common/cli/command.hpp"
 
 namespace smurf::load_check {
 namespace {

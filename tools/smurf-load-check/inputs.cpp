@@ -7,8 +7,8 @@
 #include <set>
 
 #include "base/files/path.hpp"
-#include "common/input.hpp"
-#include "common/output.hpp"
+#include "common/files/input.hpp"
+#include "common/files/output.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/confine.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/input.hpp"
+#include "common/files/input.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
 #include "smurf/file_reader.hpp"

@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "base/text/suggest.hpp"
-#include "common/process.hpp"
-#include "common/progress.hpp"
+#include "common/cli/process.hpp"
+#include "common/cli/progress.hpp"
 #include "smurf-load-check/options.hpp"
 #include "smurf-load-check/report.hpp"
 #include "smurf-load-check/trace.hpp"

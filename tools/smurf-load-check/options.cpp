@@ -7,7 +7,7 @@
 
 #include "base/files/path.hpp"
 #include "base/numbers/numbers.hpp"
-#include "common/shared_options.hpp"
+#include "common/cli/shared_options.hpp"
 
 namespace smurf::load_check {
 namespace {

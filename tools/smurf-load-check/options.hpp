@@ -2,8 +2,8 @@
 // The command line of smurf-load-check.
 #pragma once
 
-#include "common/command.hpp"
-#include "common/report.hpp"
+#include "common/cli/command.hpp"
+#include "common/cli/report.hpp"
 #include "smurf-load-check/inputs.hpp"
 #include "smurf-load-check/run.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "base/files/path.hpp"
 #include "base/numbers/numbers.hpp"
-#include "common/command.hpp"
+#include "common/cli/command.hpp"
 #include "render/json_text.hpp"
 #include "render/printable.hpp"
 #include "smurf-load-check/stage_run.hpp"

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "common/command.hpp"
+#include "common/cli/command.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf/fix.hpp"
 #include "smurf/readers.hpp"

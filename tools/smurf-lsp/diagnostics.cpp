@@ -6,7 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include "common/command.hpp"
+#include "common/cli/command.hpp"
 #include "render/advice.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/uri.hpp"

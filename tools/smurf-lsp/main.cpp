@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "common/command.hpp"
-#include "common/output.hpp"
-#include "common/process.hpp"
+#include "common/cli/command.hpp"
+#include "common/cli/process.hpp"
+#include "common/files/output.hpp"
 #include "smurf-lsp/background.hpp"
 #include "smurf-lsp/server.hpp"
 #include "smurf-lsp/transport.hpp"

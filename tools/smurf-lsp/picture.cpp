@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The model or scene of a document as a page in 3D, which an editor shows beside the text.
 #include "base/files/path.hpp"
-#include "common/input.hpp"
-#include "common/pictured_scene.hpp"
+#include "common/convert/pictured_scene.hpp"
+#include "common/files/input.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf/write_scene.hpp"
 

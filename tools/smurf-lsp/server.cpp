@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "common/command.hpp"
+#include "common/cli/command.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/messages.hpp"
 #include "smurf-lsp/uri.hpp"

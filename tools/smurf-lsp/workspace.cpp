@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/files/path.hpp"
-#include "common/input.hpp"
-#include "common/planned_rename.hpp"
+#include "common/files/input.hpp"
+#include "common/rename/planned_rename.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf-lsp/edited_text.hpp"
 #include "smurf-lsp/uri.hpp"

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "common/loaded_names.hpp"
-#include "common/xacro_names.hpp"
-#include "common/xacro_rename.hpp"
+#include "common/rename/loaded_names.hpp"
+#include "common/rename/xacro_names.hpp"
+#include "common/rename/xacro_rename.hpp"
 #include "smurf-lint/plan.hpp"
 #include "smurf-lsp/positions.hpp"
 #include "smurf/check.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/xacro_names.hpp"
+#include "common/rename/xacro_names.hpp"
 #include "smurf-lsp/context.hpp"
 
 namespace smurf::lsp {

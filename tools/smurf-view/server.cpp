@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/random_word.hpp"
+#include "common/files/random_word.hpp"
 #include "smurf-view/frame_page.hpp"
 #include "write/text/json_text.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "common/converter.hpp"
+#include "common/convert/converter.hpp"
 #include "smurf/convert.hpp"
 
 namespace smurf::tools {

@@ -7,7 +7,7 @@
 
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"
-#include "common/command.hpp"
+#include "common/cli/command.hpp"
 #include "render/printable.hpp"
 
 namespace smurf::tools {

@@ -5,9 +5,9 @@
 
 #include "base/files/path.hpp"
 #include "base/text/counted.hpp"
-#include "common/converter.hpp"
-#include "common/copy_files.hpp"
-#include "common/process.hpp"
+#include "common/cli/process.hpp"
+#include "common/convert/converter.hpp"
+#include "common/convert/copy_files.hpp"
 #include "render/printable.hpp"
 #include "smurf/conversion.hpp"
 #include "smurf/result_losses.hpp"

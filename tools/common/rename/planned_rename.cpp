@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/rename/planned_rename.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "common/rename/loaded_names.hpp"
+#include "smurf/models_around.hpp"
+
+namespace smurf::tools {
+namespace {
+
+/// The reason why a file must not be changed: it cannot be written, or other models also read it.
+std::vector<std::string> problems_of(const std::string& path, const LoadedNames& loaded,
+                                     const FileReader& changeable, ModelsAround& around) {
+  if (!DiskFiles().is_file(path)) {
+    return {"'" + path + "' is in an archive, which is not written"};
+  }
+  if (changeable.is_denied(path)) {
+    return {"'" + path + "' is in no project of the named files; name it, too"};
+  }
+  std::vector<std::string> problems;
+  for (const std::string& model : around.listing(path)) {
+    if (loaded.has_read(model)) continue;
+    problems.push_back("'" + model + "' reads '" + path + "' as well; name it, too");
+  }
+  return problems;
+}
+
+}  // namespace
+
+Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const Rename> renames,
+                       Session& session, const FileReader& changeable, const std::string& input,
+                       std::set<std::string>* read) {
+  settings.opens_meshes = false;
+  LoadedNames before(plan, settings, session);
+  if (!before.problem().empty()) return {{}, {}, {before.problem()}};
+  if (read != nullptr) *read = before.read();
+  Renamed renamed = rename(before.names(), renames, session.loaded_sources());
+  if (!renamed.problems.empty()) return renamed;
+  ModelsAround around(session.files());
+  for (const FixedText& file : renamed.texts) {
+    if (file.path == input) continue;
+    renamed.problems = problems_of(file.path, before, changeable, around);
+    if (!renamed.problems.empty()) return renamed;
+  }
+  before.release();  // both at once would need twice the memory
+  for (const FixedText& file : renamed.texts) session.set_text(file.path, file.text);
+  const LoadedNames after(plan, settings, session);
+  renamed.problems = changed_meanings(before.names(), after.names(), session.loaded_sources());
+  return renamed;
+}
+
+}  // namespace smurf::tools
