@@ -749,6 +749,20 @@ class Suggestions(LintTest):
         self.assertIn("error[SML3310]: the name of the YAML file is empty", done)
         self.assertIn("give the argument that names the file a value: `NAME:=PATH`", done)
 
+    def test_robots_that_share_a_macro_share_its_finding(self):
+        """The names in the messages differ."""
+        self.write("parts.xacro", """<robot xmlns:xacro="x"><xacro:macro name="arm" params="p"><link name="${p}arm"/>
+            <gazebo reference="${p}amr_of_old"/></xacro:macro></robot>""")
+        for name in "ab":
+            self.write(name + ".urdf.xacro", f"""<robot name="{name}" xmlns:xacro="x"><xacro:include filename="parts.xacro"/>
+                <xacro:arm p="{name}_"/></robot>""")
+        shown = self.run_tool("--select", "SML1445", ".").stdout
+        self.assertEqual(shown.count("warning[SML1445]"), 1, shown)
+        self.assertIn("`a_amr_of_old`", shown)
+        self.assertIn("... and the same in 1 more robot\n", shown)
+        self.assertIn("found 2 warnings", shown)
+        self.assertEqual(self.run_tool("--select", "SML1445", "--all", ".").stdout.count("warning[SML1445]"), 2)
+
     def test_an_inertia_in_other_units(self):
         link = '<robot name="r"><link name="l"><inertial><mass value="{}"/><inertia ixx="{}" ixy="0" ixz="0" iyy="{}" iyz="0" izz="{}"/></inertial></link></robot>'
         for mass, moment, wanted in ((6921, 24480, ""), (6921, 99480, "are these g and g mm2? write kg and kg m2"),

@@ -2,11 +2,13 @@
 // The overview of a report for people: errors first, and limited in length.
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -57,6 +59,7 @@ class Overview {
       Repeated& repeated = repeated_[{one.rule, one.message}];
       if (repeated.files.empty()) repeated.first = path_of(file);
       repeated.files.insert(path_of(file));
+      robots_at_[place_of(one)].push_back(file);
     }
     std::for_each(by_severity.rbegin(), by_severity.rend(), [&](std::vector<Section>& sections) {
       if (!options.shows_all && diagnostics.size() > kScreen) put_worst_first(sections);
@@ -83,6 +86,25 @@ class Overview {
     std::set<std::string_view> files;
     bool is_told = false;
   };
+
+  /// Robots that include a file have the same finding there, with names of their own.
+  using Place = std::tuple<const Rule*, Severity, std::string_view, std::uint32_t, std::string>;
+  Place place_of(const Diagnostic& one) const {
+    return {one.rule, one.severity, path_of(one.span.source), one.span.begin,
+            without_names(one.message)};
+  }
+  static std::string without_names(std::string_view message) {
+    std::string rest;
+    bool is_name = false;
+    for (const char c : message) {
+      if (c == '`') is_name = !is_name;
+      if (!is_name) rest += c;
+    }
+    return rest;
+  }
+  bool is_of_another_robot(const Diagnostic& one) const {
+    return robots_at_.at(place_of(one)).front() != one.span.source;
+  }
 
   /// The number of findings of a rule in a section.
   struct Tally {
@@ -142,6 +164,7 @@ class Overview {
     for (const Diagnostic* one : section.findings) {
       const Repeated& repeated = repeated_[{one->rule, one->message}];
       if (!options_.shows_all && repeated.first != path_of(section.file)) continue;
+      if (!options_.shows_all && is_of_another_robot(*one)) continue;
       mine.emplace_back(one, &of_rule[one->rule->id]);
       ++mine.back().second->all;
     }
@@ -159,15 +182,20 @@ class Overview {
       if (!is_titled) write(paint_(render::Ink::strong, title(section)) + "\n\n");
       is_titled = true;
       ++tally.shown;
-      write(render_full(*one, sources_, style_) + same_elsewhere(repeated));
+      write(render_full(*one, sources_, style_) + same_elsewhere(*one, repeated));
     }
     write(cut(of_rule));
   }
 
-  std::string same_elsewhere(Repeated& repeated) const {
-    if (options_.shows_all || repeated.files.size() == 1 || repeated.is_told) return {};
-    repeated.is_told = true;
-    return "... and the same in " + counted(repeated.files.size() - 1, "more file") + "\n\n";
+  std::string same_elsewhere(const Diagnostic& one, Repeated& repeated) const {
+    if (options_.shows_all) return {};
+    if (repeated.files.size() > 1) {
+      if (std::exchange(repeated.is_told, true)) return {};
+      return "... and the same in " + counted(repeated.files.size() - 1, "more file") + "\n\n";
+    }
+    const std::vector<SourceId>& readings = robots_at_.at(place_of(one));
+    const std::size_t robots = std::set(readings.begin(), readings.end()).size();
+    return robots == 1 ? "" : "... and the same in " + counted(robots - 1, "more robot") + "\n\n";
   }
 
   /// "... and 12 more of SML1501, 3 of SML1502 in this file; --all shows them"
@@ -221,6 +249,7 @@ class Overview {
   std::optional<render::Causes> causes_;
   std::vector<Section> sections_;
   std::map<std::pair<const Rule*, std::string_view>, Repeated> repeated_;
+  std::map<Place, std::vector<SourceId>> robots_at_;  ///< in their order
   std::map<std::pair<const Rule*, Circumstances>, Harm> harms_;
   bool has_titles_ = false;
   std::size_t lines_ = 0;
