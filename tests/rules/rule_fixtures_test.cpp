@@ -143,6 +143,9 @@ TEST_CASE("bad fixtures raise their rule and nothing else, good ones nothing") {
       CHECK_MESSAGE(diagnostic.rule->id == rule->id, bad.text());
       CHECK(!diagnostic.message.empty());
       CHECK(diagnostic.message.back() != '.');
+      if (diagnostic.severity == Severity::info) continue;
+      const std::string shown = render_full(diagnostic, bad.sources, {});
+      CHECK_MESSAGE(shown.find("= help: ") != std::string::npos, "no next step:\n" << shown);
     }
     check_snapshot(folder / "bad.expected.txt", bad.text());
     const Case good(folder / "good", selection);
