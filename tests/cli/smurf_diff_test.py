@@ -267,6 +267,23 @@ class Models(Diff):
             self.assertEqual(done.stdout, "")
             self.assertIn(f"error[{rule}]", done.stderr)
 
+    def test_annotations_that_cannot_be_read_are_not_equal(self):
+        for name, effort in (("a", 40), ("b", 50)):
+            self.write(f"{name}/r.urdf", ROBOT)
+            self.write(f"{name}/m.smurf", "modelname: r\nfiles: [r.urdf, motors.yml]\n")
+            self.write(f"{name}/motors.yml", f"motors:\n- {{name: m, joint: elbow, maxEffort: {effort}}}\n#{'x' * 2000}\n")
+        models = "a/m.smurf", "b/m.smurf"
+        self.assertIn("maxEffort 40 -> 50", self.expect(1, *models).stdout)
+        shutil.copytree(self.folder / "a", self.folder / "c")
+        for name in "ab":
+            self.write(f"{name}/motors.yml", f"\x89PNG {name}".encode("latin-1"))
+        for rule, arguments in (("SML0003", models), ("SML0003", ("c/m.smurf", "b/m.smurf")),
+                                ("SML0002", ("--limit", "file-bytes=1900", "c/m.smurf", "c/m.smurf")),
+                                ("SML0002", ("--limit", "repeated-bytes=1900", "c/m.smurf", "c/m.smurf"))):
+            done = self.expect(2, *arguments)
+            self.assertEqual(done.stdout, "")
+            self.assertIn(f"error[{rule}]", done.stderr)
+
     def test_a_page_for_a_browser(self):
         self.write("old.urdf", ROBOT)
         self.write("new.urdf", ROBOT.replace('value="0.35"', 'value="0.4"'))

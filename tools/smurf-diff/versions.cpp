@@ -8,14 +8,17 @@
 namespace smurf::tools {
 namespace {
 
-/// Without these files, the robot itself may be missing, not only a part of it.
-constexpr std::array<std::string_view, 2> kMissingFiles = {"SML0001", "SML2001"};
+/// Such files are missing, too large or no texts: what they describe cannot be compared.
+constexpr std::array<std::string_view, 4> kUnreadFiles = {"SML0001", "SML0002", "SML0003",
+                                                          "SML2001"};
 
 /// At most this many reasons why a file cannot be read; smurf-lint reports all of them.
 constexpr std::size_t kMostTrouble = 20;
 
-bool is_about_missing_file(const Diagnostic& finding) {
-  return std::ranges::find(kMissingFiles, finding.rule->id) != kMissingFiles.end();
+bool is_about_unread_file(const Diagnostic& finding) {
+  const bool is_about_findings = finding.left_out != nullptr;  // too many of them
+  return !is_about_findings &&
+         std::ranges::find(kUnreadFiles, finding.rule->id) != kUnreadFiles.end();
 }
 
 /// One of its files could not be read.
@@ -51,11 +54,11 @@ void find_trouble(Session& session, Loaded& loaded, const Linked& linked, bool f
   if (!is_broken(linked) && for_git) {
     for (const Diagnostic& one : found) {
       if (result.remarks.size() == kMostTrouble) return;
-      if (is_about_missing_file(one)) append_new(one, *loaded.sources, result.remarks);
+      if (is_about_unread_file(one)) append_new(one, *loaded.sources, result.remarks);
     }
     return;
   }
-  if (!is_broken(linked) && std::ranges::none_of(found, is_about_missing_file)) return;
+  if (!is_broken(linked) && std::ranges::none_of(found, is_about_unread_file)) return;
   for (const Diagnostic& one : found) {
     if (result.trouble.size() == kMostTrouble) return;
     if (one.severity == Severity::error) append_new(one, *loaded.sources, result.trouble);
