@@ -175,7 +175,7 @@ class CasesTest(unittest.TestCase):
 
     def test_mujoco_block(self):
         for inner in ("<actuator/>", "<default/>", "<equality/>", "<sensor/>", "<contact/>", "<worldbody/>", "<keyframe/>",
-                      '<option gravty="0 0 1"/>', "<option><geom/></option>"):
+                      '<option gravty="0 0 1"/>', "<option><geom/></option>", '<option><flag contcat="disable"/></option>'):
             with self.subTest(inner):
                 self.check(robot(f"<mujoco>{inner}</mujoco>", link("a")), "mujoco", "loses", "SML1449")
         self.check(robot('<mujoco><compiler fusestatic="false" meshdir="m"/><option gravity="0 0 -1"><flag gravity="enable"/>'

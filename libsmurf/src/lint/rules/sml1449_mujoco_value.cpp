@@ -208,7 +208,19 @@ std::vector<std::string_view> attributes_of(std::string_view element) {
   for (const Setting& setting : kSettings) {
     if (setting.element == element) names.push_back(setting.name);
   }
+  if (element == "flag") names.assign(std::begin(kOptionFlags), std::end(kOptionFlags));
   return names;
+}
+
+void check_names(const xml::View element, Findings& findings) {
+  for (const xml::Attribute& at : element.attributes()) {
+    const auto meant = nearest(at.name(), attributes_of(element.name()));
+    if (!meant) continue;
+    findings
+        .report(at.name_span(), quoted(element.name()) + " has no attribute " + quoted(at.name()))
+        .when(kUnread)
+        .help("did you mean " + quoted(*meant) + "?");
+  }
 }
 
 /// Reports what MuJoCo does not look at: one finding for each kind of element.
@@ -227,17 +239,14 @@ void check_unread(const xml::View mujoco, Findings& findings) {
       continue;
     }
     for (const xml::View child : element) {
-      if (name == "option" && child.name() == "flag") continue;
+      if (name == "option" && child.name() == "flag") {
+        check_names(child, findings);
+        continue;
+      }
       report(child,
              "MuJoCo reads no " + quoted(child.name()) + " in " + quoted(name) + " of a URDF");
     }
-    for (const xml::Attribute& at : element.attributes()) {
-      const auto meant = nearest(at.name(), attributes_of(name));
-      if (!meant) continue;
-      findings.report(at.name_span(), quoted(name) + " has no attribute " + quoted(at.name()))
-          .when(kUnread)
-          .help("did you mean " + quoted(*meant) + "?");
-    }
+    check_names(element, findings);
   }
 }
 
