@@ -135,7 +135,7 @@ class Session {
   /// Checks one file with all files that it loads (a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro
   /// or annotation file), or the files in a folder on disk, as make_plan() finds them.
   Report check(const std::string& path, const CheckSettings& settings = {});
-  /// Checks files and folders, as smurf-lint does when it gets them.
+  /// Checks the files that `smurf-lint PATH...` checks. The paths are files and folders.
   Report check(std::span<const std::string> paths, const CheckSettings& settings = {});
   /// Checks a plan: scenes, models that no scene loads, and other files that no model loads.
   Report check(const Plan& plan, const CheckSettings& settings = {});

@@ -305,7 +305,8 @@ class ShapeChecker {
         .note("URDF readers silently ignore it");
   }
 
-  /// Whether a reader that ignores a link misses it: a joint names it, or there is no other.
+  /// Whether a robot is broken for readers that ignore this link: a joint names it, or
+  /// there is no other link.
   bool is_needed(View robot, View link) {
     if (!named_links_) {
       named_links_.emplace();

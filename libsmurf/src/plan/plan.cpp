@@ -281,8 +281,8 @@ class Planner {
         "another name: smurf-lint --stdin-filename NAME.urdf - < FILE");
   }
 
-  /// Many YAML and JSON files have nothing to do with robots. Only looks for the names of sections,
-  /// because the file is parsed later.
+  /// Whether a YAML or JSON file is about a robot; many are not. Only searches the text for names
+  /// of sections, because the file is parsed later.
   bool has_section(const std::string& path) {
     const FileContent content = files_.read(path, settings_.limits.file_bytes);
     if (content.status != ReadStatus::ok) return true;  // reported when it is loaded

@@ -198,11 +198,11 @@ class Expander final : public Host {
   Heap heap_;
   Expressions expressions_;
   Evaluator evaluator_;
-  /// Comments that remove_comments() leaves: those among the first children of a result.
+  /// remove_comments() keeps the comments among the first `count` children of `parent`.
   struct {
     const Node* parent = nullptr;
     std::size_t count = 0;
-    bool is_next = false;  ///< those before the next node are, too
+    bool is_next = false;  ///< also those that the current element expands to
   } kept_;
   Expansion result_;
   Arena nodes_;

@@ -12,7 +12,7 @@ void append(Found& all, Found some);
 // In a URDF.
 Found masses(const LinkedModel& model, SceneColumn);
 Found collision_shapes(const LinkedModel& model, SceneColumn);
-/// Meshes of collisions whose convex hull is much larger, with the ratio of the volumes.
+/// The collision meshes whose convex hull has a much larger volume than they have, with the ratio.
 Found concave_meshes(const LinkedModel& model, SceneColumn);
 Found movable_joints(const LinkedModel& model, SceneColumn);
 /// MJCF: only textures that MuJoCo does not read. HTML: none, because the writer reports them.
