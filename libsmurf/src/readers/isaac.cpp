@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Isaac Sim and Isaac Lab, whose converter from URDF to USD is executed. It reads with ElementTree
-// and float() of Python.
+// Isaac Sim and Isaac Lab, by their converter from URDF to USD, which was run. It parses URDF with
+// ElementTree of Python, and reads numbers with float().
 #include "base/findings/cases.hpp"
 #include "readers/circumstances.hpp"
 
@@ -11,7 +11,6 @@ using enum Effect;
 
 constexpr std::string_view kKeeps = "keeps the number";
 constexpr std::string_view kDefault = "takes its own default";
-constexpr std::string_view kNoShape = "builds the link without the shape";
 constexpr std::string_view kRefusesNumber = "refuses the number, and the file";
 constexpr std::string_view kNotXml = "refuses what is no well-formed XML";
 constexpr std::string_view kCustom = "keeps it as a custom prim or attribute that nothing uses";
@@ -30,7 +29,7 @@ constexpr FamilyFact kFamilies[] = {
     {"SML1006", {&isaac, refuses, kNotXml, kRun}},
     {"SML1008", {&isaac, takes, "reads UTF-8, whatever the declaration says", kRun}},
     {"SML1009", {&isaac, changes, "uses the text literally", kRun, at("@name")}},
-    {"SML1009", {&isaac, loses, kNoShape, kRun, at("mesh/@filename")}},
+    {"SML1009", isaac_without_mesh(at("mesh/@filename"))},
     {"SML1009", {&isaac, loses, "leaves the texture out", kRun, at("texture/@filename")}},
     {"SML1009",
      {&isaac, loses, "ignores the element: everything it would expand to is missing", kRun,
@@ -49,7 +48,7 @@ constexpr FamilyFact kFamilies[] = {
     {"SML1102", {&isaac, refuses, "refuses a robot without a name", kRun}},
     {"SML1108", {&isaac, loses, kCustom, kRun}},
     {"SML1109", {&isaac, changes, "uses the last one", kRun}},
-    {"SML1110", {&isaac, loses, kNoShape, kRun}},
+    {"SML1110", isaac_without_mesh()},
     {"SML1111", {&isaac, changes, "uses the last shape", kRun}},
     {"SML1112", {&isaac, takes, "skips other elements", kRun}},
     {"SML1113", {&isaac, changes, kDefault, kRun, at("safety_controller")}},
@@ -59,7 +58,7 @@ constexpr FamilyFact kFamilies[] = {
     {"SML1113", {&isaac, changes, kDefault, kRun, at("mass")}},
     {"SML1113", {&isaac, refuses, "refuses a material without a name", kRun, at("robot/material")}},
     {"SML1113", {&isaac, changes, "gives it a name of its own", kRun, at("material")}},
-    {"SML1113", {&isaac, loses, kNoShape, kRun, at("mesh")}},
+    {"SML1113", isaac_without_mesh(at("mesh"))},
     {"SML1113", {&isaac, refuses, "refuses the file", kRun}},
     {"SML1114",
      {&isaac, loses, "ignores the joint, and drops what is behind it", kRun,
@@ -112,18 +111,18 @@ constexpr FamilyFact kFamilies[] = {
      {&isaac, changes, "writes no mass: the simulator computes it from the collisions", kRun}},
     // Shapes
     {"SML1601", {&isaac, changes, "keeps a shape without volume", kRun}},
-    {"SML1602", {&isaac, loses, kNoShape, kRun}},
-    {"SML1605", {&isaac, loses, kNoShape, kRun}},
-    {"SML1606", {&isaac, loses, kNoShape, kRun}},
+    {"SML1602", isaac_without_mesh()},
+    {"SML1605", isaac_without_mesh()},
+    {"SML1606", isaac_without_mesh()},
     {"SML1607",
      {&isaac, loses, "where the file is missing, builds the link without the shape", kRun}},
-    {"SML1609", {&isaac, loses, kNoShape, kRun}},
+    {"SML1609", isaac_without_mesh()},
     {"SML1627", {&isaac, changes, "keeps a shape without volume", kRun}},
     {"SML1628", {&isaac, changes, "mirrors the mesh", kRun}},
-    {"SML1643", {&isaac, loses, kNoShape, kRun}},
-    {"SML1644", {&isaac, loses, kNoShape, kRun}},
-    {"SML1645", {&isaac, loses, kNoShape, kRun}},
-    {"SML1651", {&isaac, loses, kNoShape, kRun, at("mesh")}},
+    {"SML1643", isaac_without_mesh()},
+    {"SML1644", isaac_without_mesh()},
+    {"SML1645", isaac_without_mesh()},
+    {"SML1651", isaac_without_mesh(at("mesh"))},
     {"SML1704", {&isaac, refuses, "refuses two materials of one name", kRun}},
     {"SML1707", {&isaac, takes, kKeeps, kRun}},
     // Numbers

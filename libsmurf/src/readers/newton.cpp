@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Newton, whose importer reads URDF with ElementTree, which refuses what is no strict XML, and with
-// float() of Python. Its builder checks little: it keeps numbers that make no sense, and takes its
-// own defaults for those that are absent.
+// Newton. Its importer parses URDF with ElementTree of Python, which refuses malformed XML, and
+// reads numbers with float(). Its builder checks little: it keeps numbers that make no sense, and
+// uses its own defaults where a number is absent.
 #include "base/findings/cases.hpp"
 #include "readers/circumstances.hpp"
 
@@ -13,7 +13,6 @@ using enum Effect;
 constexpr std::string_view kKeeps = "keeps the number";
 constexpr std::string_view kIgnores = "does not look at it";
 constexpr std::string_view kDefault = "takes its own default";
-constexpr std::string_view kNoShape = "warns, and builds the link without the shape";
 constexpr std::string_view kRefusesNumber = "refuses the number, and the file";
 constexpr std::string_view kRefusesMesh = "refuses the file: it cannot load the mesh";
 constexpr std::string_view kNotXml = "refuses what is no well-formed XML";
@@ -37,7 +36,7 @@ constexpr FamilyFact kFamilies[] = {
       kRun}},
     {"SML1009", {&newton, changes, "uses the text literally", kRun, at("@name")}},
     {"SML1009", {&newton, changes, "uses the text literally", kRun, at("@joint")}},
-    {"SML1009", {&newton, loses, kNoShape, kRun, at("mesh/@filename")}},
+    {"SML1009", newton_without_mesh(at("mesh/@filename"))},
     {"SML1009", {&newton, loses, "leaves the texture out", kRun, at("texture/@filename")}},
     {"SML1009",
      {&newton, loses, "ignores the element: everything it would expand to is missing", kRun,
@@ -124,8 +123,8 @@ constexpr FamilyFact kFamilies[] = {
     {"SML1602",
      {&newton, changes, "reads `height` in place of `length`, or takes 1 m", kRun, at("capsule")}},
     {"SML1602", {&newton, loses, "builds the link without the shape", kRun}},
-    {"SML1605", {&newton, loses, kNoShape, kRun}},
-    {"SML1606", {&newton, loses, kNoShape, kRun}},
+    {"SML1605", newton_without_mesh()},
+    {"SML1606", newton_without_mesh()},
     {"SML1607",
      {&newton, loses, "where the file is missing, builds the link without the shape", kRun}},
     {"SML1609", {&newton, refuses, kRefusesMesh, kRun}},
@@ -134,7 +133,6 @@ constexpr FamilyFact kFamilies[] = {
     {"SML1643", {&newton, refuses, kRefusesMesh, kRun}},
     {"SML1644", {&newton, refuses, kRefusesMesh, kRun}},
     {"SML1645", {&newton, refuses, kRefusesMesh, kRun}},
-    {"SML1651", {&newton, loses, kNoShape, kRun, at("mesh")}},
     {"SML1704", {&newton, takes, "uses the last", kRun}},
     {"SML1707",
      {&newton, takes, "brings the opacity between 0 and 1, and keeps the colours", kRun}},

@@ -45,6 +45,13 @@ constexpr Fact gazebo_without_mesh(Where where = {}) {
   return {&readers::gazebo, Effect::loses, "does not open the file; the link has no such shape",
           "sdformat parser_urdf.cc:2416-2431", where};
 }
+constexpr Fact newton_without_mesh(Where where = {}) {
+  return {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun,
+          where};
+}
+constexpr Fact isaac_without_mesh(Where where = {}) {
+  return {&readers::isaac, Effect::loses, "builds the link without the shape", kRun, where};
+}
 inline constexpr Fact kMarsWithoutCollision{
     &readers::mars, Effect::crashes, "ends with an exception on a missing mesh of a collision",
     "MARS gui_helper_functions.cpp:278-280, NodePhysics.cpp:626-634", at("collision")};

@@ -41,9 +41,9 @@ constexpr Fact kFacts[] = {
     {&readers::newton, Effect::takes, "needs no texture", kRun, at("texture")},
     {&readers::newton, Effect::refuses, "opens the folder, and refuses the file", kRun,
      when(kEmpty)},
-    {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun},
+    newton_without_mesh(),
     {&readers::isaac, Effect::takes, "needs no texture", kRun, at("texture")},
-    {&readers::isaac, Effect::loses, "builds the link without the shape", kRun},
+    isaac_without_mesh(),
 };
 
 }  // namespace

@@ -187,8 +187,8 @@ constexpr Fact kFacts[] = {
      when(kPackage)},
     {&readers::newton, Effect::refuses, "opens the folder, and refuses the file", kRun,
      when(kMesh, kFolder)},
-    {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun},
-    {&readers::isaac, Effect::loses, "builds the link without the shape", kRun},
+    newton_without_mesh(),
+    isaac_without_mesh(),
 };
 
 }  // namespace

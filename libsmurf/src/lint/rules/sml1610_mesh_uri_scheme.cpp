@@ -65,14 +65,12 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
     {&readers::pinocchio, Effect::takes, "opens the file", kRun, when(kFound)},
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
-    {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun,
-     when(kModel)},
+    newton_without_mesh(when(kModel)),
     {&readers::newton, Effect::takes, "opens the file", kRun, kOpened},
-    {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun,
-     when(kAbsolute)},
+    newton_without_mesh(when(kAbsolute)),
     {&readers::newton, Effect::refuses,
      "refuses a file of a relative URI, and one that it cannot download", kRun},
-    {&readers::isaac, Effect::loses, "builds the link without the shape", kRun},
+    isaac_without_mesh(),
 };
 
 }  // namespace

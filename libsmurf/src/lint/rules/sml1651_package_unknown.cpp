@@ -85,8 +85,7 @@ constexpr Fact kFacts[] = {
      at("mesh")},
     {&readers::newton, Effect::takes, "looks three folders above the URDF, too", kRun,
      when(kAbove)},
-    {&readers::newton, Effect::loses, "warns, and builds the link without the shape", kRun,
-     at("mesh")},
+    newton_without_mesh(at("mesh")),
 };
 
 }  // namespace

@@ -139,7 +139,7 @@ constexpr Fact kFacts[] = {
     {&readers::isaac, Effect::takes, "reads it", kRun, when(kObj)},
     {&readers::isaac, Effect::takes, "reads it", kRun, when(kStl)},
     {&readers::isaac, Effect::takes, "reads it", kRun, when(kDae)},
-    {&readers::isaac, Effect::loses, "builds the link without the shape", kRun},
+    isaac_without_mesh(),
 };
 
 }  // namespace
