@@ -6,6 +6,7 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <set>
 #include <sstream>
 
@@ -35,13 +36,16 @@ void write(const fs::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-/// Counts reads of another file reader.
+/// Counts reads of another file reader, by any number of threads at once.
 class CountingFiles final : public FileReader {
  public:
   explicit CountingFiles(const FileReader& files) : files_(files) {}
 
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override {
-    read_.push_back(path);
+    {
+      const std::lock_guard lock(mutex_);
+      read_.push_back(path);
+    }
     return files_.read(path, max_bytes);
   }
   bool is_file(const std::string& path) const override { return files_.is_file(path); }
@@ -52,6 +56,7 @@ class CountingFiles final : public FileReader {
 
  private:
   const FileReader& files_;
+  mutable std::mutex mutex_;
   mutable std::vector<std::string> read_;
 };
 
