@@ -65,6 +65,21 @@ class Rename(cli.CliTest):
         self.assertIn("-  joint: elbow\n+  joint: j\n", done.stdout)
         self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF)
 
+    def test_models_that_share_a_robot(self):
+        for i in range(20):
+            self.write(f"arm/smurf/m{i}.smurf", f"modelname: m{i}\nfiles: [../urdf/arm.urdf, m{i}.yml]\n")
+            self.write(f"arm/smurf/m{i}.yml", MOTORS)
+        # A limit must not leave the old name in the files of the last models.
+        limit = str(3 * len(URDF))
+        self.refused(f"more than {limit} bytes of files that other models have read are read again; raise the limit with "
+                     "`--limit repeated-bytes=N`", "--rename", "joint:elbow=j", "--limit", f"repeated-bytes={limit}", "arm")
+        self.refused("raise the limit with `--limit file-bytes=N`",
+                     "--rename", "joint:elbow=j", "--limit", f"file-bytes={len(URDF) - 1}", "arm/smurf/m0.smurf")
+        done = self.expect(0, "--rename", "joint:elbow=j", "arm")
+        self.assertIn("wrote 22 files", done.stderr)
+        for i in range(20):
+            self.assertEqual(self.read(f"arm/smurf/m{i}.yml"), MOTORS.replace("joint: elbow", "joint: j"))
+
     def test_standard_input(self):
         done = self.run_tool("--rename", "joint:elbow=j", "--stdin-filename", "x/a.urdf", "-",
                              stdin=URDF)

@@ -264,6 +264,23 @@ class Refusal(ExportTest):
             self.assertIn("the result would not be XML", done.stderr)
             self.assertEqual(self.run_with_messages(0, "--force", "a.urdf").stdout, text)
 
+    def test_prefixes_without_a_declaration(self):
+        robot = '<robot name="r"{}><link name="b"/>{}</robot>'
+        for element, prefix in (("<drake:joint/>", "drake"), ('<x drake:a="1"/>', "drake"), ("<xacro:wheel/>", "xacro"),
+                                ("<gazebo><xi:include/></gazebo>", "xi")):
+            self.write("a.urdf", robot.format("", element))
+            done = self.run_with_messages(1, "a.urdf")
+            self.assertEqual(done.stdout, "")
+            self.assertIn(f"because the prefix `{prefix}` is not declared; declare it, `<robot xmlns:{prefix}=\"...\">`, or remove such "
+                          "elements; see --force; nothing was written", done.stderr)
+            self.run_with_messages(0, "--force", "a.urdf")
+            declared = robot.format(f' xmlns:{prefix}="http://x"', element)
+            self.write("a.urdf", declared)
+            self.assertEqual(self.run_with_messages(0, "--force", "a.urdf").stdout, declared)
+            expat.ParserCreate(namespace_separator=" ").Parse(declared.encode(), True)
+        self.write("a.urdf", robot.format("", "<gazebo><xi:include/></gazebo>"))
+        self.run_with_messages(0, "--vendor", "strip", "a.urdf")  # what is removed needs no declaration
+
     def test_numbers_that_are_not_finite(self):
         for number in ("nan", "inf", "-Infinity"):
             self.write("a.urdf", f'<robot name="r"><link name="b"><inertial><mass value="{number}"/>'

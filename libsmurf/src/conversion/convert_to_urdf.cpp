@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
 #include "base/text/did_you_mean.hpp"
 #include "conversion/refusal.hpp"
 #include "smurf/confine.hpp"
@@ -84,6 +85,36 @@ Proof compare(const LinkedModel& model, const SourceMap& sources, Plain& plain,
   return compare_models(source.model, plain.model, proof_scope(options));
 }
 
+/// A prefix of the result that nothing declares; "" if there is none. Other rules than SML1002
+/// report elements of xacro and of XInclude.
+std::string undeclared_prefix(const Plain& plain, std::string_view urdf) {
+  for (const Diagnostic& one : plain.sink.diagnostics()) {
+    if (one.rule != &rules::sml1002_xml_undeclared_prefix) continue;
+    return std::string(plain.sources.text(one.span));
+  }
+  for (const std::string_view prefix : {"xacro", "xi"}) {
+    if (urdf.find("xmlns:" + std::string(prefix)) != urdf.npos) continue;
+    for (const xml::Element& element : plain.model.robot->document.elements) {
+      const std::string_view name = element.name();
+      if (name.starts_with(prefix) && name.substr(prefix.size()).starts_with(':')) {
+        return std::string(prefix);
+      }
+    }
+  }
+  return {};
+}
+
+/// Why readers of strict XML refuse the result; "" if they do not.
+std::string fault_in_text(const Plain& plain, std::string_view urdf) {
+  const std::string fault = why_strict_readers_refuse(plain.model, urdf);
+  if (!fault.empty()) return "the result would not be XML: " + fault;
+  const std::string prefix = undeclared_prefix(plain, urdf);
+  if (prefix.empty()) return {};
+  return "XML readers with namespaces, such as browsers, refuse the result, because the prefix `" +
+         prefix + "` is not declared; declare it, `<robot xmlns:" + prefix +
+         "=\"...\">`, or remove such elements";
+}
+
 /// Reads the result again and compares it with its source. urdfdom crashes on some texts.
 Refusal prove(const LinkedModel& model, const SourceMap& sources, const UrdfExport& options,
               const UrdfRequest& request, bool may_ask_urdfdom, UrdfResult& result) {
@@ -98,7 +129,7 @@ Refusal prove(const LinkedModel& model, const SourceMap& sources, const UrdfExpo
         request.referees.tinyxml2(plain.model.robot->document, plain.sources, plain.sink);
     if (!proof.tinyxml2_accepts) return {"tinyxml2: " + plain.sink.diagnostics().back().message};
   }
-  const std::string strict_fault = why_strict_readers_refuse(read, result.text);
+  const std::string fault = fault_in_text(plain, result.text);
   proof.comparison = compare(model, sources, plain, options);
   if (!proof.comparison.holds()) {
     return {"the exported robot differs: " + proof.comparison.difference};
@@ -112,9 +143,8 @@ Refusal prove(const LinkedModel& model, const SourceMap& sources, const UrdfExpo
       return {"urdfdom refuses the result: " + words.substr(0, words.find('\n'))};
     }
   }
-  if (strict_fault.empty() || request.force) return {};
-  return {"cannot be converted: the result would not be XML: " + strict_fault,
-          Refusal::Cause::result, true};
+  if (fault.empty() || request.force) return {};
+  return {"cannot be converted: " + fault, Refusal::Cause::result, true};
 }
 
 }  // namespace

@@ -12,19 +12,24 @@
 namespace smurf::tools {
 namespace {
 
-/// Whether companions are missing because too many bytes were read again.
-bool lacks_companions(const LoadedModel& loaded, const SourceMap& sources) {
-  const auto& found = loaded.found.diagnostics();
-  return std::any_of(found.begin(), found.end(), [&](const Diagnostic& one) {
-    return one.rule == &rules::sml0002_file_too_large &&
-           is_companion_path(sources.path(one.span.source));
-  });
+/// The reason why names are missing: a file that a limit keeps from being read; "" if there is
+/// none.
+std::string unread_file(const Loaded& loaded) {
+  for (const Diagnostic& one : loaded.found.diagnostics()) {
+    if (one.rule != &rules::sml0002_file_too_large) continue;
+    const bool is_whole_file = one.help_text == raise_limit("repeated-bytes") ||
+                               one.help_text == raise_limit("file-bytes");
+    if (!is_whole_file) continue;
+    return loaded.sources->path(one.span.source) + ": " + one.message + "; " + one.help_text;
+  }
+  return {};
 }
 
 }  // namespace
 
-LoadedNames::LoadedNames(const Plan& plan, const CheckSettings& settings, Session& session)
-    : session_(session), settings_(settings) {
+LoadedNames::LoadedNames(const Plan& plan, const CheckSettings& settings, Session& session,
+                         Keeps keeps)
+    : session_(session), settings_(settings), keeps_(keeps) {
   std::vector<std::string> paths;
   for (const auto* files : {&plan.scenes, &plan.models, &plan.strays}) {
     for (const PlannedFile& file : *files) paths.push_back(file.path);
@@ -42,17 +47,20 @@ LoadedNames::LoadedNames(const Plan& plan, const CheckSettings& settings, Sessio
 
 bool LoadedNames::has_read(const std::string& path) const { return read_.contains(identity(path)); }
 
-void LoadedNames::release() {
-  const SourceMap& sources = session_.loaded_sources();
-  for (std::vector<Reference>& names : names_) {
+void LoadedNames::finish(std::vector<Reference> names) {
+  if (keeps_ == Keeps::names) {
+    const SourceMap& sources = session_.loaded_sources();
     for (Reference& one : names) {
-      one.name = one.is_computed ? computed_.emplace_back(one.name) : sources.text(one.span);
+      const std::string_view written = sources.text(one.span);
+      one.name = written == one.name ? written : texts_.emplace_back(one.name);
     }
+    parts_.clear();
+    scenes_.clear();
+    models_.clear();
+    companions_.clear();
+    names.shrink_to_fit();
   }
-  parts_.clear();
-  scenes_.clear();
-  models_.clear();
-  companions_.clear();
+  names_.push_back(std::move(names));
 }
 
 void LoadedNames::load_scene(const std::string& path) {
@@ -60,8 +68,9 @@ void LoadedNames::load_scene(const std::string& path) {
   Part& part = parts_.emplace_back(Part{.scene = &loaded});
   for (const SceneFile& file : loaded.scene.scenes) part.read.insert(identity(file.path));
   for (const LinkedModel& model : loaded.scene.models) note(model, part);
-  names_.push_back(references_of(loaded.scene));
   read_.insert(part.read.begin(), part.read.end());
+  if (problem_.empty()) problem_ = unread_file(loaded);
+  finish(references_of(loaded.scene));
 }
 
 void LoadedNames::load_model(const std::string& path) {
@@ -88,17 +97,13 @@ void LoadedNames::load_model(const std::string& path) {
     part.read.insert(identity(session_.loaded_sources().path(one.source)));
     if (one.srdf) note_included(one.srdf->document.source);
   }
-  if (lacks_companions(loaded, session_.loaded_sources())) {
-    problem_ = "the models that share SRDF files have more than " +
-               std::to_string(session_.limits().repeated_bytes) + " bytes of them; " +
-               raise_limit("repeated-bytes");
-  }
+  if (problem_.empty()) problem_ = unread_file(loaded);
   std::vector<Reference> names = references_of(loaded.model);
   const std::vector<Reference> more = companion_references(loaded.model, companions);
   names.insert(names.end(), more.begin(), more.end());
   place_in_xacro(*context.expansions, names);
-  names_.push_back(std::move(names));
   read_.insert(part.read.begin(), part.read.end());
+  finish(std::move(names));
 }
 
 void LoadedNames::note(const LinkedModel& model, Part& part) const {

@@ -2,6 +2,7 @@
 // Loads the planned files and finds the names in them, for code that asks what a name means.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <set>
@@ -18,7 +19,10 @@ namespace smurf::tools {
 /// spans point into what was loaded by the session.
 class LoadedNames {
  public:
-  LoadedNames(const Plan& plan, const CheckSettings& settings, Session& session);
+  /// What stays in memory: thousands of models may share a large file.
+  enum class Keeps : std::uint8_t { files, names };
+  LoadedNames(const Plan& plan, const CheckSettings& settings, Session& session,
+              Keeps keeps = Keeps::files);
 
   /// One model with its companions, or one scene with its models.
   struct Part {
@@ -28,6 +32,7 @@ class LoadedNames {
     std::shared_ptr<const xacro::Expansions> expansions = nullptr;  ///< of the model
     std::set<std::string> read = {};                                ///< all its files, by identity
   };
+  /// Empty if only the names are kept.
   const std::deque<Part>& parts() const { return parts_; }
   /// The names of each part.
   const std::vector<std::vector<Reference>>& names() const { return names_; }
@@ -38,16 +43,16 @@ class LoadedNames {
   /// The reason why names are missing; "" if none is missing.
   const std::string& problem() const { return problem_; }
 
-  /// Frees the loaded files, but keeps the names and their texts in the files.
-  void release();
-
  private:
   void load_scene(const std::string& path);
   void load_model(const std::string& path);
   void note(const LinkedModel& model, Part& part) const;
+  /// Adds the names of the last part.
+  void finish(std::vector<Reference> names);
 
   Session& session_;
   CheckSettings settings_;
+  Keeps keeps_;
   std::deque<LoadedScene> scenes_;
   std::deque<LoadedModel> models_;
   std::deque<Companions> companions_;  ///< by model
@@ -55,7 +60,7 @@ class LoadedNames {
   std::set<std::string> read_;  ///< in any part, by identity
   std::deque<Part> parts_;
   std::vector<std::vector<Reference>> names_;
-  std::deque<std::string> computed_;  ///< names that no file contains, after release()
+  std::deque<std::string> texts_;  ///< of names that the files write otherwise, if only names stay
 };
 
 }  // namespace smurf::tools

@@ -33,7 +33,7 @@ Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const
                        Session& session, const FileReader& changeable, const std::string& input,
                        std::set<std::string>* read) {
   settings.opens_meshes = false;
-  LoadedNames before(plan, settings, session);
+  const LoadedNames before(plan, settings, session, LoadedNames::Keeps::names);
   if (!before.problem().empty()) return {{}, {}, {before.problem()}};
   if (read != nullptr) *read = before.read();
   Renamed renamed = rename(before.names(), renames, session.loaded_sources());
@@ -44,9 +44,8 @@ Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const
     renamed.problems = problems_of(file.path, before, changeable, around);
     if (!renamed.problems.empty()) return renamed;
   }
-  before.release();  // both at once would need twice the memory
   for (const FixedText& file : renamed.texts) session.set_text(file.path, file.text);
-  const LoadedNames after(plan, settings, session);
+  const LoadedNames after(plan, settings, session, LoadedNames::Keeps::names);
   renamed.problems = changed_meanings(before.names(), after.names(), session.loaded_sources());
   return renamed;
 }
