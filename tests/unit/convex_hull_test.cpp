@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/numbers/vectors.hpp"
+#include "link/shape_hulls.hpp"
 #include "mesh/outer_points.hpp"
 #include "unit/random.hpp"
 
@@ -122,6 +124,40 @@ TEST_CASE("convex hull: moving it changes neither its volume nor an overlap") {
     CHECK(std::fabs(overlap_of(moved(*a, X), moved(*b, X), 0.01) - before) < 0.05);
     CHECK(moved(*a, X).volume == a->volume);
   }
+}
+
+TEST_CASE("convex hull: boxes and cylinders are what a search among their corners gives") {
+  Random random;
+  const LinkedModel model;
+  for (int i = 0; i < 50; ++i) {
+    const Vector3 size{random.between(0.01, 3), random.between(0.01, 3), random.between(0.01, 3)};
+    urdf::Geometry geometry;
+    const bool is_box = i % 2 == 0;
+    if (is_box) {
+      geometry.shape = urdf::Box{{std::optional(size), Span{}}};
+    } else {
+      geometry.shape =
+          urdf::Cylinder{{std::optional(size[0]), Span{}}, {std::optional(size[2]), Span{}}};
+    }
+    const auto hull = hull_of(model, geometry);
+    REQUIRE(hull);
+    CHECK(hull->corners.size() == (is_box ? 8 : 32));
+    CHECK(hull->sides.size() == (is_box ? 6 : 18));
+    const auto searched = convex_hull(hull->corners);
+    REQUIRE(searched);
+    CHECK(hull->volume == doctest::Approx(searched->volume));
+    for (const HalfSpace& side : hull->sides) {
+      double farthest = -HUGE_VAL;
+      for (const Vector3& corner : hull->corners) {
+        farthest = std::max(farthest, dot(side.normal, corner));
+      }
+      CHECK(farthest == doctest::Approx(side.distance));
+      CHECK(dot(side.normal, side.normal) == doctest::Approx(1));
+    }
+    const auto other = convex_hull(corners_of_box(random_point(random, 1), {2, 2, 2}));
+    CHECK((overlap_of(*hull, *other, 0.01) > 0) == (overlap_of(*searched, *other, 0.01) > 0));
+  }
+  CHECK(!hull_of(model, {.shape = urdf::Box{{std::optional(Vector3{1, 0, 1}), Span{}}}}));
 }
 
 TEST_CASE("outer points: all of a small mesh, and the outermost of a large one") {

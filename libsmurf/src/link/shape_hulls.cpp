@@ -2,6 +2,7 @@
 #include "link/shape_hulls.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <vector>
@@ -34,15 +35,6 @@ Points corners_of_box(const Vector3& size) {
   return points;
 }
 
-Points corners_of_cylinder(double radius, double length) {
-  Points points;
-  for (std::size_t corner = 0; corner < kCorners; ++corner) {
-    points.push_back(on_circle(corner, radius, -length / 2));
-    points.push_back(on_circle(corner, radius, length / 2));
-  }
-  return points;
-}
-
 /// A ball whose halves are `length` apart.
 Points corners_of_capsule(double radius, double length) {
   Points points = {{0, 0, radius + length / 2}, {0, 0, -radius - length / 2}};
@@ -69,12 +61,33 @@ Points points_of_mesh(const LinkedModel& model, const urdf::Mesh& mesh) {
   return points;
 }
 
+/// The upright prism on a ring of corners that turns left, seen from above: the hull of a box or a
+/// cylinder, without a search for its sides.
+ConvexHull prism(const std::vector<std::array<double, 2>>& ring, double height) {
+  ConvexHull hull;
+  double area = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const auto [x, y] = ring[i];
+    const auto [next_x, next_y] = ring[(i + 1) % ring.size()];
+    hull.corners.push_back({x, y, -height / 2});
+    hull.corners.push_back({x, y, height / 2});
+    const double length = hypotenuse(next_x - x, next_y - y);
+    const Vector3 normal{(next_y - y) / length, (x - next_x) / length, 0};
+    hull.sides.push_back({normal, normal[0] * x + normal[1] * y});
+    area += (x * next_y - y * next_x) / 2;
+  }
+  hull.sides.push_back({{0, 0, 1}, height / 2});
+  hull.sides.push_back({{0, 0, -1}, height / 2});
+  hull.volume = area * height;
+  return hull;
+}
+
 bool are_positive(std::initializer_list<double> sizes) {
   return std::all_of(sizes.begin(), sizes.end(),
                      [](double size) { return size > 0 && std::isfinite(size); });
 }
 
-/// Empty if the size is unknown or not positive.
+/// Of shapes other than cylinders. Empty if the size is unknown or not positive.
 Points points_of(const LinkedModel& model, const urdf::Shape& shape) {
   if (const auto* mesh = std::get_if<urdf::Mesh>(&shape)) return points_of_mesh(model, *mesh);
   if (const auto* box = std::get_if<urdf::Box>(&shape)) {
@@ -84,11 +97,6 @@ Points points_of(const LinkedModel& model, const urdf::Shape& shape) {
   if (const auto* ball = std::get_if<urdf::Sphere>(&shape)) {
     const double radius = ball->radius.value_or(0);
     return are_positive({radius}) ? corners_of_capsule(radius, 0) : Points();
-  }
-  if (const auto* tube = std::get_if<urdf::Cylinder>(&shape)) {
-    const double radius = tube->radius.value_or(0);
-    const double length = tube->length.value_or(0);
-    return are_positive({radius, length}) ? corners_of_cylinder(radius, length) : Points();
   }
   if (const auto* pill = std::get_if<urdf::Capsule>(&shape)) {
     const double radius = pill->radius.value_or(0);
@@ -101,6 +109,22 @@ Points points_of(const LinkedModel& model, const urdf::Shape& shape) {
 }  // namespace
 
 std::optional<ConvexHull> hull_of(const LinkedModel& model, const urdf::Geometry& geometry) {
+  if (const auto* box = std::get_if<urdf::Box>(&geometry.shape)) {
+    const auto [x, y, z] = box->size.value_or({0, 0, 0});
+    if (!are_positive({x, y, z})) return std::nullopt;
+    return prism({{-x / 2, -y / 2}, {x / 2, -y / 2}, {x / 2, y / 2}, {-x / 2, y / 2}}, z);
+  }
+  if (const auto* tube = std::get_if<urdf::Cylinder>(&geometry.shape)) {
+    const double radius = tube->radius.value_or(0);
+    const double length = tube->length.value_or(0);
+    if (!are_positive({radius, length})) return std::nullopt;
+    std::vector<std::array<double, 2>> ring;
+    for (std::size_t corner = 0; corner < kCorners; ++corner) {
+      const Vector3 point = on_circle(corner, radius, 0);
+      ring.push_back({point[0], point[1]});
+    }
+    return prism(ring, length);
+  }
   return convex_hull(points_of(model, geometry.shape));
 }
 

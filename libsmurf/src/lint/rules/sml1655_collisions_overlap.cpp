@@ -26,7 +26,8 @@ struct Placed {
   const urdf::Collision* collision;
   std::size_t link;
   Pose X_RC;
-  Box box;
+  Box own;  ///< in the frame of the collision
+  Box box;  ///< in the frame of the root
   std::optional<ConvexHull> hull = std::nullopt;
   bool has_tried = false;  ///< to make the hull
 
@@ -84,7 +85,7 @@ std::vector<Placed> placed_collisions(const LinkedModel& model) {
       const std::optional<Box> box = bounding_box(model, collision.geometry);
       if (!box) continue;
       const Pose X_RC = *poses[i] * urdf::to_pose(collision.origin);
-      all.push_back({&collision, i, X_RC, moved(*box, X_RC)});
+      all.push_back({&collision, i, X_RC, *box, moved(*box, X_RC)});
     }
   }
   std::sort(all.begin(), all.end(),
@@ -92,11 +93,19 @@ std::vector<Placed> placed_collisions(const LinkedModel& model) {
   return all;
 }
 
-bool are_near(const Box& a, const Box& b) {
+/// Whether a ball of this diameter may be in both boxes.
+bool have_room(const Box& a, const Box& b, double diameter) {
   for (std::size_t i = 0; i < 3; ++i) {
-    if (a.low[i] > b.high[i] || b.low[i] > a.high[i]) return false;
+    if (std::min(a.high[i], b.high[i]) - std::max(a.low[i], b.low[i]) < diameter) return false;
   }
   return true;
+}
+
+/// The same for two shapes, whose hulls are in their boxes, along the axes of the root and of both.
+bool are_near(const Placed& a, const Placed& b, double least) {
+  return have_room(a.box, b.box, least) &&
+         have_room(a.own, moved(b.own, inverse(a.X_RC) * b.X_RC), least) &&
+         have_room(b.own, moved(a.own, inverse(b.X_RC) * a.X_RC), least);
 }
 
 struct Overlap {
@@ -115,7 +124,7 @@ std::vector<Overlap> overlaps_of(const LinkedModel& model, std::vector<Placed>& 
       const std::size_t a = body[all[i].link];
       const std::size_t b = body[all[k].link];
       if (a == b || carrier_of(model, body, a) == b || carrier_of(model, body, b) == a) continue;
-      if (!are_near(all[i].box, all[k].box)) continue;
+      if (!are_near(all[i], all[k], least)) continue;
       if (++pairs > kMostPairs) return {};
       const ConvexHull* one = all[i].hull_in(model);
       const ConvexHull* other = one != nullptr ? all[k].hull_in(model) : nullptr;
@@ -174,7 +183,9 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
           title(model.robot->links[worst.other->link]) + " overlap by " +
           format_rounded(1000 * worst.depth, 3) + " mm while all joints are at zero");
   diagnostic.label(tag_name(model, worst.one->collision->element), "the other collision");
-  diagnostic.note("no joint connects the two links, so simulators push them apart");
+  diagnostic.note(
+      "no joint connects the two links; a simulator that lets them touch, such as MuJoCo, pushes "
+      "them apart");
   if (overlaps.size() > 1) {
     diagnostic.note(counted(overlaps.size() - 1, "more pair") + " of this robot");
   }
