@@ -51,6 +51,14 @@ const AxisOrder* order_that_fits(const Vector3& written, const Vector3& shape) {
   return best;
 }
 
+/// Whether the moments are those of the shape apart from their order.
+bool is_of_size(const Tensor& tensor, double mass, const Tensor& unit) {
+  constexpr double kMost = 4;  // hollow parts, and shapes that are simplified
+  const double factor =
+      (tensor[0] + tensor[1] + tensor[2]) / (mass * (unit[0] + unit[1] + unit[2]));
+  return factor < kMost && factor > 1 / kMost;
+}
+
 /// An inertia in another order may then be right.
 bool has_gltf(const LinkedModel& model, const urdf::Link& link) {
   const auto is_one = [&](const auto& part) { return is_gltf(model, part.geometry); };
@@ -69,6 +77,7 @@ const AxisOrder* likely_axis_order(const LinkedModel& model, const urdf::Link& l
       rotated(tensor_of(*link.inertial), urdf::to_pose(link.inertial->origin).orientation);
   const Tensor shape = unit_inertia(*solid);
   if (!is_along_axes(tensor) || !is_along_axes(shape)) return nullptr;
+  if (!is_of_size(tensor, body->mass, shape)) return nullptr;
   return order_that_fits(parts_of(tensor), parts_of(shape));
 }
 

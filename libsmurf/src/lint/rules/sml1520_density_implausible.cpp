@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <variant>
+
 #include "base/numbers/numbers.hpp"
+#include "base/ranges.hpp"
+#include "link/inertia.hpp"
 #include "lint/body.hpp"
 #include "lint/geometry_queries.hpp"
 #include "lint/likely_cause.hpp"
@@ -44,11 +48,39 @@ Span place_of_size(const LinkedModel& model, const urdf::Geometry& geometry) {
   return mesh->scale ? mesh->scale.span : mesh->filename.span;
 }
 
-/// Whether the shapes only mark a sensor or a frame.
+/// How much larger the inertia is than this mass in these shapes allows; 0 if it is unknown.
+double inertia_excess(const urdf::Link& link, const Extent& extent) {
+  constexpr double kMargin = 0.1;  // of the longest edge, as in SML1518
+  const std::optional<Body> body = body_of(*link.inertial);
+  if (!body || is_unit_tensor(*link.inertial)) return 0;
+  return excess_over(*body, extent.grown(kMargin * extent.longest_edge()));
+}
+
+/// Marks an inertia that is too large, too, which SML1518 then does not report.
+void label_inertia(const LinkedModel& model, const urdf::Link& link, const Extent& extent,
+                   Diagnostic& diagnostic) {
+  constexpr double kSure = 2;
+  const double excess = inertia_excess(link, extent);
+  if (excess < kSure) return;
+  diagnostic.label(inertia_place(model, *link.inertial),
+                   format_rounded(excess, 2) + " times what this mass in these shapes allows");
+}
+
+bool has_mesh(const urdf::Link& link) {
+  const auto is_mesh = [](const auto& part) {
+    return std::holds_alternative<urdf::Mesh>(part.geometry.shape);
+  };
+  return ranges::any_of(link.visuals, is_mesh) || ranges::any_of(link.collisions, is_mesh);
+}
+
+/// Whether the shapes only mark a sensor or a frame, whose inertia is not larger than that of a
+/// part of usual size.
 bool is_marker(const urdf::Link& link, const Extent& extent) {
   constexpr double kSmall = 0.02;  // m
   constexpr double kLight = 0.1;   // kg
-  return extent.longest_edge() <= kSmall && *link.inertial->mass <= kLight;
+  constexpr double kLarge = 10;    // times
+  return !has_mesh(link) && extent.longest_edge() <= kSmall && *link.inertial->mass <= kLight &&
+         inertia_excess(link, extent) < kLarge;
 }
 
 void report(const LinkedModel& model, const urdf::Link& link, const Extent& extent, bool is_heavy,
@@ -65,7 +97,6 @@ void report(const LinkedModel& model, const urdf::Link& link, const Extent& exte
     Diagnostic& diagnostic = findings.report(shape, "the shape of " + title(link) +
                                                         " does not have the size of its inertial");
     diagnostic.label(link.inertial->mass.span, text);
-    if (is_marker(link, extent)) diagnostic.severity = Severity::info;
     diagnostic.help(cause.question);
     return;
   }
@@ -73,8 +104,8 @@ void report(const LinkedModel& model, const urdf::Link& link, const Extent& exte
                                            "the mass of " + title(link) + " is too " +
                                                (is_heavy ? "large" : "small") + " for its shapes");
   diagnostic.caret = text;
-  if (is_marker(link, extent)) diagnostic.severity = Severity::info;
   if (!is_heavy) diagnostic.label(shape, "is this in metres?");
+  if (is_heavy) label_inertia(model, link, extent, diagnostic);
   const bool is_about_mass =
       cause.culprit == Culprit::mass || cause.culprit == Culprit::mass_and_inertia;
   if (is_about_mass) diagnostic.help(cause.question);
@@ -87,6 +118,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const double mass = *link.inertial->mass;
     const bool is_heavy = mass > kHeaviestMaterial * extent->volume();
     const bool is_light = mass < kLightestMaterial * largest_shape(model, link).volume;
+    if (is_heavy && is_marker(link, *extent)) return;
     if (is_heavy || is_light) report(model, link, *extent, is_heavy, findings);
   });
 }

@@ -47,11 +47,12 @@ std::string center_of_shapes(const LinkedModel& model, const urdf::Link& link,
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  const double margin = findings.tolerance();  // shapes are simplified
+  constexpr double kOfCollisions = 5;  // times; they need not hold the whole part
   for_each_link(model, [&](const urdf::Link& link) {
     const auto extent = extent_of(model, link);
     if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
     const urdf::Inertial& inertial = *link.inertial;
+    const double margin = findings.tolerance() * (link.visuals.empty() ? kOfCollisions : 1);
     const Vector3 center = urdf::to_pose(inertial.origin).position;
     if (std::any_of(center.begin(), center.end(),
                     [](double x) { return std::fabs(x) > kFarthestOrigin; })) {

@@ -54,7 +54,8 @@ void report(const LinkedModel& model, const urdf::Link& left, const urdf::Link& 
   if (!a || !b || !is_positive_definite(*a) || !is_positive_definite(*b)) return;
   double worst = 1;  // the smallest moment of a thin part is little more than noise
   for (std::size_t i = 1; i < 3; ++i) worst = std::max(worst, factor_of((*a)[i], (*b)[i]));
-  if (worst <= 1 + 2 * findings.tolerance()) return;
+  constexpr double kOfMoments = 4;  // times: they grow with the square of a length
+  if (worst <= 1 + kOfMoments * findings.tolerance()) return;
   Diagnostic& diagnostic = findings.report(
       inertia_place(model, other), "the inertias of " + title(left) + " and " + title(right) +
                                        " differ by a factor of " + format_rounded(worst, 3));

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "link/inertia.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1657_mesh_open_file {
@@ -12,12 +15,23 @@ bool is_open(const MeshFacts& facts) {
   return size[0] > 0 && size[1] > 0 && size[2] > 0;  // SML1625 is about flat ones
 }
 
+/// Whether a reader may have to weigh the mesh, because a link that collides with it has no mass
+/// or no inertia.
+bool is_weighed(const OpenedMesh& mesh) {
+  return std::any_of(mesh.uses.begin(), mesh.uses.end(), [](const GeometryUse& use) {
+    const auto& inertial = use.link.inertial;
+    return use.role == GeometryRole::collision &&
+           !(inertial && inertial->mass.written && is_written(*inertial));
+  });
+}
+
 void report(const LinkedModel& model, bool (*is_at_fault)(const MeshFacts&), std::string_view one,
             std::string_view many, std::string_view help, Findings& findings) {
   Diagnostic* diagnostic = report_meshes(
       model,
       [&](const OpenedMesh& mesh) {
-        return mesh.is_collision() && !mesh.facts.defect && is_at_fault(mesh.facts);
+        return mesh.is_collision() && !mesh.facts.defect && is_at_fault(mesh.facts) &&
+               (is_flipped(mesh.facts) || is_weighed(mesh));
       },
       one, many, findings);
   if (diagnostic == nullptr) return;
@@ -41,9 +55,10 @@ extern constinit const Rule sml1657_mesh_open{
     .id = "SML1657",
     .name = "mesh-open",
     .severity = Severity::info,
-    .summary = "A collision mesh is not closed, or some of its triangles face inward.",
-    .why = "Such a surface encloses no volume, so mass, centre and inertia cannot be computed from "
-           "it, neither by smurf-lint nor by simulators that are asked to.",
+    .summary = "A collision mesh has no volume, but its link has no mass.",
+    .why = "Such a surface has holes, or triangles that face inward, and encloses no volume, so "
+           "mass, centre and inertia cannot be computed from it, neither by smurf-lint nor by "
+           "simulators that are asked to. Triangles that face inward are reported for all links.",
     .remedy = "Close the holes and make all normals face outward in a mesh editor, or use a "
               "primitive shape.",
     .sources = "Sums over the edges of the triangles.",
