@@ -2,6 +2,7 @@
 """--masses and --fix-inertia of smurf-lint."""
 import csv
 import io
+import json
 import subprocess
 
 import cli
@@ -184,6 +185,101 @@ class RepairOfXacro(cli.CliTest):
         self.assertIn("wheel.xacro:", done.stderr)
         self.run_tool("--fix-inertia", "--fix-only", "one.urdf.xacro")
         self.assertIn("0.006733333", self.read("wheel.xacro"))
+
+
+# A box of 0.1 x 0.2 x 0.1 m and 0.3 kg, with an inertia in kg mm2, a ball without a shape.
+NODES = """# signs
+nodes:
+  - {name: sign, parent: base, physicmode: box, extend: {x: 0.1, y: 0.2, z: 0.1}, mass: 0.30, density: 0,
+     inertia: true, i00: 1250.0, i01: 0, i10: 0, i11: 500.0, i22: 1250}
+  - name: ball
+    parent: base
+    physicmode: mesh
+    mass: 2
+    inertia: true
+    i00: 0.01   # measured
+    i11: 0.01
+    i22: 0.03
+"""
+
+
+class RepairOfSmurf(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write("r.urdf", '<robot name="r"><link name="base"/></robot>\n')
+        self.write("nodes.yml", NODES)
+        self.write("r.smurf", "modelname: r\nfiles: [r.urdf, nodes.yml]\n")
+
+    def repaired(self, how, *more):
+        done = self.run_tool("--fix-inertia=" + how, "--fix-only", "r.smurf", *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.read("nodes.yml"), done.stderr
+
+    def test_shape_and_nearest(self):
+        text, told = self.repaired("mass")
+        expected = NODES.replace("i00: 1250.0", "i00: 0.00125").replace("i11: 500.0", "i11: 0.0005").replace("i22: 1250}", "i22: 0.00125}")
+        self.assertEqual(text, expected.replace("i22: 0.03", "i22: 0.01999998"))
+        self.assertIn("node `sign` is too large for its mass and size", told)
+        self.assertIn("its shape, filled with 0.3 kg, which is 150 kg/m3", told)
+        self.assertIn("node `ball` is impossible for a body", told)
+        self.assertIn("no findings", self.expect(0, "--select", "SML1533", "r.smurf").stdout)
+        self.assertEqual(self.read("r.urdf"), '<robot name="r"><link name="base"/></robot>\n')
+
+    def test_density_gives_the_mass(self):
+        text, _ = self.repaired("density:1000")
+        self.assertIn("mass: 2, density: 0,", text)
+        self.assertIn("i00: 0.008333333, i01: 0, i10: 0", text)
+        self.assertIn("i22: 0.03\n", text)  # the shape is not known
+
+    def test_what_mars_does_not_use_is_left_alone(self):
+        for old, new in (("inertia: true", "inertia: false"), ("inertia: true, i", "i"), ("inertia: true\n", "\n"),
+                         ("inertia: true", "noPhysical: true, inertia: true")):
+            self.write("nodes.yml", NODES.split("  - name: ball")[0].replace(old, new))
+            found = self.expect(0, "--select", "SML1533", "r.smurf").stdout
+            self.assertEqual("SML1533" in found, new == "\n", (new, found))
+
+    def test_absent_numbers_are_zero(self):
+        self.write("nodes.yml", NODES.replace("i10: 0,", "").replace("i01: 0,", "i01: 100,"))
+        self.assertIn("node `sign` is not symmetric", self.expect(0, "r.smurf").stdout)
+        text, _ = self.repaired("mass")
+        self.assertIn("i00: 0.00125, i01: 0,", text)
+
+    def test_safe_fixes_do_not_write_it(self):
+        self.run_tool("--fix", "r.smurf")
+        self.assertEqual(self.read("nodes.yml"), NODES)
+        self.run_tool("--fix", "--unsafe-fixes", "r.smurf")
+        self.assertIn("i00: 0.00125", self.read("nodes.yml"))
+
+
+class UnitTensors(cli.CliTest):
+    """One finding, but each of the links is named, weighed and repaired."""
+    LINK = ('<link name="{0}"><inertial><mass value="0.5"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+            '<collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>\n')
+    JOINT = '<joint name="j{0}" type="fixed"><parent link="base"/><child link="{0}"/><origin xyz="{1} 0 0"/></joint>\n'
+
+    def setUp(self):
+        super().setUp()
+        names = [f"part{i}" for i in range(8)]
+        self.text = ('<robot name="r">\n' + self.LINK.format("base") + "".join(map(self.LINK.format, names))
+                     + "".join(self.JOINT.format(name, i + 1) for i, name in enumerate(names)) + "</robot>\n")
+        self.write("r.urdf", self.text)
+
+    def test_places(self):
+        found = json.loads(self.expect(0, "--select", "SML1516", "--format", "json", "r.urdf").stdout)["diagnostics"]
+        self.assertEqual([(one["id"], len(one["labels"])) for one in found], [("SML1516", 8)])
+        self.assertIn("that of link `part7`", found[0]["labels"][7]["message"])
+        shown = self.expect(0, "--select", "SML1516", "r.urdf").stdout
+        self.assertIn("that of link `part4`", shown)
+        self.assertNotIn("that of link `part5`", shown)
+        self.assertIn("8 more links in this file", shown)
+
+    def test_masses(self):
+        self.assertEqual(self.expect(0, "--masses", "r.urdf").stdout.count("SML1516"), 9)
+
+    def test_repair(self):
+        done = self.run_tool("--fix-inertia", "--fix-only", "r.urdf")
+        self.assertEqual(self.read("r.urdf"), self.text.replace('"1"', '"0.0008333333"'))
+        self.assertIn("the inertia of link `part7` is the unit tensor, too; principal moments 1, 1, 1 become", done.stderr)
 
 
 if __name__ == "__main__":

@@ -106,21 +106,32 @@ std::vector<Diagnostic> with_inertia_repairs(std::span<const Diagnostic> found,
   const InertiaRepairs repairs = find_repairs(options, plan, session);
   const SourceMap& loaded = session.loaded_sources();
   const SourceMap& sources = session.sources();
-  const auto is_same = [&](const Diagnostic& a, const Diagnostic& b) {
-    return a.rule == b.rule && a.span.begin == b.span.begin && a.span.end == b.span.end &&
-           loaded.path(a.span.source) == sources.path(b.span.source);
+  const auto is_at = [&](const Diagnostic& repair, const Rule* rule, Span place) {
+    return repair.rule == rule && repair.span.begin == place.begin &&
+           repair.span.end == place.end &&
+           loaded.path(repair.span.source) == sources.path(place.source);
   };
   for (Diagnostic& one : all) {
     if (!is_repairable(*one.rule)) continue;
     for (const auto* list : {&repairs.repairs, &repairs.refused}) {
-      const auto repair = std::find_if(list->begin(), list->end(),
-                                       [&](const Diagnostic& each) { return is_same(each, one); });
+      const auto repair_at = [&](Span place) {
+        return std::find_if(list->begin(), list->end(),
+                            [&](const Diagnostic& each) { return is_at(each, one.rule, place); });
+      };
+      const auto repair = repair_at(one.span);
       if (repair == list->end()) continue;
       one.note(repair->notes.back());
       if (repair->fixes.empty()) continue;
       one.note(command_for(sources.path(one.span.source)) + " repairs the inertias of this file");
       if (!one.fixes.empty()) continue;
       Fix fix = repair->fixes.front();
+      // One finding may be about several links.
+      for (const Label& label : one.labels) {
+        const auto other = repair_at(label.span);
+        if (other == list->end()) continue;
+        const std::vector<Edit>& edits = other->fixes.front().edits;
+        fix.edits.insert(fix.edits.end(), edits.begin(), edits.end());
+      }
       const bool is_here = std::all_of(fix.edits.begin(), fix.edits.end(), [&](const Edit& edit) {
         return loaded.path(edit.span.source) == sources.path(one.span.source);
       });

@@ -63,12 +63,31 @@ std::vector<InertiaAction> inertia_actions(Context& context, const Diagnostic& f
     const InertiaRepairs found =
         repair_inertias(models, loaded, expansions_of(names), {from, 0},
                         [&](const std::string& file) { return workspace.is_changeable(file); });
+    const auto is_at = [&](const Diagnostic& repair, Span place) {
+      return repair.rule == finding.rule && loaded.path(repair.span.source) == path &&
+             repair.span.begin == place.begin;
+    };
+    Fix of_all;  // of a finding about several links
+    std::size_t count = 0;
     for (const Diagnostic& repair : found.repairs) {
-      const bool is_here = repair.rule == finding.rule && loaded.path(repair.span.source) == path &&
-                           repair.span.begin == finding.span.begin;
-      if (!is_here || !known.insert(key_of(repair.fixes.front())).second) continue;
-      actions.push_back(
-          {"Replace the inertia: " + assumption_of(repair), repair.fixes.front().edits});
+      const Fix& fix = repair.fixes.front();
+      const bool is_here = is_at(repair, finding.span);
+      const bool is_other =
+          std::any_of(finding.labels.begin(), finding.labels.end(),
+                      [&](const Label& label) { return is_at(repair, label.span); });
+      if (is_here || is_other) {
+        ++count;
+        of_all.edits.insert(of_all.edits.end(), fix.edits.begin(), fix.edits.end());
+      }
+      if (!is_here || !known.insert(key_of(fix)).second) continue;
+      actions.push_back({"Replace the inertia: " + assumption_of(repair), fix.edits});
+    }
+    if (count > 1 && known.insert(key_of(of_all)).second) {
+      const std::string source =
+          from == From::box ? "the boxes around their shapes" : "their shapes";
+      actions.push_back({"Replace " + std::to_string(count) + " inertias: " + source +
+                             ", filled with their masses",
+                         of_all.edits});
     }
   }
   return actions;

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
+#include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"
 #include "lint/inertia_slips.hpp"
+#include "lint/node_inertia.hpp"
 #include "lint/queries.hpp"
 #include "smurf/lint.hpp"
 
@@ -18,9 +21,9 @@ namespace {
 
 using From = InertiaSource::From;
 
-constexpr std::array<std::string_view, 9> kRepairable = {"SML1511", "SML1512", "SML1513",
-                                                         "SML1514", "SML1516", "SML1518",
-                                                         "SML1519", "SML1523", "SML1531"};
+constexpr std::array<std::string_view, 10> kRepairable = {
+    "SML1511", "SML1512", "SML1513", "SML1514", "SML1516",
+    "SML1518", "SML1519", "SML1523", "SML1531", "SML1533"};
 
 /// A new inertia, and what was assumed.
 struct Replacement {
@@ -101,6 +104,41 @@ void replace_fix(const LinkedModel& model, const urdf::Link& link, InertiaSource
   finding.fixes.push_back(std::move(*fix));
 }
 
+void replace_fix(const std::vector<NodeInertia>& nodes, const InertiaSource& source,
+                 Diagnostic& finding) {
+  finding.fixes.clear();
+  const auto node = std::find_if(nodes.begin(), nodes.end(),
+                                 [&](const NodeInertia& one) { return one.place == finding.span; });
+  auto repair = node != nodes.end() ? repair_of(*node, source) : std::nullopt;
+  if (!repair) return;
+  finding.notes = {repair->note};
+  finding.fixes.push_back(std::move(repair->fix));
+}
+
+/// The finding about the unit tensors of several links as one finding each.
+std::vector<Diagnostic> split(const LinkedModel& model, std::vector<Diagnostic> findings) {
+  std::vector<Diagnostic> all;
+  for (Diagnostic& finding : findings) {
+    if (finding.rule != &rules::sml1516_identity_inertia) {
+      all.push_back(std::move(finding));
+      continue;
+    }
+    const std::vector<Label> labels = std::exchange(finding.labels, {});
+    finding.notes.clear();
+    all.push_back(finding);
+    for (const Label& label : labels) {
+      Diagnostic& other = all.emplace_back(finding);
+      other.span = label.span;
+      for (const urdf::Link& link : model.robot->links) {
+        const bool is_here =
+            label.span.begin >= link.span.begin && label.span.begin < link.span.end;
+        if (is_here) other.message = "the inertia of " + title(link) + " is the unit tensor, too";
+      }
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::optional<InertiaSource> parse_inertia_source(std::string_view text) {
@@ -121,14 +159,19 @@ bool is_repairable(const Rule& rule) {
 }
 
 std::vector<Diagnostic> repair_inertias(const LinkedModel& model, const InertiaSource& source) {
-  if (!model.robot) return {};
   RuleSelection selection;
   selection.select.assign(kRepairable.begin(), kRepairable.end());
   DiagnosticSink sink;
   lint_model(model, selection, sink);
   std::vector<Diagnostic> repairs;
   std::set<const urdf::Link*> done;
-  for (Diagnostic& finding : sink.take()) {
+  const std::vector<NodeInertia> nodes = node_inertias(model);
+  for (Diagnostic& finding : split(model, sink.take())) {
+    if (finding.rule == &rules::sml1533_node_inertia) {
+      replace_fix(nodes, source, finding);
+      if (!finding.fixes.empty()) repairs.push_back(std::move(finding));
+      continue;
+    }
     for (const urdf::Link& link : model.robot->links) {
       const bool is_here = link.inertial && finding.span.begin >= link.span.begin &&
                            finding.span.begin < link.span.end;

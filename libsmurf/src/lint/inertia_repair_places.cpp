@@ -76,11 +76,10 @@ class RepairPlaces {
       : sources_(sources), expansions_(expansions), may_change_(may_change) {}
 
   void add(const LinkedModel& model, const InertiaSource& source) {
-    if (!model.robot) return;
     for (Diagnostic& finding : repair_inertias(model, source)) {
       Repair repair;
       for (const Edit& edit : finding.fixes.front().edits) {
-        add_change(edit, attribute_at(*model.robot, edit.span), repair);
+        add_change(edit, model.robot ? attribute_at(*model.robot, edit.span) : "inertia", repair);
       }
       finding.span = origin_of(finding.span).span;
       repair.finding = std::move(finding);

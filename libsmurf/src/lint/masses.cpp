@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/findings/rules.hpp"
 #include "link/inertia.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"
@@ -30,6 +31,18 @@ LinkMass mass_of(const LinkedModel& model, const urdf::Link& link) {
   return row;
 }
 
+/// Whether a finding is about the link that contains `span`.
+bool is_about(const Diagnostic& finding, const Span& link) {
+  const auto is_inside = [&](const Span& place) {
+    return place.source == link.source && place.begin >= link.begin && place.begin < link.end;
+  };
+  if (is_inside(finding.span)) return true;
+  // One finding of this rule is about several links.
+  return finding.rule == &rules::sml1516_identity_inertia &&
+         std::any_of(finding.labels.begin(), finding.labels.end(),
+                     [&](const Label& label) { return is_inside(label.span); });
+}
+
 /// The findings about inertials, each at the link that contains it.
 void add_verdicts(const LinkedModel& model, std::vector<LinkMass>& rows) {
   RuleSelection selection;
@@ -39,8 +52,7 @@ void add_verdicts(const LinkedModel& model, std::vector<LinkMass>& rows) {
   const std::vector<urdf::Link>& links = model.robot->links;
   for (const Diagnostic& finding : sink.take()) {
     for (std::size_t i = 0; i < links.size(); ++i) {
-      const Span& span = links[i].span;
-      if (finding.span.begin < span.begin || finding.span.begin >= span.end) continue;
+      if (!is_about(finding, links[i].span)) continue;
       std::vector<const Rule*>& rules = rows[i].reported;
       if (std::find(rules.begin(), rules.end(), finding.rule) == rules.end()) {
         rules.push_back(finding.rule);

@@ -110,9 +110,10 @@ std::string main_frame(const Diagnostic& diagnostic, const SourceMap& sources,
     return arrow(1, escape(sources.path(diagnostic.span.source)), paint) +
            remarks(diagnostic, sources, 1, paint);
   }
+  constexpr std::size_t kMostMarks = 5;  // a finding about thirty links is still one
   std::vector<render::Mark> others;
   for (const Label& label : diagnostic.labels) {
-    if (label.span.source != diagnostic.span.source) continue;
+    if (label.span.source != diagnostic.span.source || others.size() == kMostMarks) continue;
     others.push_back({clamp(label.span, sources), label.message, Ink::frame, '-'});
   }
   const render::Frame frame(

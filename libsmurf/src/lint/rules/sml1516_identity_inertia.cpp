@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <vector>
 
 #include "base/numbers/numbers.hpp"
 #include "base/text/counted.hpp"
@@ -12,23 +13,26 @@ namespace {
 /// One finding per file, because exporters write it into all links.
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kPlausible = 100;  // kg; a 1 m block of this mass has nearly this inertia
-  std::size_t count = 0;
-  const urdf::Link* first = nullptr;
+  std::vector<const urdf::Link*> links;
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial || !is_unit_tensor(*link.inertial)) return;
     const double mass = link.inertial->mass.value_or(0);
     if (mass <= 0 || mass >= kPlausible) return;
-    if (count++ == 0) first = &link;
+    links.push_back(&link);
   });
-  if (first == nullptr) return;
+  if (links.empty()) return;
+  const urdf::Link* first = links.front();
   const double mass = *first->inertial->mass;
   Diagnostic& diagnostic = findings.report(
       inertia_place(model, *first->inertial),
       "the inertia of " + title(*first) + " is the unit tensor, which looks like a placeholder");
   diagnostic.caret = "that of a ball of " + format_rounded(2 * std::sqrt(2.5 / mass), 2) +
                      " m and " + format_rounded(mass, 3) + " kg";
-  if (count > 1) {
-    diagnostic.note(counted(count - 1, "more link") + " in this file");
+  for (std::size_t i = 1; i < links.size(); ++i) {
+    diagnostic.label(inertia_place(model, *links[i]->inertial), "that of " + title(*links[i]));
+  }
+  if (links.size() > 1) {
+    diagnostic.note(counted(links.size() - 1, "more link") + " in this file");
   }
 }
 
