@@ -274,6 +274,41 @@ class CasesTest(unittest.TestCase):
         self.assertEqual(found.get("SML1604"), "error")
 
 
+class UnseenRobots(CasesTest):
+    """Kinds that 700 robots of 56 repositories showed."""
+
+    def test_a_mesh_of_a_visual_and_a_collision_is_reported_at_the_collision(self):
+        flat = TETRAHEDRON.replace("v 0 0 0.1", "v 0.1 0.1 0")
+        first = "o cap\n" + flat + "o rest\n" + TETRAHEDRON.replace("f 1 3 2", "v 0 0 1\nf 5 7 6").replace("f 1 2 4", "f 5 6 8")
+        shape = '<geometry><mesh filename="cap.obj"/></geometry>'
+        text = robot(link("base", INERTIAL + f"<visual>{shape}</visual><collision>{shape}</collision>"))
+        report = self.lint(text, "mujoco", files=[("cap.obj", first)])
+        self.assertEqual(report["targets"]["mujoco"]["verdict"], "refuses")
+        found = next(one for one in report["diagnostics"] if one["id"] == "SML1652")
+        self.assertIn("collision", found["pointer"])
+
+    def test_a_fault_in_an_srdf_is_none_of_readers_of_the_robot(self):
+        alone = self.lint(robot(ARM), "ros,gazebo,mujoco,dart,drake,pybullet")["targets"]
+        for srdf in ('<robot name="r">\n<<<<<<< HEAD\n<group name="a"/>\n=======\n>>>>>>> other\n</robot>\n', '<robot name="r"><group',
+                     '<robot name="r"><drake:x/></robot>'):
+            targets = self.lint(robot(ARM), "ros,gazebo,mujoco,dart,drake,pybullet,moveit", files=[("r.srdf", srdf)])["targets"]
+            for name in ("ros", "gazebo", "mujoco", "dart", "drake", "pybullet"):
+                self.assertEqual(targets[name], alone[name], srdf)
+            if "drake:x" not in srdf:  # TinyXML reads on after some faults
+                self.assertIn(targets["moveit"]["verdict"], ("refuses", "unknown"), srdf)
+
+    def test_names_of_links_that_were_not_expanded_are_found_again(self):
+        text = robot(link("${ns}base"), link("${ns}arm"), moving("${ns}shoulder", "${ns}base", "${ns}arm"))
+        report = self.lint(text, "ros,gazebo,mujoco,dart")
+        for name, one in report["targets"].items():
+            self.assertEqual((name, one["verdict"]), (name, "loses"))
+        found = [one for one in report["diagnostics"] if one["id"] == "SML1009"]
+        self.assertEqual([one["message"] for one in found], ["`${ns}base` is a xacro expression that was never expanded"])
+        self.assertIn("4 more in this file", found[0]["notes"])
+        other = self.lint(text.replace('<child link="${ns}arm"/>', '<child link="${other}arm"/>'), "ros,gazebo,mujoco,dart")["targets"]
+        self.assertEqual({one["verdict"] for one in other.values()}, {"refuses"})
+
+
 if __name__ == "__main__":
     LINT = sys.argv.pop(1)
     unittest.main(verbosity=1)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "ast/urdf_numbers.hpp"
@@ -335,11 +336,23 @@ bool is_xacro_definition(View element) {
   return element.name() == "xacro:property" || element.name() == "xacro:arg";
 }
 
+std::set<std::string_view> link_names(const xml::Document& document) {
+  std::set<std::string_view> names;
+  for (const View child : document.view()) {
+    const xml::Attribute* name = child.name() == "link" ? child.attribute("name") : nullptr;
+    if (name != nullptr) names.insert(name->value());
+  }
+  return names;
+}
+
 /// Readers ignore xacro elements, but fail on expressions, especially in joints. So there is one
-/// finding each for expressions in joints, other expressions, and elements.
+/// finding each for expressions in joints, other expressions, and elements. A reference to a link
+/// whose name has the same expression is found, and adds only to the number of the others.
 void report_xacro(const xml::Document& document, DiagnosticSink& sink) {
   if (has_only_xacro_definitions(document)) return;
   XacroTrace elements, in_joints, elsewhere;
+  std::optional<std::set<std::string_view>> links;
+  std::size_t found_links = 0;
   std::set<xml::ElementId> dropped;  // with all that is in them
   for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
     const View element(document, xml::ElementId{i});
@@ -352,9 +365,17 @@ void report_xacro(const xml::Document& document, DiagnosticSink& sink) {
     for (const xml::Attribute& at : element.attributes()) {
       if (!is_xacro(at.value())) continue;
       const bool is_in_joint = element.parent() && element.parent().name() == "joint";
+      if (is_in_joint && at.name() == "link") {
+        if (!links) links = link_names(document);
+        if (links->contains(at.value())) {
+          ++found_links;
+          continue;
+        }
+      }
       (is_in_joint ? in_joints : elsewhere).add(at.value_span(), at.value(), kExpression);
     }
   }
+  elsewhere.count += found_links;
   for (const XacroTrace* trace : {&elements, &in_joints, &elsewhere}) trace->report(sink);
 }
 

@@ -9,6 +9,7 @@
 #include "base/files/canonical_paths.hpp"
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
+#include "base/findings/cases.hpp"
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
 #include "check/xacro_places.hpp"
@@ -140,6 +141,10 @@ Judged judge(const Accompanied& robot, const SourceMap& sources, const RuleSelec
   Judged judged = take(robot.model, sources, sink, expansions);
   judged.comments.add(robot.companions, sources);
   locate(robot.companions, judged.diagnostics);
+  // One that is malformed is no companion.
+  for (Diagnostic& one : judged.diagnostics) {
+    if (is_companion_path(sources.path(one.span.source))) one.when(cases::kInCompanion);
+  }
   return judged;
 }
 

@@ -58,13 +58,13 @@ std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
 /// A URDF read on its own.
 struct Plain {
   SourceMap sources;
-  MemoryFiles files;
   DiagnosticSink sink;
   LinkedModel model;
 
-  explicit Plain(std::string_view urdf) {
+  Plain(std::string_view urdf, const Limits& limits) {
+    MemoryFiles files;
     files.add("plain.urdf", std::string(urdf));
-    LoadContext context{sources, files, sink, {}, {}};
+    LoadContext context{sources, files, sink, limits, {}};
     model = load_model("plain.urdf", context);
   }
 
@@ -76,9 +76,9 @@ struct Plain {
 };
 
 Proof compare(const LinkedModel& model, const SourceMap& sources, Plain& plain,
-              const UrdfExport& options) {
+              const UrdfExport& options, const Limits& limits) {
   if (!options.apply.mimic) return compare_models(model, plain.model, proof_scope(options));
-  Plain source(sources.text(model.robot->document.source));
+  Plain source(sources.text(model.robot->document.source), limits);
   source.model.annotations.materials = model.annotations.materials;
   source.forget_mimics();
   plain.forget_mimics();
@@ -115,24 +115,36 @@ std::string fault_in_text(const Plain& plain, std::string_view urdf) {
          "=\"...\">`, or remove such elements";
 }
 
-/// Reads the result again and compares it with its source. urdfdom crashes on some texts.
-Refusal prove(const LinkedModel& model, const SourceMap& sources, const UrdfExport& options,
-              const UrdfRequest& request, bool may_ask_urdfdom, UrdfResult& result) {
-  UrdfProof& proof = result.proof.emplace();
-  Plain plain(result.text);
-  const LinkedModel& read = plain.model;
-  if (!read.robot) return {"the result cannot be read again; this is a defect of this tool"};
-  proof.links = read.robot->links.size();
-  proof.joints = read.robot->joints.size();
+/// Reads the result again and compares it with its source. `fault` becomes what readers of strict
+/// XML refuse.
+Refusal reread(const LinkedModel& model, const SourceMap& sources, const UrdfExport& options,
+               const UrdfRequest& request, const Limits& limits, UrdfResult& result,
+               std::string& fault) {
+  UrdfProof& proof = *result.proof;
+  Plain plain(result.text, limits);
+  if (!plain.model.robot) return {"the result cannot be read again; this is a defect of this tool"};
+  proof.links = plain.model.robot->links.size();
+  proof.joints = plain.model.robot->joints.size();
   if (request.referees.tinyxml2 != nullptr) {
     proof.tinyxml2_accepts =
         request.referees.tinyxml2(plain.model.robot->document, plain.sources, plain.sink);
     if (!proof.tinyxml2_accepts) return {"tinyxml2: " + plain.sink.diagnostics().back().message};
   }
-  const std::string fault = fault_in_text(plain, result.text);
-  proof.comparison = compare(model, sources, plain, options);
-  if (!proof.comparison.holds()) {
-    return {"the exported robot differs: " + proof.comparison.difference};
+  fault = fault_in_text(plain, result.text);
+  proof.comparison = compare(model, sources, plain, options, limits);
+  if (proof.comparison.holds()) return {};
+  return {"the exported robot differs: " + proof.comparison.difference};
+}
+
+/// Proves the result, also by urdfdom, which crashes on some texts. What was read again is freed
+/// before, because urdfdom needs twice as much memory.
+Refusal prove(const LinkedModel& model, const SourceMap& sources, const UrdfExport& options,
+              const UrdfRequest& request, const Limits& limits, bool may_ask_urdfdom,
+              UrdfResult& result) {
+  UrdfProof& proof = result.proof.emplace();
+  std::string fault;
+  if (Refusal refusal = reread(model, sources, options, request, limits, result, fault)) {
+    return refusal;
   }
   // urdfdom before 5.1 refuses every version but 1.0.
   const bool is_known = options.version.empty() || options.version == "1.0";
@@ -172,7 +184,8 @@ UrdfResult convert_to_urdf(Session& session, LoadedModel& loaded, const UrdfRequ
   DiagnosticSink losses;
   report_losses(model, wanted, losses);
   result.text = export_urdf(model, *loaded.sources, wanted, losses);
-  result.refusal = prove(model, *loaded.sources, wanted, request, may_ask_urdfdom(found), result);
+  result.refusal = prove(model, *loaded.sources, wanted, request, session.limits(),
+                         may_ask_urdfdom(found), result);
   result.losses = session.finish(loaded, losses.take());
   return result;
 }

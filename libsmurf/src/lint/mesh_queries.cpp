@@ -116,17 +116,29 @@ bool OpenedMesh::is_collision() const {
 std::vector<OpenedMesh> opened_meshes(const LinkedModel& model) {
   std::vector<OpenedMesh> meshes;
   if (model.meshes.empty()) return meshes;  // ten rules use it, so the geometries are searched once
+  struct Found {
+    const MeshReference* first = nullptr;
+    const MeshReference* first_of_collisions = nullptr;
+    std::vector<GeometryUse> uses;
+  };
+  std::vector<Found> found;
   std::unordered_map<const MeshFile*, std::size_t> by_file;
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (use.mesh() == nullptr) return;
     const MeshReference* reference = find_reference(model, *use.mesh());
     if (reference == nullptr || reference->file == nullptr) return;
-    const MeshFile& file = *reference->file;
-    if (file.status != ReadStatus::ok) return;
-    const auto [known, is_new] = by_file.try_emplace(&file, meshes.size());
-    if (is_new) meshes.push_back({*reference, file, file.facts, {}});
-    meshes[known->second].uses.push_back(use);
+    if (reference->file->status != ReadStatus::ok) return;
+    const auto [known, is_new] = by_file.try_emplace(reference->file, found.size());
+    if (is_new) found.push_back({reference, nullptr, {}});
+    Found& one = found[known->second];
+    const bool is_collision = use.role == GeometryRole::collision;
+    if (is_collision && one.first_of_collisions == nullptr) one.first_of_collisions = reference;
+    one.uses.push_back(use);
   });
+  for (Found& one : found) {
+    const MeshReference& shown = one.first_of_collisions ? *one.first_of_collisions : *one.first;
+    meshes.push_back({shown, *shown.file, shown.file->facts, std::move(one.uses)});
+  }
   return meshes;
 }
 

@@ -51,7 +51,8 @@ bool has_other_format(const MeshReference& reference);
 
 /// A mesh file that was opened and read, and the visuals and collisions that use it.
 struct OpenedMesh {
-  const MeshReference& reference;  ///< the first
+  /// The first of a collision, which all readers need; without collisions, the first.
+  const MeshReference& reference;
   const MeshFile& file;
   const MeshFacts& facts;
   std::vector<GeometryUse> uses;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/findings/cases.hpp"
 #include "base/findings/uncertain.hpp"
 
 namespace smurf {
@@ -131,7 +132,18 @@ const Fact* find_unread(const Reader& reader, const Rule& rule, const Finding& f
   return nullptr;
 }
 
+/// Whether a reader opens SRDFs or parameter files of ROS.
+bool reads_companions(const Reader& reader) {
+  for (const Reader* known = &reader; known != nullptr; known = known->like) {
+    if (known == &readers::moveit || known == &readers::ros2_control) return true;
+  }
+  return false;
+}
+
 const Fact* find_fact(const Reader& reader, const Rule& rule, const Finding& finding) {
+  if (finding.cases.contains(cases::kInCompanion) && !reads_companions(reader)) {
+    return &kNoCompanions;
+  }
   if (const Fact* fact = find_unread(reader, rule, finding)) return fact;
   for (const Reader* known = &reader; known != nullptr; known = known->like) {
     if (known->drops != nullptr && finding.cases.contains(*known->drops)) continue;
