@@ -2,6 +2,7 @@
 // The facts about glTF 2.0: the files that it names, the number of its triangles and their box.
 #include <map>
 #include <set>
+#include <vector>
 
 #include "mesh/formats.hpp"
 #include "mesh/gltf_names.hpp"
@@ -53,8 +54,16 @@ class GltfFacts {
     // Accessors of one buffer may overlap any number of times.
     corners_ += primitive.count;
     if (corners_ > kCornersPerByte * data_.bytes()) return data_.fail_unread(kRepeats);
+    // If most points are corners, each is read once.
+    const bool is_dense = primitive.indices && primitive.points.count <= primitive.count;
+    std::vector<bool> is_done(is_dense ? static_cast<std::size_t>(primitive.points.count) : 0);
     for (std::uint64_t i = 0; i < primitive.count; ++i) {
-      const auto point = point_of(data_, primitive, i);
+      const std::uint64_t place = place_of(primitive, i);
+      if (place < is_done.size()) {
+        if (is_done[static_cast<std::size_t>(place)]) continue;
+        is_done[static_cast<std::size_t>(place)] = true;
+      }
+      const auto point = point_at(data_, primitive, place);
       if (!point) return false;
       box.add(*point);
     }

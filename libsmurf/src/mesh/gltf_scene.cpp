@@ -137,8 +137,7 @@ std::optional<Primitive> read(Data& data, const Json& written, std::uint64_t mod
 
 }  // namespace
 
-std::optional<Vector3> point_of(Data& data, const Primitive& primitive, std::uint64_t corner) {
-  const std::uint64_t place = place_of(primitive, corner);
+std::optional<Vector3> point_at(Data& data, const Primitive& primitive, std::uint64_t place) {
   if (place >= primitive.points.count) {
     data.fail_broken("the index " + std::to_string(place) + " names none of " +
                      std::to_string(primitive.points.count) + " points");
@@ -176,7 +175,7 @@ bool visit_triangles(Data& data, const Primitive& primitive, const Affine& X,
         corners.points[k] = points[place];
         continue;
       }
-      const auto point = point_of(data, primitive, corners.places[k]);
+      const auto point = point_at(data, primitive, place);
       if (!point) return false;
       corners.points[k] = X * *point;
     }

@@ -32,9 +32,9 @@ struct Primitive {
 inline std::uint64_t place_of(const Primitive& primitive, std::uint64_t corner) {
   return primitive.indices ? primitive.indices->index(corner) : corner;
 }
-/// The point of a corner, before any transform. On failure, returns none and sets the reason in
+/// The point of this index, before any transform. On failure, returns none and sets the reason in
 /// `data`.
-std::optional<Vector3> point_of(Data& data, const Primitive& primitive, std::uint64_t corner);
+std::optional<Vector3> point_at(Data& data, const Primitive& primitive, std::uint64_t place);
 
 /// A triangle of a primitive.
 struct Corners {
