@@ -13,7 +13,8 @@ import cli
 INERTIAL = ('<inertial><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/>'
             "</inertial>")
 TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
-FORMATS = ("html", "mjcf", "usda", "gltf", "obj", "sdf")
+READ = ("html", "mjcf", "usda", "gltf", "obj")             # formats that have the triangles
+NAMED = ("sdf", "json", "dmd", "urdf", "smurfs", "svg")     # formats that name the files, or have none
 
 
 def robot(address, links=20):
@@ -44,17 +45,30 @@ class Calm(cli.CliTest):
         self.write("r.urdf", robot("package://parts_of_r/meshes"))
         for i in range(20):
             self.write(f"elsewhere/parts_of_r/meshes/part{i}.obj", TETRAHEDRON)
-        for form in FORMATS:
+        for form in READ:
             said = self.flatten(form)
             self.assertLessEqual(len(said.splitlines()), 40, said)
-            if form == "sdf":
-                continue  # names its meshes and does not read them
             self.assertEqual(said.count("SML8205"), 1, said)
             self.assertRegex(said, r"\d0 meshes are not in the \S+: no folder of the package `parts_of_r` was found")
             self.assertIn("= help: name its folder: `--package parts_of_r=DIR`", said)
             self.assertNotIn("outside", said)
             cured = self.flatten(form, "--package", "parts_of_r=elsewhere/parts_of_r")
             self.assertNotIn("SML8205", cured)
+
+    def test_converters_that_read_no_mesh_name_the_package_as_well(self):
+        self.write("r.urdf", robot("package://parts_of_r/meshes"))
+        for i in range(20):
+            self.write(f"elsewhere/parts_of_r/meshes/part{i}.obj", TETRAHEDRON)
+        runs = [("smurfs-flatten", "r.urdf", "--format", form, "--force", "-o", "out." + form) for form in NAMED]
+        runs += [("urdf2smurf", "r.urdf", "-o", "model", "--overwrite"), ("smurf2urdf", "r.urdf", "-o", "out.xml")]
+        for run in runs:
+            with self.subTest(run=run):
+                said = self.convert(*run)
+                self.assertLessEqual(len(said.splitlines()), 40, said)
+                self.assertEqual(said.count("cannot find any file of the package `parts_of_r`"), 1, said)
+                self.assertIn("= help: name its folder: `--package parts_of_r=DIR`", said)
+                cured = self.convert(*run, "--package", "parts_of_r=elsewhere/parts_of_r")
+                self.assertNotIn("package `parts_of_r`", cured)
 
     def test_the_loss_report_has_each(self):
         self.write("r.urdf", robot("package://parts_of_r/meshes"))

@@ -145,6 +145,25 @@ TEST_CASE("resources: packages") {
   CHECK(!model.meshes[0].exists);
 }
 
+TEST_CASE("resources: packages in folders of another name") {
+  Models models;
+  for (const char* folder : {"ws/arm", "ws/leg-main"}) {
+    const std::string name = std::string(folder).substr(3, 3);
+    models.files.files.add(std::string(folder) + "/package.xml",
+                           "<package><name>" + name + "</name></package>");
+    models.files.files.add(
+        std::string(folder) + "/urdf/r.urdf",
+        robot({"package://" + name + "/m.obj", "package://" + name + "/no.obj"}));
+    models.files.files.add(std::string(folder) + "/m.obj", kTriangle);
+  }
+  const LinkedModel arm = models.load("ws/arm/urdf/r.urdf");
+  const LinkedModel leg = models.load("ws/leg-main/urdf/r.urdf");
+  CHECK(arm.meshes[0].exists);
+  CHECK(leg.meshes[0].exists);
+  CHECK(!arm.meshes[0].is_package_elsewhere);
+  CHECK(leg.meshes[0].is_package_elsewhere);
+}
+
 TEST_CASE("resources: names that are nearly right") {
   Models models;
   models.files.files.add("r.urdf",

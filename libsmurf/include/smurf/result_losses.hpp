@@ -33,6 +33,9 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Linked
 /// Whether a finding only says that a picture does not have what no picture has.
 bool is_about_picture(const Diagnostic& finding);
 
+/// Whether a finding of the linter or of a converter names a package of which no file was found.
+bool is_about_lost_package(const Diagnostic& finding);
+
 /// Whether urdfdom is known not to crash on a text with these findings.
 bool may_ask_urdfdom(std::span<const Diagnostic> findings);
 

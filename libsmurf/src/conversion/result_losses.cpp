@@ -174,6 +174,10 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Linked
 
 bool is_about_picture(const Diagnostic& finding) { return finding.cases.contains(cases::kPicture); }
 
+bool is_about_lost_package(const Diagnostic& finding) {
+  return finding.cases.contains(cases::kLostPackage);
+}
+
 bool may_ask_urdfdom(std::span<const Diagnostic> findings) {
   return std::none_of(findings.begin(), findings.end(), [](const Diagnostic& finding) {
     const Fact* fact = find_fact(readers::urdfdom, finding);

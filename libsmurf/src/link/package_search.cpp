@@ -15,7 +15,7 @@ constexpr int kLevels = 12;  // of folders, upward and downward
 constexpr std::uint64_t kMostEntries = 200'000;
 
 /// Folders of packages seldom have a point in their name; files nearly always do.
-bool may_be_folder(const std::string& name, const std::string& path, const FileReader& files) {
+bool may_be_folder(const std::string& name) {
   const std::size_t point = name.rfind('.');
   if (point == std::string::npos) return true;
   // Most files of packages. To ask for each of them takes longer than to expand a robot.
@@ -24,8 +24,7 @@ bool may_be_folder(const std::string& name, const std::string& path, const FileR
       "jpg", "json", "launch", "md",  "mtl", "obj", "pdf", "png",  "ply",   "py",  "rst",  "rviz",
       "sdf", "srdf", "step",   "stl", "svg", "tif", "txt", "urdf", "xacro", "xml", "yaml", "yml"};
   const std::string ending = path::to_lower(std::string_view(name).substr(point + 1));
-  if (std::find(kOfFiles.begin(), kOfFiles.end(), ending) != kOfFiles.end()) return false;
-  return !files.is_file(path);
+  return std::find(kOfFiles.begin(), kOfFiles.end(), ending) == kOfFiles.end();
 }
 
 }  // namespace
@@ -58,8 +57,8 @@ void PackageSearch::search(const std::string& folder, int level, Depth depth, Pa
   if (level >= kLevels) return;
   for (const std::string& name : names) {
     if (name.starts_with('.') || entries_ > kMostEntries) continue;
-    const std::string inner = path::join(folder, name);
-    if (may_be_folder(name, inner, context_.files)) search(inner, level + 1, depth, found);
+    // A file is listed as an empty folder. To ask what it is would make it an input of the run.
+    if (may_be_folder(name)) search(path::join(folder, name), level + 1, depth, found);
   }
 }
 

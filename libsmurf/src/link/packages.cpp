@@ -40,6 +40,26 @@ Packages::Packages(const LoadContext& context, const std::string& urdf_path, Fil
 }
 
 Packages::Place Packages::find(const std::string& name_and_rest) {
+  Place place = search(name_and_rest);
+  place.is_elsewhere = !place.path.empty() && lies_elsewhere(place, name_and_rest);
+  return place;
+}
+
+bool Packages::lies_elsewhere(const Place& place, const std::string& name_and_rest) {
+  if (place.is_given || place.is_guess) return false;
+  constexpr std::size_t kLevelsOfBullet = 5;  // the folder of the URDF and four above it
+  for (std::size_t level = 0; level < kLevelsOfBullet; ++level) {
+    if (index_.exists(path::join(folders_[level], name_and_rest))) return false;
+  }
+  // In memory, the outermost folder has no name.
+  const std::string_view rest = std::string_view(name_and_rest).substr(name_and_rest.find('/') + 1);
+  if (!place.path.ends_with(rest)) return false;  // `..` in it
+  const std::string folder = path::join(place.path.substr(0, place.path.size() - rest.size()), ".");
+  const std::string known = index_.files().identity(folder);
+  return !is_one_of(path::file_name(known), {"", ".", ".."});
+}
+
+Packages::Place Packages::search(const std::string& name_and_rest) {
   const std::size_t slash = name_and_rest.find('/');
   if (slash == std::string::npos || slash == 0) return {};
   const std::string name = name_and_rest.substr(0, slash);

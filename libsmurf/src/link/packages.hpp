@@ -28,6 +28,8 @@ class Packages {
     /// Whether the file was found in a folder above the URDF that does not have the name.
     bool is_guess = false;
     std::string package{};  ///< then the name in that folder's package.xml
+    /// Whether neither the folder of the URDF nor one of the four above it has NAME/REST.
+    bool is_elsewhere = false;
   };
   /// The file for NAME/REST. It is looked up in the folder given for the package; then in the
   /// nearest parent folder that is called NAME, that contains REST (Phobos uses the parent of
@@ -38,6 +40,8 @@ class Packages {
   Place find(const std::string& name_and_rest);
 
  private:
+  Place search(const std::string& name_and_rest);
+  bool lies_elsewhere(const Place& place, const std::string& name_and_rest);
   bool is_called(const std::string& folder, const std::string& name);
   /// The package of this name in the folders that contain packages; empty if there is none.
   std::string installed(const std::string& name);

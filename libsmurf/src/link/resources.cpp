@@ -78,6 +78,7 @@ class Resolver {
       if (reference != nullptr) {
         reference->is_package_guessed = place.is_guess;
         reference->is_package_given = place.is_given;
+        reference->is_package_elsewhere = place.is_elsewhere;
         reference->package_there = std::move(place.package);
       }
       return std::move(place.path);

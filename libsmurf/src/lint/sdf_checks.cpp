@@ -3,14 +3,16 @@
 // of Sensor.cc, Camera.cc, ForceTorque.cc, Light.cc, ParticleEmitter.cc, Material.cc and Joint.cc.
 #include "lint/sdf_checks.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/files/path.hpp"
 #include "base/findings/uncertain.hpp"
 #include "base/ranges.hpp"
 #include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
-#include "readers/sdf_language.hpp"
 #include "readers/sdf_values.hpp"
 
 namespace smurf::sdf {
@@ -82,6 +84,20 @@ constexpr std::string_view kJoints[] = {"ball",     "continuous", "fixed", "gear
 constexpr std::string_view kWrenchFrames[] = {"parent", "child", "sensor"};
 constexpr std::string_view kWrenchDirections[] = {"parent_to_child", "child_to_parent"};
 
+/// "`a`, `b` or another of the 30 that SDF has".
+template <class Words>
+std::string some_of(const Words& known) {
+  constexpr std::size_t kMostShown = 9;
+  const std::size_t count = std::size(known);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(count, kMostShown); ++i) {
+    if (i > 0) text += i + 1 == count ? " or " : ", ";
+    text += quoted(known[i]);
+  }
+  if (count <= kMostShown) return text;
+  return text + " or another of the " + std::to_string(count) + " that SDF has";
+}
+
 class Checker {
  public:
   explicit Checker(const Report& report) : report_(report) {}
@@ -109,9 +125,7 @@ class Checker {
  private:
   void child(xml::View child, const Part& part) {
     if (part.value != '\0' && !is_readable(part, child.text(), child)) {
-      const bool is_empty = trimmed_text(child.text()).empty();
-      report_(place_of(child),
-              quoted(child.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"));
+      report_unreadable(place_of(child), part, trimmed_text(child.text()).empty(), report_);
       return;
     }
     if (!part.kind.empty()) element(child, part.kind);
@@ -124,12 +138,12 @@ class Checker {
       const xml::Attribute* attribute = element.attribute(part->name);
       if (attribute == nullptr) {
         if (!part->is_required) continue;
-        report_(element.name_span(), quoted(element.name()) + " has no " + quoted(part->name));
+        report_(element.name_span(), quoted(element.name()) + " has no " + quoted(part->name))
+            .help("add the attribute " + quoted(part->name));
         is_good = false;
       } else if (!is_readable(*part, attribute->value(), element)) {
-        report_(place_of(element, part->name),
-                quoted(part->name) +
-                    (attribute->value().empty() ? " is empty" : " cannot be read by Gazebo"));
+        report_unreadable(place_of(element, part->name), *part, attribute->value().empty(),
+                          report_);
         is_good = false;
       }
     }
@@ -140,7 +154,10 @@ class Checker {
   template <class Words>
   void word(Span place, std::string_view word, const Words& known, std::string_view what) {
     if (ranges::contains(known, word)) return;
-    report_(place, "Gazebo does not know the " + std::string(what) + " " + quoted(word));
+    Diagnostic& unknown =
+        report_(place, "Gazebo does not know the " + std::string(what) + " " + quoted(word));
+    const auto meant = nearest(word, known);
+    unknown.help(meant ? "did you mean " + quoted(*meant) + "?" : "write " + some_of(known));
   }
   template <class Words>
   void text(xml::View parent, std::string_view name, const Words& known, std::string_view what) {
@@ -197,14 +214,15 @@ class Checker {
     word(place_of(joint, "type"), lower, kJoints, "type of joint");
     for (const char* end : {"parent", "child"}) {
       if (joint.child(end)) continue;
-      report_(joint.name_span(), "`joint` has no " + quoted(end));
+      report_(joint.name_span(), "`joint` has no " + quoted(end))
+          .help("add the element " + quoted(end));
     }
     for (const char* name : {"axis", "axis2"}) {
       const xml::View axis = joint.child(name);
       const xml::View xyz = axis ? axis.child("xyz") : xml::View();
       const auto vector = xyz ? read_vector(xyz.text()) : std::nullopt;
       if (vector && *vector == std::array<double, 3>{}) {
-        report_(place_of(xyz), "the axis has no direction");
+        report_(place_of(xyz), "the axis has no direction").help("write another axis than 0 0 0");
       }
     }
   }
@@ -213,7 +231,8 @@ class Checker {
     for (const char* part : {"uri", "name"}) {
       const xml::View child = script.child(part);
       if (child) continue;  // an empty one is reported as a value
-      report_(script.name_span(), "`script` has no " + quoted(part));
+      report_(script.name_span(), "`script` has no " + quoted(part))
+          .help("add the element " + quoted(part));
     }
   }
 
@@ -221,6 +240,11 @@ class Checker {
 };
 
 }  // namespace
+
+void report_unreadable(Span place, const Part& part, bool is_empty, const Report& report) {
+  report(place, quoted(part.name) + (is_empty ? " is empty" : " cannot be read by Gazebo"))
+      .help("write " + std::string(wanted(part)));
+}
 
 void check_element(xml::View element, std::string_view kind, const Report& report) {
   Checker(report).element(element, kind);
@@ -233,11 +257,14 @@ void check_children(xml::View element, std::string_view kind, const Report& repo
 void check_include(xml::View include, const Report& report) {
   const xml::View uri = include.child("uri");
   if (!uri) {
-    report(include.name_span(), "`include` has no `uri`");
+    report(include.name_span(), "`include` has no `uri`").help("add the element `uri`");
   } else if (uri.text().empty()) {
     report(uri.name_span(), "`uri` is empty").when(kEmptyInclude);
   } else {
-    report(place_of(uri), "Gazebo needs the model " + quoted(trimmed(uri.text()))).when(kUncertain);
+    report(place_of(uri), "Gazebo needs the model " + quoted(trimmed(uri.text())))
+        .when(kUncertain)
+        .help(
+            "keep the model in a folder that the environment variable GZ_SIM_RESOURCE_PATH names");
   }
 }
 
@@ -246,7 +273,8 @@ void check_reserved(xml::View element, const Report& report) {
   const bool is_reserved =
       name == "world" || (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"));
   if (!is_reserved) return;
-  report(place_of(element, "name"), "sdformat (Gazebo) reserves the name " + quoted(name));
+  report(place_of(element, "name"), "sdformat (Gazebo) reserves the name " + quoted(name))
+      .help("choose another name");
 }
 
 Span place_of(xml::View element) {

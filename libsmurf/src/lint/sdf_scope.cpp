@@ -236,9 +236,7 @@ class Extensions {
     const Element* row = find(kind);
     const auto part = find_part(row->children, element.name());
     if (part && part->value != '\0' && !is_readable(*part, element.text(), element)) {
-      const bool is_empty = trimmed_text(element.text()).empty();
-      report_(place_of(element),
-              quoted(element.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"));
+      report_unreadable(place_of(element), *part, trimmed_text(element.text()).empty(), report_);
     } else if (part && !part->kind.empty()) {
       check_element(element, part->kind, report_);
     }

@@ -193,4 +193,18 @@ bool is_readable(const Part& part, std::string_view text, xml::View element) {
   return number && is_within(*number, part.range);
 }
 
+std::string_view wanted(const Part& part) {
+  switch (part.value) {
+  case 'p': return "six numbers: x y z in m, roll pitch yaw in rad";
+  case 'b': return "`true` or `false`";
+  case 'c': return "four numbers from 0 to 1: red green blue alpha";
+  case '2': return "two numbers";
+  case '3': return "three numbers";
+  case 's': return "a text";
+  case 'i': return "an integer";
+  case 'u': return "an integer of at least 0";
+  default: return part.range.empty() ? "a number" : "a number in the range that SDF allows";
+  }
+}
+
 }  // namespace smurf::sdf

@@ -24,5 +24,7 @@ std::string_view trimmed_text(std::string_view text);
 
 /// False for a text that sdformat refuses as the value of `part` of this element.
 bool is_readable(const Part& part, std::string_view text, xml::View element);
+/// What sdformat reads for `part`: "a number".
+std::string_view wanted(const Part& part);
 
 }  // namespace smurf::sdf

@@ -21,8 +21,9 @@ constexpr std::string_view kPrefix = "xacro:";
 std::string usual_help(const Rule& rule) {
   if (&rule == &rules::sml3302_xacro_syntax) return "correct the expression";
   if (&rule == &rules::sml3304_xacro_unsupported)
-    return "write it with other functions of the language";
-  if (&rule == &rules::sml3318_xacro_fatal) return "do what the message says";
+    return "write it with the functions that docs/format/xacro.md lists";
+  if (&rule == &rules::sml3318_xacro_fatal)
+    return "the author of the description stops here; change the call, or the arguments";
   if (&rule == &rules::sml3301_xacro_unknown_name) return "correct the name";
   return "correct the expression, or the values that it uses";
 }

@@ -465,7 +465,7 @@ void Expander::say(std::string_view kind, const std::string& text) {
   if (!is_first_at(place)) return;
   context_.sink
       .report(rules::sml3405_xacro_message, place, "xacro." + std::string(kind) + ": " + text)
-      .help("do what the message says");
+      .help("the author of the description wrote this; change the call, or the arguments");
 }
 
 }  // namespace smurf::xacro

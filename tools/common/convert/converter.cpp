@@ -161,10 +161,24 @@ namespace {
 
 constexpr std::size_t kMostLines = 34;  ///< of findings; what was written, and remarks, follow
 
-/// Whether a finding comes from the converter, which smurf-lint does not report, or from a scene.
-bool is_told(const Diagnostic& finding, const SourceMap& sources) {
+bool is_of_converter(const Diagnostic& finding) {
+  return finding.rule->reported_by == Tool::converters;
+}
+
+/// Whether a loss says which package the converter did not find. Formats that keep the addresses of
+/// meshes lose nothing.
+bool names_lost_package(std::span<const Diagnostic> findings) {
+  return std::any_of(findings.begin(), findings.end(), [](const Diagnostic& finding) {
+    return is_of_converter(finding) && is_about_lost_package(finding);
+  });
+}
+
+/// Whether a finding comes from the converter, which smurf-lint does not report, or from a scene,
+/// or is a package whose folder the user has to name.
+bool is_told(const Diagnostic& finding, const SourceMap& sources, bool are_packages_named) {
   if (is_about_picture(finding)) return false;
-  if (finding.rule->reported_by == Tool::converters) return true;
+  if (is_of_converter(finding)) return true;
+  if (is_about_lost_package(finding)) return !are_packages_named;
   const InputKind kind = input_kind(sources.path(finding.span.source));
   return kind == InputKind::scene || kind == InputKind::drawing;
 }
@@ -226,10 +240,11 @@ std::string count_by_section(std::span<const Diagnostic> losses) {
 std::string Conversion::render_for_people(const Report& report, const LossOf& loss_of) {
   const SourceMap& sources = session_.loaded_sources();
   const TextStyle style = style_for(Stream::error, options_.color);
+  const bool are_packages_named = names_lost_package(report.diagnostics);
   std::vector<Diagnostic> told, rest;
   for (const Diagnostic& finding : report.diagnostics) {
     const auto loss = loss_of(finding);
-    if (loss || (!options_.quiet && is_told(finding, sources))) {
+    if (loss || (!options_.quiet && is_told(finding, sources, are_packages_named))) {
       Diagnostic shown = finding;
       if (loss) {
         shown.notes.push_back(

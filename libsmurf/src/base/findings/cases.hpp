@@ -51,6 +51,8 @@ inline constexpr Circumstance kJointTag{"joint"};
 inline constexpr Circumstance kSharedMaterialTag{"material of the robot"};
 inline constexpr Circumstance kColourless{"without colour"};
 
+// SML1604 and SML8205: no file of a package was found.
+inline constexpr Circumstance kLostPackage{"package"};
 // SML8207: a picture is not expected to have it.
 inline constexpr Circumstance kPicture{"picture"};
 

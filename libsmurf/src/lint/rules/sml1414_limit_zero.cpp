@@ -1,24 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
+#include "lint/habit.hpp"
 #include "lint/limit_queries.hpp"
 
 namespace smurf::rules::sml1414_limit_zero_file {
 namespace {
 
+/// One finding for all efforts and one for all velocities: exporters write 0 at every joint.
 void check(const LinkedModel& model, Findings& findings) {
+  Habit efforts, velocities;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.has_one_axis() || joint.mimic || !joint.limit || has_equal_bounds(joint)) return;
     const Field<double>& effort = joint.limit->effort;
     const Field<double>& velocity = joint.limit->velocity;
     // Effort and velocity both zero is one placeholder.
     if (effort && *effort == 0) {
-      findings.report(effort.span, "the effort limit of " + title(joint) + " is 0")
-          .note("in MuJoCo, 0 means no limit; in Gazebo and Bullet, no force");
+      efforts.add(effort.span, "the effort limit of " + title(joint) + " is 0");
     } else if (velocity && *velocity == 0) {
-      findings.report(velocity.span, "the velocity limit of " + title(joint) + " is 0")
-          .note("in MoveIt, 0 means no limit; in Drake and Bullet, the joint cannot move");
+      velocities.add(velocity.span, "the velocity limit of " + title(joint) + " is 0");
     }
   });
+  if (Diagnostic* found = efforts.report("such limits", findings)) {
+    found->note("in MuJoCo, 0 means no limit; in Gazebo and Bullet, no force");
+  }
+  if (Diagnostic* found = velocities.report("such limits", findings)) {
+    found->note("in MoveIt, 0 means no limit; in Drake and Bullet, the joint cannot move");
+  }
 }
 
 constexpr Fact kFacts[] = {

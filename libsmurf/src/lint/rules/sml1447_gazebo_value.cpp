@@ -33,13 +33,15 @@ constexpr std::string_view kNumbers[] = {"mu1",
                                          "fudgeFactor",
                                          "laserRetro",
                                          kWhole};
-Diagnostic& report(const xml::View element, Findings& findings) {
+Diagnostic& report(const xml::View element, std::string_view wanted, Findings& findings) {
   const xml::Attribute* value = element.attribute("value");
   const Span place = value != nullptr ? value->span() : element.text_span();
   const bool is_empty = place.empty();
-  return findings.report(is_empty ? element.name_span() : place,
-                         quoted(element.name()) +
-                             (is_empty ? " is empty" : " cannot be read by Gazebo"));
+  Diagnostic& diagnostic = findings.report(
+      is_empty ? element.name_span() : place,
+      quoted(element.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"));
+  diagnostic.help("write " + std::string(wanted));
+  return diagnostic;
 }
 
 /// A value that sdformat translates, wherever the element belongs.
@@ -52,13 +54,15 @@ void check_value(const xml::View element, const urdf::Link* link, Findings& find
     const bool is_read =
         name == kWhole ? sdf::leading_integer(text, 10).has_value() : number.has_value();
     if (!is_read) {
-      report(element, findings).when(kNumber);
+      report(element, name == kWhole ? "an integer" : "a number", findings).when(kNumber);
       return;
     }
     const bool is_friction = name.starts_with("mu");
-    if (is_friction && has_collisions && *number < 0) report(element, findings);
+    if (is_friction && has_collisions && *number < 0) {
+      report(element, "a number of at least 0", findings);
+    }
   } else if (name == "fdir1" && has_collisions && !sdf::trimmed_text(text).empty()) {
-    if (!sdf::read_vector(text)) report(element, findings);
+    if (!sdf::read_vector(text)) report(element, "three numbers", findings);
   }
 }
 

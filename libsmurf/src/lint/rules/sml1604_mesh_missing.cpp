@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/files/path.hpp"
+#include "base/findings/cases.hpp"
 #include "base/findings/readers.hpp"
 #include "base/findings/uncertain.hpp"
 #include "base/text/words.hpp"
@@ -17,7 +18,6 @@ namespace {
 constexpr Circumstance kFoundByMars{"found by mars"};
 constexpr Circumstance kMesh{"mesh"};
 constexpr Circumstance kFolder{"folder"};
-constexpr Circumstance kPackage{"package"};
 constexpr Circumstance kAbove{"found from above"};
 constexpr Circumstance kTexture{"texture"};
 
@@ -43,7 +43,7 @@ void report_package(const std::vector<const MeshReference*>& uses, std::string_v
   const bool is_here = lies_in(model, package);
   diagnostic.caret = why_not_found(model, package);
   diagnostic.severity = Severity::warning;
-  diagnostic.when(kPackage);
+  diagnostic.when(cases::kLostPackage);
   if (uses.size() > 1) {
     diagnostic.note("the URDF names " + std::to_string(uses.size()) + " files of it");
   }
@@ -145,7 +145,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::loses, "looks for the package in other folders",
-     "package folders depend on the machine", when(kPackage)},
+     "package folders depend on the machine", when(cases::kLostPackage)},
     {&readers::mars, Effect::takes, "finds it from the folder of the .smurf",
      "MARS smurf.cpp:1080-1113", when(kFoundByMars)},
     kMarsWithoutCollision,
@@ -154,14 +154,14 @@ constexpr Fact kFacts[] = {
      when(kTexture)},
     {&readers::phobos, Effect::refuses,
      "looks in the folder above urdf/ only, and stops with an exception", "Phobos a613e31, run",
-     when(kPackage)},
+     when(cases::kLostPackage)},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun, when(kMesh)},
     {&readers::pybullet, Effect::takes, "looks in the folders above the URDF, too", kRun,
      when(kAbove)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",
      "Bullet UrdfFindMeshFile.h, run", when(kMesh)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",
-     "Bullet UrdfFindMeshFile.h, run", when(kPackage)},
+     "Bullet UrdfFindMeshFile.h, run", when(cases::kLostPackage)},
     ros_without_mesh(when(kMesh)),
     gazebo_without_mesh(when(kMesh)),
     {&readers::dart, Effect::refuses, "reads it as a URI, and refuses the file if it is missing",
@@ -169,7 +169,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
      when(kMesh)},
     {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun,
-     when(kPackage)},
+     when(cases::kLostPackage)},
     kMujocoLooksBeside,
     {&readers::mujoco, Effect::takes, "looks in the folder that its element `compiler` names", kRun,
      when(kElsewhere)},
@@ -180,11 +180,11 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::refuses, "refuses the file", kRun, when(kMesh)},
     {&readers::drake, Effect::refuses, "refuses the file", kRun, when(kTexture)},
     {&readers::drake, Effect::refuses, "knows no such package, and refuses the file", kRun,
-     when(kPackage)},
+     when(cases::kLostPackage)},
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun,
      when(kMesh)},
     {&readers::pinocchio, Effect::refuses, "finds only packages whose folders it was given", kRun,
-     when(kPackage)},
+     when(cases::kLostPackage)},
     {&readers::newton, Effect::refuses, "opens the folder, and refuses the file", kRun,
      when(kMesh, kFolder)},
     newton_without_mesh(),

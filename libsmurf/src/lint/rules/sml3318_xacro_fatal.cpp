@@ -9,7 +9,7 @@ extern constinit const Rule sml3318_xacro_fatal{
     .severity = Severity::error,
     .summary = "The description stops the expansion with `xacro.fatal()`.",
     .why = "xacro stops, so there is no robot.",
-    .remedy = "Do what the message says.",
+    .remedy = "Change the call or the arguments with which the author of the description stops.",
     .sources = "xacro 2.1.1, run.",
     .blocks_building = true};
 

@@ -10,7 +10,7 @@ extern constinit const Rule sml3405_xacro_message{
     .summary = "The description reports a warning or an error with `xacro.warning()` or "
                "`xacro.error()`.",
     .why = "The author of the description wants to tell something.",
-    .remedy = "Do what the message says.",
+    .remedy = "Change the call or the arguments that the author of the description warns of.",
     .sources = "xacro 2.1.1, run."};
 
 }  // namespace smurf::rules::sml3405_xacro_message_file

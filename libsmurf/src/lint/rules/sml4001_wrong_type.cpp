@@ -135,8 +135,7 @@ extern constinit const Rule sml4001_wrong_type{
     .summary = "A key has a value of the wrong kind.",
     .why = "`yes`, `abc` and `.inf` are texts, not numbers or booleans.",
     .remedy =
-        "Write a value of the kind that the message names; `smurf-lint --explain SECTION` lists "
-        "the keys of a section with their types.",
+        "Write a value of this type (`smurf-lint --explain motors` lists the types of motors).",
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml4001_wrong_type_file

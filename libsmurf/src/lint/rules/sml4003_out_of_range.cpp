@@ -21,12 +21,12 @@ constexpr Fact kFacts[] = {
 
 }  // namespace
 
-extern constinit const Rule sml4003_out_of_range{
-    .id = "SML4003",
-    .name = "out-of-range",
-    .severity = Severity::error,
-    .summary = "A number lies outside what its key allows.",
-    .remedy = "Write a number within the bounds of the message.",
-    .facts = kFacts};
+extern constinit const Rule sml4003_out_of_range{.id = "SML4003",
+                                                 .name = "out-of-range",
+                                                 .severity = Severity::error,
+                                                 .summary =
+                                                     "A number lies outside what its key allows.",
+                                                 .remedy = "Write a number within these bounds.",
+                                                 .facts = kFacts};
 
 }  // namespace smurf::rules::sml4003_out_of_range_file

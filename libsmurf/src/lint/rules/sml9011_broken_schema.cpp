@@ -10,7 +10,7 @@ extern constinit const Rule sml9011_broken_schema{
     .summary = "A schema of your own cannot be used.",
     .why =
         "It is not a JSON Schema (draft-07), or applying it could take forever. It is not used for checks.",
-    .remedy = "Correct the schema at the place of the message. References lead to "
+    .remedy = "Correct the schema at this place. References lead to "
               "`#/definitions/NAME` of the same file.",
     .sources = "JSON Schema draft-07; limits of these tools."};
 

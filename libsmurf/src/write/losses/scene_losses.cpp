@@ -89,6 +89,7 @@ void SceneLosses::unseen_shape(Span span, const FlatGeometry& geometry, std::str
   if (package_in(mesh->file) == std::string_view()) {
     loss.help("write the path from the folder of the URDF, or `package://NAME/PATH`");
   } else if (const std::string_view package = lost_package(mesh->file); !package.empty()) {
+    loss.when(cases::kLostPackage);
     loss.help("name its folder: `--package " + std::string(package) + "=DIR`");
   }
 }
