@@ -73,9 +73,35 @@ class Repair(cli.CliTest):
         self.assertIn('+      <mass value="0.64"/>', done.stdout)
         self.assertEqual(self.read("r.urdf"), ROBOT)
 
+    def test_a_density_replaces_a_wrong_mass(self):
+        wrong = ROBOT.replace('"0.50"', '"500"').replace('"130"', '"0.00013"').replace('"6700"', '"0.0067"')
+        self.write("r.urdf", wrong)
+        self.assertNotIn("arm", self.run_tool("--fix-inertia", "--diff", "r.urdf").stderr)
+        done = self.run_tool("--fix-inertia=density:1000", "--diff", "r.urdf")
+        self.assertIn("the mass of link `arm` is too large for its shapes; principal moments", done.stdout)
+        self.assertIn('+      <mass value="0.64"/>', done.stdout)
+
     def test_nearest(self):
         done = self.run_tool("--fix-inertia=nearest", "--diff", "r.urdf")
         self.assertIn("principal moments -0.00013, 0.0067, 0.0067 become", done.stdout)
+
+    def test_a_centre_at_an_edge_is_not_repaired_by_a_tensor(self):
+        self.write("r.urdf", """<robot name="r"><link name="a"><inertial><origin xyz="0.23 0 0"/><mass value="1"/>
+<inertia ixx="0.0003" ixy="0" ixz="0" iyy="0.0134" iyz="0" izz="0.0134"/></inertial>
+<collision><geometry><box size="0.4 0.04 0.04"/></geometry></collision></link></robot>""")
+        said = self.expect(0, "--min-severity", "info", "r.urdf").stdout
+        self.assertIn("is the centre of mass right? It lies at an edge of the shapes", said)
+        before = self.read("r.urdf")
+        for source in ("mass", "box", "nearest"):
+            self.run_tool("--fix-inertia=" + source, "--fix-only", "r.urdf")
+            self.assertEqual(self.read("r.urdf"), before)
+
+    def test_the_rounding_error_of_zero_is_no_tensor(self):
+        """The nearest possible tensor would be that of a point, too."""
+        self.write("r.urdf", ROBOT.replace("-0.00013", "-4.7e-41").replace('"0.0067"', '"9.4e-41"'))
+        tip = self.read("r.urdf").split('name="tip"')[1]
+        self.run_tool("--fix-inertia", "--fix-only", "r.urdf")
+        self.assertEqual(self.read("r.urdf").split('name="tip"')[1], tip)
 
     def test_a_little_too_much_is_rounding(self):
         """Not the decimal point of a small product, although the tensor were possible without it."""

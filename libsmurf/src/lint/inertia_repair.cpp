@@ -56,9 +56,7 @@ Replacement of_shapes(const urdf::Link& link, const Solid& solid, const InertiaS
 
 std::optional<Replacement> nearest_tensor(const urdf::Inertial& inertial) {
   const Tensor written = tensor_of(inertial);
-  if (std::all_of(written.begin(), written.end(), [](double entry) { return entry == 0; })) {
-    return std::nullopt;
-  }
+  if (is_nothing(written, *inertial.mass)) return std::nullopt;
   return Replacement{nearest_possible(written), *inertial.mass,
                      "the nearest tensor that a body can have"};
 }
@@ -79,6 +77,8 @@ std::optional<Replacement> replacement_for(const LinkedModel& model, const urdf:
   return nearest_tensor(inertial);
 }
 
+double trace_of(const Tensor& tensor) { return tensor[0] + tensor[1] + tensor[2]; }
+
 std::string moments_of(const Tensor& tensor) {
   const Vector3 moments = principal_of(tensor).moments;
   return format_rounded(moments[0], 3) + ", " + format_rounded(moments[1], 3) + ", " +
@@ -94,6 +94,9 @@ void replace_fix(const LinkedModel& model, const urdf::Link& link, InertiaSource
   const auto replacement = replacement_for(model, link, source);
   if (!replacement) return;
   const urdf::Inertial& inertial = *link.inertial;
+  // What is too large only for its centre of mass does not become possible by another tensor.
+  const bool is_too_large = finding.rule->id == std::string_view("SML1518");
+  if (is_too_large && trace_of(replacement->tensor) >= trace_of(tensor_of(inertial))) return;
   auto fix = fix_of(inertial, replacement->tensor);
   if (!fix) return;
   if (replacement->mass != *inertial.mass) {
@@ -161,6 +164,7 @@ bool is_repairable(const Rule& rule) {
 std::vector<Diagnostic> repair_inertias(const LinkedModel& model, const InertiaSource& source) {
   RuleSelection selection;
   selection.select.assign(kRepairable.begin(), kRepairable.end());
+  if (source.from == From::density) selection.select.emplace_back("SML1520");
   DiagnosticSink sink;
   lint_model(model, selection, sink);
   std::vector<Diagnostic> repairs;

@@ -160,7 +160,7 @@ std::optional<InertiaSlip> likely_slip(const LinkedModel& model, const urdf::Lin
     if (!*field) return std::nullopt;
   }
   const Tensor written = tensor_of(inertial);
-  if (is_possible(written)) return std::nullopt;
+  if (is_possible(written) || is_nothing(written, inertial.mass.value_or(0))) return std::nullopt;
   const std::optional<Tensor> shapes = tensor_of_shapes(model, link);
   InertiaSlips slips(written, shapes);
   const Pose X = urdf::to_pose(inertial.origin);
@@ -182,6 +182,12 @@ void add_likely_slip(const LinkedModel& model, const urdf::Link& link, Diagnosti
   if (auto fix = fix_of(*link.inertial, slip->tensor)) {
     diagnostic.fixes.push_back(std::move(*fix));
   }
+}
+
+bool is_nothing(const Tensor& tensor, double mass) {
+  constexpr double kNothing = 1e-10;  // m2, of a radius of gyration of 0.01 mm
+  return std::all_of(tensor.begin(), tensor.end(),
+                     [&](double entry) { return std::fabs(entry) <= kNothing * mass; });
 }
 
 std::optional<Fix> fix_of(const urdf::Inertial& inertial, const Tensor& tensor) {

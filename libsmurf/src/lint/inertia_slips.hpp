@@ -29,6 +29,10 @@ Tensor tensor_of(const urdf::Inertial& inertial);
 /// of the shapes. None without shapes or mass.
 std::optional<Tensor> tensor_of_shapes(const LinkedModel& model, const urdf::Link& link);
 
+/// Whether a tensor is 0, apart from rounding errors: even the nearest possible one is then that of
+/// a point.
+bool is_nothing(const Tensor& tensor, double mass);
+
 /// A fix that writes the entries which differ; none if an entry is not written.
 std::optional<Fix> fix_of(const urdf::Inertial& inertial, const Tensor& tensor);
 

@@ -10,6 +10,7 @@
 #include "link/shape_solids.hpp"
 #include "lint/annotation_queries.hpp"
 #include "lint/geometry_queries.hpp"
+#include "lint/inertia_slips.hpp"
 
 namespace smurf {
 namespace {
@@ -97,10 +98,6 @@ std::optional<NodeInertia> read(const LinkedModel& model, std::string_view kind,
   return node;
 }
 
-bool is_zero(const Tensor& tensor) {
-  return std::all_of(tensor.begin(), tensor.end(), [](double entry) { return entry == 0; });
-}
-
 std::string moments_of(const Tensor& tensor) {
   const Vector3 moments = principal_of(tensor).moments;
   return format_rounded(moments[0], 3) + ", " + format_rounded(moments[1], 3) + ", " +
@@ -182,7 +179,8 @@ std::optional<NodeRepair> repair_of(const NodeInertia& node, const InertiaSource
     assumption = std::string(is_box ? "the box around it" : "its shape") + ", filled with " +
                  format_rounded(mass, 4) + " kg, which is " +
                  format_rounded(mass / solid.volume, 3) + " kg/m3";
-  } else if ((source.from != From::mass && source.from != From::nearest) || is_zero(node.tensor)) {
+  } else if ((source.from != From::mass && source.from != From::nearest) ||
+             is_nothing(node.tensor, mass)) {
     return std::nullopt;
   } else {
     tensor = nearest_possible(node.tensor);

@@ -21,6 +21,14 @@ bool is_placeholder(const Body& body) {
          std::abs(exponent - std::round(exponent)) <= kRounding;
 }
 
+/// Whether the same inertia about the middle of the shapes is possible: then it is not the inertia
+/// that is wrong, but the centre of mass, which lies at an edge.
+bool fits_middle(const Body& body, const Extent& extent, double slack) {
+  Body moved = body;
+  for (std::size_t i = 0; i < 3; ++i) moved.center[i] = (extent.low[i] + extent.high[i]) / 2;
+  return excess_over(moved, extent) <= slack;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kSlack = 1.2;   // shapes are simplified
   constexpr double kLarge = 10;    // of parts so light that their numbers are often made up
@@ -47,6 +55,12 @@ void check(const LinkedModel& model, Findings& findings) {
                         "the inertia of " + title(link) + " is too large for its mass and shapes");
     diagnostic.caret = format_rounded(excess, 2) + " times what they allow";
     if (excess < kSure) diagnostic.severity = Severity::info;
+    if (fits_middle(*body, around, kSlack)) {
+      diagnostic.help(
+          "is the centre of mass right? It lies at an edge of the shapes; the inertia fits one in "
+          "their middle");
+      return;
+    }
     if (is_placeholder(*body)) {
       diagnostic.help(
           "it looks like a placeholder; compute it from the geometry and the mass, in kg m2");
