@@ -51,7 +51,7 @@ states:
   ros__parameters: {}
 """
 FILES = {
-    "robot": ("lamp_description/urdf/lamp.urdf", ROBOT.replace(
+    "robot": ("lamp_description/urdf/lamp.urdf", ROBOT.replace('name="wrist" type="revolute"', 'name="wrist" type="continuous"').replace(
         '<command_interface name="effort"/>', '<command_interface name="effort"/>\n      <command_interface name="velocity"/>').replace(
         '<state_interface name="effort"/>', '<state_interface name="position"/>\n      <state_interface name="velocity"/>\n'
         '      <state_interface name="effort"/>')),
@@ -186,6 +186,8 @@ ROWS = [
     ("ros2_control: rw_rate is negative", "robot", 'rw_rate="100"', 'rw_rate="-5"', "SML3606", "`rw_rate`"),
     ("interface: limit is not a number", "robot", '<param name="max">1.5</param>', '<param name="max">{2*pi}</param>', "SML3607", "not a number"),
     ("interface: limit is wider than the joint's", "robot", '<param name="max">0.9</param>', '<param name="max">1.9</param>', "SML3607", "beyond the limits of the joint"),
+    ("interface: limits of a continuous joint", "robot", WRIST, '<joint name="wrist">\n      <command_interface name="position">\n        <param name="min">-3</param>\n'
+     '      </command_interface>\n      <command_interface name="effort"/>', "SML3607", "continuous"),
     ("interface: effort is higher than the joint's", "robot", WRIST, EFFORT.format(50), "SML3607", ""),
     ("interface: effort limit 0", "robot", WRIST, EFFORT.format(0), "SML3607", ""),
     ("actuator: two joints in a transmission", "robot", WRIST, GEAR + WRIST, "SML3609", "exactly one"),
@@ -233,8 +235,8 @@ ROWS = [
     ("joint_limits: has without max", "limits", "    max_velocity: 1.5\n", "", "SML3803", "`max_velocity`"),
     ("joint_limits: faster than the URDF", "limits", "max_velocity: 1.5", "max_velocity: 3.5", "SML3803", "faster"),
     ("joint_limits: beyond the URDF", "limits", "max_position: 0.9", "max_position: 1.9", "SML3803", "beyond"),
-    ("joint_limits: positions of a continuous joint", "robot", '<joint name="shoulder" type="revolute">', '<joint name="shoulder" type="continuous">',
-     "SML3803", "continuous", "limits"),
+    ("joint_limits: positions of a continuous joint", "limits", "joint_limits:\n",
+     "joint_limits:\n  wrist: {has_position_limits: true, min_position: -1.0, max_position: 1.0}\n", "SML3803", "continuous"),
     ("kinematics: unknown group", "kinematics", "arm:\n", "amr:\n  kinematics_solver: a/B\narm:\n", "SML3802", "`amr`"),
     ("kinematics: old key", "kinematics", "  kinematics_solver_timeout", "  kinematics_solver_attempts: 3\n  kinematics_solver_timeout", "SML3806", "any more"),
     ("kinematics: timeout 0", "kinematics", "kinematics_solver_timeout: 0.05", "kinematics_solver_timeout: 0.0", "SML3810", "above 0"),

@@ -18,6 +18,7 @@ constexpr Circumstance kWider{"wider"};
 constexpr Circumstance kAbove{"above"};
 constexpr Circumstance kZero{"zero"};
 constexpr Circumstance kOther{"other interface"};
+constexpr Circumstance kContinuous{"continuous"};
 
 constexpr double kSlack = 1e-6;  // rad or m: rounding errors
 
@@ -78,9 +79,9 @@ Limit read_limit(const HardwareInterface& one, std::string_view name, const std:
   return {};
 }
 
-/// Whether limits are not switched off.
-bool has_limits(const HardwareInterface& one) {
-  for (const xml::View child : one.element) {
+/// Whether limits are not switched off in a joint or an interface.
+bool has_limits(xml::View element) {
+  for (const xml::View child : element) {
     if (child.name() == "limits" && path::to_lower(attribute_text(child, "enable")) == "false") {
       return false;
     }
@@ -110,6 +111,29 @@ void check_most(const HardwareInterface& one, const std::string& title, const ur
   found.severity = Severity::info;
   found.label(joint.name.span, "the joint is defined here")
       .help("write a limit within that of the joint; the smaller one counts");
+}
+
+/// A continuous joint with limits of its position turns no further than these.
+void check_continuous(const HardwareInterface& one, const std::string& title,
+                      const urdf::Joint& joint, const Limit& min, const Limit& max,
+                      Repeated& continuous, Findings& findings) {
+  const bool is_meant = joint.type == urdf::JointType::continuous && one.name == "position";
+  const Limit& limit = min.value ? min : max;
+  const bool has_both = min.value && max.value;
+  const bool is_empty_range = has_both && *min.value > *max.value;
+  if (!is_meant || !limit.value || is_empty_range || !continuous.is_first()) return;
+  Diagnostic& found =
+      findings.report(limit.element.text_span(),
+                      title +
+                          (has_both ? " limits positions to " + format_rounded(*min.value) +
+                                          " to " + format_rounded(*max.value)
+                                    : std::string(" limits positions")) +
+                          ", but the joint is continuous");
+  continuous.set(found);
+  found.when(kContinuous);
+  found.severity = Severity::info;
+  found.label(joint.type_name.span, "turns without end")
+      .help("delete the limits, or make the joint revolute");
 }
 
 void check_range(const HardwareInterface& one, const std::string& title, const urdf::Joint* joint,
@@ -211,7 +235,7 @@ void check_above(const HardwarePart& part, const std::string& title, Findings& f
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
   const bool is_xacro = xacro::is_xacro_file(model.urdf_path);
   for (const Hardware& hardware : hardware_of(model)) {
-    Repeated wrong, wider;
+    Repeated wrong, wider, continuous;
     for (const HardwarePart& part : hardware.parts) {
       if (!part.is_joint()) continue;
       const urdf::Joint* joint = model.find_joint(part.name);
@@ -223,7 +247,11 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
         if (one.is_command) {
           check_finite(one, title, min, max, findings);
           check_finite(one, title, max, min, findings);
-          if (has_limits(one)) check_range(one, title, joint, min, max, wider, findings);
+          const bool is_limited = has_limits(one.element) && has_limits(part.element);
+          if (is_limited) check_range(one, title, joint, min, max, wider, findings);
+          if (is_limited && joint != nullptr) {
+            check_continuous(one, title, *joint, min, max, continuous, findings);
+          }
           check_other(one, title, min, max, findings);
         }
         check_initial(one, title, min, max, findings);
@@ -231,6 +259,7 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
     }
     wrong.finish();
     wider.finish();
+    continuous.finish();
   }
 }
 
@@ -248,6 +277,11 @@ constexpr Fact kFacts[] = {
     {&readers::ros2_control, Effect::changes, "does not let the joint move (from Jazzy on)",
      kParser, when(kZero)},
     {&readers::ros2_control, Effect::ignores, "uses the narrower limits", kParser, when(kWider)},
+    {&readers::ros2_control, Effect::changes,
+     "limits the joint, which then does not turn without end (from Jazzy on)", kParser,
+     when(kContinuous).since(kParserOfJazzy)},
+    {&readers::ros2_control, Effect::ignores, "leaves limits to the hardware", kParser,
+     when(kContinuous)},
     {&readers::ros2_control, Effect::changes, "leaves the value to the hardware or the simulator",
      kParser, when(kInitial)},
     {&readers::ros2_control, Effect::changes,
