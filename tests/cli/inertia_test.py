@@ -73,6 +73,30 @@ class Repair(cli.CliTest):
         self.assertIn('+      <mass value="0.64"/>', done.stdout)
         self.assertEqual(self.read("r.urdf"), ROBOT)
 
+    def test_an_absent_inertia_is_added(self):
+        for end in ("\n", "\r\n"):
+            text = f"""<robot name="r"><link name="a"><inertial><mass value="2"/></inertial>
+    <collision><geometry><box size="0.2 0.2 0.4"/></geometry></collision></link>
+  <link name="b">
+    <inertial>
+      <mass value="2"></mass> <!-- kg -->
+      <origin xyz="0 0 0.1" rpy="0 1.5707963267948966 0"/>
+    </inertial>
+    <collision><origin xyz="0 0 0.1"/><geometry><box size="0.2 0.2 0.4"/></geometry></collision>
+  </link>
+  <joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>
+</robot>
+""".replace("\n", end)
+            self.write("r.urdf", text.encode())
+            done = self.run_tool("--fix-inertia", "--fix-only", "r.urdf")
+            self.assertIn("has no inertia; the principal moments become 0.0133, 0.0333, 0.0333: its shapes, filled with 2 kg", done.stderr)
+            element = '<inertia ixx="{0}" ixy="0" ixz="0" iyy="0.03333333" iyz="0" izz="{1}"/>'
+            expected = text.replace('"2"/>', '"2"/>' + element.format("0.03333333", "0.01333333"))
+            expected = expected.replace("</mass>", f"</mass>{end}      " + element.format("0.01333333", "0.03333333"))
+            self.assertEqual((self.folder / "r.urdf").read_bytes().decode(), expected)
+        self.write("r.urdf", text.encode())
+        self.assertEqual(self.run_tool("--fix-inertia=nearest", "--diff", "r.urdf").stdout, "")
+
     def test_a_density_replaces_a_wrong_mass(self):
         wrong = ROBOT.replace('"0.50"', '"500"').replace('"130"', '"0.00013"').replace('"6700"', '"0.0067"')
         self.write("r.urdf", wrong)
@@ -199,6 +223,12 @@ class RepairOfXacro(cli.CliTest):
         self.assertIn("`ixx` is computed; change `${2 * 65}` so that it gives 0.0001333333", told)
         done = self.run_tool("--fix-inertia", "--diff", "r.urdf.xacro")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
+
+    def test_an_absent_inertia_is_told(self):
+        other = XACRO.replace('<inertia ixx="130" ixy="0" ixz="0" iyy="${big}" iyz="0" izz="6700.0"/>', "")
+        text, told = self.repaired(other)
+        self.assertEqual(text, other)
+        self.assertIn('xacro makes this inertial; write `<inertia ixx="0.0001333333"', told)
 
     def test_robots_that_share_a_macro(self):
         head, calls = XACRO.split('  <link name="base"/>\n')

@@ -370,6 +370,20 @@ class Actions(LspTest):
         self.assertNotIn("SML1518", [one["code"] for one in self.client.published(robot)])
         self.assertIn('<mass value="0.5"/>', self.client.texts[str(robot)])
 
+    def test_an_absent_inertia_and_those_of_several_links(self):
+        link = ('  <link name="{0}"><inertial><mass value="0.5"/>{1}</inertial><collision><geometry><box size="0.1 0.1 0.1"/>'
+                "</geometry></collision></link>\n")
+        unit = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+        joint = '  <joint name="{0}_j" type="fixed"><parent link="a"/><child link="{0}"/><origin xyz="{1} 0 0"/></joint>\n'
+        text = ('<robot name="r">\n' + link.format("a", "") + link.format("b", unit) + link.format("c", unit)
+                + joint.format("b", 1) + joint.format("c", 2) + "</robot>\n")
+        robot = self.write("r.urdf", text)
+        found = {one["code"]: offset(text, one["range"]["start"]) for one in self.open(robot)}
+        titled = {one["title"].split(",")[0]: one for code in ("SML1505", "SML1516") for one in self.actions(robot, found[code])}
+        for title, filled in (("Add the inertia: its shapes", 1), ("Replace the inertia: its shapes", 1),
+                              ("Replace 2 inertias: their shapes", 2)):
+            self.assertEqual(self.applied(robot, titled[title]["edit"]).count('ixx="0.0008333333"'), filled, title)
+
     def test_no_comment_before_the_declaration_of_xml(self):
         robot = self.write("r.urdf", '\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>\n')
         self.assertEqual([one["code"] for one in self.open(robot)], ["SML1005"])

@@ -80,7 +80,10 @@ std::vector<InertiaAction> inertia_actions(Context& context, const Diagnostic& f
         of_all.edits.insert(of_all.edits.end(), fix.edits.begin(), fix.edits.end());
       }
       if (!is_here || !known.insert(key_of(fix)).second) continue;
-      actions.push_back({"Replace the inertia: " + assumption_of(repair), fix.edits});
+      const bool is_absent = finding.rule->id == std::string_view("SML1505");
+      actions.push_back(
+          {(is_absent ? "Add the inertia: " : "Replace the inertia: ") + assumption_of(repair),
+           fix.edits});
     }
     if (count > 1 && known.insert(key_of(of_all)).second) {
       const std::string source =

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -21,8 +22,8 @@ namespace {
 
 using From = InertiaSource::From;
 
-constexpr std::array<std::string_view, 10> kRepairable = {
-    "SML1511", "SML1512", "SML1513", "SML1514", "SML1516",
+constexpr std::array<std::string_view, 11> kRepairable = {
+    "SML1505", "SML1511", "SML1512", "SML1513", "SML1514", "SML1516",
     "SML1518", "SML1519", "SML1523", "SML1531", "SML1533"};
 
 /// A new inertia, and what was assumed.
@@ -79,10 +80,47 @@ std::optional<Replacement> replacement_for(const LinkedModel& model, const urdf:
 
 double trace_of(const Tensor& tensor) { return tensor[0] + tensor[1] + tensor[2]; }
 
+/// `<inertia ixx="1" .../>`
+std::string element_of(const Tensor& tensor) {
+  constexpr int kDigits = 7;
+  constexpr double kRounding = 1e-9;
+  constexpr std::array<std::size_t, 6> kPlaces = {0, 3, 4, 1, 5, 2};
+  const double least = kRounding * trace_of(tensor);
+  std::string text = "<inertia";
+  for (std::size_t i = 0; i < kPlaces.size(); ++i) {
+    const double entry = tensor[kPlaces[i]];
+    text += " " + std::string(kInertiaEntries[i]) + "=\"" +
+            format_rounded(std::fabs(entry) < least ? 0 : entry, kDigits) + "\"";
+  }
+  return text + "/>";
+}
+
 std::string moments_of(const Tensor& tensor) {
   const Vector3 moments = principal_of(tensor).moments;
   return format_rounded(moments[0], 3) + ", " + format_rounded(moments[1], 3) + ", " +
          format_rounded(moments[2], 3);
+}
+
+/// Writes the inertia of the shapes into an inertial that has none.
+void add_fix(const LinkedModel& model, const urdf::Link& link, const InertiaSource& source,
+             Diagnostic& finding) {
+  finding.fixes.clear();
+  const urdf::Inertial& inertial = *link.inertial;
+  const xml::View mass = xml::View(model.robot->document, inertial.element).child("mass");
+  if (!mass || !(inertial.mass.value_or(0) > 0) || source.from == From::nearest) return;
+  const auto solid = shapes_for(model, link, source.from);
+  if (!solid) return;
+  const bool is_box = source.from == From::box || !solid_of(model, link);
+  const Replacement made = of_shapes(link, *solid, source, is_box);
+  Fix fix{Applicability::unsafe, {}};
+  const Span after{mass.span().source, mass.span().end, mass.span().end};
+  fix.edits.push_back({after, element_of(made.tensor)});
+  if (made.mass != *inertial.mass) {
+    fix.edits.push_back({inertial.mass.span, format_rounded(made.mass, 6)});
+  }
+  finding.notes = {"the principal moments become " + moments_of(made.tensor) + ": " +
+                   made.assumption};
+  finding.fixes.push_back(std::move(fix));
 }
 
 void replace_fix(const LinkedModel& model, const urdf::Link& link, InertiaSource source,
@@ -180,7 +218,11 @@ std::vector<Diagnostic> repair_inertias(const LinkedModel& model, const InertiaS
       const bool is_here = link.inertial && finding.span.begin >= link.span.begin &&
                            finding.span.begin < link.span.end;
       if (!is_here || !done.insert(&link).second) continue;
-      replace_fix(model, link, source, finding);
+      if (finding.rule == &rules::sml1505_inertia_missing) {
+        add_fix(model, link, source, finding);
+      } else {
+        replace_fix(model, link, source, finding);
+      }
       if (!finding.fixes.empty()) repairs.push_back(std::move(finding));
       break;
     }

@@ -15,6 +15,7 @@
 #include "base/text/counted.hpp"
 #include "base/text/edits.hpp"
 #include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "lint/queries.hpp"
 #include "smurf/inertia_repair.hpp"
 
@@ -42,6 +43,19 @@ struct Repair {
   std::string refusal;  ///< "": it can be written
   Span blamed;          ///< the expression or literal to change by hand
 };
+
+/// The element after another one that ends at `at`: in a line of its own, if the other is.
+std::string in_layout(std::string_view text, std::size_t at, const std::string& element) {
+  const std::size_t line = text.substr(0, at).rfind('\n');
+  const std::string_view before =
+      line == std::string_view::npos ? text.substr(0, at) : text.substr(line + 1, at - line - 1);
+  const std::size_t indent = before.find_first_not_of(" \t");
+  const bool is_alone = line != std::string_view::npos && indent != std::string_view::npos &&
+                        before.substr(indent).starts_with("<mass");
+  if (!is_alone) return element;
+  const bool has_return = line > 0 && text[line - 1] == '\r';
+  return (has_return ? "\r\n" : "\n") + std::string(before.substr(0, indent)) + element;
+}
 
 /// The attribute of an inertial that has these bytes.
 std::string_view attribute_at(const urdf::Robot& robot, Span span) {
@@ -78,7 +92,10 @@ class RepairPlaces {
   void add(const LinkedModel& model, const InertiaSource& source) {
     for (Diagnostic& finding : repair_inertias(model, source)) {
       Repair repair;
-      for (const Edit& edit : finding.fixes.front().edits) {
+      for (Edit& edit : finding.fixes.front().edits) {
+        if (edit.span.empty()) {
+          edit.text = in_layout(sources_.text(edit.span.source), edit.span.begin, edit.text);
+        }
         add_change(edit, model.robot ? attribute_at(*model.robot, edit.span) : "inertia", repair);
       }
       finding.span = origin_of(finding.span).span;
@@ -133,6 +150,13 @@ class RepairPlaces {
 
   void add_change(const Edit& edit, std::string_view attribute, Repair& repair) {
     const xacro::Origin origin = origin_of(edit.span);
+    if (edit.span.empty() && expansions_.contains(edit.span.source)) {
+      if (!repair.refusal.empty()) return;
+      repair.blamed = origin.span;
+      repair.refusal = "not written, because xacro makes this inertial; write " +
+                       quoted(trimmed(edit.text)) + " into it";
+      return;
+    }
     if (!origin.is_exact) {
       if (!repair.refusal.empty()) return;
       repair.blamed = origin.span;
