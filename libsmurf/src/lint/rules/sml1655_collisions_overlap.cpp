@@ -101,10 +101,9 @@ bool have_room(const Box& a, const Box& b, double diameter) {
   return true;
 }
 
-/// The same for two shapes, whose hulls are in their boxes, along the axes of the root and of both.
+/// The same for two shapes, whose hulls are in their boxes, along the axes of both.
 bool are_near(const Placed& a, const Placed& b, double least) {
-  return have_room(a.box, b.box, least) &&
-         have_room(a.own, moved(b.own, inverse(a.X_RC) * b.X_RC), least) &&
+  return have_room(a.own, moved(b.own, inverse(a.X_RC) * b.X_RC), least) &&
          have_room(b.own, moved(a.own, inverse(b.X_RC) * a.X_RC), least);
 }
 
@@ -124,8 +123,9 @@ std::vector<Overlap> overlaps_of(const LinkedModel& model, std::vector<Placed>& 
       const std::size_t a = body[all[i].link];
       const std::size_t b = body[all[k].link];
       if (a == b || carrier_of(model, body, a) == b || carrier_of(model, body, b) == a) continue;
-      if (!are_near(all[i], all[k], least)) continue;
+      if (!have_room(all[i].box, all[k].box, least)) continue;
       if (++pairs > kMostPairs) return {};
+      if (!are_near(all[i], all[k], least)) continue;
       const ConvexHull* one = all[i].hull_in(model);
       const ConvexHull* other = one != nullptr ? all[k].hull_in(model) : nullptr;
       const double depth = other != nullptr ? overlap_of(*one, *other, least) : 0;
