@@ -43,7 +43,7 @@ HEADERS = {
     "base": "diagnostic file_reader fix flat_shape limits names new_model pose readers source",
     "archive": "archive_files",
     "syntax": "xml yaml",
-    "xacro": "xacro",
+    "xacro": "xacro xacro_cases",
     "ast": "format model ros_parameters scene srdf urdf",
     "mesh": "mesh mesh_triangles",
     "schema": "user_schemas",

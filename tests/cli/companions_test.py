@@ -286,6 +286,10 @@ arm:
         done = self.expect(2, "--rename", "joint:shoulder=hinge", "lamp_description/urdf/lamp.urdf.xacro")
         self.assertIn("lamp2.srdf' still names `shoulder` in line 6", done.stderr)
         self.assertIn("lamp2.urdf.xacro' includes a changed file; name it, too", done.stderr)
+        self.write("lamp_description/urdf/lamp3.urdf.xacro",
+                   '<robot xmlns:xacro="x" name="lamp3">\n  <xacro:include filename="lamp.xacro"/>\n  <xacro:lamp/>\n</robot>\n')
+        done = self.expect(2, "--rename", "joint:shoulder=hinge", "lamp_description/urdf/lamp.urdf.xacro")
+        self.assertRegex(done.stderr, "lamp2.urdf.xacro' and '.*lamp3.urdf.xacro' include changed files; name them, too")
         self.expect(0, "--rename", "joint:shoulder=hinge", ".")
         self.assertIn('"hinge"', self.companion("lamp2.srdf"))
 

@@ -748,6 +748,10 @@ class Suggestions(LintTest):
         done = self.expect(1, "r.xacro").stdout
         self.assertIn("error[SML3310]: the name of the YAML file is empty", done)
         self.assertIn("give the argument that names the file a value: `NAME:=PATH`", done)
+        self.write("r.xacro", """<robot name="r" xmlns:xacro="x"><xacro:arg name="file" default=""/><xacro:include filename="$(arg file)"/></robot>""")
+        done = self.expect(1, "r.xacro").stdout
+        self.assertIn("error[SML3310]: the name of the included file is empty", done)
+        self.assertIn("info[SML3310]", self.expect(0, "--min-severity", "info", ".").stdout)  # a launch file may give it
 
     def test_robots_that_share_a_macro_share_its_finding(self):
         """The names in the messages differ."""

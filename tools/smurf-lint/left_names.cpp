@@ -265,7 +265,8 @@ class Search {
     const XacroFiles around(all, files_, limits_);
     for (const std::string& path : changed_) {
       for (const std::string& root : around.roots_of(path)) {
-        if (loaded_.contains(identity(root)) || !includes(root, path)) continue;
+        const bool is_known = std::find(users_.begin(), users_.end(), root) != users_.end();
+        if (is_known || loaded_.contains(identity(root)) || !includes(root, path)) continue;
         users_.push_back(root);
         for (const std::string& one : around.included_by(root)) users_files_.insert(identity(one));
       }
@@ -323,19 +324,28 @@ class Search {
         }
         return;
       }
-      return add(left_.misfits, sentence + ", and '" + shown(users_.front()) +
-                                    "' includes a changed file; name it, too");
+      return add(left_.misfits, sentence + name_users());
     }
     const bool has_other_robot = std::any_of(found_.begin(), found_.end(), [&](const Found& other) {
       return other.kind == Kind::robot && other.name == one.name &&
              !loaded_.contains(identity(other.path));
     });
     if (!users_.empty()) {
-      add(left_.misfits,
-          sentence + ", and '" + shown(users_.front()) + "' includes a changed file; name it, too");
+      add(left_.misfits, sentence + name_users());
     } else if (!has_other_robot && !is_of_other_robot(one)) {
       add(left_.misfits, sentence + ", but it was not recognized as a file of the robot");
     }
+  }
+
+  /// All robots that were not loaded, so that one more run is enough.
+  std::string name_users() const {
+    std::string names;
+    for (std::size_t i = 0; i < users_.size(); ++i) {
+      names += (i == 0 ? "'" : i + 1 == users_.size() ? " and '" : ", '") + shown(users_[i]) + "'";
+    }
+    return ", and " + names +
+           (users_.size() == 1 ? " includes a changed file; name it, too"
+                               : " include changed files; name them, too");
   }
 
   static void add(std::vector<std::string>& to, std::string sentence) {

@@ -4,7 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,7 +57,10 @@ struct Companion {
   std::size_t known_names = 0, names = 0;
   /// Files that it names and that do not exist: of a `.setup_assistant`.
   std::vector<yaml::NodeId> missing;
-  bool is_ros2 = false;  ///< its package is built with ament, or it is only of use in ROS 2
+  /// Of an SRDF: names that the robot lacks, but that files of xacro around it write.
+  std::set<std::string, std::less<>> of_variants;
+  bool is_compared = false;  ///< with variants of the robot
+  bool is_ros2 = false;      ///< its package is built with ament, or it is only of use in ROS 2
 };
 
 /// A parameter file that a plugin of Gazebo for ros2_control names.
@@ -87,10 +93,18 @@ struct Companions {
   bool is_alone = false;  ///< the robot was loaded only to check the first of the files
 };
 
+/// A robot of xacro with other arguments, and the companions that are meant for it.
+struct Variant {
+  LinkedModel model;
+  Companions companions;
+  std::string arguments;  ///< "dof:=6"
+};
+
 /// A robot and its companions.
 struct Accompanied {
   LinkedModel model;
   Companions companions;
+  std::vector<Variant> variants = {};  ///< of the robot, with companions that do not fit it
 };
 
 /// Whether a path is that of a companion that can be checked alone: an .srdf.
@@ -103,6 +117,12 @@ Companions load_companions(const LinkedModel& model, LoadContext& context);
 /// Loads a companion with the robot that it belongs to, or any other file as load_model() does,
 /// with its companions.
 Accompanied load_accompanied(const std::string& path, LoadContext& context);
+
+/// Moves each SRDF that has names which the robot lacks, with the other files in its folder, to a
+/// variant of the robot: if other values of the arguments of its xacro give it more of the names.
+/// Tries `values` of arguments, too, and those that the files around the robot use.
+void split_variants(Accompanied& robot, LoadContext& context,
+                    const std::map<std::string, std::vector<std::string>>& values = {});
 
 /// All names in companions, those that the robot does not have included.
 std::vector<Reference> companion_references(const LinkedModel& model, const Companions& companions);

@@ -125,6 +125,22 @@ std::size_t count_files(const SourceMap& sources, const Desk& desk) {
   return files.size();
 }
 
+/// Reports findings in the files that are meant for a variant of a robot.
+void lint_variant(const Variant& variant, const RuleSelection& selection, DiagnosticSink& sink) {
+  std::set<SourceId> of_files;
+  for (const Companion& one : variant.companions.files) {
+    of_files.insert(one.srdf ? one.srdf->document.source : one.source);
+  }
+  DiagnosticSink inner;
+  lint_companions(variant.model, variant.companions, selection, inner);
+  for (Diagnostic& one : inner.take()) {
+    if (!of_files.contains(one.span.source)) continue;
+    one.note("compared with `" + variant.model.path + "` with " + variant.arguments);
+    Diagnostic& found = sink.report(*one.rule, one.span, one.message);
+    found = std::move(one);
+  }
+}
+
 }  // namespace
 
 Judged judge(const LinkedModel& model, const SourceMap& sources, const RuleSelection& selection,
@@ -138,9 +154,14 @@ Judged judge(const Accompanied& robot, const SourceMap& sources, const RuleSelec
              DiagnosticSink& sink, const xacro::Expansions& expansions) {
   lint_model(robot.model, selection, sink);
   lint_companions(robot.model, robot.companions, selection, sink);
+  for (const Variant& one : robot.variants) lint_variant(one, selection, sink);
   Judged judged = take(robot.model, sources, sink, expansions);
   judged.comments.add(robot.companions, sources);
   locate(robot.companions, judged.diagnostics);
+  for (const Variant& one : robot.variants) {
+    judged.comments.add(one.companions, sources);
+    locate(one.companions, judged.diagnostics);
+  }
   // One that is malformed is no companion.
   for (Diagnostic& one : judged.diagnostics) {
     if (is_companion_path(sources.path(one.span.source))) one.when(cases::kInCompanion);

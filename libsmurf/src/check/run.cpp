@@ -14,6 +14,7 @@
 #include "base/findings/rules.hpp"
 #include "check/parallel.hpp"
 #include "lint/companions/ros2_control.hpp"
+#include "smurf/xacro_cases.hpp"
 
 namespace smurf {
 namespace {
@@ -296,7 +297,8 @@ class Run {
         outcome.scenes.insert(identity_of(file.path));
       }
     } else {
-      Accompanied robot = load(planned, context);
+      Accompanied robot =
+          load_robot(planned.path, planned.may_be_part, group.config.xacro, context);
       LinkedModel& model = robot.model;
       const bool is_xacro = xacro::is_xacro_file(planned.path);
       if (is_xacro && is_part(model, outcome.sources, planned.may_be_part)) {
@@ -310,19 +312,11 @@ class Run {
         for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
       }
       take_companions(robot.companions, model, outcome);
+      for (const Variant& one : robot.variants) {
+        take_companions(one.companions, one.model, outcome);
+      }
       if (!robot.companions.is_alone) take_files(std::move(model), outcome);
     }
-  }
-
-  /// A robot of xacro that no user named may have other arguments, and so other joints and links,
-  /// than the one that its companions are for. Nearly all names in them must be its names.
-  static Accompanied load(const PlannedFile& planned, LoadContext& context) {
-    if (!planned.may_be_part) return load_accompanied(planned.path, context);
-    Accompanied robot{load_model(planned.path, context), {}};
-    if (!robot.model.robot || robot.model.robot->links.empty()) return robot;
-    robot.companions = load_companions(robot.model, context);
-    keep_certain(robot.companions, context);
-    return robot;
   }
 
   /// Whether a xacro file is only a part of robots, because it makes no link, or needs values that
@@ -341,8 +335,9 @@ class Run {
   /// A robot that was found in a folder may need values that only its users know.
   static void excuse_arguments(std::vector<Diagnostic>& found) {
     for (Diagnostic& one : found) {
-      const bool is_open =
-          one.rule == &rules::sml3313_xacro_unknown_argument || one.cases.contains(kNoPlugin);
+      const bool is_open = one.rule == &rules::sml3313_xacro_unknown_argument ||
+                           one.cases.contains(kNoPlugin) ||
+                           one.cases.contains(xacro::kEmptyFileName);
       if (is_open) one.severity = Severity::info;
     }
   }
@@ -437,13 +432,20 @@ class Run {
     for (Diagnostic& diagnostic : outcome.judged.diagnostics) shift(diagnostic, by);
     judge_robot(outcome, planned);
     for (const auto& [file, fit] : outcome.companions) companions_.emplace(file, fit.kind);
-    // The variants of a configuration are all meant.
-    if (planned.shown.empty()) {
-      const auto file_of = [&](const Diagnostic& one) {
-        return identity_of(sources_.path(one.span.source));
-      };
-      shared_.take(outcome.companions, planned.config, file_of, outcome.judged.diagnostics);
+    const auto file_of = [&](const Diagnostic& one) {
+      return identity_of(sources_.path(one.span.source));
+    };
+    if (!planned.shown.empty()) {
+      // The variants of a configuration are all meant, for the files that fit them.
+      std::map<std::string, CompanionFit> whole;
+      for (const auto& one : outcome.companions) {
+        if (one.second.is_whole) whole.insert(one);
+      }
+      for (const auto& one : whole) outcome.companions.erase(one.first);
+      std::vector<Diagnostic> none;
+      shared_.take(whole, planned.config, file_of, none);
     }
+    shared_.take(outcome.companions, planned.config, file_of, outcome.judged.diagnostics);
     append(std::move(outcome.judged.diagnostics), found_[planned.config].diagnostics);
     found_[planned.config].comments.take(std::move(outcome.judged.comments), by);
     models_.merge(outcome.models);

@@ -15,7 +15,8 @@ CompanionFit fit_of(const Companion& companion, const LinkedModel& model) {
       has_hardware = has_hardware || child.name() == "ros2_control";
     }
   }
-  return {companion.kind, companion.known_names * 2 + (has_hardware ? 1 : 0)};
+  return {companion.kind, companion.known_names * 2 + (has_hardware ? 1 : 0),
+          companion.known_names == companion.names};
 }
 
 void keep_certain(Companions& companions, const LoadContext& context) {
@@ -38,6 +39,27 @@ void keep_certain(Companions& companions, const LoadContext& context) {
   });
   std::erase_if(companions.files,
                 [&](const Companion& one) { return one.names == 0 && !has_srdf; });
+}
+
+Accompanied load_robot(const std::string& path, bool was_found, std::span<const ConfigXacro> xacro,
+                       LoadContext& context) {
+  Accompanied robot;
+  if (was_found) {
+    robot.model = load_model(path, context);
+    if (!robot.model.robot || robot.model.robot->links.empty()) return robot;
+    robot.companions = load_companions(robot.model, context);
+  } else {
+    robot = load_accompanied(path, context);
+  }
+  std::map<std::string, std::vector<std::string>> values;  // of arguments
+  const std::string id = context.files.identity(robot.model.urdf_path);
+  for (const ConfigXacro& one : xacro) {
+    if (context.files.identity(one.file.value) != id) continue;
+    for (const auto& [name, all] : one.arguments) values.emplace(name.value, all);
+  }
+  split_variants(robot, context, values);
+  if (was_found) keep_certain(robot.companions, context);
+  return robot;
 }
 
 void SharedCompanions::add(const Key& key, std::size_t rank, bool is_first, Found found) {

@@ -6,11 +6,13 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "smurf/companions.hpp"
+#include "smurf/config.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/load.hpp"
 
@@ -21,6 +23,7 @@ namespace smurf {
 struct CompanionFit {
   CompanionKind kind{};
   std::size_t rank = 0;
+  bool is_whole = false;  ///< the robot has all of its names
 };
 CompanionFit fit_of(const Companion& companion, const LinkedModel& model);
 
@@ -28,6 +31,13 @@ CompanionFit fit_of(const Companion& companion, const LinkedModel& model);
 /// nearly all names, those that the configuration or a plugin of the robot names, and files of
 /// MoveIt without joints beside an SRDF that is left.
 void keep_certain(Companions& companions, const LoadContext& context);
+
+/// Loads a robot with its companions, or a companion with its robot. A robot of xacro that was
+/// `found`, and that no user named, may have other arguments, and so other joints and links, than
+/// the one that its companions are for. Nearly all names in them must be its names. `xacro` are the
+/// robots of the configuration.
+Accompanied load_robot(const std::string& path, bool was_found, std::span<const ConfigXacro> xacro,
+                       LoadContext& context);
 
 /// Collects the findings in companions. A companion is judged with the robots that it fits best; a
 /// finding that only some of them have is about a variant that the file is not for.

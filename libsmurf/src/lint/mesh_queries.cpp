@@ -159,8 +159,19 @@ Diagnostic* report_meshes(const LinkedModel& model,
   diagnostic.caret = "the first of them";
   constexpr std::size_t kShown = 3;
   std::string others = "also";
-  for (std::size_t i = 1; i < std::min(faulty.size(), kShown + 1); ++i) {
-    others += (i > 1 ? ", " : " ") + quoted(path::file_name(faulty[i]->reference.filename));
+  const std::size_t shown = std::min(faulty.size(), kShown + 1);
+  // Files for drawing and for collisions often have the same name, in other folders.
+  std::multiset<std::string_view> names;
+  for (std::size_t i = 0; i < shown; ++i) {
+    names.insert(path::file_name(faulty[i]->reference.filename));
+  }
+  for (std::size_t i = 1; i < shown; ++i) {
+    const std::string_view file = faulty[i]->reference.filename;
+    const std::string_view name = path::file_name(file);
+    const std::string_view folder = path::file_name(path::parent(file));
+    const bool is_clear = names.count(name) == 1 || folder.empty();
+    others += (i > 1 ? ", " : " ") +
+              quoted(is_clear ? std::string(name) : std::string(folder) + "/" + std::string(name));
   }
   if (faulty.size() > kShown + 1) {
     others += " and " + std::to_string(faulty.size() - kShown - 1) + " more";

@@ -28,7 +28,8 @@ struct Failure {
   Span span;                         ///< a place outside of the expression; empty: none
   std::string argument;              ///< the one that has no value
   std::string missing;               ///< the path of a file that does not exist
-  bool is_missing_file = false;      ///< an optional include may ignore it
+  const Circumstance* which = nullptr;
+  bool is_missing_file = false;  ///< an optional include may ignore it
   std::vector<std::pair<Span, std::string>> labels;
 };
 

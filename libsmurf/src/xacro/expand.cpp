@@ -101,6 +101,7 @@ bool Expander::report() {
   if (!failure.missing.empty()) failure.help = help_with_path(failure);
   diagnostic.help(failure.help.empty() ? usual_help(*failure.rule) : failure.help);
   for (const auto& [place, text] : failure.labels) diagnostic.label(place, text);
+  if (failure.which != nullptr) diagnostic.when(*failure.which);
   if (!failure.argument.empty()) explain_arguments(failure, diagnostic);
   add_frames(diagnostic);
   return false;

@@ -8,6 +8,7 @@
 #include "base/text/quoted.hpp"
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
+#include "smurf/xacro_cases.hpp"
 #include "syntax/xml_reader.hpp"
 #include "xacro/expander.hpp"
 
@@ -340,6 +341,13 @@ bool Expander::include(const Node& in, Node& out, Scope scope) {
   if (!written.is_text()) {
     return fail(rules::sml3310_xacro_missing_file, filename->text.whole.use,
                 "the name of the file is " + std::string(kind_name(written)), "write a path");
+  }
+  if (written.text->empty()) {
+    evaluator_.fail(rules::sml3310_xacro_missing_file, "the name of the included file is empty",
+                    "write a path, or give the argument that names the file a value: `NAME:=PATH`");
+    evaluator_.failure().span = filename->text.whole.use;
+    evaluator_.failure().which = &kEmptyFileName;
+    return report();
   }
   const std::string path = whole_path(*written.text);
   const bool is_pattern = has_pattern(path);

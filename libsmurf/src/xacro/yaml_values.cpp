@@ -9,6 +9,7 @@
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
+#include "smurf/xacro_cases.hpp"
 #include "syntax/yaml_reader.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
@@ -416,9 +417,10 @@ Value Expander::yaml_value(yaml::View view, std::string_view source) {
 
 Value Expander::load_yaml(const std::string& written) {
   if (written.empty()) {
-    return evaluator_.fail(
-        rules::sml3310_xacro_missing_file, "the name of the YAML file is empty",
-        "write a path, or give the argument that names the file a value: `NAME:=PATH`");
+    evaluator_.fail(rules::sml3310_xacro_missing_file, "the name of the YAML file is empty",
+                    "write a path, or give the argument that names the file a value: `NAME:=PATH`");
+    evaluator_.failure().which = &kEmptyFileName;
+    return Value::failure();
   }
   const std::string path = whole_path(written);
   File* file = open(path, {});

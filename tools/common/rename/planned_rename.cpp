@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/rename/planned_rename.hpp"
 
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -10,9 +12,11 @@
 namespace smurf::tools {
 namespace {
 
-/// The reason why a file must not be changed: it cannot be written, or other models also read it.
+/// The reason why a file must not be changed: it cannot be written, or other models also read it,
+/// each of which is named once.
 std::vector<std::string> problems_of(const std::string& path, const LoadedNames& loaded,
-                                     const FileReader& changeable, ModelsAround& around) {
+                                     const FileReader& changeable, ModelsAround& around,
+                                     std::set<std::string>& named) {
   if (!DiskFiles().is_file(path)) {
     return {"'" + path + "' is in an archive, which is not written"};
   }
@@ -21,7 +25,7 @@ std::vector<std::string> problems_of(const std::string& path, const LoadedNames&
   }
   std::vector<std::string> problems;
   for (const std::string& model : around.listing(path)) {
-    if (loaded.has_read(model)) continue;
+    if (loaded.has_read(model) || !named.insert(model).second) continue;
     problems.push_back("'" + model + "' reads '" + path + "' as well; name it, too");
   }
   return problems;
@@ -39,11 +43,13 @@ Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const
   Renamed renamed = rename(before.names(), renames, session.loaded_sources());
   if (!renamed.problems.empty()) return renamed;
   ModelsAround around(session.files());
+  std::set<std::string> named;
   for (const FixedText& file : renamed.texts) {
     if (file.path == input) continue;
-    renamed.problems = problems_of(file.path, before, changeable, around);
-    if (!renamed.problems.empty()) return renamed;
+    const auto more = problems_of(file.path, before, changeable, around, named);
+    renamed.problems.insert(renamed.problems.end(), more.begin(), more.end());
   }
+  if (!renamed.problems.empty()) return renamed;
   for (const FixedText& file : renamed.texts) session.set_text(file.path, file.text);
   const LoadedNames after(plan, settings, session, LoadedNames::Keeps::names);
   renamed.problems = changed_meanings(before.names(), after.names(), session.loaded_sources());

@@ -114,6 +114,17 @@ void ReferenceFinder::read_companion(const Companion& companion) {
   if (companion.document) add_parameter_names(companion, *this);
 }
 
+void count_names(const LinkedModel& model, Companion& companion) {
+  companion.known_names = companion.names = 0;
+  for (const Reference& one : names_in_companion(model, companion)) {
+    const bool is_part = one.kinds.contains(NameKind::link) || one.kinds.contains(NameKind::joint);
+    const bool is_expression = one.name.find('$') != std::string_view::npos;
+    if (!is_part || one.is_vague || is_expression) continue;
+    ++companion.names;
+    if (one.is_known()) ++companion.known_names;
+  }
+}
+
 std::vector<Reference> companion_references(const LinkedModel& model,
                                             const Companions& companions) {
   ReferenceFinder finder(model, ReferenceFinder::Keep::all);

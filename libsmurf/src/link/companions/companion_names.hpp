@@ -12,4 +12,7 @@ namespace smurf {
 /// The names of joints, links, groups and controllers in one companion, known or not.
 std::vector<Reference> names_in_companion(const LinkedModel& model, const Companion& companion);
 
+/// Writes into the companion how many names of joints and links it has, and the model of these.
+void count_names(const LinkedModel& model, Companion& companion);
+
 }  // namespace smurf

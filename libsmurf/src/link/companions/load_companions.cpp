@@ -140,18 +140,6 @@ class Loader {
   std::map<std::string, bool> ros2_;  ///< by folder
 };
 
-/// Counts the names of the companion that the model has.
-void count_names(const LinkedModel& model, Companion& companion) {
-  companion.known_names = companion.names = 0;
-  for (const Reference& one : names_in_companion(model, companion)) {
-    const bool is_part = one.kinds.contains(NameKind::link) || one.kinds.contains(NameKind::joint);
-    const bool is_expression = one.name.find('$') != std::string_view::npos;
-    if (!is_part || one.is_vague || is_expression) continue;
-    ++companion.names;
-    if (one.is_known()) ++companion.known_names;
-  }
-}
-
 /// A robot belongs to an SRDF if it has two thirds of the names in it, and a robot of another name
 /// if it has nearly all: thousands of robots are called "robot".
 bool belongs_to(const LinkedModel& robot, const Companion& companion) {
@@ -354,13 +342,17 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
   std::vector<std::string> robots = tied_robots_of(path, context);
   const bool is_tied = !robots.empty();
   if (!is_tied) robots = robots_of(*companion, context);
+  std::size_t best = 0;  // names of the best robot
   for (const std::string& robot : robots) {
     LinkedModel found = load_model(robot, context);
     count_names(found, *companion);
     if (!found.robot || (!is_tied && !belongs_to(found, *companion))) continue;
+    if (loaded.model.robot && companion->known_names <= best) continue;
+    best = companion->known_names;
     loaded.model = std::move(found);
-    break;
+    if (best == companion->names) break;
   }
+  if (loaded.model.robot) count_names(loaded.model, *companion);
   loaded.companions.files.push_back(std::move(*companion));
   return loaded;
 }

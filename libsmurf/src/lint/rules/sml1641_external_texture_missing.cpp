@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/text/counted.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1641_external_texture_missing_file {
@@ -21,8 +22,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (first.is_denied) diagnostic.help("read it with `--allow-outside`");
     if (!is_texture) diagnostic.severity = Severity::info;
     if (lost.size() > 1) {
-      diagnostic.note(std::to_string(lost.size() - 1) +
-                      " other files that it names are missing, too");
+      diagnostic.note(counted(lost.size() - 1, "other file") + " that it names " +
+                      (lost.size() == 2 ? "is" : "are") + " missing, too");
     }
   }
 }

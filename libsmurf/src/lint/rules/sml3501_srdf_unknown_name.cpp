@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,8 @@
 
 namespace smurf::rules::sml3501_srdf_unknown_name_file {
 namespace {
+
+constexpr Circumstance kVariant{"variant"};
 
 std::string subject_of(xml::View element) {
   const xml::View parent = element.parent();
@@ -31,8 +34,8 @@ bool names(xml::View pair, std::string_view link) {
 
 class Checker {
  public:
-  Checker(const LinkedModel& model, const srdf::Description& srdf, Findings& findings)
-      : model_(model), srdf_(srdf), findings_(findings) {}
+  Checker(const LinkedModel& model, const Companion& companion, Findings& findings)
+      : model_(model), companion_(companion), srdf_(*companion.srdf), findings_(findings) {}
 
   void check(const Reference& one) {
     if (one.is_definition) return;
@@ -42,6 +45,11 @@ class Checker {
     if (one.name.find("${") != std::string_view::npos ||
         one.name.find("$(") != std::string_view::npos) {
       return check_expression(one, element);
+    }
+    if (companion_.of_variants.contains(one.name)) {
+      if (variants_.empty()) first_of_variants_ = one.span;
+      variants_.insert(one.name);
+      return;
     }
     const bool is_pair = element.name().ends_with("_collisions");
     const auto [known, is_new] = seen_.insert({{is_pair, one.name}, nullptr});
@@ -60,6 +68,7 @@ class Checker {
   }
 
   void finish() {
+    report_variants();
     for (const auto& [found, count] : more_) {
       found->note("the same " + std::string(found == expression_ ? "is true of " : "name is in ") +
                   counted(count, "more place"));
@@ -84,6 +93,21 @@ class Checker {
     expression_ = &findings_.report(one.span, subject_of(element) + " names " + quoted(one.name) +
                                                   ", but MoveIt does not evaluate expressions");
     expression_->help("name the file .srdf.xacro, and make the SRDF with xacro");
+  }
+
+  /// The SRDF is for other arguments, which only launch files may know.
+  void report_variants() {
+    if (variants_.empty()) return;
+    std::string names;
+    for (const std::string_view name : variants_) {
+      names += (names.empty() ? "" : ", ") + quoted(name);
+    }
+    Diagnostic& found = findings_.report(
+        first_of_variants_, "the SRDF does not fit `" + model_.urdf_path +
+                                "`, as it is expanded here: it has no " + shortened(names, 200));
+    found.when(kVariant);
+    found.severity = Severity::info;
+    found.help("set the arguments of the robot under `xacro` in .smurf-lint.yaml");
   }
 
   void check_group(const Reference& one, xml::View element) {
@@ -111,6 +135,7 @@ class Checker {
   }
 
   const LinkedModel& model_;
+  const Companion& companion_;
   const srdf::Description& srdf_;
   Findings& findings_;
   using Place = std::pair<bool, std::string_view>;  ///< whether it is in a pair of links
@@ -118,21 +143,26 @@ class Checker {
   std::map<std::string_view, Diagnostic*> groups_;  ///< in the same way
   std::map<Diagnostic*, std::size_t> more_;
   Diagnostic* expression_ = nullptr;
+  std::set<std::string_view> variants_;  ///< names that the robot has with other arguments
+  Span first_of_variants_;
 };
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
   const std::vector<Reference> references = companion_references(model, companions);
-  for_each_srdf(companions, [&](const srdf::Description& srdf) {
-    Checker checker(model, srdf, findings);
+  for (const Companion& companion : companions.files) {
+    if (!companion.srdf) continue;
+    Checker checker(model, companion, findings);
     for (const Reference& one : references) {
-      if (one.span.source == srdf.document.source) checker.check(one);
+      if (one.span.source == companion.srdf->document.source) checker.check(one);
     }
     checker.finish();
-  });
+  }
 }
 
 using enum Effect;
 constexpr Fact kFacts[] = {
+    {&readers::moveit, takes, "gets the robot as the launch file expands it",
+     "moveit2 rdf_loader.cpp", when(kVariant)},
     {&readers::moveit, loses, "ignores the pair, and checks the two links for collisions",
      "srdfdom model.cpp loadCollisionPairs", at("disable_collisions")},
     {&readers::moveit, loses, "ignores the pair", "srdfdom model.cpp loadCollisionPairs",

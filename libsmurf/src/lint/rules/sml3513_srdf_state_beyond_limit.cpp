@@ -11,6 +11,7 @@ void check_value(const srdf::GroupState& state, const srdf::StateJoint& one,
       joint.type == urdf::JointType::revolute || joint.type == urdf::JointType::prismatic;
   const auto value = one.value ? parse_number(*one.value) : std::nullopt;
   if (!has_range || !joint.limit || !value) return;
+  if (joint.mimic && joint.mimic->joint) return;  // SML3514
   const double lower = joint.limit->lower.value_or(0);
   const double upper = joint.limit->upper.value_or(0);
   const bool is_unread = (joint.limit->lower.written && !joint.limit->lower) ||
