@@ -102,6 +102,8 @@ NAMELESS = (("ros2_control", '<ros2_control name="arm" ', "<ros2_control "), ("j
             ("parameter", '<param name="bus">', "<param>"))
 WRIST = '<joint name="wrist">\n      <command_interface name="effort"/>'
 EFFORT = '<joint name="wrist">\n      <command_interface name="effort">\n        <param name="max">{}</param>\n      </command_interface>'
+GRIP = ('<joint name="grip">\n      <limits enable="true"/>\n      <command_interface name="position"/>\n'
+        '      <state_interface name="position" data_type="double" size="1"/>\n    </joint>\n')
 GEAR = ('<transmission name="gear">\n      <plugin>transmission_interface/SimpleTransmission</plugin>\n      <joint name="wrist" role="a"/>\n'
         '      <joint name="wrist" role="b"/>\n      <actuator name="motor" role="c"/>\n    </transmission>\n    ')
 ROWS = [
@@ -122,6 +124,7 @@ ROWS = [
     ("group: contains itself", "srdf", '<group name="gripper"/>', '<group name="all"/>', "SML3509", "contains itself"),
     ("group: twice", "srdf", '<group name="all">', '<group name="gripper">\n    <link name="thumb"/>\n  </group>\n  <group name="all">', "SML3508", "already"),
     ("group: empty", "srdf", '<group name="all">', '<group name="none">\n  </group>\n  <group name="all">', "SML3510", "no members"),
+    ("group: a chain of one link", "srdf", '<group name="all">', '<group name="none">\n    <chain base_link="hand" tip_link="hand"/>\n  </group>\n  <group name="all">', "SML3510", "no joint"),
     ("group: other elements", "srdf", '<joint name="squeeze"/>', '<joint name="squeeze"/>\n    <passive_joint name="squeeze"/>', "SML3504", "in `group`"),
     ("group_state: unknown group", "srdf", 'name="up" group="arm"', 'name="up" group="amr"', "SML3501", "the group `amr`"),
     ("group_state: no group", "srdf", 'name="up" group="arm"', 'name="up"', "SML3503", "has no `group`"),
@@ -170,6 +173,7 @@ ROWS = [
     ("ros2_control: other elements", "robot", '<gpio name="lights">', '<note/>\n    <gpio name="lights">', "SML3602", "unknown element `note`"),
     ("hardware: no plugin", "robot", "<plugin>lamp_hardware/Arm</plugin>", "<plugins>lamp_hardware/Arm</plugins>", "SML3601", "no `plugin`"),
     ("joint: other elements", "robot", '<state_interface name="position" data_type="double" size="1"/>', '<state_interface name="position"/>\n      <comand_interface name="effort"/>', "SML3602", "comand_interface"),
+    ("interface: other elements", "robot", '<param name="max">1.5</param>', '<params name="max">1.5</params>', "SML3602", "params"),
     ("ros2_control: unknown type", "robot", 'name="arm" type="system"', 'name="arm" type="systm"', "SML3603", "systm"),
     ("ros2_control: two of one name", "robot", '<ros2_control name="wrist"', '<ros2_control name="arm"', "SML3603", "already"),
     ("joint: not in the robot", "robot", '<joint name="elbow">\n      <command', '<joint name="elbo">\n      <command', "SML3604", "`elbo`"),
@@ -177,6 +181,7 @@ ROWS = [
     ("joint: commanded and mimics", "robot", '<joint name="squeeze" mimic="true">', '<joint name="squeeze">\n      <command_interface name="position"/>', "SML3605", "command interface"),
     ("joint: mimics no other", "robot", '<joint name="elbow">\n      <command', '<joint name="elbow" mimic="true">\n      <command', "SML3605", "mimics no other"),
     ("disable_collisions: no collision geometry", "srdf", 'link1="upper" link2="hand"', 'link1="base" link2="hand"', "SML3517", "no collision geometry"),
+    ("joint: follows a joint of another block", "robot", GRIP, "", "SML3605", "does not have"),
     ("joint: mimic is no truth value", "robot", 'mimic="true"', 'mimic="1"', "SML3606", "`mimic`"),
     ("ros2_control: is_async is no truth value", "robot", 'is_async="true"', 'is_async="yes"', "SML3606", "`is_async`"),
     ("limits: enable is no truth value", "robot", '<limits enable="true"/>', '<limits enable="on"/>', "SML3606", "`enable`"),
@@ -191,6 +196,8 @@ ROWS = [
     ("interface: effort is higher than the joint's", "robot", WRIST, EFFORT.format(50), "SML3607", ""),
     ("interface: effort limit 0", "robot", WRIST, EFFORT.format(0), "SML3607", ""),
     ("actuator: two joints in a transmission", "robot", WRIST, GEAR + WRIST, "SML3609", "exactly one"),
+    ("interface: limit of another quantity", "robot", WRIST, WRIST.replace('"/>', '"/>\n      <command_interface name="damping">\n        <param name="max">1.5</param>\n'
+     "      </command_interface>"), "SML3607", "does not apply"),
     ("interface: min above max", "robot", '<param name="min">-0.9</param>', '<param name="min">0.95</param>', "SML3607", "above its `max`"),
     ("interface: initial value beyond the limits", "robot", '<param name="initial_value">0.1</param>', '<param name="initial_value">0.95</param>', "SML3607", "initial value"),
     ("interface: initial value is not a number", "robot", '<param name="initial_value">0.1</param>', '<param name="initial_value">zero</param>', "SML3607", "not a number"),
@@ -223,6 +230,9 @@ ROWS = [
     ("controller: states that do not go together", "controllers", "state_interfaces: [position, velocity]", "state_interfaces: [velocity]", "SML3706", ""),
     ("controller: effort without velocity states", "controllers", "state_interfaces: [position, velocity]", "state_interfaces: [position]", "SML3706", ""),
     ("controller: chained to nothing", "controllers", "joints: [wrist]\n", "joints: [wrist]\n    command_joints: [basee/wrist]\n", "SML3708", "no controller `basee`"),
+    ("controller: chained to one that takes no commands", "controllers", "joints: [wrist]\n", "joints: [wrist]\n    command_joints: [states/wrist]\n", "SML3708", "not chainable"),
+    ("controller: velocity without velocity states", "controllers", "command_interfaces: [effort]\n    state_interfaces: [position, velocity]",
+     "command_interfaces: [velocity]\n    state_interfaces: [position]", "SML3706", "`state_interfaces`"),
     ("controller: no gains", "controllers", "    gains:\n      wrist: {p: 1.0}\n", "", "SML3706", "without gains"),
     ("controller: update_rate of the manager", "controllers", "update_rate: 100", "update_rate: 0", "SML3707", ""),
     ("controller: rate above the manager's", "controllers", "update_rate: 50", "update_rate: 200", "SML3707", "more than"),
