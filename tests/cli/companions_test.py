@@ -101,6 +101,15 @@ class Companions(cli.CliTest):
         self.assertIn("SML3513", done.stdout)
         self.assertIn("checked with 1 SRDF", done.stdout)
 
+    def test_interfaces_of_a_xacro_that_was_found_depend_on_its_arguments(self):
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        self.write("lamp_description/urdf/lamp.urdf.xacro", URDF.replace("<robot ", '<robot xmlns:xacro="x" '))
+        self.write("lamp_moveit_config/config/ros2_controllers.yaml", CONTROLLERS.replace("command_interfaces: [position]", "command_interfaces: [velocity]")
+                   .replace("state_interfaces: [position]", "state_interfaces: [position, velocity]"))
+        self.write(".smurf-lint.yaml", "companions:\n- robot: lamp_description/urdf/lamp.urdf.xacro\n  files: [lamp_moveit_config/config/ros2_controllers.yaml]\n")
+        self.assertIn("info[SML3705]", self.expect(0, "--min-severity", "info", ".").stdout)
+        self.assertIn("error[SML3705]", self.expect(1, "lamp_description/urdf/lamp.urdf.xacro").stdout)
+
     def test_files_in_a_package_that_depends_on_the_description(self):
         self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace('"shoulder"', '"sholder"'))
         self.write("lamp_moveit_config/config/joint_limits.yaml", LIMITS.replace("1.5", "1"))

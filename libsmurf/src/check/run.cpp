@@ -337,7 +337,8 @@ class Run {
     for (Diagnostic& one : found) {
       const bool is_open = one.rule == &rules::sml3313_xacro_unknown_argument ||
                            one.cases.contains(kNoPlugin) ||
-                           one.cases.contains(xacro::kEmptyFileName);
+                           one.cases.contains(xacro::kEmptyFileName) ||
+                           one.rule == &rules::sml3705_controller_interface;
       if (is_open) one.severity = Severity::info;
     }
   }
