@@ -307,6 +307,21 @@ class RepairOfSmurf(cli.CliTest):
         self.assertIn("i00: 0.00125", self.read("nodes.yml"))
 
 
+class Siblings(cli.CliTest):
+    def test_one_wheel_that_differs_is_one_finding(self):
+        """It differs from the other side, too."""
+        link = ('<link name="{0}_wheel"><inertial><mass value="{1}"/><inertia ixx="0.005" ixy="0" ixz="0" iyy="0.003" iyz="0" izz="0.003"/></inertial></link>'
+                '<joint name="{0}" type="continuous"><parent link="base"/><child link="{0}_wheel"/><axis xyz="1 0 0"/></joint>\n')
+        wheels = (("front_left", 3), ("front_right", 1), ("rear_left", 1), ("rear_right", 1))
+        self.write("r.urdf", '<robot name="r"><link name="base"/>\n' + "".join(link.format(*one) for one in wheels) + "</robot>\n")
+        found = json.loads(self.expect(0, "--select", "SML1528,SML1530", "--format", "json", "r.urdf").stdout)["diagnostics"]
+        self.assertEqual([(one["id"], one["line"]) for one in found], [("SML1530", 2)])
+        two = "".join(link.format(*one) for one in wheels[:2])
+        self.write("r.urdf", '<robot name="r"><link name="base"/>\n' + two + "</robot>\n")
+        found = json.loads(self.expect(0, "--select", "SML1528,SML1530", "--format", "json", "r.urdf").stdout)["diagnostics"]
+        self.assertEqual([one["id"] for one in found], ["SML1528"])
+
+
 class UnitTensors(cli.CliTest):
     """One finding, but each of the links is named, weighed and repaired."""
     LINK = ('<link name="{0}"><inertial><mass value="0.5"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'

@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
 #include "lint/body.hpp"
+#include "lint/odd_siblings.hpp"
 #include "lint/queries.hpp"
 #include "lint/sides.hpp"
 
@@ -18,6 +21,11 @@ double factor_of(double a, double b) { return std::max(a / b, b / a); }
 double distance_of(const urdf::Inertial& inertial) {
   const Vector3 center = urdf::to_pose(inertial.origin).position;
   return std::sqrt(center[0] * center[0] + center[1] * center[1] + center[2] * center[2]);
+}
+
+bool have_equal_values(const urdf::Inertial& a, const urdf::Inertial& b) {
+  return a.mass.value() == b.mass.value() && a.ixx.value() == b.ixx.value() &&
+         a.iyy.value() == b.iyy.value() && a.izz.value() == b.izz.value();
 }
 
 void report(const LinkedModel& model, const urdf::Link& left, const urdf::Link& right,
@@ -76,8 +84,16 @@ void check(const LinkedModel& model, Findings& findings) {
     links.push_back(&link);
     indices.push_back(index);
   });
+  std::optional<std::vector<OddSibling>> odd;        // found only if two sides differ
+  const auto is_odd = [&](const urdf::Link* link) {  // SML1530
+    if (!odd) odd = odd_siblings(model, kOddFactor);
+    return std::any_of(odd->begin(), odd->end(),
+                       [&](const OddSibling& one) { return one.link == link; });
+  };
   for (const auto& [left, right] : pairs_of_sides(names)) {
     if (has_chain(model, std::array{indices[left], indices[right]})) continue;
+    const bool is_equal = have_equal_values(*links[left]->inertial, *links[right]->inertial);
+    if (!is_equal && (is_odd(links[left]) || is_odd(links[right]))) continue;
     report(model, *links[left], *links[right], findings);
   }
 }
