@@ -684,3 +684,56 @@ def joint_pose_of_each_entity(n, write):
     write("a.smurf", "modelname: a\nfiles: [r.urdf, p.yml]\n")
     write("a.smurfs", "smurfs:\n" + "".join(
         f"- {{name: e{i}, type: smurf, file: a.smurf, pose: p{i}}}\n" for i in range(n)))
+
+
+# Files beside a robot
+
+
+ARM = ('<robot name="r"><link name="a"/><link name="b"/><joint name="j1" type="continuous"><parent link="a"/><child link="b"/></joint>'
+       "{}</robot>")
+
+
+def srdf_groups(write, groups):
+    write("r.urdf", ARM.format(""))
+    write("r.srdf", '<robot name="r">' + "".join(groups) + "</robot>")
+
+
+@grows(1000, "smurf-lint", "-q", "r.urdf")
+def ring_of_groups(n, write):
+    srdf_groups(write, (f'<group name="g{i}"><group name="g{(i + 1) % n}"/></group>' for i in range(n)))
+
+
+@grows(1000, "smurf-lint", "-q", "r.urdf")
+def nested_groups(n, write):
+    groups = (f'<group name="g{i}"><group name="g{i - 1}"/><group name="g{i - 1}"/></group>' for i in range(1, n))
+    srdf_groups(write, ['<group name="g0"><joint name="j1"/></group>', *groups])
+
+
+CONTROL = ('<ros2_control name="s" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware><joint name="j1">'
+           '<command_interface name="position"/><state_interface name="position"/></joint></ros2_control>')
+
+
+def controllers(write, n, kind, parameters):
+    write("r.urdf", ARM.format(CONTROL))
+    types = "".join(f"    c{i}:\n      type: {kind}\n" for i in range(n))
+    settings = "".join(f"c{i}:\n  ros__parameters:\n" + parameters(i) for i in range(n))
+    write("config/controllers.yaml", f"controller_manager:\n  ros__parameters:\n    update_rate: 100\n{types}{settings}")
+
+
+@grows(300, "smurf-lint", "-q", "r.urdf")
+def many_controllers(n, write):
+    controllers(write, n, "joint_trajectory_controller/JointTrajectoryController",
+                lambda i: "    joints: [j1]\n    command_interfaces: [position]\n    state_interfaces: [position]\n")
+
+
+@grows(300, "smurf-lint", "-q", "r.urdf")
+def controllers_that_command_unknown_ones(n, write):
+    controllers(write, n, "joint_trajectory_controller/JointTrajectoryController",
+                lambda i: f"    joints: [j1]\n    command_joints: [d{i}/j1]\n    command_interfaces: [position]\n    state_interfaces: [position]\n")
+
+
+@grows(300, "smurf-lint", "-q", "r.urdf")
+def planners_that_are_not_defined(n, write):
+    srdf_groups(write, ['<group name="g"><joint name="j1"/></group>'])
+    write("config/ompl_planning.yaml", "planner_configs:\n" + "".join(f"  p{i}: {{type: geometric::RRT}}\n" for i in range(n)) +
+          "".join(f"g{i}: {{planner_configs: [q{i}, p{i}]}}\n" for i in range(n)))

@@ -2,8 +2,11 @@
 // An SRDF as written: groups, poses, end effectors and pairs of links, each with its place.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "smurf/source.hpp"
@@ -92,6 +95,8 @@ struct Description {
   std::vector<PassiveJoint> passive_joints;
   std::vector<JointProperty> properties;
   std::vector<LinkEntry> links;
+  /// The first group of each name. The names point into `groups`.
+  std::unordered_map<std::string_view, std::size_t> group_numbers;
 
   const Group* find_group(std::string_view wanted) const;
   const VirtualJoint* find_virtual_joint(std::string_view wanted) const;

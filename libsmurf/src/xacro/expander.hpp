@@ -168,7 +168,6 @@ class Expander final : public Host {
   void check_parameters(const Macro& macro, const NodeAttribute& params);
   void check_prefix(const Node& in, const Node& out, const MacroTable& macros);
   // unused_names.cpp
-  bool is_used(std::string_view name, const std::vector<Span>& definitions) const;
   void check_unused(const Node& in, const Node& out);
   /// inertia_formulas.cpp
   void check_inertia(const Node& in, Table& symbols);

@@ -2,10 +2,13 @@
 // Names that the file of a robot defines, and that nothing uses.
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/findings/rules.hpp"
@@ -62,27 +65,76 @@ void collect(const Node& node, std::vector<Definition>& all) {
   }
 }
 
-}  // namespace
+/// Where a name is defined as one kind of thing, and whether something uses it.
+struct Use {
+  std::map<std::pair<SourceId, std::uint32_t>, std::uint32_t> places;  ///< begin and end
+  bool is_used = false;
 
-/// Whether a name occurs outside of its definitions, as a word that is no name of an attribute.
-bool Expander::is_used(std::string_view name, const std::vector<Span>& definitions) const {
-  for (const auto& [path, file] : files_) {
-    const SourceId source = file->source;
-    const std::string_view text = context_.sources.text(source);
-    for (std::size_t at = text.find(name); at != std::string_view::npos;
-         at = text.find(name, at + 1)) {
-      const std::size_t end = at + name.size();
-      if (!is_whole_name(text, at, end)) continue;
-      const std::size_t next = std::min(text.find_first_not_of(" \t\r\n", end), text.size());
-      if (text.substr(next, 1) == "=" && text.substr(next, 2) != "==") continue;
-      const bool is_definition = std::any_of(definitions.begin(), definitions.end(), [&](Span one) {
-        return one.source == source && one.begin <= at && end <= one.end;
-      });
-      if (!is_definition) return true;
+  bool defines(SourceId source, std::size_t begin, std::size_t end) const {
+    auto after = places.upper_bound({source, static_cast<std::uint32_t>(begin)});
+    if (after == places.begin()) return false;
+    --after;
+    return after->first.first == source && end <= after->second;
+  }
+};
+using Uses = std::array<std::map<std::string_view, Use>, kTitles.size()>;  ///< by Defined
+
+Uses uses_of(const std::vector<Definition>& all) {
+  Uses uses;
+  for (const Definition& one : all) {
+    const bool is_computed = one.name.find('$') != std::string_view::npos;
+    if (one.name.empty() || is_computed) continue;
+    std::uint32_t& end = uses[static_cast<std::size_t>(one.kind)][one.name]
+                             .places[{one.place.source, one.place.begin}];
+    end = std::max(end, one.place.end);
+  }
+  return uses;
+}
+
+/// A name that occurs as a word, which is no name of an attribute.
+void mark(std::string_view text, SourceId source, std::size_t begin, std::size_t end, Uses& uses) {
+  const std::size_t next = std::min(text.find_first_not_of(" \t\r\n", end), text.size());
+  if (text.substr(next, 1) == "=" && text.substr(next, 2) != "==") return;
+  for (auto& of_kind : uses) {
+    const auto found = of_kind.find(text.substr(begin, end - begin));
+    if (found == of_kind.end() || found->second.is_used) continue;
+    found->second.is_used = !found->second.defines(source, begin, end);
+  }
+}
+
+/// Names with characters that are not of words are searched one by one.
+void mark_odd_names(std::string_view text, SourceId source, Uses& uses) {
+  constexpr std::size_t kMost = 200;  // each costs a pass over the file
+  std::size_t count = 0;
+  for (auto& of_kind : uses) {
+    for (auto& [name, use] : of_kind) {
+      if (use.is_used || std::all_of(name.begin(), name.end(), is_of_name)) continue;
+      if (++count > kMost) use.is_used = true;  // not known
+      for (std::size_t at = text.find(name); at != text.npos && !use.is_used;
+           at = text.find(name, at + 1)) {
+        if (is_whole_name(text, at, at + name.size())) {
+          mark(text, source, at, at + name.size(), uses);
+        }
+      }
     }
   }
-  return false;
 }
+
+void mark_all(std::string_view text, SourceId source, Uses& uses) {
+  for (std::size_t at = 0; at < text.size();) {
+    if (!is_of_name(text[at])) {
+      ++at;
+      continue;
+    }
+    std::size_t end = at;
+    while (end < text.size() && is_of_name(text[end])) ++end;
+    mark(text, source, at, end, uses);
+    at = end;
+  }
+  mark_odd_names(text, source, uses);
+}
+
+}  // namespace
 
 /// Only in the file of a robot: libraries have names for others.
 void Expander::check_unused(const Node& in, const Node& out) {
@@ -91,19 +143,18 @@ void Expander::check_unused(const Node& in, const Node& out) {
   if (!is_robot || has_failed_) return;
   std::vector<Definition> all;
   collect(in, all);
+  Uses uses = uses_of(all);
+  for (const auto& [path, file] : files_) {
+    mark_all(context_.sources.text(file->source), file->source, uses);
+  }
   for (std::size_t kind = 0; kind < kTitles.size(); ++kind) {
     std::set<std::string_view> seen;
     Diagnostic* first = nullptr;
     std::string others;
     for (const Definition& one : all) {
-      const bool is_computed = one.name.find('$') != std::string_view::npos;
-      if (static_cast<std::size_t>(one.kind) != kind || one.name.empty() || is_computed) continue;
-      if (!seen.insert(one.name).second) continue;
-      std::vector<Span> places;
-      for (const Definition& other : all) {
-        if (other.kind == one.kind && other.name == one.name) places.push_back(other.place);
-      }
-      if (is_used(one.name, places)) continue;
+      if (static_cast<std::size_t>(one.kind) != kind || !seen.insert(one.name).second) continue;
+      const auto use = uses[kind].find(one.name);
+      if (use == uses[kind].end() || use->second.is_used) continue;
       if (first != nullptr) {
         others += (others.empty() ? "" : ", ") + quoted(one.name);
         continue;

@@ -134,14 +134,15 @@ Description read(xml::Document&& document) {
   if (!root || root.name() != "robot") return result;
   result.name = text_of(root, "name");
   for (const xml::View child : root) read_child(child, result);
+  for (std::size_t i = 0; i < result.groups.size(); ++i) {
+    if (const Text& name = result.groups[i].name) result.group_numbers.try_emplace(*name, i);
+  }
   return result;
 }
 
 const Group* Description::find_group(std::string_view wanted) const {
-  const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& one) {
-    return one.name && *one.name == wanted;
-  });
-  return found == groups.end() ? nullptr : &*found;
+  const auto found = group_numbers.find(wanted);
+  return found == group_numbers.end() ? nullptr : &groups[found->second];
 }
 
 const VirtualJoint* Description::find_virtual_joint(std::string_view wanted) const {

@@ -3,6 +3,7 @@
 #include "lint/companions/controllers.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "base/text/words.hpp"
 
@@ -33,7 +34,10 @@ void collect(yaml::View value, int depth, std::vector<Node>& nodes) {
   }
 }
 
-void read_manager(yaml::View manager, const std::vector<Node>& nodes, ControllerFile& file) {
+/// The parameters of the first node of each name.
+using NodesByName = std::map<std::string_view, yaml::View>;
+
+void read_manager(yaml::View manager, const NodesByName& nodes, ControllerFile& file) {
   for (const yaml::View member : manager) {
     if (member.is_repeated() || !member.is_mapping()) continue;
     RosController one{.name = member.key(),
@@ -41,9 +45,8 @@ void read_manager(yaml::View manager, const std::vector<Node>& nodes, Controller
                       .type = member.find("type"),
                       .section = {},
                       .place = member.key_span()};
-    const auto node = std::find_if(nodes.begin(), nodes.end(),
-                                   [&](const Node& other) { return other.name == one.name; });
-    if (node != nodes.end()) one.section = node->parameters;
+    const auto node = nodes.find(one.name);
+    if (node != nodes.end()) one.section = node->second;
     if (!one.type && one.section) one.type = one.section.find("type");
     if (one.type && one.type.is_scalar())
       one.known = find_controller_class(trimmed(one.type.text()));
@@ -73,11 +76,13 @@ void for_each_controller_file(const Companions& companions,
     if (one.kind != CompanionKind::controllers || !one.document || !one.document->view()) continue;
     std::vector<Node> nodes;
     collect(one.document->view(), 0, nodes);
+    NodesByName by_name;
+    for (const Node& node : nodes) by_name.try_emplace(node.name, node.parameters);
     ControllerFile file{&one, {}, {}};
     for (const Node& node : nodes) {
       if (node.name != "controller_manager") continue;
       if (!file.manager) file.manager = node.parameters;
-      read_manager(node.parameters, nodes, file);
+      read_manager(node.parameters, by_name, file);
     }
     visit(file);
   }

@@ -3,8 +3,10 @@
 #include "lint/companions/srdf_queries.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "base/files/path.hpp"
 
@@ -30,14 +32,29 @@ class Collector {
     result_.of_robot.resize(model.robot->joints.size());
   }
 
+  /// Not recursive: groups may be nested as deep as the file is long.
   void add(const srdf::Group& group) {
-    if (!seen_.insert(&group).second) return;
-    for (const srdf::Member& member : group.members) add(member);
+    note(group);
+    while (!waiting_.empty()) {
+      const srdf::Group* one = waiting_.back();
+      waiting_.pop_back();
+      for (const srdf::Member& member : one->members) add(member);
+    }
   }
 
   GroupJoints take() { return std::move(result_); }
 
  private:
+  void note(const srdf::Group& group) {
+    // Robots have a dozen groups. The joints of each are collected for several rules.
+    constexpr std::size_t kMostGroups = 200;
+    if (seen_.size() == kMostGroups) {
+      result_.is_complete = false;
+    } else if (seen_.insert(&group).second) {
+      waiting_.push_back(&group);
+    }
+  }
+
   void add(const srdf::Member& member) {
     switch (member.kind) {
     case srdf::Member::Kind::joint: return add_joint(member.name);
@@ -49,7 +66,7 @@ class Collector {
     if (group == nullptr) {
       result_.is_complete = false;
     } else {
-      add(*group);
+      note(*group);
     }
   }
 
@@ -86,6 +103,7 @@ class Collector {
   const srdf::Description& srdf_;
   GroupJoints result_;
   std::set<const srdf::Group*> seen_;
+  std::vector<const srdf::Group*> waiting_;
 };
 
 }  // namespace

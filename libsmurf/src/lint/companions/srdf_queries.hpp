@@ -26,7 +26,8 @@ std::string title_of(std::string_view kind, const srdf::Text& name);
 struct GroupJoints {
   std::vector<bool> of_robot;  ///< by JointIndex
   std::vector<const srdf::VirtualJoint*> virtual_joints;
-  /// False if a member is unknown or a chain is broken; then joints may be missing.
+  /// False if a member is unknown, a chain is broken, or there are too many groups in the group;
+  /// then joints may be missing.
   bool is_complete = true;
 
   bool contains(const LinkedModel& model, std::string_view joint) const;

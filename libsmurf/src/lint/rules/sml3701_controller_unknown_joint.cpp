@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "base/text/suggest.hpp"
 #include "lint/companions/controllers.hpp"
@@ -10,59 +17,70 @@ namespace {
 constexpr Circumstance kNumbered{"numbered"};
 constexpr Circumstance kSettings{"settings"};
 
-bool is_in(Span inner, Span outer) {
-  return inner.source == outer.source && outer.begin <= inner.begin && inner.end <= outer.end;
-}
+/// A controller with the references in its section.
+struct Section {
+  const RosController* controller = nullptr;
+  std::vector<const Reference*> references;
+  std::vector<std::string_view> joints;      ///< of its key `joints`
+  std::set<std::string_view> listed_joints;  ///< of all keys that list its joints
+  bool has_unknown_joint = false;
 
-/// The controller whose section contains a place; null if there is none.
-const RosController* controller_at(const ControllerFile& file, Span place) {
-  const auto found =
-      std::find_if(file.controllers.begin(), file.controllers.end(), [&](const RosController& one) {
-        return one.section && is_in(place, one.section.span());
-      });
-  return found == file.controllers.end() ? nullptr : &*found;
-}
-
-bool lists(const RosController& controller, std::string_view joint) {
-  for (const std::string_view key : {"joints", "command_joints", "dof_names"}) {
-    const std::vector<yaml::View> items = controller.list(key);
-    if (std::any_of(items.begin(), items.end(),
-                    [&](yaml::View item) { return item.text() == joint; })) {
-      return true;
+  Section(const LinkedModel& model, const RosController& one) : controller(&one) {
+    for (const std::string_view key : {"joints", "command_joints", "dof_names"}) {
+      for (const yaml::View item : one.list(key)) listed_joints.insert(item.text());
+    }
+    for (const yaml::View item : one.list("joints")) {
+      joints.push_back(item.text());
+      has_unknown_joint = has_unknown_joint || !model.joint_index(item.text());
     }
   }
-  return false;
+
+  /// Whether the robot has none of the joints of the controller, which is then for another robot.
+  bool is_foreign() const {
+    return std::none_of(references.begin(), references.end(), [](const Reference* one) {
+      return one->is_known() && one->kind == NameKind::joint;
+    });
+  }
+};
+
+/// The sections of a file in its order. One section may be that of several controllers; the first
+/// has the references.
+std::vector<Section> sections_of(const LinkedModel& model, const ControllerFile& file,
+                                 const std::vector<Reference>& references) {
+  std::vector<Section> sections;
+  std::map<std::pair<SourceId, std::uint32_t>, std::size_t> by_begin;
+  for (const RosController& one : file.controllers) {
+    if (!one.section) continue;
+    const Span span = one.section.span();
+    by_begin.try_emplace({span.source, span.begin}, sections.size());
+    sections.emplace_back(model, one);
+  }
+  for (const Reference& one : references) {
+    auto after = by_begin.upper_bound({one.span.source, one.span.begin});
+    if (after == by_begin.begin()) continue;
+    Section& section = sections[(--after)->second];
+    const Span span = section.controller->section.span();
+    if (span.source == one.span.source && one.span.end <= span.end) {
+      section.references.push_back(&one);
+    }
+  }
+  return sections;
 }
 
-bool has_unknown_joint(const LinkedModel& model, const RosController& controller) {
-  const std::vector<yaml::View> joints = controller.list("joints");
-  return std::any_of(joints.begin(), joints.end(),
-                     [&](yaml::View joint) { return !model.joint_index(joint.text()); });
-}
-
-/// Whether the robot has none of the joints of a controller, which is then for another robot.
-bool is_foreign(const std::vector<Reference>& references, const RosController& controller) {
-  return std::none_of(references.begin(), references.end(), [&](const Reference& one) {
-    return one.is_known() && one.kind == NameKind::joint &&
-           is_in(one.span, controller.section.span());
-  });
-}
-
-void check_reference_of(const LinkedModel& model, const RosController& controller,
-                        const Reference& one, Findings& findings) {
+void check_reference_of(const LinkedModel& model, const Section& section, const Reference& one,
+                        Findings& findings) {
+  const RosController& controller = *section.controller;
   if (one.is_vague) {
     // `gains` and `constraints`: names of joints of the controller.
-    if (controller.list("joints").empty() || lists(controller, one.name)) return;
+    if (section.joints.empty() || section.listed_joints.contains(one.name)) return;
     // Then it is `joints` that has another name than meant.
-    if (model.joint_index(one.name) && has_unknown_joint(model, controller)) return;
+    if (model.joint_index(one.name) && section.has_unknown_joint) return;
     Diagnostic& found =
         findings.report(one.span, title_of(controller) + " has settings for the joint " +
                                       quoted(one.name) + ", which is not one of its joints");
     found.severity = Severity::warning;
     found.when(kSettings);
-    std::vector<std::string_view> known;
-    for (const yaml::View item : controller.list("joints")) known.push_back(item.text());
-    if (const auto near = findings.suggest(one.name, known)) {
+    if (const auto near = findings.suggest(one.name, section.joints)) {
       found.help("did you mean " + quoted(*near) + "?");
       found.fixes.push_back({Applicability::unsafe, {{one.span, std::string(*near)}}});
     } else {
@@ -91,12 +109,11 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
   if (!model.robot) return;
   const std::vector<Reference> references = companion_references(model, companions);
   for_each_controller_file(companions, [&](const ControllerFile& file) {
-    for (const RosController& controller : file.controllers) {
-      if (!controller.section || is_foreign(references, controller)) continue;
-      for (const Reference& one : references) {
-        if (one.kinds != NameKind::joint || is_placeholder(one.name)) continue;
-        if (controller_at(file, one.span) != &controller) continue;
-        check_reference_of(model, controller, one, findings);
+    for (const Section& section : sections_of(model, file, references)) {
+      if (section.is_foreign()) continue;
+      for (const Reference* one : section.references) {
+        if (one->kinds != NameKind::joint || is_placeholder(one->name)) continue;
+        check_reference_of(model, section, *one, findings);
       }
     }
   });

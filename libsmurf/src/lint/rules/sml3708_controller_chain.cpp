@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+#include <cstddef>
+#include <map>
 #include <set>
 #include <string_view>
 #include <vector>
 
-#include "base/text/suggest.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
 
@@ -15,23 +15,32 @@ constexpr Circumstance kUnknown{"unknown"};
 constexpr Circumstance kHumble{"chainable later"};
 
 /// The controllers of all files of the robot.
-using All = std::vector<RosController>;
+struct All {
+  std::vector<RosController> controllers;
+  std::vector<std::string_view> names;
+  std::map<std::string_view, std::size_t> numbers;  ///< the first of each name
 
-const RosController* find(const All& all, std::string_view name) {
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const RosController& one) { return one.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
+  explicit All(const Companions& companions) {
+    for_each_controller_file(companions, [&](const ControllerFile& file) {
+      controllers.insert(controllers.end(), file.controllers.begin(), file.controllers.end());
+    });
+    for (std::size_t i = 0; i < controllers.size(); ++i) {
+      names.push_back(controllers[i].name);
+      numbers.try_emplace(names.back(), i);
+    }
+  }
+
+  const RosController* find(std::string_view name) const {
+    const auto found = numbers.find(name);
+    return found == numbers.end() ? nullptr : &controllers[found->second];
+  }
+};
 
 void report_unknown(const All& all, const RosController& controller, yaml::View value,
                     std::string_view name, Findings& findings) {
-  std::vector<std::string_view> names;
-  for (const RosController& one : all) {
-    if (one.name != controller.name) names.push_back(one.name);
-  }
   // It may be a sensor or a part of hardware.
-  const auto near = only_nearest(name, names);
-  if (!near) return;
+  const auto near = findings.suggest(name, all.names);
+  if (!near || *near == controller.name) return;
   findings
       .report(value.span(), title_of(controller) + " commands " + quoted(value.text()) +
                                 ", but there is no controller " + quoted(name))
@@ -45,7 +54,7 @@ void check_name(const All& all, const RosController& controller, yaml::View valu
   const std::size_t slash = text.find('/');
   if (slash == std::string_view::npos || slash == 0 || is_placeholder(text)) return;
   const std::string_view name = text.substr(0, slash);
-  const RosController* other = find(all, name);
+  const RosController* other = all.find(name);
   if (other == nullptr) return report_unknown(all, controller, value, name, findings);
   if (other->known == nullptr || other->known->chainable == other->known->distributions) return;
   const bool is_never = other->known->chainable.empty();
@@ -63,11 +72,8 @@ void check_name(const All& all, const RosController& controller, yaml::View valu
 }
 
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
-  All all;
-  for_each_controller_file(companions, [&](const ControllerFile& file) {
-    all.insert(all.end(), file.controllers.begin(), file.controllers.end());
-  });
-  for (const RosController& one : all) {
+  const All all(companions);
+  for (const RosController& one : all.controllers) {
     const std::string_view key = one.list("command_joints").empty() ? "joints" : "command_joints";
     if (one.known == nullptr || one.list("command_interfaces").empty()) continue;
     std::set<std::string_view> seen;  // one finding for each of the others

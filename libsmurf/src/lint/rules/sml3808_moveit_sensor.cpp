@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "base/text/suggest.hpp"
 #include "lint/companions/moveit_files.hpp"
 
 namespace smurf::rules::sml3808_moveit_sensor_file {
@@ -9,21 +11,31 @@ namespace {
 
 constexpr Circumstance kList{"list"};
 
-void check_sensor(yaml::View name, yaml::View root, Findings& findings) {
-  const yaml::View section = root.find(name.text());
+/// The mappings of the file, the first of each name.
+struct Sections {
+  std::map<std::string_view, yaml::View> by_name;  ///< all keys
+  std::vector<std::string_view> mappings;
+
+  explicit Sections(yaml::View root) {
+    for (const yaml::View one : root) {
+      by_name.try_emplace(one.key(), one);
+      if (one.is_mapping()) mappings.push_back(one.key());
+    }
+  }
+};
+
+void check_sensor(yaml::View name, const Sections& sections, Findings& findings) {
+  const auto known = sections.by_name.find(name.text());
+  const yaml::View section = known == sections.by_name.end() ? yaml::View() : known->second;
   if (section && section.is_mapping() && section.find("sensor_plugin")) return;
   if (section && section.is_mapping()) {
     findings.report(section.key_span(), "the sensor " + quoted(name.text()) + " has no plugin")
         .help("write `sensor_plugin: occupancy_map_monitor/PointCloudOctomapUpdater`");
     return;
   }
-  std::vector<std::string_view> known;
-  for (const yaml::View one : root) {
-    if (one.is_mapping()) known.push_back(one.key());
-  }
   Diagnostic& found =
       findings.report(name.span(), "there is no section for the sensor " + quoted(name.text()));
-  const auto near = only_nearest(name.text(), known);
+  const auto near = findings.suggest(name.text(), sections.mappings);
   found.help(near ? "did you mean " + quoted(*near) + "?"
                   : "write a mapping " + quoted(name.text()) + " with `sensor_plugin`");
   if (near) found.fixes.push_back({Applicability::unsafe, {{name.span(), std::string(*near)}}});
@@ -33,9 +45,10 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
   for_each_file(companions, CompanionKind::sensors_3d, [&](const Companion& file, yaml::View root) {
     const yaml::View sensors = root.find("sensors");
     if (!sensors || !sensors.is_sequence() || !file.is_ros2) return;
+    const Sections sections(root);
     for (const yaml::View one : sensors) {
       if (one.is_scalar()) {
-        check_sensor(one, root, findings);
+        check_sensor(one, sections, findings);
       } else if (one.is_mapping() && one.find("sensor_plugin")) {
         findings.report(sensors.key_span(), "`sensors` is a list of mappings, as in ROS 1")
             .help("write a list of names, and a mapping for each of them beside it")
