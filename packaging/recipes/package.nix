@@ -4,6 +4,7 @@
   stdenv,
   fetchurl,
   cmake,
+  console-bridge,
   ninja,
   pkg-config,
   eigen,
@@ -28,7 +29,7 @@ stdenv.mkDerivation rec {
 
   nativeBuildInputs = [ cmake ninja pkg-config ];
   buildInputs = [
-    eigen libpng minizip nlohmann_json ode tinyxml-2 urdfdom urdfdom-headers yaml-cpp
+    console-bridge eigen libpng minizip nlohmann_json ode tinyxml-2 urdfdom urdfdom-headers yaml-cpp
   ];
   cmakeFlags = [ "-DSMURF_BUILD_TESTS=OFF" "-DSMURF_BUILD_PYTHON=OFF" ];
 

@@ -11,6 +11,7 @@ class SmurfTools < Formula
   depends_on "ninja" => :build
   depends_on "nlohmann-json" => :build
   depends_on "pkgconf" => :build
+  depends_on "console_bridge"
   depends_on "minizip"
   depends_on "tinyxml2"
   depends_on "urdfdom"

@@ -15,7 +15,7 @@ BUILT = ("CMakeLists.txt", "libsmurf/CMakeLists.txt", "tools/CMakeLists.txt", "p
 # Names in package.xml for the packages that CMake looks for: keys of rosdep if they exist.
 NAMES = {
     "yaml-cpp": {"yaml-cpp"}, "tinyxml2": {"tinyxml2"}, "Eigen3": {"eigen"}, "nlohmann_json": {"nlohmann-json-dev"},
-    "urdfdom": {"liburdfdom-dev", "liburdfdom-headers-dev"},
+    "urdfdom": {"liburdfdom-dev", "liburdfdom-headers-dev"}, "console_bridge": {"libconsole-bridge-dev"},
     "PkgConfig": {"pkg-config"}, "minizip": {"libminizip-dev"}, "ode": {"opende"}, "PNG": {"libpng-dev"},
     "pybind11": {"pybind11-dev", "python3-dev", "python3"}, "Threads": set(),
 }
