@@ -13,7 +13,8 @@ std::string shortened(std::string_view text, std::size_t most);
 
 /// A text as messages show it: shortened and in backquotes.
 std::string quoted(std::string_view text);
-/// For std::string, whose namespace has std::quoted(), which is the better match without this.
+/// The namespace of std::string has std::quoted(), which is the better match without this.
 inline std::string quoted(const std::string& text) { return quoted(std::string_view(text)); }
+inline std::string quoted(const char* text) { return quoted(std::string_view(text)); }
 
 }  // namespace smurf
