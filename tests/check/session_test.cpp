@@ -163,6 +163,19 @@ TEST_CASE("a folder is checked as smurf-lint does it") {
   CHECK(session.check(paths).diagnostics.size() == report.diagnostics.size());
 }
 
+TEST_CASE("robots that include what an argument names are checked with their folder") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"one", "two"}) {
+    write(folder / (name + ".urdf.xacro"),
+          "<robot name='" + name +
+              "' xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:arg name='more' default=''/>"
+              "<link name='a'/><xacro:if value=\"${'$(arg more)' != ''}\">"
+              "<xacro:include filename='$(arg more)'/></xacro:if></robot>");
+  }
+  Session session;
+  CHECK(session.check(folder / ".").summary.models == 2);
+}
+
 TEST_CASE("a loaded model is checked again with the same result") {
   MemoryFiles files;
   files.add(

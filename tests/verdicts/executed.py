@@ -75,7 +75,7 @@ def readers(build):
         else:
             absent.append(name)
     for name, program, package in (("MuJoCo-2.3", "mujoco_robot.py", "mujoco-2.3.7"), ("MuJoCo-3.1", "mujoco_robot.py", "mujoco-3.1.6"),
-                                   ("MuJoCo-3.3", "mujoco_robot.py", "mujoco-3.3.7"),
+                                   ("MuJoCo-3.3", "mujoco_robot.py", "mujoco-3.3.7"), ("DART-6.20", "dart_robot.py", "dartpy-6.20.0"),
                                    ("Isaac", "isaac_robot.py", "urdf-usd-converter-0.3.4")):
         folder = PYTHON.parent.parent.parent / package
         # Without the packages of the environment, whose OpenUSD is another than that of Isaac's converter.

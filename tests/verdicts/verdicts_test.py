@@ -26,7 +26,7 @@ import robot
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
 import cases as drivers  # noqa: E402
 
-TARGETS = {"ros": "urdfdom", "ros:jazzy": "urdfdom-4", "ros:rolling": "urdfdom-6", "gazebo": "libsdformat", "dart": "DART",
+TARGETS = {"ros": "urdfdom", "ros:jazzy": "urdfdom-4", "ros:rolling": "urdfdom-6", "gazebo": "libsdformat", "dart": "DART", "dart:6.20": "DART-6.20",
            "mujoco": "MuJoCo", "mujoco:2.3": "MuJoCo-2.3", "mujoco:3.1": "MuJoCo-3.1", "mujoco:3.3": "MuJoCo-3.3",
            "mujoco:4.0": "MuJoCo-4", "pybullet": "Bullet", "pinocchio": "Pinocchio", "newton": "Newton", "isaac": "Isaac"}
 WITH_OBJ = {"drake": "Drake"}  # see executed.with_obj
@@ -35,7 +35,7 @@ COUNTS = ("all-clears", "alarms", "not-known", "others")
 # Upper limits, which should only become smaller. For ros, 18 of those not known name a package that only a machine
 # with ROS may have.
 BOUNDS = {"ros": (0, 2, 26, 53), "ros:jazzy": (0, 1, 26, 53), "ros:rolling": (0, 1, 22, 53), "gazebo": (0, 9, 10, 43),
-          "dart": (0, 2, 8, 12), "mujoco": (0, 3, 4, 9), "mujoco:2.3": (5, 50, 4, 13), "mujoco:3.1": (3, 6, 4, 17),
+          "dart": (0, 2, 8, 12), "dart:6.20": (0, 1, 8, 12), "mujoco": (0, 3, 4, 9), "mujoco:2.3": (5, 50, 4, 13), "mujoco:3.1": (3, 6, 4, 17),
           "mujoco:3.3": (0, 5, 4, 17), "mujoco:4.0": (0, 3, 4, 9), "pybullet": (2, 5, 7, 35), "drake": (5, 1, 7, 12), "drake elements": (6, 1, 0, 23),
           "pinocchio": (1, 5, 4, 30), "newton": (4, 31, 0, 16), "isaac": (15, 25, 0, 42)}
 LEAST, LEAST_OF_DRAKE = 7000, 1300

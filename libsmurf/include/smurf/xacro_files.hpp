@@ -15,7 +15,8 @@
 namespace smurf {
 
 /// Xacro files and their includes. Nothing is expanded: an include whose path has an expression
-/// counts as an include of every file that the rest of the path matches.
+/// counts as an include of every file that the rest of the path matches, and of none without a
+/// rest.
 class XacroFiles {
  public:
   XacroFiles(std::vector<std::string> files, const FileReader& reader, const Limits& limits);

@@ -39,6 +39,9 @@ bool may_mean(const std::string& written, const std::string& from, const std::st
   if (parts.size() == 1) {
     return path::join(path::parent(from), written) == path::normalize(file);
   }
+  // `${file}` may mean any file, and often none: with its default it is empty.
+  const auto is_empty = [](const std::string& part) { return part.empty(); };
+  if (std::all_of(parts.begin(), parts.end(), is_empty)) return false;
   // The folder of a package may be the current one, whose name is not in the path.
   const std::string other = path::is_absolute(file) ? file : "/" + file;
   if (!other.ends_with(parts.back())) return false;

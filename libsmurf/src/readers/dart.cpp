@@ -9,6 +9,15 @@ constexpr Fact kUnread[] = {
     {&dart, Effect::ignores, "does not open textures", kRun, at("texture/@filename")},
 };
 
+constexpr ReaderVersion kIn620[] = {{&dart, {6, 20}}, {&urdfdom, {4, 0}}};
+constexpr Reader kDart620{
+    .name = "dart:6.20",
+    .title = "DART 6.20",
+    .basis = "6.20.0 (wheel `dartpy`, with urdfdom 4.0, without assertions), executed",
+    .like = &dart,
+    .parts = kIn620};
+constexpr const Reader* kReleases[] = {&kDart620};
+
 }  // namespace
 
 extern constinit const Reader dart{.name = "dart",
@@ -16,6 +25,8 @@ extern constinit const Reader dart{.name = "dart",
                                    .basis = "6.12.1 (Debian 12), executed",
                                    .like = &urdfdom,
                                    .version = "DART 6.12.1",
-                                   .unread = kUnread};
+                                   .unread = kUnread,
+                                   .number = {6, 12, 1},
+                                   .releases = kReleases};
 
 }  // namespace smurf::readers::dart_file

@@ -48,7 +48,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks,
      "stops loading here, so all later objects, the pose and the anchor are missing",
      "MARS smurf.cpp:1014-1058, NodePhysics.cpp:626-634"},
-    {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun},
+    {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun, before({6, 20})},
     {&readers::mujoco, Effect::refuses, "refuses a size that is not positive", kRun},
     {&readers::drake, Effect::takes, "accepts a sphere of radius 0", kRun,
      at("sphere/@radius").when(kZero)},

@@ -54,7 +54,7 @@ constexpr Fact kFacts[] = {
      "stops loading here, so all later objects, the pose and the anchor are missing",
      "MARS NodePhysics.cpp:626-634", when(kZero)},
     {&readers::dart, Effect::takes, "keeps the scale", kRun, when(kTiny)},
-    {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun},
+    {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun, before({6, 20})},
     {&readers::mujoco, Effect::changes, "keeps a shape without volume", "3.2.7, run",
      before({3, 3})},
     {&readers::mujoco, Effect::refuses, "refuses a mesh of less than 1e-15 m3", kRun, when(kTiny)},
