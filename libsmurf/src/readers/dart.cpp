@@ -9,6 +9,12 @@ constexpr Fact kUnread[] = {
     {&dart, Effect::ignores, "does not open textures", kRun, at("texture/@filename")},
 };
 
+constexpr ReaderVersion kIn612[] = {{&dart, {6, 12, 1}}, {&urdfdom, {3, 0, 1}}};
+constexpr Reader kDart612{.name = "dart:6.12",
+                          .title = "DART 6.12",
+                          .basis = "6.12.1 (Debian 12), executed",
+                          .like = &dart,
+                          .parts = kIn612};
 constexpr ReaderVersion kIn620[] = {{&dart, {6, 20}}, {&urdfdom, {4, 0}}};
 constexpr Reader kDart620{
     .name = "dart:6.20",
@@ -16,7 +22,7 @@ constexpr Reader kDart620{
     .basis = "6.20.0 (wheel `dartpy`, with urdfdom 4.0, without assertions), executed",
     .like = &dart,
     .parts = kIn620};
-constexpr const Reader* kReleases[] = {&kDart620};
+constexpr const Reader* kReleases[] = {&kDart612, &kDart620};
 
 }  // namespace
 
