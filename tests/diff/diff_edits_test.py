@@ -44,6 +44,8 @@ class Tester:
         text = path.read_bytes()
         things = [(one.tag, one.attributes["name"]) for one in edits.elements_of(text)
                   if one.tag in ("link", "joint") and one.parent.tag == "robot" and one.attributes.get("name")]
+        if not things:
+            return
         old, new = self.work / "old.urdf", self.work / "new.urdf"
         for copy in (old, new):
             copy.write_bytes(text)
