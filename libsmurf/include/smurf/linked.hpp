@@ -89,8 +89,8 @@ struct MeshReference {
   /// folder above the URDF.
   bool is_package_guessed = false;
   bool is_package_given = false;  ///< the caller named the folder of the package
-  /// Whether neither the folder of the URDF nor one of the four above it has NAME/REST of a
-  /// package://NAME/REST that is known by its package.xml.
+  /// Whether the package was found elsewhere: the folder of the URDF and the four above it have no
+  /// file NAME/REST.
   bool is_package_elsewhere = false;
   std::string package_there;  ///< if it was guessed: the name in the package.xml of that folder, if
                               ///< it has one

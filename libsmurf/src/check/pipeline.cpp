@@ -162,7 +162,7 @@ Judged judge(const Accompanied& robot, const SourceMap& sources, const RuleSelec
     judged.comments.add(one.companions, sources);
     locate(one.companions, judged.diagnostics);
   }
-  // One that is malformed is no companion.
+  // An SRDF that is not well-formed is not among the companions.
   for (Diagnostic& one : judged.diagnostics) {
     if (is_companion_path(sources.path(one.span.source))) one.when(cases::kInCompanion);
   }

@@ -28,7 +28,7 @@ class Packages {
     /// Whether the file was found in a folder above the URDF that does not have the name.
     bool is_guess = false;
     std::string package{};  ///< then the name in that folder's package.xml
-    /// Whether neither the folder of the URDF nor one of the four above it has NAME/REST.
+    /// Whether the folder of the URDF and the four above it have no file NAME/REST.
     bool is_elsewhere = false;
   };
   /// The file for NAME/REST. It is looked up in the folder given for the package; then in the

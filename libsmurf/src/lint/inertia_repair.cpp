@@ -95,12 +95,6 @@ std::string element_of(const Tensor& tensor) {
   return text + "/>";
 }
 
-std::string moments_of(const Tensor& tensor) {
-  const Vector3 moments = principal_of(tensor).moments;
-  return format_rounded(moments[0], 3) + ", " + format_rounded(moments[1], 3) + ", " +
-         format_rounded(moments[2], 3);
-}
-
 /// Writes the inertia of the shapes into an inertial that has none.
 void add_fix(const LinkedModel& model, const urdf::Link& link, const InertiaSource& source,
              Diagnostic& finding) {

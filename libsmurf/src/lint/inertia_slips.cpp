@@ -137,6 +137,12 @@ void add_rods(const Tensor& t, InertiaSlips& slips) {
 
 }  // namespace
 
+std::string moments_of(const Tensor& tensor) {
+  const Vector3 moments = principal_of(tensor).moments;
+  return format_rounded(moments[0], 3) + ", " + format_rounded(moments[1], 3) + ", " +
+         format_rounded(moments[2], 3);
+}
+
 Tensor tensor_of(const urdf::Inertial& inertial) {
   Tensor tensor{};
   const auto fields = fields_of(inertial);

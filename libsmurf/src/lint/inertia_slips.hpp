@@ -23,6 +23,8 @@ std::optional<InertiaSlip> likely_slip(const LinkedModel& model, const urdf::Lin
 /// Adds the mistake to a finding, and a fix that undoes it.
 void add_likely_slip(const LinkedModel& model, const urdf::Link& link, Diagnostic& diagnostic);
 
+/// The principal moments, rounded for a message: "0.1, 0.2, 0.2".
+std::string moments_of(const Tensor& tensor);
 /// The entries as written. Precondition: all are readable.
 Tensor tensor_of(const urdf::Inertial& inertial);
 /// The tensor of the shapes of a link with its mass, in the frame of the inertial, about the centre

@@ -98,12 +98,6 @@ std::optional<NodeInertia> read(const LinkedModel& model, std::string_view kind,
   return node;
 }
 
-std::string moments_of(const Tensor& tensor) {
-  const Vector3 moments = principal_of(tensor).moments;
-  return format_rounded(moments[0], 3) + ", " + format_rounded(moments[1], 3) + ", " +
-         format_rounded(moments[2], 3);
-}
-
 std::optional<Fix> edits_for(const NodeInertia& node, const Tensor& tensor) {
   constexpr int kDigits = 7;
   double scale = 0;

@@ -27,7 +27,7 @@ struct NodeInertia {
   std::array<std::optional<double>, 9> values;
   std::array<Span, 9> places{};  ///< within quotes; of absent entries empty
   std::optional<double> mass;    ///< kg, positive
-  Span mass_place;               ///< empty if the mass follows from a density
+  Span mass_place;               ///< empty if the mass is computed from a density
   std::optional<Solid> solid;    ///< of a box, sphere, cylinder or capsule
   std::optional<Extent> extent;  ///< of the same
 };

@@ -125,7 +125,8 @@ class Checker {
  private:
   void child(xml::View child, const Part& part) {
     if (part.value != '\0' && !is_readable(part, child.text(), child)) {
-      report_unreadable(place_of(child), part, trimmed_text(child.text()).empty(), report_);
+      report_unreadable(place_of(child), part.name, trimmed_text(child.text()).empty(),
+                        wanted(part), report_);
       return;
     }
     if (!part.kind.empty()) element(child, part.kind);
@@ -142,8 +143,8 @@ class Checker {
             .help("add the attribute " + quoted(part->name));
         is_good = false;
       } else if (!is_readable(*part, attribute->value(), element)) {
-        report_unreadable(place_of(element, part->name), *part, attribute->value().empty(),
-                          report_);
+        report_unreadable(place_of(element, part->name), part->name, attribute->value().empty(),
+                          wanted(*part), report_);
         is_good = false;
       }
     }
@@ -241,9 +242,12 @@ class Checker {
 
 }  // namespace
 
-void report_unreadable(Span place, const Part& part, bool is_empty, const Report& report) {
-  report(place, quoted(part.name) + (is_empty ? " is empty" : " cannot be read by Gazebo"))
-      .help("write " + std::string(wanted(part)));
+Diagnostic& report_unreadable(Span place, std::string_view name, bool is_empty,
+                              std::string_view wanted, const Report& report) {
+  Diagnostic& found =
+      report(place, quoted(name) + (is_empty ? " is empty" : " cannot be read by Gazebo"));
+  found.help("write " + std::string(wanted));
+  return found;
 }
 
 void check_element(xml::View element, std::string_view kind, const Report& report) {

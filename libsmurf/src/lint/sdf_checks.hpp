@@ -23,8 +23,9 @@ void check_element(xml::View element, std::string_view kind, const Report& repor
 /// Only those of its children.
 void check_children(xml::View element, std::string_view kind, const Report& report);
 
-/// Reports an element or attribute whose value sdformat cannot read.
-void report_unreadable(Span place, const Part& part, bool is_empty, const Report& report);
+/// Reports an element or attribute whose value sdformat cannot read. `wanted`: "a number".
+Diagnostic& report_unreadable(Span place, std::string_view name, bool is_empty,
+                              std::string_view wanted, const Report& report);
 /// Reports an `include`, whose model sdformat looks for.
 void check_include(xml::View include, const Report& report);
 /// Reports a name that sdformat keeps for itself.

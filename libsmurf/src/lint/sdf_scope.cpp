@@ -236,7 +236,8 @@ class Extensions {
     const Element* row = find(kind);
     const auto part = find_part(row->children, element.name());
     if (part && part->value != '\0' && !is_readable(*part, element.text(), element)) {
-      report_unreadable(place_of(element), *part, trimmed_text(element.text()).empty(), report_);
+      report_unreadable(place_of(element), part->name, trimmed_text(element.text()).empty(),
+                        wanted(*part), report_);
     } else if (part && !part->kind.empty()) {
       check_element(element, part->kind, report_);
     }

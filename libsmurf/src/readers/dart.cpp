@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // DART, which reads URDF with urdfdom.
+#include <string_view>
+
 #include "base/findings/readers.hpp"
 
 namespace smurf::readers::dart_file {
@@ -9,12 +11,10 @@ constexpr Fact kUnread[] = {
     {&dart, Effect::ignores, "does not open textures", kRun, at("texture/@filename")},
 };
 
+constexpr std::string_view kBasis = "6.12.1 (Debian 12), executed";
 constexpr ReaderVersion kIn612[] = {{&dart, {6, 12, 1}}, {&urdfdom, {3, 0, 1}}};
-constexpr Reader kDart612{.name = "dart:6.12",
-                          .title = "DART 6.12",
-                          .basis = "6.12.1 (Debian 12), executed",
-                          .like = &dart,
-                          .parts = kIn612};
+constexpr Reader kDart612{
+    .name = "dart:6.12", .title = "DART 6.12", .basis = kBasis, .like = &dart, .parts = kIn612};
 constexpr ReaderVersion kIn620[] = {{&dart, {6, 20}}, {&urdfdom, {4, 0}}};
 constexpr Reader kDart620{
     .name = "dart:6.20",
@@ -28,7 +28,7 @@ constexpr const Reader* kReleases[] = {&kDart612, &kDart620};
 
 extern constinit const Reader dart{.name = "dart",
                                    .title = "DART",
-                                   .basis = "6.12.1 (Debian 12), executed",
+                                   .basis = kBasis,
                                    .like = &urdfdom,
                                    .version = "DART 6.12.1",
                                    .unread = kUnread,

@@ -32,7 +32,7 @@ class LoadedNames {
     std::shared_ptr<const xacro::Expansions> expansions = nullptr;  ///< of the model
     std::set<std::string> read = {};                                ///< all its files, by identity
   };
-  /// Empty if only the names are kept.
+  /// There are none if only the names are kept.
   const std::deque<Part>& parts() const { return parts_; }
   /// The names of each part.
   const std::vector<std::vector<Reference>>& names() const { return names_; }

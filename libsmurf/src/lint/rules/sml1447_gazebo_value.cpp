@@ -37,11 +37,10 @@ Diagnostic& report(const xml::View element, std::string_view wanted, Findings& f
   const xml::Attribute* value = element.attribute("value");
   const Span place = value != nullptr ? value->span() : element.text_span();
   const bool is_empty = place.empty();
-  Diagnostic& diagnostic = findings.report(
-      is_empty ? element.name_span() : place,
-      quoted(element.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"));
-  diagnostic.help("write " + std::string(wanted));
-  return diagnostic;
+  return sdf::report_unreadable(is_empty ? element.name_span() : place, element.name(), is_empty,
+                                wanted, [&](Span at, std::string message) -> Diagnostic& {
+                                  return findings.report(at, std::move(message));
+                                });
 }
 
 /// A value that sdformat translates, wherever the element belongs.

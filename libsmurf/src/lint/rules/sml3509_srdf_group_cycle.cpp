@@ -75,7 +75,7 @@ class Rings {
     }
   }
 
-  /// All that was entered since `root` contains each other.
+  /// The groups that were entered since `root` contain each other.
   void close(std::size_t root) {
     std::size_t first = root, size = 0, last = 0;
     do {

@@ -79,7 +79,7 @@ Limit read_limit(const HardwareInterface& one, std::string_view name, const std:
   return {};
 }
 
-/// Whether limits are not switched off in a joint or an interface.
+/// Whether a joint or an interface does not switch its limits off.
 bool has_limits(xml::View element) {
   for (const xml::View child : element) {
     if (child.name() == "limits" && path::to_lower(attribute_text(child, "enable")) == "false") {
