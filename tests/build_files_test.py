@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The CMake files: lists are sorted, lines are short, and every script of the tests is in the table.
+"""The CMake files: lists are sorted, lines are short, and every script of the tests is in the table. The workflows: actions
+and packages are pinned.
 
 Prints one line per violation, `file:line: what`; the exit code is 1 if there is any.
 """
@@ -14,6 +15,8 @@ TESTS = ROOT / "tests"
 LONGEST_LINE = 120
 
 LISTED = re.compile(r"^ *(\S+\.[ch]pp)\)?$")
+PINNED_ACTION = re.compile(r"uses: [\w./-]+@[0-9a-f]{40}  # v\d")
+PINNED_PACKAGE = re.compile(r"npx (?:@\w+/)?\w+@\d+\.\d+\.\d+ ")
 ROW = re.compile(r"^smurf_script\((\S+) (\S+?\.py)\b", re.M)
 
 
@@ -66,9 +69,22 @@ def check_table():
         yield path, 1, f"only {len(rows)} rows of the table were found; has it moved?"
 
 
+def check_workflows():
+    """A tag of an action, and a range of versions, may be another program tomorrow: with the rights to release."""
+    found = 0
+    for path in sorted((ROOT / ".github" / "workflows").glob("*.yml")):
+        for number, line in lines_of(path):
+            for word, pinned in (("uses: ", PINNED_ACTION), ("npx ", PINNED_PACKAGE)):
+                found += line.count(word)
+                if line.count(word) != len(pinned.findall(line)):
+                    yield path, number, f"pin what follows '{word}': an action by its commit, a package by its whole version"
+    if found < 10:
+        yield ROOT / ".github", 1, f"only {found} actions and packages were found; have the workflows moved?"
+
+
 def main():
     faults = [fault for path in build_files() for check in (check_lines, check_lists) for fault in check(path)]
-    faults += check_table()
+    faults += [*check_table(), *check_workflows()]
     for path, number, fault in faults:
         print(f"{path.relative_to(ROOT)}:{number}: {fault}")
     return 1 if faults else 0
