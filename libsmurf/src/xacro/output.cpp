@@ -76,11 +76,11 @@ class Writer {
   }
 
   void attributes(const Node& node) {
-    std::vector<const NodeAttribute*> sorted;
-    for (const NodeAttribute& one : node.attributes) sorted.push_back(&one);
-    std::sort(sorted.begin(), sorted.end(),
+    sorted_.clear();
+    for (const NodeAttribute& one : node.attributes) sorted_.push_back(&one);
+    std::sort(sorted_.begin(), sorted_.end(),
               [](const NodeAttribute* a, const NodeAttribute* b) { return a->name < b->name; });
-    for (const NodeAttribute* one : sorted) {
+    for (const NodeAttribute* one : sorted_) {
       text_.push_back(' ');
       const std::size_t begin = text_.size();
       text_ += one->name;
@@ -159,6 +159,7 @@ class Writer {
   const std::vector<Piece>& pieces_;
   std::string& text_;
   std::vector<Leaf>& leaves_;
+  std::vector<const NodeAttribute*> sorted_;  // of one element
 };
 
 /// About how much the result of a node needs.

@@ -129,12 +129,22 @@ class Parser {
     int& depth;
   };
 
+  /// Most operands are a name or a constant and nothing else: no level of precedence has work.
+  bool is_alone() const {
+    const Token::Kind kind = peek().kind;
+    if (kind == Token::Kind::keyword || kind == Token::Kind::mark) return false;
+    const Token& next = peek(1);
+    if (next.kind == Token::Kind::end) return true;
+    return next.kind == Token::Kind::mark && (next.text == ")" || next.text == "]");
+  }
+
   const Syntax* test() {
     const Level level(depth_);
     if (depth_ > kDeepest) {
       fail("the expression is nested too deeply");
       return nullptr;
     }
+    if (is_alone()) return atom();
     if (peek().is("lambda")) return lambda();
     const std::uint32_t begin = peek().begin;
     const Syntax* value = disjunction();

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 35> kKeywords = {
     "or",    "pass",     "raise", "return", "try",  "while",  "with",   "yield"};
 
 bool is_name_begin(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_' ||
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
          static_cast<unsigned char>(c) >= 0x80;
 }
 bool is_name(char c) { return is_name_begin(c) || is_digit(c); }
@@ -193,6 +193,8 @@ class Splitter {
     fail(tokens_.back().begin, end, "this is no number");
   }
 
+  static bool is_plain_in(char c, char quote) { return c != quote && c != '\\' && c != '\n'; }
+
   void quoted(std::size_t begin, std::size_t quote) {
     const std::string prefix = path::to_lower(text_.substr(begin, quote - begin));
     const bool is_raw = prefix.find('r') != std::string::npos;
@@ -202,7 +204,13 @@ class Splitter {
     const std::string_view closing = is_long ? three : text_.substr(quote, 1);
     std::string value;
     std::size_t at = quote + closing.size();
-    for (; text_.substr(at, closing.size()) != closing; ++at) {
+    for (;; ++at) {
+      if (!is_long) {  // what needs no look
+        const std::size_t begin_of_plain = at;
+        while (at < text_.size() && is_plain_in(text_[at], closing[0])) ++at;
+        value.append(text_, begin_of_plain, at - begin_of_plain);
+      }
+      if (text_.substr(at, closing.size()) == closing) break;
       if (at >= text_.size() || (text_[at] == '\n' && !is_long)) {
         return fail(begin, at, "the text in quotes is never closed");
       }

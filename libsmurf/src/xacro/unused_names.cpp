@@ -2,12 +2,15 @@
 // Names that the file of a robot defines, and that nothing uses.
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -77,62 +80,111 @@ struct Use {
     return after->first.first == source && end <= after->second;
   }
 };
-using Uses = std::array<std::map<std::string_view, Use>, kTitles.size()>;  ///< by Defined
 
-Uses uses_of(const std::vector<Definition>& all) {
-  Uses uses;
-  for (const Definition& one : all) {
-    const bool is_computed = one.name.find('$') != std::string_view::npos;
-    if (one.name.empty() || is_computed) continue;
-    std::uint32_t& end = uses[static_cast<std::size_t>(one.kind)][one.name]
-                             .places[{one.place.source, one.place.begin}];
-    end = std::max(end, one.place.end);
+/// The names that are defined, and their uses in texts.
+class Uses {
+ public:
+  explicit Uses(const std::vector<Definition>& all) {
+    for (const Definition& one : all) {
+      const bool is_computed = one.name.find('$') != std::string_view::npos;
+      if (one.name.empty() || is_computed) continue;
+      const auto [found, is_new] = names_.try_emplace(one.name);
+      if (is_new) add(one.name);
+      auto& use = found->second[static_cast<std::size_t>(one.kind)];
+      if (!use) {
+        use.emplace();
+        ++unused_;
+      }
+      std::uint32_t& end = use->places[{one.place.source, one.place.begin}];
+      end = std::max(end, one.place.end);
+    }
   }
-  return uses;
-}
 
-/// A name that occurs as a word, which is no name of an attribute.
-void mark(std::string_view text, SourceId source, std::size_t begin, std::size_t end, Uses& uses) {
-  const std::size_t next = std::min(text.find_first_not_of(" \t\r\n", end), text.size());
-  if (text.substr(next, 1) == "=" && text.substr(next, 2) != "==") return;
-  for (auto& of_kind : uses) {
-    const auto found = of_kind.find(text.substr(begin, end - begin));
-    if (found == of_kind.end() || found->second.is_used) continue;
-    found->second.is_used = !found->second.defines(source, begin, end);
+  bool has_unused() const { return unused_ > 0; }
+  bool is_unused(const Definition& one) const {
+    const auto found = names_.find(one.name);
+    if (found == names_.end()) return false;
+    const auto& use = found->second[static_cast<std::size_t>(one.kind)];
+    return use && !use->is_used;
   }
-}
 
-/// Names with characters that are not of words are searched one by one.
-void mark_odd_names(std::string_view text, SourceId source, Uses& uses) {
-  constexpr std::size_t kMost = 200;  // each costs a pass over the file
-  std::size_t count = 0;
-  for (auto& of_kind : uses) {
-    for (auto& [name, use] : of_kind) {
-      if (use.is_used || std::all_of(name.begin(), name.end(), is_of_name)) continue;
-      if (++count > kMost) use.is_used = true;  // not known
-      for (std::size_t at = text.find(name); at != text.npos && !use.is_used;
+  void mark_all(std::string_view text, SourceId source) {
+    for (std::size_t at = 0; at < text.size();) {
+      if (!kIsOfName[static_cast<unsigned char>(text[at])]) {
+        ++at;
+        continue;
+      }
+      std::size_t end = at;
+      while (end < text.size() && kIsOfName[static_cast<unsigned char>(text[end])]) ++end;
+      if (words_[hash(text.substr(at, end - at))]) mark(text, source, at, end);
+      at = end;
+    }
+    mark_odd_names(text, source);
+  }
+
+ private:
+  static constexpr std::size_t kHashes = 4096;
+  /// Few of the words of a file are names: this tells most others apart for little.
+  static std::size_t hash(std::string_view word) {
+    const auto letter = [&](std::size_t at) { return static_cast<unsigned char>(word[at]); };
+    return (letter(0) * 5U + letter(word.size() / 2) * 67U + letter(word.size() - 1) * 331U +
+            word.size() * 1021U) %
+           kHashes;
+  }
+  static constexpr auto kIsOfName = [] {
+    std::array<bool, 256> table{};
+    for (std::size_t c = 0; c < table.size(); ++c) table[c] = is_of_name(static_cast<char>(c));
+    return table;
+  }();
+
+  void add(std::string_view name) {
+    if (std::all_of(name.begin(), name.end(), is_of_name)) {
+      words_.set(hash(name));
+    } else {
+      odd_.push_back(name);
+    }
+  }
+
+  /// A name that occurs as a word, which is no name of an attribute.
+  void mark(std::string_view text, SourceId source, std::size_t begin, std::size_t end) {
+    const auto found = names_.find(text.substr(begin, end - begin));
+    if (found == names_.end()) return;
+    const std::size_t next = std::min(text.find_first_not_of(" \t\r\n", end), text.size());
+    if (text.substr(next, 1) == "=" && text.substr(next, 2) != "==") return;
+    for (auto& use : found->second) {
+      if (!use || use->is_used || use->defines(source, begin, end)) continue;
+      use->is_used = true;
+      --unused_;
+    }
+  }
+
+  /// Names with characters that are not of words are searched one by one.
+  void mark_odd_names(std::string_view text, SourceId source) {
+    constexpr std::size_t kMost = 200;  // each costs a pass over the file
+    for (std::size_t i = 0; i < odd_.size(); ++i) {
+      const std::string_view name = odd_[i];
+      auto& kinds = names_.at(name);
+      const auto is_open = [&] {
+        return std::any_of(kinds.begin(), kinds.end(),
+                           [](const auto& use) { return use && !use->is_used; });
+      };
+      for (auto& use : kinds) {
+        if (!use || use->is_used || i < kMost) continue;
+        use->is_used = true;  // not known
+        --unused_;
+      }
+      for (std::size_t at = is_open() ? text.find(name) : text.npos; at != text.npos && is_open();
            at = text.find(name, at + 1)) {
-        if (is_whole_name(text, at, at + name.size())) {
-          mark(text, source, at, at + name.size(), uses);
-        }
+        if (is_whole_name(text, at, at + name.size())) mark(text, source, at, at + name.size());
       }
     }
   }
-}
 
-void mark_all(std::string_view text, SourceId source, Uses& uses) {
-  for (std::size_t at = 0; at < text.size();) {
-    if (!is_of_name(text[at])) {
-      ++at;
-      continue;
-    }
-    std::size_t end = at;
-    while (end < text.size() && is_of_name(text[end])) ++end;
-    mark(text, source, at, end, uses);
-    at = end;
-  }
-  mark_odd_names(text, source, uses);
-}
+  std::unordered_map<std::string_view, std::array<std::optional<Use>, kTitles.size()>> names_;
+  std::size_t unused_ = 0;
+  std::bitset<kHashes> words_;
+  std::vector<std::string_view> odd_;
+};
 
 }  // namespace
 
@@ -143,9 +195,14 @@ void Expander::check_unused(const Node& in, const Node& out) {
   if (!is_robot || has_failed_) return;
   std::vector<Definition> all;
   collect(in, all);
-  Uses uses = uses_of(all);
+  Uses uses(all);
+  // Most names are used in the file that defines them.
+  if (uses.has_unused()) uses.mark_all(context_.sources.text(result_.root), result_.root);
   for (const auto& [path, file] : files_) {
-    mark_all(context_.sources.text(file->source), file->source, uses);
+    if (!uses.has_unused()) return;
+    if (file->source != result_.root) {
+      uses.mark_all(context_.sources.text(file->source), file->source);
+    }
   }
   for (std::size_t kind = 0; kind < kTitles.size(); ++kind) {
     std::set<std::string_view> seen;
@@ -153,8 +210,7 @@ void Expander::check_unused(const Node& in, const Node& out) {
     std::string others;
     for (const Definition& one : all) {
       if (static_cast<std::size_t>(one.kind) != kind || !seen.insert(one.name).second) continue;
-      const auto use = uses[kind].find(one.name);
-      if (use == uses[kind].end() || use->second.is_used) continue;
+      if (!uses.is_unused(one)) continue;
       if (first != nullptr) {
         others += (others.empty() ? "" : ", ") + quoted(one.name);
         continue;

@@ -41,6 +41,13 @@ std::optional<std::string> CanonicalPaths::of(const std::string& path) const {
   return canonical;
 }
 
+void CanonicalPaths::saw(const std::string& path, const std::string& place) const {
+  const auto here = path::is_absolute(path) ? std::nullopt : of("");
+  const bool is_same =
+      path::is_absolute(path) ? path == place : here && place == inside(*here, path);
+  if (is_same) remember(path, place);
+}
+
 /// Remembers parent folders only if their paths are short: the paths of thousands of nested folders
 /// would need megabytes.
 std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) const {

@@ -27,6 +27,9 @@ class CanonicalPaths {
   /// The canonical path. Parts that do not exist keep their names, even after a link. None if it is
   /// unknown, as in a loop of links.
   std::optional<std::string> of(const std::string& path) const;
+  /// Tells where an open file lies. If all names of the path are those of the place, nothing on the
+  /// way was a link, and the path need not be looked up.
+  void saw(const std::string& path, const std::string& place) const;
 
  private:
   std::optional<std::string> known(std::string_view path) const;

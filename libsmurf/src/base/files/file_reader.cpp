@@ -224,6 +224,7 @@ FileContent ConfinedFiles::read(const std::string& path, std::uint64_t max_bytes
   const FoundFile found(path);
   if (found.error() != 0) return is_denied(path) ? outside() : failure(found.error());
   const auto real = found.real_path();
+  if (real) ways_->saw(path, *real);
   const bool is_nowhere = !real && !S_ISREG(found.status().st_mode);  // a pipe of a shell
   const bool is_inside = real && allowed_->holds(*real) && !is_denied(path);
   return is_nowhere || is_inside ? read_all(found, max_bytes) : outside();
@@ -246,6 +247,7 @@ std::vector<std::string> ConfinedFiles::list(const std::string& folder) const {
   if (has_zero(folder)) return {};
   const FoundFile found(in_folder(folder));
   const auto real = found.error() == 0 ? found.real_path() : std::nullopt;
+  if (real) ways_->saw(folder, *real);
   std::vector<std::string> names;
   const bool is_inside = real && allowed_->holds(*real) && !is_denied(in_folder(folder));
   if (is_inside || (real && allowed_->files_in.contains(*real))) names = names_in(found);

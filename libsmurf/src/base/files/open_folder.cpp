@@ -18,15 +18,21 @@ constexpr int kFolder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
 
 }  // namespace
 
-void OpenFolder::become(int number) {
+void OpenFolder::become(int number) const {
   if (number_ >= 0) sys::close(number_);
   number_ = number;
+  entered_.clear();
 }
 
 void OpenFolder::open(const std::string& path) { become(sys::open(path.c_str(), kFolder)); }
 
 void OpenFolder::enter(const std::string& name) {
-  if (is_open()) become(sys::openat(number_, name.c_str(), kFolder | O_NOFOLLOW));
+  if (is_open()) entered_ = name;
+}
+
+bool OpenFolder::is_open() const {
+  if (!entered_.empty()) become(sys::openat(number_, entered_.c_str(), kFolder | O_NOFOLLOW));
+  return number_ >= 0;
 }
 
 void OpenFolder::enter_above(const std::string& above) {

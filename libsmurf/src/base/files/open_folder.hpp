@@ -18,12 +18,13 @@ class OpenFolder {
   OpenFolder& operator=(const OpenFolder&) = delete;
 
   void open(const std::string& path);
-  /// Opens a subfolder that is not a link, or "..". A missing subfolder counts as empty.
+  /// Opens a subfolder that is not a link, or "..", when something in it is asked for. A missing
+  /// subfolder counts as empty.
   void enter(const std::string& name);
   /// Opens the parent of this folder; `above` is the path of the parent. This folder need not
   /// exist: an editor may name a new folder in a project.
   void enter_above(const std::string& above);
-  bool is_open() const { return number_ >= 0; }
+  bool is_open() const;
 
   /// Whether there is an entry of this name, even a link without a target: a checkout must not
   /// learn what is outside of it.
@@ -33,9 +34,10 @@ class OpenFolder {
   std::optional<std::string> target_of(const std::string& name) const;
 
  private:
-  void become(int number);
+  void become(int number) const;
 
-  int number_ = -1;
+  mutable int number_ = -1;
+  mutable std::string entered_;  ///< the subfolder that is to be opened; empty: none
 };
 
 }  // namespace smurf
