@@ -47,6 +47,12 @@ void PackageSearch::search(const std::string& folder, int level, Depth depth, Pa
     }
     return;
   }
+  if (depth == Depth::packages) {  // most folders are packages, and their entries are not needed
+    if (const std::string& name = name_in(folder); !name.empty()) {
+      found[name].push_back(folder);
+      return;
+    }
+  }
   const std::vector<std::string> names = context_.files.list(folder);
   entries_ += names.size();
   if (std::binary_search(names.begin(), names.end(), kPackageFile)) {

@@ -160,7 +160,6 @@ std::string Expander::readable_path(const std::string& written) {
     if (!is_inside) continue;
     const std::string rest = path.substr(absolute.size() + 1);
     path = path::join(folder, rest);
-    if (context_.files.is_file(path)) return path;
     const std::string name = rest.substr(0, rest.find('/'));
     const std::vector<std::string> entries = context_.files.list(folder);
     if (std::find(entries.begin(), entries.end(), name) != entries.end()) return path;
