@@ -18,8 +18,15 @@ if not sys.dont_write_bytecode:
 
 from .archives import write_sdist, write_wheel  # noqa: E402
 from .elf import tag_of  # noqa: E402
-from .programs import MODULE, NoPrograms, gather  # noqa: E402
+from .programs import MAIN, MODULE, NoPrograms, gather, names_of_main  # noqa: E402
 from .project import ROOT, VIEWER, metadata, stem  # noqa: E402
+
+
+# A wheel has no symbolic links. pip replaces the first line by the path of the interpreter.
+LINK = f"""#!python
+import os, sys
+os.execv(os.path.join(os.path.dirname(os.path.realpath(__file__)), "{MAIN}"), sys.argv)
+""".encode()
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
@@ -29,6 +36,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         except NoPrograms as problem:
             sys.exit(f"smurf-tools: {problem}")
     tag = tag_of([*programs.values(), *modules.values()], list(modules) == [MODULE])
+    programs |= dict.fromkeys(names_of_main(programs), LINK)
     print(f"smurf-tools: the wheel is for {tag}", file=sys.stderr)
     name = stem()
     suffixes = (".py", ".pyi", ".typed") if modules else (".py",)  # types are those of the module

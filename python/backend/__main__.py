@@ -4,7 +4,7 @@ import pathlib
 import sys
 import tempfile
 
-from .programs import NoPrograms, gather
+from .programs import MAIN, NoPrograms, gather, names_of_main
 
 
 def main(arguments):
@@ -19,9 +19,14 @@ def main(arguments):
             return 2
     folder = pathlib.Path(arguments[0])
     folder.mkdir(parents=True, exist_ok=True)
+    links = names_of_main(programs)
     for name, content in programs.items():
-        (folder / name).write_bytes(content)
-        (folder / name).chmod(0o755)
+        (folder / name).unlink(missing_ok=True)
+        if name in links:
+            (folder / name).symlink_to(MAIN)
+        else:
+            (folder / name).write_bytes(content)
+            (folder / name).chmod(0o755)
     return 0
 
 

@@ -22,6 +22,7 @@ from .project import ROOT, homepage, version
 PROGRAMS = ("smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff", "smurf-view",
             "smurf-load-check")
 OPTIONAL = "smurf-load-check"  # needs a physics engine, which is not everywhere
+MAIN = "smurf-lint"  # on Linux the program of most tools, which have links to it (tools/CMakeLists.txt)
 SUMS = pathlib.Path(__file__).with_name("releases.sha256")
 MODULE = "_smurf" + (sysconfig.get_config_var("EXT_SUFFIX") or ".so")
 
@@ -39,6 +40,11 @@ def gather(work):
     elif missing:
         raise NoPrograms(f"there is no {' and no '.join(missing)} among them")
     return programs, modules
+
+
+def names_of_main(programs):
+    """The other names of the program MAIN."""
+    return [name for name, content in programs.items() if name != MAIN and content == programs.get(MAIN)]
 
 
 def _plain(name):
@@ -99,7 +105,7 @@ def from_release(archive, sum_):
         raise NoPrograms(f"{url} is not what was released: its sha256 is {hashlib.sha256(content).hexdigest()}, not {sum_}. "
                          "Nothing was installed")
     with tarfile.open(fileobj=io.BytesIO(content)) as files:
-        members = {pathlib.PurePosixPath(member.name): member for member in files if member.isfile()}
+        members = {pathlib.PurePosixPath(member.name): member for member in files if member.isfile() or member.issym()}
         taken = {(path.parent.name, path.name): member for path, member in members.items()
                  if (path.parent.name == "bin" and _plain(path.name) in PROGRAMS)
                  or (path.parent.name == "python" and is_module(path.name))}

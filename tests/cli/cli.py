@@ -122,5 +122,5 @@ def main():
     global TOOL
     if len(sys.argv) < 2:
         sys.exit(f"usage: {sys.argv[0]} TOOL [unittest option]...")
-    TOOL = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    TOOL = str(pathlib.Path(sys.argv.pop(1)).absolute())
     unittest.main(module="__main__")

@@ -63,7 +63,7 @@ def check_mutants(tool, scorer):
 
 
 def main():
-    tool, shared = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
+    tool, shared = pathlib.Path(sys.argv[1]).absolute(), pathlib.Path(sys.argv[2])
     if not (shared / "corpus").is_dir():
         print("skipped: there is no folder of shared test data beside the project")
         sys.exit(77)

@@ -35,7 +35,7 @@ class Kate(unittest.TestCase):
         (config / "kate/lspclient/settings.json").write_text(snippet("json"))
         # Kate asks before it starts a server for the first time.
         (config / "katerc").write_text(f"[General]\nShow welcome view for new window=false\n"
-                                       f"[lspclient]\nAllowedServerCommandLines={pathlib.Path(TOOL).resolve()}\n")
+                                       f"[lspclient]\nAllowedServerCommandLines={pathlib.Path(TOOL).absolute()}\n")
         self.environment = {
             **os.environ, "HOME": str(self.folder), "XDG_CONFIG_HOME": str(config),
             "XDG_DATA_HOME": str(self.folder / "data"), "XDG_RUNTIME_DIR": str(self.folder),

@@ -149,7 +149,7 @@ def main():
     if len(sys.argv) < 4:
         sys.exit(f"usage: {sys.argv[0]} URDF2SMURF SMURF2URDF SMURFS-FLATTEN [unittest option]...")
     for name in ("urdf2smurf", "smurf2urdf", "smurfs-flatten"):
-        TOOLS[name] = pathlib.Path(sys.argv.pop(1)).resolve()
+        TOOLS[name] = pathlib.Path(sys.argv.pop(1)).absolute()
     result = unittest.main(module="__main__", exit=False).result
     sys.exit(1 if not result.wasSuccessful() else 77 if result.skipped else 0)
 

@@ -153,7 +153,7 @@ def check_mujoco_with_meshes(smurf2urdf, build, failures):
 
 
 def main():
-    smurf2urdf, build = [pathlib.Path(word).resolve() for word in sys.argv[1:3]]
+    smurf2urdf, build = [pathlib.Path(word).absolute() for word in sys.argv[1:3]]
     found = [robot for folder in sys.argv[3:] for robot in exported.robots(folder)]
     robots = [robot for robot in found if robot.is_readable]
     failures = [robot.failure(name) for robot in robots for name in EXPORTS if robot.failure(name)]

@@ -60,7 +60,7 @@ def missing(tool, program, urdf, folder):
 
 
 def main():
-    tool, build, corpus = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
+    tool, build, corpus = (pathlib.Path(word).absolute() for word in sys.argv[1:4])
     program = build / "sdf_elements"
     if not program.exists() or not corpus.is_dir():
         print("skipped: libsdformat is not installed" if corpus.is_dir() else f"skipped: {corpus} is not there")

@@ -71,7 +71,7 @@ def main():
     if len(sys.argv) < 3:
         sys.exit(f"usage: {sys.argv[0]} TOOL BUILD [unittest option]...")
     del sys.argv[2]  # BUILD
-    cli.TOOL = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    cli.TOOL = str(pathlib.Path(sys.argv.pop(1)).absolute())
     result = unittest.main(module="__main__", exit=False).result
     if not result.wasSuccessful():
         sys.exit(1)

@@ -38,7 +38,7 @@ std::string describe(const UrdfProof& verification) {
 }
 
 /// Writes the URDF, and the SRDF if it is requested: both or none.
-bool write_result(const Options& options, const std::string& urdf, const LinkedModel& model) {
+bool write_result(const ExportOptions& options, const std::string& urdf, const LinkedModel& model) {
   const std::string& output = options.common.output;
   if (options.srdf.empty()) return write_output(kTool, output, urdf);
   const std::uint64_t most = options.common.limits.srdf_bytes;
@@ -57,7 +57,7 @@ bool write_result(const Options& options, const std::string& urdf, const LinkedM
 }
 
 /// The expansion of a xacro file, as `xacro` prints it.
-ExitCode write_expansion(const Options& options, Conversion& conversion) {
+ExitCode write_expansion(const ExportOptions& options, Conversion& conversion) {
   auto loaded = conversion.load_xacro(options.model);
   if (!loaded || !conversion.keeps_inputs({options.common.output})) return kFailed;
   const ExitCode verdict = conversion.report(*loaded, loaded->found.take());
@@ -75,7 +75,7 @@ ExitCode write_expansion(const Options& options, Conversion& conversion) {
 
 int smurf2urdf_main(int argc, char** argv) {
   prepare_process();
-  Options options;
+  ExportOptions options;
   options.common.has_loss_report = true;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
   if (!options.shown_preset.empty()) {

@@ -183,7 +183,7 @@ std::vector<Option> form_options(UrdfExport& wanted) {
        .set = set_text(wanted.version)}};
 }
 
-std::vector<Option> run_options(Options& options) {
+std::vector<Option> run_options(ExportOptions& options) {
   return {{.name = "preset",
            .metavar = "READER",
            .help =
@@ -235,7 +235,7 @@ std::string preset_text(std::string_view name) {
   return {};
 }
 
-Command make_command(Options& options) {
+Command make_command(ExportOptions& options) {
   Command command;
   command.name = "smurf2urdf";
   command.summary =
@@ -266,7 +266,7 @@ Command make_command(Options& options) {
   return command;
 }
 
-bool is_plain(const Options& options) {
+bool is_plain(const ExportOptions& options) {
   const UrdfExport& wanted = options.conversion;
   const AppliedAnnotations& apply = wanted.apply;
   const bool has_changes = apply.materials || apply.limits || apply.dynamics || apply.mimic ||
@@ -279,7 +279,7 @@ bool is_plain(const Options& options) {
          options.loss_report.empty() && !options.prove && !options.fails_on_loss;
 }
 
-std::string problem_of(Options& options) {
+std::string problem_of(ExportOptions& options) {
   UrdfExport& wanted = options.conversion;
   if (wanted.mesh_uri == MeshUri::package && wanted.package_name.empty()) {
     return "--mesh-uri package needs --package-name";

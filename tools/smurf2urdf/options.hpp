@@ -9,7 +9,7 @@
 
 namespace smurf::tools {
 
-struct Options {
+struct ExportOptions {
   ConverterOptions common;
   std::string model;
   UrdfExport conversion;
@@ -21,16 +21,16 @@ struct Options {
   bool dry_run = false;
 };
 
-Command make_command(Options& options);
+Command make_command(ExportOptions& options);
 
 /// The options of a preset, as a line of text.
 std::string preset_text(std::string_view name);
 
 /// Whether no option changes the content of the URDF.
-bool is_plain(const Options& options);
+bool is_plain(const ExportOptions& options);
 
 /// An error message about the combination of options; "" if there is none. Sets the folder of the
 /// output.
-std::string problem_of(Options& options);
+std::string problem_of(ExportOptions& options);
 
 }  // namespace smurf::tools

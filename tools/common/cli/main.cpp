@@ -1,5 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program of a tool. Its own main() has another name, so that several tools can be one program.
-int SMURF_TOOL_MAIN(int argc, char** argv);
+// The program of a tool, or of several (tools/CMakeLists.txt): the name by which it is called
+// selects one of them.
+#include <string_view>
 
-int main(int argc, char** argv) { return SMURF_TOOL_MAIN(argc, argv); }
+#define TOOL(name, function) int function(int argc, char** argv);
+#include SMURF_TOOLS
+#undef TOOL
+
+namespace {
+
+struct Tool {
+  std::string_view name;
+  int (*function)(int argc, char** argv);
+};
+
+constexpr Tool kTools[] = {
+#define TOOL(name, function) {name, function},
+#include SMURF_TOOLS
+#undef TOOL
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string_view name = argc > 0 ? argv[0] : "";
+  name.remove_prefix(name.rfind('/') + 1);
+  for (const Tool& tool : kTools) {
+    if (tool.name == name) return tool.function(argc, argv);
+  }
+  return kTools[0].function(argc, argv);
+}
