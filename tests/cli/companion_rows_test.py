@@ -6,12 +6,15 @@ another one. It must be the only finding of these rules.
 """
 import json
 import pathlib
+import re
 import sys
+import textwrap
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "verdicts"))
 import cli  # noqa: E402
 import companion_damage  # noqa: E402
+import companion_tables  # noqa: E402
 
 ROBOT = companion_damage.ROBOT + companion_damage.HARDWARE.split("<robot>\n")[1]
 CONTROLLERS = """controller_manager:
@@ -106,6 +109,8 @@ GRIP = ('<joint name="grip">\n      <limits enable="true"/>\n      <command_inte
         '      <state_interface name="position" data_type="double" size="1"/>\n    </joint>\n')
 GEAR = ('<transmission name="gear">\n      <plugin>transmission_interface/SimpleTransmission</plugin>\n      <joint name="wrist" role="a"/>\n'
         '      <joint name="wrist" role="b"/>\n      <actuator name="motor" role="c"/>\n    </transmission>\n    ')
+FORCE = "joints: [wrist]\n    command_interfaces: [effort]\n    state_interfaces: [position, velocity]\n    gains:\n      wrist: {p: 1.0}\n"
+ARM = CONTROLLERS[CONTROLLERS.index("arm:\n  ros"):CONTROLLERS.index("spin:\n  ros")]
 ROWS = [
     # SRDF
     ("robot: another name", "srdf", '<robot name="lamp">', '<robot name="lantern">', "SML3502", "calls it `lamp`"),
@@ -210,6 +215,10 @@ ROWS = [
     ("two blocks command one joint", "robot", '<joint name="wrist">\n      <command_interface name="effort"/>', '<joint name="shoulder">\n      <command_interface name="position"/>', "SML3610", "too"),
     ("transmission of ROS 1", "robot", '<ros2_control name="wrist"', '<transmission name="old">\n    <type>transmission_interface/SimpleTransmission</type>\n    <joint name="wrist">\n'
      "      <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>\n    </joint>\n    <actuator name=\"m\"/>\n  </transmission>\n  <ros2_control name=\"wrist\"", "SML3614", "ROS 1"),
+    ("interface: velocity is higher than the joint's", "robot", '<command_interface name="velocity"/>', '<command_interface name="velocity">\n        <param name="max">2.5</param>\n'
+     "      </command_interface>", "SML3607", "above the limit"),
+    ("interface: min of a jerk", "robot", WRIST, WRIST.replace('"/>', '"/>\n      <command_interface name="jerk">\n        <param name="min">-9</param>\n'
+     "      </command_interface>"), "SML3607", "only applies its `max`"),
     ("Gazebo: no plugin", "robot", "<plugin>lamp_hardware/Wrist</plugin>", "<plugin>gz_ros2_control/GazeboSimSystem</plugin>", "SML3613", "plugin"),
     # controllers
     ("controller: no type", "controllers", "    states: {type: joint_state_broadcaster/JointStateBroadcaster}\n", "    states: {update_rate: 50}\n", "SML3704", "no `type`"),
@@ -239,6 +248,13 @@ ROWS = [
     ("controller: rate that does not divide", "controllers", "update_rate: 50", "update_rate: 30", "SML3707", "does not divide"),
     ("controller: constraints of no joint", "controllers", "shoulder: {goal: 0.1}", "sholder: {goal: 0.1}", "SML3701", "`sholder`"),
     ("controller: gains of no joint", "controllers", "wrist: {p: 1.0}", "wrist: {p: 1.0}\n      wirst: {p: 1.0}", "SML3701", "`wirst`"),
+    ("controller: an acceleration alone", "controllers", "command_interfaces: [position]\n", "command_interfaces: [acceleration]\n", "SML3706", "do not go together"),
+    ("controller: a state that it does not know", "controllers", "state_interfaces: [position]\n", "state_interfaces: [position, effort]\n", "SML3710", "`effort`"),
+    ("controller: more command_joints than joints", "controllers", "joints: [shoulder]\n", "joints: [shoulder]\n    command_joints: [shoulder, grip]\n", "SML3710", "more `command_joints`"),
+    ("controller: command_joints that are not among the joints", "controllers", "joints: [shoulder]\n", "joints: [shoulder, elbow]\n    command_joints: [grip]\n", "SML3710", "not one of its `joints`"),
+    ("controller: two command one joint", "controllers", FORCE, "joints: [shoulder]\n    command_interfaces: [position]\n    state_interfaces: [position]\n", "SML3709", "both command"),
+    ("controller: its section is for all nodes", "controllers", ARM, "/**:\n" + textwrap.indent(ARM, "  ").replace("[shoulder]", "[shoulder, wirst]"), "SML3701", "`wirst`"),
+    ("controller: its section is in a namespace", "controllers", ARM, "/left/" + ARM.replace("[shoulder]", "[shoulder, wirst]"), "SML3701", "`wirst`"),
     # MoveIt
     ("joint_limits: integer", "limits", "max_velocity: 1.5", "max_velocity: 1", "SML3801", "integer"),
     ("joint_limits: unknown joint", "limits", "  shoulder:\n", "  sholder:\n    has_velocity_limits: false\n  shoulder:\n", "SML3802", "`sholder`"),
@@ -252,6 +268,8 @@ ROWS = [
     ("kinematics: timeout 0", "kinematics", "kinematics_solver_timeout: 0.05", "kinematics_solver_timeout: 0.0", "SML3810", "above 0"),
     ("kinematics: integer", "kinematics", "kinematics_solver_timeout: 0.05", "kinematics_solver_timeout: 1", "SML3801", "integer"),
     ("kinematics: negative resolution", "kinematics", "resolution: 0.005", "resolution: -0.005", "SML3810", ""),
+    ("moveit_controllers: no controller_names", "moveit", "  controller_names: [arm]\n", "", "SML3804", "no list `controller_names`"),
+    ("moveit_controllers: joints of no group", "moveit", "  arm:\n", "  eye:\n    action_ns: turn\n    type: FollowJointTrajectory\n    joints: [mount]\n  arm:\n", "SML3805", "no group of the SRDF"),
     ("moveit_controllers: names are no list", "moveit", "controller_names: [arm]", "controller_names: arm", "SML3804", ""),
     ("moveit_controllers: no section", "moveit", "controller_names: [arm]", "controller_names: [arm, amr]", "SML3804", "no section"),
     ("moveit_controllers: no action_ns", "moveit", "    action_ns: follow_joint_trajectory\n", "    # action_ns:\n", "SML3804", "no `action_ns`"),
@@ -267,6 +285,19 @@ ROWS = [
     (".setup_assistant: no URDF", "setup", "urdf/lamp.urdf", "urdf/lmp.urdf", "SML3809", "lmp.urdf"),
     (".setup_assistant: no SRDF", "setup", "config/lamp.srdf", "config/lmp.srdf", "SML3809", "lmp.srdf"),
 ]
+# What looks like a mistake, and is none: the part, the file, what is written instead of what.
+CALM = [
+    ("link_sphere_approximation: radius 0", "srdf", 'radius="0.05"', 'radius="0"'),
+    ("elements of HPP", "srdf", "</robot>", '  <gripper name="tool" clearance="0.01"><link name="hand"/></gripper>\n</robot>'),
+    ("joint: mimic=\"True\" of Python", "robot", 'mimic="true"', 'mimic="True"'),
+    ("joint: parameter mimic", "robot", '<joint name="squeeze" mimic="true">', '<joint name="squeeze">\n      <param name="mimic">grip</param>'),
+    ("interface: damping", "robot", WRIST, WRIST.replace('"/>', '"/>\n      <command_interface name="damping"/>')),
+    ("parameter: empty", "robot", '<param name="port">/dev/ttyUSB0</param>', '<param name="port"></param>'),
+    ("controller: of another robot", "controllers", ARM, ARM.replace("shoulder", "hip")),
+    ("controller: placeholders", "controllers", ARM, ARM.replace("[shoulder]", "[$(var prefix)shoulder]")),
+    ("joint_limits: integer in ROS 1", "limits", "max_velocity: 1.5", "max_velocity: 1"),
+]
+ROS_1 = {"joint_limits: integer in ROS 1"}
 
 
 class CompanionRows(cli.CliTest):
@@ -286,6 +317,28 @@ class CompanionRows(cli.CliTest):
 
     def test_the_robot_is_clean(self):
         self.assertEqual(self.findings(), [])
+
+    def test_calm(self):
+        for name, file, old, new in CALM:
+            path, text = FILES[file]
+            with self.subTest(name):
+                self.assertEqual(text.count(old), 1, old)
+                self.write(path, text.replace(old, new))
+                if name in ROS_1:
+                    self.write("lamp_moveit_config/package.xml", cli.package("lamp_moveit_config", "lamp_description").replace("ament_cmake", "catkin"))
+                self.assertEqual(self.findings(), [])
+            self.write(path, text)
+
+    def test_every_row_of_the_tables_is_tested(self):
+        tests = pathlib.Path(__file__).resolve().parent.parent
+        cases = (tests / "verdicts/companion_executed.tsv").read_text(encoding="utf-8").splitlines()
+        proofs = {row[0] for row in ROWS} | {row[0] for row in CALM} | {" ".join(line.split("\t")[:2]) for line in cases}
+        proofs |= {path.name for path in (tests.parent / "fixtures/rules").iterdir() if (path / "bad").is_dir()}
+        proofs |= set(re.findall(r"def (test_\w+)", (tests / "cli/companions_test.py").read_text(encoding="utf-8")))
+        named = {proof for _, *those in companion_tables.TABLES for proof in those}
+        self.assertEqual(sorted(named - proofs), [])
+        self.assertEqual(sorted({row[0] for row in ROWS + CALM} - named), [])
+        self.assertTrue(all(len(row) > 1 for row in companion_tables.TABLES))
 
     def test_rows(self):
         names = [row[0] for row in ROWS]

@@ -148,6 +148,15 @@ class Companions(cli.CliTest):
                    LIMITS.replace("shoulder", "other_joint").replace("1.5", "1"))
         self.assertNotIn("other_joint", self.expect(0, ".").stdout)
 
+    def test_a_part_of_a_robot_has_no_unknown_joints(self):
+        part = URDF[:URDF.index("  <link")] + URDF[URDF.index("  <ros2_control"):]
+        self.write("lamp_description/urdf/control.urdf", part)
+        self.assertNotIn("SML3604", self.expect(None, "lamp_description/urdf/control.urdf").stdout)
+        self.write("lamp_description/urdf/control.urdf", URDF.replace("<hardware>", "<xacro:if value=\"0\"/>\n    <hardware>"))
+        done = self.expect(1, "lamp_description/urdf/control.urdf")
+        self.assertIn("SML1009", done.stdout)
+        self.assertNotIn("SML3602", done.stdout)
+
     def test_templates_are_left_alone(self):
         self.write("lamp_moveit_config/config/ros2_controllers.yaml", "{{ x }}: [\n" + CONTROLLERS)
         self.expect(0, ".")

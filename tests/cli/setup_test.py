@@ -43,6 +43,11 @@ class Init(cli.CliTest):
         self.assertNotIn("cannot find any file of the package `arm_meshes`", report)
         self.assertIn("\ngazebo ", report)
 
+    def test_companions_are_judged_by_their_readers(self):
+        self.write("arm.urdf", cli.ARM_URDF.replace("</robot>", '<ros2_control name="arm" type="system"/>\n</robot>'))
+        self.write("config/arm.srdf", '<robot name="arm"/>\n')
+        self.assertIn("targets moveit, ros, ros2_control", self.expect(0, "--init").stdout)
+
     def test_a_repository(self):
         self.write(".git/HEAD", "ref: refs/heads/main\n")
         self.write("arm.urdf", cli.ARM_URDF)

@@ -15,6 +15,7 @@
 #include "render/printable.hpp"
 #include "smurf-lint/launch_hints.hpp"
 #include "smurf/check.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/config.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/found_inputs.hpp"
@@ -29,9 +30,10 @@ struct Sign {
   std::string_view text;
   std::string_view target;
 };
-constexpr Sign kSigns[] = {{"package://", "ros"},    {"<ros2_control", "ros"},
-                           {"<transmission", "ros"}, {"<gazebo", "gazebo"},
-                           {"<mujoco", "mujoco"},    {"<drake:", "drake"}};
+constexpr Sign kSigns[] = {
+    {"package://", "ros"},    {"<ros2_control", "ros"}, {"<ros2_control", "ros2_control"},
+    {"<transmission", "ros"}, {"<gazebo", "gazebo"},    {"<mujoco", "mujoco"},
+    {"<drake:", "drake"}};
 
 /// What is in the folder.
 struct Seen {
@@ -88,6 +90,7 @@ Seen look_at(const std::string& folder, const FoundInputs& found, const Limits& 
   for (const std::string& file : texts) {
     const InputKind kind = input_kind(file);
     const bool is_xacro = path::extension(file) == ".xacro";
+    if (is_companion_path(file)) seen.targets.insert("moveit");
     if (kind == InputKind::urdf && !is_xacro) ++seen.kinds["URDF"];
     if (kind == InputKind::model) ++seen.kinds["SMURF model"];
     if (kind == InputKind::scene || kind == InputKind::drawing) ++seen.kinds["scene"];

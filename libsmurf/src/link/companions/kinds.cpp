@@ -33,7 +33,9 @@ bool is_kinematics(std::string_view, std::string_view text) {
 
 bool is_moveit_controllers(std::string_view, std::string_view text) {
   // In ROS 1, controllers are in a list, those of the simulation also without an action.
-  return (holds(text, "controller_names:") && holds(text, "action_ns:")) ||
+  const bool has_manager =
+      holds(text, "controller_names:") || holds(text, "moveit_simple_controller_manager:");
+  return (has_manager && holds(text, "action_ns:")) ||
          (holds(text, "controller_list:") && holds(text, "joints:"));
 }
 

@@ -165,6 +165,8 @@ void add_of_ros_control(yaml::View part, ReferenceFinder& finder) {
   }
 }
 
+constexpr std::string_view kMoveitManager = "moveit_simple_controller_manager";
+
 void add_of_moveit_controllers(yaml::View root, ReferenceFinder& finder) {
   for (const yaml::View member : root) {
     if (member.is_sequence() && member.key() == "controller_list") {  // ROS 1
@@ -175,7 +177,7 @@ void add_of_moveit_controllers(yaml::View root, ReferenceFinder& finder) {
       }
     }
     if (!member.is_mapping()) continue;
-    if (member.find("controller_names")) {
+    if (member.find("controller_names") || member.key() == kMoveitManager) {
       for (const yaml::View controller : member) {
         if (!controller.is_mapping()) continue;
         for (const std::string_view key : {"joints", "command_joint"}) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <map>
 #include <string>
 
 #include "base/text/quoted.hpp"
@@ -10,14 +11,15 @@ namespace {
 constexpr Circumstance kFixed{"fixed"};
 constexpr Circumstance kMimic{"mimic"};
 
-/// One finding for all followers of a state, and one for all its fixed joints.
-class State {
+/// One finding for all followers in the states of an SRDF, and one for all fixed joints.
+class States {
  public:
-  State(const srdf::GroupState& state, Findings& findings) : state_(state), findings_(findings) {}
+  explicit States(Findings& findings) : findings_(findings) {}
 
-  void check(const srdf::StateJoint& one, const urdf::Joint& joint) {
+  void check(const srdf::GroupState& state, const srdf::StateJoint& one, const urdf::Joint& joint) {
+    state_ = &state;
     const std::string subject =
-        title_of("state", state_.name) + " sets the joint " + quoted(*one.name);
+        title_of("state", state.name) + " sets the joint " + quoted(*one.name);
     if (joint.type == urdf::JointType::fixed) {
       add(fixed_, one, joint, subject + ", which is fixed", kFixed);
     } else if (joint.mimic && joint.mimic->joint) {
@@ -36,6 +38,7 @@ class State {
  private:
   struct Kind {
     Diagnostic* first = nullptr;
+    const srdf::GroupState* first_in = nullptr;
     std::string others;
   };
 
@@ -43,33 +46,36 @@ class State {
            const std::string& message, const Circumstance& which) {
     if (kind.first != nullptr) {
       kind.others += (kind.others.empty() ? "" : ", ") + quoted(*one.name);
+      if (kind.first_in != state_) kind.others += " in " + title_of("state", state_->name);
       return;
     }
+    kind.first_in = state_;
     kind.first = &findings_.report(one.name.span, message);
     kind.first->when(which);
     kind.first->label(joint.name.span, "the joint is defined here")
         .help("delete it from the state");
   }
 
-  const srdf::GroupState& state_;
+  const srdf::GroupState* state_ = nullptr;
   Findings& findings_;
   Kind fixed_, mimic_;
 };
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
+  std::map<const srdf::Description*, States> checkers;
   for_each_state(
       model, companions,
-      [&](const srdf::Description&, const srdf::GroupState& state, const GroupJoints& joints) {
-        State checker(state, findings);
+      [&](const srdf::Description& srdf, const srdf::GroupState& state, const GroupJoints& joints) {
+        States& checker = checkers.try_emplace(&srdf, findings).first->second;
         for (const srdf::StateJoint& one : state.joints) {
           const urdf::Joint* joint = one.name ? model.find_joint(*one.name) : nullptr;
           if (joint == nullptr) continue;
           // SML3512 reports joints of other groups.
           const bool is_inside = !joints.is_complete || joints.contains(model, *one.name);
-          if (is_inside) checker.check(one, *joint);
+          if (is_inside) checker.check(state, one, *joint);
         }
-        checker.finish();
       });
+  for (auto& [srdf, checker] : checkers) checker.finish();
 }
 
 constexpr Fact kFacts[] = {

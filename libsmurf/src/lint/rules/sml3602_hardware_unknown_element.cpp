@@ -130,6 +130,7 @@ void check_block(const Hardware& one, Findings& findings) {
       check_children(child, findings);
       continue;
     }
+    if (child.name().starts_with("xacro:")) continue;  // SML1009
     Diagnostic& found = findings.report(
         child.name_span(), title_of(one) + " contains the unknown element " + quoted(child.name()));
     const auto near = only_nearest(child.name(), kOfControl);

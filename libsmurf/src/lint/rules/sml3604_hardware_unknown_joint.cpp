@@ -24,6 +24,8 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
       }
       const urdf::Joint* joint = model.find_joint(part.name);
       if (joint == nullptr) {
+        // Without a link, the file is a part of a robot.
+        if (model.robot && model.robot->links.empty()) continue;
         const std::string subject = title_of(hardware);
         check_reference(model, NameKind::joint, part.name, place, subject.c_str(), findings);
       } else if (joint->type == urdf::JointType::fixed) {

@@ -189,12 +189,23 @@ void check_finite(const HardwareInterface& one, const std::string& title, const 
 
 /// ros2_control knows no limits of other quantities.
 void check_other(const HardwareInterface& one, const std::string& title, const Limit& min,
-                 const Limit& max, Findings& findings) {
+                 const Limit& max, Repeated& other, Findings& findings) {
   const xml::View element = min.element ? min.element : max.element;
-  if (!element || is_limited_interface(one.name)) return;
+  if (one.name == "jerk" && min.element) {
+    if (!other.is_first()) return;
+    Diagnostic& found = findings.report(
+        min.element.name_span(), "the `jerk` interface of " + title +
+                                     " has a `min`, but ros2_control only applies its `max`");
+    other.set(found);
+    found.when(kOther);
+    found.help("delete it");
+    return;
+  }
+  if (!element || is_limited_interface(one.name) || !other.is_first()) return;
   Diagnostic& found =
       findings.report(element.name_span(), "the " + quoted(one.name) + " interface of " + title +
                                                " has a limit, which ros2_control does not apply");
+  other.set(found);
   found.when(kOther);
   found.help("delete it, or write position, velocity, effort, acceleration or jerk");
 }
@@ -220,27 +231,29 @@ void check_initial(const HardwareInterface& one, const std::string& title, const
 }
 
 /// `min` of a joint instead of one of its interfaces.
-void check_above(const HardwarePart& part, const std::string& title, Findings& findings) {
+void check_above(const HardwarePart& part, const std::string& title, Repeated& above,
+                 Findings& findings) {
   for (const xml::View child : part.element) {
     const std::string_view name = attribute_text(child, "name");
     if (child.name() != "param" || !is_one_of(name, {"min", "max", "initial_value"})) continue;
+    if (!above.is_first()) continue;
     Diagnostic& found = findings.report(child.name_span(), quoted(name) + " of " + title +
                                                                " is in none of its interfaces");
+    above.set(found);
     found.when(kAbove);
     found.help("move it into a `command_interface` or `state_interface`");
-    return;  // one finding for all of them
   }
 }
 
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
   const bool is_xacro = xacro::is_xacro_file(model.urdf_path);
   for (const Hardware& hardware : hardware_of(model)) {
-    Repeated wrong, wider, continuous;
+    Repeated wrong, wider, continuous, other, above;
     for (const HardwarePart& part : hardware.parts) {
       if (!part.is_joint()) continue;
       const urdf::Joint* joint = model.find_joint(part.name);
       const std::string title = title_of(part, hardware);
-      check_above(part, title, findings);
+      check_above(part, title, above, findings);
       for (const HardwareInterface& one : part.interfaces) {
         const Limit min = read_limit(one, "min", title, is_xacro, wrong, findings);
         const Limit max = read_limit(one, "max", title, is_xacro, wrong, findings);
@@ -252,7 +265,7 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
           if (is_limited && joint != nullptr) {
             check_continuous(one, title, *joint, min, max, continuous, findings);
           }
-          check_other(one, title, min, max, findings);
+          check_other(one, title, min, max, other, findings);
         }
         check_initial(one, title, min, max, findings);
       }
@@ -260,6 +273,8 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
     wrong.finish();
     wider.finish();
     continuous.finish();
+    other.finish();
+    above.finish();
   }
 }
 
@@ -268,7 +283,7 @@ constexpr Fact kFacts[] = {
     {&readers::ros2_control, Effect::loses,
      "reports it and has no limit there (from Jazzy on; Humble leaves limits to the hardware)",
      kParser, when(kNotANumber)},
-    {&readers::ros2_control, Effect::loses, "reports it and limits nothing", kParser,
+    {&readers::ros2_control, Effect::loses, "reports it and does not apply it", kParser,
      when(kOther).since(kParserOfJazzy)},
     {&readers::ros2_control, Effect::ignores, "leaves limits to the hardware", kParser,
      when(kOther)},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -6,8 +7,8 @@
 #include <vector>
 
 #include "base/text/words.hpp"
-#include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
+#include "lint/companions/trajectory.hpp"
 
 namespace smurf::rules::sml3705_controller_interface_file {
 namespace {
@@ -56,6 +57,18 @@ constexpr Use kUses[] = {
     {"pid_controller/PidController", "dof_names", "command_interface", "", "", ""},
 };
 
+/// Whether the controller accepts a value; SML3710 reports others.
+bool is_accepted(const RosController& controller, std::string_view key, std::string_view text) {
+  for (const RosParameter& parameter : parameters_of(*controller.known)) {
+    if (parameter.path != key) continue;
+    for (const ValueCondition& one : conditions_of(parameter)) {
+      if (one.kind != ValueCondition::Kind::one_of) continue;
+      if (std::find(one.texts.begin(), one.texts.end(), text) == one.texts.end()) return false;
+    }
+  }
+  return true;
+}
+
 /// The texts of a parameter, one or a list of them.
 std::vector<yaml::View> texts_of(const RosController& controller, std::string_view key) {
   std::vector<yaml::View> texts = controller.list(key);
@@ -84,11 +97,16 @@ class Checker {
     if (controller_.list("command_joints").empty()) {
       commanded = joints_of(controller_, use.joints, offers_);
     }
+    // SML3706 reports commands that do not go together, and what to write instead.
+    const bool is_reported = is_trajectory_controller(controller_) &&
+                             !why_not_together(names_in(controller_, use.commands_in)).empty();
     for (const yaml::View one : texts_of(controller_, use.commands_in)) {
+      if (is_reported || !is_accepted(controller_, use.commands_in, one.text())) continue;
       check_one(one.text(), one.span(), commanded, true);
     }
     const std::vector<std::string> joints = joints_of(controller_, use.joints, offers_);
     for (const yaml::View one : texts_of(controller_, use.states_in)) {
+      if (!is_accepted(controller_, use.states_in, one.text())) continue;
       check_one(one.text(), one.span(), joints, false);
     }
     if (joints.empty()) return;

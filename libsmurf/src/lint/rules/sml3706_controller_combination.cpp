@@ -3,7 +3,7 @@
 #include <set>
 #include <string_view>
 
-#include "lint/companions/controllers.hpp"
+#include "lint/companions/trajectory.hpp"
 
 namespace smurf::rules::sml3706_controller_combination_file {
 namespace {
@@ -11,29 +11,6 @@ namespace {
 constexpr Circumstance kGains{"gains"};
 
 using Names = std::set<std::string_view>;
-
-Names names_of(const RosController& controller, std::string_view key) {
-  Names names;
-  for (const yaml::View item : controller.list(key)) names.insert(item.text());
-  return names;
-}
-
-/// Why the command interfaces cannot be used together; "" if they can.
-std::string_view why_not(const Names& commands) {
-  const bool has_position = commands.contains("position");
-  const bool has_velocity = commands.contains("velocity");
-  if (has_velocity && commands.size() > 1 && !has_position) {
-    return "`velocity` must be alone or with `position`";
-  }
-  if (commands.contains("acceleration") && !has_velocity && !has_position) {
-    return "`acceleration` needs `position` and `velocity`";
-  }
-  const bool is_small = commands.size() == 1 || (commands.size() == 2 && has_position);
-  if (commands.contains("effort") && !is_small) {
-    return "`effort` must be alone or, from Jazzy on, with `position`";
-  }
-  return {};
-}
 
 std::string_view why_not_states(const Names& states) {
   if (states.contains("velocity") && !states.contains("position")) {
@@ -77,9 +54,9 @@ void check_gains(const RosController& controller, const Names& commands, Finding
 }
 
 void check_controller(const RosController& controller, Findings& findings) {
-  const Names commands = names_of(controller, "command_interfaces");
-  const Names states = names_of(controller, "state_interfaces");
-  const std::string_view why = why_not(commands);
+  const Names commands = names_in(controller, "command_interfaces");
+  const Names states = names_in(controller, "state_interfaces");
+  const std::string_view why = why_not_together(commands);
   if (!why.empty()) report(controller, "command_interfaces", why, findings);
   const std::string_view why_states = why_not_states(states);
   if (!why_states.empty()) report(controller, "state_interfaces", why_states, findings);
@@ -99,10 +76,7 @@ void check_controller(const RosController& controller, Findings& findings) {
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_controller_file(companions, [&](const ControllerFile& file) {
     for (const RosController& one : file.controllers) {
-      const bool is_trajectory =
-          one.known != nullptr &&
-          one.known->name == "joint_trajectory_controller/JointTrajectoryController";
-      if (is_trajectory && one.section) check_controller(one, findings);
+      if (is_trajectory_controller(one) && one.section) check_controller(one, findings);
     }
   });
 }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/numbers/numbers.hpp"
-#include "lint/companions/controllers.hpp"
+#include "lint/companions/trajectory.hpp"
 
 namespace smurf::rules::sml3710_controller_value_file {
 namespace {
@@ -74,20 +74,40 @@ void check_value(yaml::View value, const std::string& subject, const RosParamete
   }
 }
 
-/// `command_joints` of a trajectory controller are joints of it, too, unless it commands others.
-void check_commanded(const RosController& controller, Findings& findings) {
-  if (controller.known->name != "joint_trajectory_controller/JointTrajectoryController") return;
-  const std::vector<yaml::View> joints = controller.list("joints");
+/// Fewer `command_joints` than `joints` must be some of them; as many may be those of another
+/// controller.
+void check_commanded(const LinkedModel& model, const RosController& controller,
+                     Findings& findings) {
+  if (!is_trajectory_controller(controller)) return;
   const std::vector<yaml::View> commanded = controller.list("command_joints");
-  if (joints.empty() || commanded.size() <= joints.size()) return;
-  findings
-      .report(controller.parameter("command_joints").place(),
-              title_of(controller) + " has more `command_joints` than `joints`")
-      .help("write at most as many `command_joints` as `joints`")
-      .when(kSubset);
+  const std::size_t joints = controller.list("joints").size();
+  if (joints == 0 || commanded.empty() || commanded.size() == joints) return;
+  if (commanded.size() > joints) {
+    findings
+        .report(controller.parameter("command_joints").place(),
+                title_of(controller) + " has more `command_joints` than `joints`")
+        .help("write at most as many `command_joints` as `joints`")
+        .when(kSubset);
+    return;
+  }
+  const std::set<std::string_view> known = names_in(controller, "joints");
+  if (std::any_of(known.begin(), known.end(), is_placeholder)) return;
+  for (const yaml::View one : commanded) {
+    if (known.contains(one.text()) || is_placeholder(one.text())) continue;
+    const bool is_chained = one.text().find('/') != std::string_view::npos;
+    if (!is_chained && !model.joint_index(one.text())) continue;  // SML3701
+    Diagnostic& found =
+        findings.report(one.span(), title_of(controller) + " commands " + quoted(one.text()) +
+                                        ", which is not one of its `joints`");
+    const auto near = findings.suggest(one.text(), std::vector(known.begin(), known.end()));
+    found.help(near ? "did you mean " + quoted(*near) + "?"
+                    : "write some of the `joints`, or as many `command_joints` as `joints`");
+    found.when(kSubset);
+    return;
+  }
 }
 
-void check(const LinkedModel&, const Companions& companions, Findings& findings) {
+void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
   for_each_known_controller(
       companions, [&](const RosController& controller, const std::vector<RosParameter>& known) {
         for_each_parameter(
@@ -95,7 +115,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
             [&](yaml::View value, const std::string& path, const RosParameter& parameter) {
               check_value(value, quoted(path) + " of " + title_of(controller), parameter, findings);
             });
-        check_commanded(controller, findings);
+        check_commanded(model, controller, findings);
       });
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <set>
 #include <string>
 
-#include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
+#include "lint/companions/trajectory.hpp"
 
 namespace smurf::rules::sml3711_controller_version_file {
 namespace {
@@ -12,6 +13,7 @@ constexpr Circumstance kNoJazzy{"not in Jazzy"};
 constexpr Circumstance kNoKilted{"not in Kilted"};
 constexpr Circumstance kNoRolling{"not in Rolling"};
 constexpr Circumstance kClass{"class"};
+constexpr Circumstance kTrajectory{"trajectory"};
 
 constexpr Version kKilted{5};
 constexpr Version kRolling{6};
@@ -34,6 +36,29 @@ void check_parameter(yaml::View value, const std::string& path, const RosParamet
   found.help("delete it, or use the parameter of that version");
 }
 
+/// What trajectory controllers accept since Jazzy.
+void check_trajectory(const RosController& controller, Findings& findings) {
+  if (!is_trajectory_controller(controller)) return;
+  const auto report = [&](std::string_view key, const std::string& what) {
+    Diagnostic& found = findings.report(controller.parameter(key).place(),
+                                        "only " + distribution_names("jkr") + " accept " + what +
+                                            " for " + title_of(controller));
+    mark("jkr", found);
+    found.when(kTrajectory);
+    return &found;
+  };
+  const std::set<std::string_view> commands = names_in(controller, "command_interfaces");
+  if (commands.size() == 2 && commands.contains("effort") && commands.contains("position")) {
+    report("command_interfaces", "`effort` with `position`")->help("write one of them");
+  }
+  const std::size_t joints = controller.list("joints").size();
+  const std::size_t commanded = controller.list("command_joints").size();
+  if (commanded > 0 && commanded < joints) {
+    report("command_joints", "fewer `command_joints` than `joints`")
+        ->help("write as many `command_joints` as `joints`");
+  }
+}
+
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_controller_file(companions, [&](const ControllerFile& file) {
     for (const RosController& controller : file.controllers) {
@@ -48,6 +73,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
         found.help("use the controller of that version");
       }
       if (!controller.section) continue;
+      check_trajectory(controller, findings);
       for_each_parameter(
           controller.section, parameters_of(*controller.known),
           [&](yaml::View value, const std::string& path, const RosParameter& parameter) {
@@ -71,6 +97,10 @@ constexpr Fact kFacts[] = {
     {&readers::ros2_control, Effect::breaks, kNoClass, kSource,
      when(kClass, kNoRolling).since(kRolling)},
     {&readers::ros2_control, Effect::takes, "loads it", kSource, when(kClass)},
+    {&readers::ros2_control, Effect::breaks,
+     "reports an error and does not configure the controller",
+     "ros2_controllers joint_trajectory_controller.cpp, validate_jtc_parameters.hpp of its branches",
+     when(kTrajectory, kNoHumble).before(kParserOfJazzy)},
     {&readers::ros2_control, Effect::loses, kNoParameter, kSource,
      when(kNoHumble).before(kParserOfJazzy)},
     {&readers::ros2_control, Effect::loses, kNoParameter, kSource,

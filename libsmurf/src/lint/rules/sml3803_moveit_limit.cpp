@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
 #include "lint/companions/moveit_files.hpp"
 
 namespace smurf::rules::sml3803_moveit_limit_file {
@@ -33,22 +38,42 @@ void check_missing(yaml::View joint, std::string_view what, Findings& findings) 
       .when(kMissing);
 }
 
-void check_velocity(yaml::View joint, const urdf::Joint& one, Findings& findings) {
+/// The joints of a file with limits of one kind that are wider than those of the URDF: the first is
+/// a finding, the others are counted.
+class Wider {
+ public:
+  bool is_first() { return ++count_ == 1; }
+  void set(Diagnostic& first) { first_ = &first; }
+  void finish() {
+    if (count_ < 2) return;
+    first_->note("this also applies to " + counted(count_ - 1, "more joint") + " of this file");
+  }
+
+ private:
+  Diagnostic* first_ = nullptr;
+  std::size_t count_ = 0;
+};
+
+void check_velocity(yaml::View joint, const urdf::Joint& one, Wider& wider, Findings& findings) {
   const auto velocity = number_of(joint, "max_velocity");
   if (!velocity || !one.limit || !one.limit->velocity || *one.limit->velocity <= 0) return;
-  if (*velocity <= *one.limit->velocity * (1 + kRounded)) return;
-  findings
-      .report(joint.find("max_velocity").span(),
-              "joint " + quoted(joint.key()) + " may move with " + format_rounded(*velocity) +
-                  ", faster than the " + format_rounded(*one.limit->velocity) + " of the URDF")
-      .label(one.limit->velocity.span, "the limit in the URDF")
+  if (*velocity <= *one.limit->velocity * (1 + kRounded) || !wider.is_first()) return;
+  Diagnostic& found = findings.report(joint.find("max_velocity").span(),
+                                      "joint " + quoted(joint.key()) + " may move with " +
+                                          format_rounded(*velocity) + ", faster than the " +
+                                          format_rounded(*one.limit->velocity) + " of the URDF");
+  wider.set(found);
+  found.label(one.limit->velocity.span, "the limit in the URDF")
       .help("write at most the velocity of the URDF");
 }
 
-void check_positions(yaml::View joint, const urdf::Joint& one, Findings& findings) {
+void check_positions(yaml::View joint, const urdf::Joint& one, Wider& wider, Findings& findings) {
   const yaml::View max = joint.find("max_position"), min = joint.find("min_position");
   if (!max && !min) return;
-  if (one.type == urdf::JointType::continuous || smurf::urdf::JointType::floating == one.type) {
+  const bool has_no_range = one.type == urdf::JointType::continuous ||
+                            one.type == urdf::JointType::floating ||
+                            one.type == urdf::JointType::planar;
+  if (has_no_range) {
     findings
         .report((max ? max : min).key_span(), "joint " + quoted(joint.key()) +
                                                   " has a position limit, but is " +
@@ -61,25 +86,31 @@ void check_positions(yaml::View joint, const urdf::Joint& one, Findings& finding
   const auto high = number_of(joint, "max_position"), low = number_of(joint, "min_position");
   const bool is_high = high && *high > *one.limit->upper + kSlack;
   const bool is_low = low && *low < *one.limit->lower - kSlack;
-  if (!is_high && !is_low) return;
-  findings
-      .report((is_high ? max : min).span(),
-              "joint " + quoted(joint.key()) + " may move beyond the limits of the URDF, " +
-                  format_rounded(*one.limit->lower) + " to " + format_rounded(*one.limit->upper))
-      .label(one.name.span, "the joint is defined here")
-      .help("write a position within them");
+  if ((!is_high && !is_low) || !wider.is_first()) return;
+  Diagnostic& found = findings.report(
+      (is_high ? max : min).span(),
+      "joint " + quoted(joint.key()) + " may move beyond the limits of the URDF, " +
+          format_rounded(*one.limit->lower) + " to " + format_rounded(*one.limit->upper));
+  wider.set(found);
+  found.label(one.name.span, "the joint is defined here").help("write a position within them");
 }
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
-  for_each_joint_limit(companions, [&](const Companion&, yaml::View joint) {
+  std::map<const Companion*, std::pair<Wider, Wider>> files;
+  for_each_joint_limit(companions, [&](const Companion& file, yaml::View joint) {
     for (const std::string_view what : {"velocity", "acceleration", "jerk"}) {
       check_missing(joint, what, findings);
     }
     const urdf::Joint* one = model.find_joint(joint.key());
     if (one == nullptr) return;
-    check_velocity(joint, *one, findings);
-    check_positions(joint, *one, findings);
+    auto& [faster, further] = files[&file];
+    check_velocity(joint, *one, faster, findings);
+    check_positions(joint, *one, further, findings);
   });
+  for (auto& [file, wider] : files) {
+    wider.first.finish();
+    wider.second.finish();
+  }
 }
 
 constexpr Fact kFacts[] = {

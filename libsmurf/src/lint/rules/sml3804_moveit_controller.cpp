@@ -57,12 +57,28 @@ void check_controller(yaml::View controller, Findings& findings) {
   }
 }
 
+/// Whether a mapping has controllers of MoveIt.
+bool has_controllers(yaml::View manager) {
+  return std::any_of(manager.begin(), manager.end(), [](yaml::View member) {
+    return member.is_mapping() && member.find("action_ns") && member.find("joints");
+  });
+}
+
 /// The mapping with `controller_names`, at any depth.
 void check_manager(yaml::View root, Findings& findings) {
   const yaml::View names = root.find("controller_names");
   if (!names) {
     for (const yaml::View member : root) {
-      if (member.is_mapping() && !member.is_repeated()) check_manager(member, findings);
+      if (!member.is_mapping() || member.is_repeated()) continue;
+      const bool is_manager = member.key() == "moveit_simple_controller_manager";
+      if (!is_manager || !has_controllers(member) || member.find("controller_names")) {
+        check_manager(member, findings);
+        continue;
+      }
+      findings
+          .report(member.key_span(), "there is no list `controller_names`, so that MoveIt uses "
+                                     "none of these controllers")
+          .help("write `controller_names` with the names of the controllers");
     }
     return;
   }
