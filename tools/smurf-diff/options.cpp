@@ -61,8 +61,8 @@ bool is_from_git(const std::vector<std::string>& operands) {
 /// `name:=value` is an argument of the xacro file before it.
 Setter take_operand(Options& options) {
   return [&options](std::string_view value) -> std::optional<std::string> {
-    XacroWishes wishes;
-    if (options.for_git || !take_xacro_argument(value, wishes)) {
+    XacroSettings xacro;
+    if (options.for_git || !take_xacro_argument(value, xacro)) {
       options.operands.emplace_back(value);
       options.xacro.emplace_back();
       return std::nullopt;
@@ -70,7 +70,7 @@ Setter take_operand(Options& options) {
     if (options.operands.empty()) {
       return "'" + std::string(value) + "' is an argument of a xacro file; write it after the file";
     }
-    options.xacro.back().arguments.merge(wishes.arguments);
+    options.xacro.back().arguments.merge(xacro.arguments);
     return std::nullopt;
   };
 }

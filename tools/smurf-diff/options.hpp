@@ -20,7 +20,7 @@ enum class DiffFormat { text, json, html };
 
 struct Options {
   std::vector<std::string> operands;
-  std::vector<XacroWishes> xacro;  ///< of each operand
+  std::vector<XacroSettings> xacro;  ///< of each operand
   std::set<std::string> environment;
   DiffFormat format = DiffFormat::text;
   double tolerance = 1e-9;

@@ -127,14 +127,14 @@ Compared compare_versions(Session& session, const InputVersion& before, const In
   if (is_scene(before.path)) {
     return compare_loaded(
         session, before, after, how, options.for_git,
-        [&](const std::string& path, const XacroWishes&) {
+        [&](const std::string& path, const XacroSettings&) {
           return session.load_scene(path, settings);
         },
         &LoadedScene::scene);
   }
   return compare_loaded(
       session, before, after, how, options.for_git,
-      [&](const std::string& path, const XacroWishes& xacro) {
+      [&](const std::string& path, const XacroSettings& xacro) {
         settings.xacro = {xacro.arguments, options.environment};
         return session.load_model(path, settings);
       },

@@ -18,7 +18,7 @@ struct InputVersion {
   std::string shown;          ///< name in messages
   std::string replaced = {};  ///< the file whose text is replaced; "": none
   std::string text = {};
-  XacroWishes xacro = {};
+  XacroSettings xacro = {};
 };
 
 /// Puts the text of a version in its place while it is loaded. Others may be loaded there later.

@@ -84,7 +84,7 @@ OverviewOptions overview(const LintOptions& options, const Threshold& threshold)
 
 /// The least severity that a report for people shows.
 Severity shown(const LintOptions& options, const Report& report) {
-  return overview(options, merge_run(report.wishes, options).threshold).least;
+  return overview(options, merge_run(report.settings, options).threshold).least;
 }
 
 /// A report, and the session whose sources it refers to.
@@ -118,7 +118,7 @@ ExitCode open_report(const Results& results, std::string page) {
 ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const std::string& place,
                        const Checked& checked, std::string remarks) {
   const Report& report = checked.report;
-  const RunSettings settings = merge_run(report.wishes, options);
+  const RunSettings settings = merge_run(report.settings, options);
   // The failure was already reported; "no findings" would hide it.
   const bool has_robots = report.summary.models + report.summary.scenes > 0;
   const bool is_nothing = !has_robots && report.diagnostics.empty() && !report.problems.empty();
@@ -207,7 +207,7 @@ ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked&
       remark_on_input(options, plan, checked.report) + remark_on_arguments(checked) +
           fix_remarks(fixed, checked.report.diagnostics, shown(options, checked.report)));
   if (written != kDone) return written;
-  return judge(checked.report.summary, merge_run(checked.report.wishes, options).threshold);
+  return judge(checked.report.summary, merge_run(checked.report.settings, options).threshold);
 }
 
 /// `remarks` come first; programs that read the difference ignore them.
@@ -320,10 +320,10 @@ bool may_be_overwritten(const std::string& path, const LintOptions& options) {
 
 /// Records what a report for people shows: usually no infos, which would make up most of the file.
 ExitCode write_baseline(const LintOptions& options, const Session& session, Report report) {
-  const Severity least = overview(options, merge_run(report.wishes, options).threshold).least;
+  const Severity least = overview(options, merge_run(report.settings, options).threshold).least;
   const std::size_t hidden = std::erase_if(
       report.diagnostics, [&](const Diagnostic& one) { return one.severity < least; });
-  const std::string& known = report.wishes.baseline;
+  const std::string& known = report.settings.baseline;
   const auto path = baseline_to_write(options, known);
   if (!path || !may_be_overwritten(*path, options)) return kFailed;
   const std::string text = session.baseline_of(report, *path);
@@ -349,7 +349,7 @@ bool keeps_inputs(const LintOptions& options, const Report& found,
   if (options.generate_baseline) {
     outputs.push_back(options.baseline);
   } else {
-    for (const ReportRequest& request : merge_run(found.wishes, options).reports) {
+    for (const ReportRequest& request : merge_run(found.settings, options).reports) {
       outputs.push_back(request.file);
     }
   }

@@ -27,7 +27,7 @@ struct LintOptions {
   bool only_listed = false;  ///< skip annotation files and meshes that no model uses
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
-  XacroWishes xacro;
+  XacroSettings xacro;
   bool allow_outside = false;  ///< read all files that models name
   Limits limits;
 

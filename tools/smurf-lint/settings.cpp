@@ -21,15 +21,15 @@ CheckSettings check_settings(const LintOptions& options) {
   return settings;
 }
 
-RunSettings merge_run(const ReportWishes& wishes, const LintOptions& options) {
-  RunSettings settings{options.reports, options.threshold, wishes.baseline};
+RunSettings merge_run(const ReportSettings& report, const LintOptions& options) {
+  RunSettings settings{options.reports, options.threshold, report.baseline};
   if (settings.reports.empty()) {
-    for (const std::string& report : wishes.formats) append_report(settings.reports)(report);
+    for (const std::string& report : report.formats) append_report(settings.reports)(report);
   }
   if (settings.reports.empty()) settings.reports.push_back({find_report_format("auto"), {}});
-  if (!options.has_fail_on && wishes.fail_on) settings.threshold.fail_on = *wishes.fail_on;
-  if (!options.threshold.max_warnings && wishes.max_warnings) {
-    settings.threshold.max_warnings = wishes.max_warnings;
+  if (!options.has_fail_on && report.fail_on) settings.threshold.fail_on = report.fail_on->least;
+  if (!options.threshold.max_warnings && report.max_warnings) {
+    settings.threshold.max_warnings = report.max_warnings;
   }
   return settings;
 }

@@ -19,6 +19,6 @@ struct RunSettings {
   Threshold threshold;
   std::string baseline;  ///< file; "": none
 };
-RunSettings merge_run(const ReportWishes& wishes, const LintOptions& options);
+RunSettings merge_run(const ReportSettings& report, const LintOptions& options);
 
 }  // namespace smurf::tools

@@ -242,7 +242,7 @@ ExitCode show_config(const LintOptions& options) {
   CheckSettings settings = check_settings(options);
   settings.heeds_baseline = false;
   const Report report = session.check(nothing, settings);
-  const RunSettings run = merge_run(report.wishes, options);
+  const RunSettings run = merge_run(report.settings, options);
   Page page(sources);
   page.comment("for " + options.show_config + ": " + (path.empty() ? "no configuration" : path));
   show_rules(config, options, page);

@@ -46,7 +46,7 @@ struct InputOptions {
   std::map<std::string, std::string> packages;
   bool allow_outside = false;  ///< read all files that models name
   Limits limits;
-  XacroWishes xacro;
+  XacroSettings xacro;
 };
 
 /// Fills `inputs`. Folders are searched as in smurf-lint; scenes come before models, and a model of

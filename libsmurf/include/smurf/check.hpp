@@ -42,7 +42,7 @@ struct CheckSettings {
   RuleSelection selection;
   std::map<std::string, std::string> packages;  ///< package:// names to folders
   std::vector<std::string> package_folders = ros_package_folders();
-  XacroWishes xacro;  ///< arguments override those of a configuration
+  XacroSettings xacro;  ///< arguments override those of a configuration
   bool opens_meshes = true;
   /// Whether a session that reads from the disk follows models to files anywhere. When false, it
   /// reads only what confine() (smurf/confine.hpp) allows.
@@ -61,10 +61,14 @@ struct CheckSettings {
   std::function<bool()> is_cancelled;
 };
 
+struct FailOn {
+  std::optional<Severity> least;  ///< none: never
+};
+
 /// Settings of the configuration of the first path that concern the report.
-struct ReportWishes {
-  std::vector<std::string> formats;                ///< "FORMAT[=FILE]"
-  std::optional<std::optional<Severity>> fail_on;  ///< none inside: never
+struct ReportSettings {
+  std::vector<std::string> formats;  ///< "FORMAT[=FILE]"
+  std::optional<FailOn> fail_on;
   std::optional<int> max_warnings;
   std::string baseline;  ///< a file; the setting overrides it
 };
@@ -77,7 +81,7 @@ struct Report {
   std::vector<TargetVerdict> targets;
   std::vector<RobotAnswers> robots;   ///< when several files were planned
   std::vector<std::string> problems;  ///< of the plan
-  ReportWishes wishes;
+  ReportSettings settings;
 };
 
 struct LoadedWith;

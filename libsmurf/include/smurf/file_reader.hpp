@@ -79,7 +79,7 @@ class ConfinedFiles final : public FileReader {
  private:
   struct Allowed;
   std::optional<std::string> place_of(const std::string& path, const CanonicalPaths& paths) const;
-  void judge_ways_anew();
+  void reset_ways();
 
   DiskFiles disk_;
   std::unique_ptr<CanonicalPaths> canonical_;

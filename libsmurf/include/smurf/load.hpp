@@ -32,10 +32,10 @@ struct ReadFiles {
 class ParsedFiles;
 
 /// What a user decides about xacro files.
-struct XacroWishes {
+struct XacroSettings {
   std::map<std::string, std::string> arguments;  ///< `name:=value`
   std::set<std::string> environment;             ///< variables that `$(env ...)` may read
-  friend bool operator==(const XacroWishes&, const XacroWishes&) = default;
+  friend bool operator==(const XacroSettings&, const XacroSettings&) = default;
 };
 
 /// Files that a user names as companions of a robot.
@@ -58,7 +58,7 @@ struct LoadContext {
   /// Shared by all models in memory at the same time.
   std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();
   ParsedFiles* parsed = nullptr;  ///< results of an earlier load; may be null
-  XacroWishes xacro = {};
+  XacroSettings xacro = {};
   /// Of the xacro files that were loaded, for their findings.
   std::shared_ptr<xacro::Expansions> expansions = std::make_shared<xacro::Expansions>();
   std::vector<CompanionTie> ties = {};

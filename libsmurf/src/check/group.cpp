@@ -94,15 +94,15 @@ void merge(const CheckSettings& settings, const CanonicalPaths& paths, CheckGrou
   }
 }
 
-ReportWishes wishes_of(const CheckGroup& group) {
+ReportSettings report_settings_of(const CheckGroup& group) {
   const Config& config = group.config;
-  ReportWishes wishes;
-  append(config.formats, wishes.formats);
-  if (config.fail_on) wishes.fail_on = config.fail_on->value;
-  if (config.max_warnings) wishes.max_warnings = config.max_warnings->value;
-  wishes.baseline = group.settings.baseline;
-  if (wishes.baseline.empty() && config.baseline) wishes.baseline = config.baseline->value;
-  return wishes;
+  ReportSettings settings;
+  append(config.formats, settings.formats);
+  if (config.fail_on) settings.fail_on = FailOn{config.fail_on->value};
+  if (config.max_warnings) settings.max_warnings = config.max_warnings->value;
+  settings.baseline = group.settings.baseline;
+  if (settings.baseline.empty() && config.baseline) settings.baseline = config.baseline->value;
+  return settings;
 }
 
 std::vector<const Reader*> targets_of(const CheckGroups& groups) {

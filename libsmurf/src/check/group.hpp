@@ -52,7 +52,7 @@ CheckGroups read_configurations(const std::vector<std::string>& paths,
 void merge(const CheckSettings& settings, const CanonicalPaths& paths, CheckGroups& groups);
 
 /// The settings of the group for a whole report.
-ReportWishes wishes_of(const CheckGroup& group);
+ReportSettings report_settings_of(const CheckGroup& group);
 
 /// The targets of all groups, each once.
 std::vector<const Reader*> targets_of(const CheckGroups& groups);

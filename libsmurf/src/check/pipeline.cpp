@@ -63,10 +63,11 @@ std::vector<Diagnostic> settle(Judged&& judged, const CheckGroup& group, const S
 
 /// Removes the findings that the baseline records and returns their number. Adds the findings in
 /// the baseline itself.
-std::size_t apply_baseline(const std::string& path, const CheckGroup& group, const Desk& desk,
-                           SourceMap& sources, std::vector<Diagnostic>& found) {
+std::size_t apply_baseline(const std::string& path, const CheckGroup& group,
+                           const CheckContext& context, SourceMap& sources,
+                           std::vector<Diagnostic>& found) {
   DiagnosticSink sink;
-  const FileContent content = desk.files.read(path, desk.limits.file_bytes);
+  const FileContent content = context.files.read(path, context.limits.file_bytes);
   if (content.status != ReadStatus::ok) {
     const bool is_configured = group.settings.baseline.empty();
     const Span place =
@@ -79,7 +80,7 @@ std::size_t apply_baseline(const std::string& path, const CheckGroup& group, con
   }
   Baseline baseline(relative_to_folder_of(path));
   const SourceId source = sources.add(path, content.text);
-  if (const auto document = parse_yaml(sources, source, desk.limits, sink)) {
+  if (const auto document = parse_yaml(sources, source, context.limits, sink)) {
     baseline.read(*document, sink);
   }
   const std::size_t count = baseline.apply(found, sources);
@@ -100,14 +101,14 @@ void note_passed(const std::vector<Diagnostic>& left, std::size_t TargetVerdict:
 }
 
 /// Reports when not every file was compared with every pattern of `paths`.
-void report_path_checks(const CheckGroups& groups, const Desk& desk, const SourceMap& sources,
-                        std::vector<Diagnostic>& found) {
+void report_path_checks(const CheckGroups& groups, const CheckContext& context,
+                        const SourceMap& sources, std::vector<Diagnostic>& found) {
   const auto group = std::find_if(groups.begin(), groups.end(),
                                   [](const CheckGroup& one) { return !one.config.paths.empty(); });
   if (group == groups.end() || !group->path_checks->is_exhausted) return;
   DiagnosticSink sink;
   sink.report(rules::sml0002_file_too_large, group->config.paths.front().pattern.text.span,
-              "there are more than " + std::to_string(desk.limits.path_checks) +
+              "there are more than " + std::to_string(context.limits.path_checks) +
                   " comparisons of files with patterns of `paths`; the remaining files are "
                   "checked without these settings")
       .help(raise_limit("path-checks"));
@@ -115,12 +116,12 @@ void report_path_checks(const CheckGroups& groups, const Desk& desk, const Sourc
 }
 
 /// A file that two models share is one file.
-std::size_t count_files(const SourceMap& sources, const Desk& desk) {
+std::size_t count_files(const SourceMap& sources, const CheckContext& context) {
   std::set<std::string> files;
-  for (std::size_t i = desk.first_source; i < sources.size(); ++i) {
+  for (std::size_t i = context.first_source; i < sources.size(); ++i) {
     const SourceId source{static_cast<std::uint32_t>(i)};
     if (sources.is_readable(source))
-      files.insert(identity(sources.path(source), desk.paths, desk.files));
+      files.insert(identity(sources.path(source), context.paths, context.files));
   }
   return files.size();
 }
@@ -195,34 +196,34 @@ std::vector<Diagnostic> finish_others(const LinkedScene& scene, std::vector<Diag
   return finish(std::move(found), sources, selection);
 }
 
-Report make_report(std::vector<Judged>&& found, const CheckGroups& groups, const Desk& desk,
-                   SourceMap& sources) {
+Report make_report(std::vector<Judged>&& found, const CheckGroups& groups,
+                   const CheckContext& context, SourceMap& sources) {
   Report report;
   const CheckGroup& first = groups.front();
   std::vector<Diagnostic>& all = report.diagnostics;
   std::size_t suppressed = 0;
   for (const Reader* target : targets_of(groups)) report.targets.push_back({.reader = target});
-  *first.path_checks = {desk.limits.path_checks, false};
+  *first.path_checks = {context.limits.path_checks, false};
   for (std::size_t i = 0; i < found.size(); ++i) {
     const CheckGroup& group = groups[i];
     Judged& judged = found[i];
     judged.diagnostics.insert(judged.diagnostics.begin(), group.found.begin(), group.found.end());
     append(settle(std::move(judged), group, sources, suppressed, report.targets), all);
   }
-  report_path_checks(groups, desk, sources, all);
+  report_path_checks(groups, context, sources, all);
   join_roots(sources, all);
   sort_findings(all, sources);
   if (suppressed > 0) note_passed(all, &TargetVerdict::ignored, report.targets);
-  report.wishes = wishes_of(first);
-  const std::string& baseline = report.wishes.baseline;
+  report.settings = report_settings_of(first);
+  const std::string& baseline = report.settings.baseline;
   if (first.settings.heeds_baseline && !baseline.empty()) {
-    suppressed += apply_baseline(baseline, first, desk, sources, all);
+    suppressed += apply_baseline(baseline, first, context, sources, all);
     sort_findings(all, sources);
     note_passed(all, &TargetVerdict::in_baseline, report.targets);
   }
   report.summary = summarize(all);
   report.summary.suppressed = suppressed;
-  report.summary.files = count_files(sources, desk);
+  report.summary.files = count_files(sources, context);
   return report;
 }
 

@@ -41,7 +41,7 @@ std::vector<Diagnostic> finish_others(const LinkedScene& scene, std::vector<Diag
                                       const xacro::Expansions& expansions);
 
 /// The input of a report.
-struct Desk {
+struct CheckContext {
   const FileReader& files;
   const Limits& limits;
   const CanonicalPaths& paths;
@@ -51,8 +51,8 @@ struct Desk {
 /// The findings that remain under the settings of each configuration, with the findings in these.
 /// `found` is by configuration; the text of a baseline is added to `sources`. Does not count models
 /// and scenes.
-Report make_report(std::vector<Judged>&& found, const CheckGroups& groups, const Desk& desk,
-                   SourceMap& sources);
+Report make_report(std::vector<Judged>&& found, const CheckGroups& groups,
+                   const CheckContext& context, SourceMap& sources);
 
 std::string write_baseline(const std::vector<Diagnostic>& diagnostics, const SourceMap& sources,
                            const std::string& path);

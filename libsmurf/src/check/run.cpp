@@ -44,17 +44,17 @@ bool is_of_source(const Recorder::Question& question, const Recorder::Answer& an
 
 class Run {
  public:
-  Run(const CheckSettings& settings, const Workshop& workshop, SourceMap& sources)
+  Run(const CheckSettings& settings, const RunContext& context, SourceMap& sources)
       : settings_(settings),
-        workshop_(workshop),
-        memory_(workshop.memory),
+        context_(context),
+        memory_(context.memory),
         sources_(sources),
         jobs_(count_of_jobs(settings.jobs)) {}
 
   void configure(std::vector<std::string> configs) {
     if (configs.empty()) configs.emplace_back();
     if (!can_keep_configurations(configs)) read_configurations(configs);
-    merge(settings_, workshop_.desk.paths, memory_.groups);
+    merge(settings_, context_.check.paths, memory_.groups);
     sources_ = memory_.sources;
     found_.resize(configs.size());
     targets_ = targets_of(memory_.groups);
@@ -108,7 +108,7 @@ class Run {
     for (SharedCompanions::Found& one : shared_.finish()) {
       found_[one.config].diagnostics.push_back(std::move(one.diagnostic));
     }
-    Report report = make_report(std::move(found_), memory_.groups, workshop_.desk, sources_);
+    Report report = make_report(std::move(found_), memory_.groups, context_.check, sources_);
     report.summary.models = models_.size();
     report.summary.scenes = scenes_.size();
     for (const CompanionSpec& spec : companion_kinds()) {
@@ -133,10 +133,10 @@ class Run {
   }
 
  private:
-  bool is_remembering() const { return workshop_.snapshot != nullptr; }
+  bool is_remembering() const { return context_.snapshot != nullptr; }
 
   std::string identity_of(const std::string& path) const {
-    return identity(path, workshop_.desk.paths, workshop_.desk.files);
+    return identity(path, context_.check.paths, context_.check.files);
   }
 
   const ConfigXacro* configured(const PlannedFile& file) const {
@@ -150,7 +150,7 @@ class Run {
   void append_variants(const PlannedFile& file, const ConfigXacro& robot,
                        std::vector<PlannedFile>& all) {
     const CheckGroup& group = memory_.groups[file.config];
-    const std::uint64_t most = workshop_.desk.limits.xacro_variants;
+    const std::uint64_t most = context_.check.limits.xacro_variants;
     auto combinations = combinations_of(robot, group.settings.xacro.arguments, most);
     if (combinations.size() > most) {
       combinations.resize(most);
@@ -218,7 +218,7 @@ class Run {
   bool can_keep_configurations(const std::vector<std::string>& configs) const {
     return is_remembering() && !memory_.is_empty && memory_.configs == configs &&
            is_same(memory_.settings, settings_) &&
-           is_unchanged(memory_.answers, *workshop_.snapshot);
+           is_unchanged(memory_.answers, *context_.snapshot);
   }
 
   void read_configurations(const std::vector<std::string>& configs) {
@@ -227,12 +227,12 @@ class Run {
     memory_.configs = configs;
     memory_.settings = settings_;
     if (is_remembering()) {
-      Recorder recorder(*workshop_.snapshot);
+      Recorder recorder(*context_.snapshot);
       memory_.groups = smurf::read_configurations(configs, settings_, recorder, memory_.sources);
       memory_.answers = recorder.take();
     } else {
       memory_.groups =
-          smurf::read_configurations(configs, settings_, workshop_.desk.files, memory_.sources);
+          smurf::read_configurations(configs, settings_, context_.check.files, memory_.sources);
     }
   }
 
@@ -240,18 +240,18 @@ class Run {
   Outcome check(const PlannedFile& planned) {
     Outcome outcome;
     if (!is_remembering()) {
-      load(planned, workshop_.desk.files, shared_meshes_, outcome);
+      load(planned, context_.check.files, shared_meshes_, outcome);
       return outcome;
     }
     const auto known = memory_.outcomes.find(key_of(planned));
     if (known != memory_.outcomes.end() && known->second.config == planned.config) {
-      if (is_unchanged(known->second.answers, *workshop_.snapshot)) {
+      if (is_unchanged(known->second.answers, *context_.snapshot)) {
         return std::move(known->second);
       }
       outcome.parsed = std::move(known->second.parsed);
       keep_meshes(std::move(known->second), outcome);
     }
-    Recorder recorder(*workshop_.snapshot);
+    Recorder recorder(*context_.snapshot);
     load(planned, recorder, outcome.meshes, outcome);
     outcome.answers.merge(recorder.take());
     outcome.config = planned.config;
@@ -263,7 +263,7 @@ class Run {
     std::erase_if(known.answers, [&](const auto& one) {
       return is_of_source(one.first, one.second, known.sources);
     });
-    if (!is_unchanged(known.answers, *workshop_.snapshot)) return;
+    if (!is_unchanged(known.answers, *context_.snapshot)) return;
     outcome.meshes = std::move(known.meshes);
     outcome.answers = std::move(known.answers);
   }
@@ -272,12 +272,12 @@ class Run {
             Outcome& outcome) const {
     const CheckGroup& group = memory_.groups[planned.config];
     outcome.sources = memory_.sources;
-    const Limits& limits = workshop_.desk.limits;
+    const Limits& limits = context_.check.limits;
     DiagnosticSink sink(limits);
     LoadContext context{outcome.sources,
                         files,
                         sink,
-                        workshop_.desk.limits,
+                        context_.check.limits,
                         group.packages,
                         settings_.package_folders,
                         settings_.opens_meshes ? &meshes : nullptr,
@@ -379,14 +379,14 @@ class Run {
     for (const Diagnostic& diagnostic : outcome.judged.diagnostics) {
       if (again.contains(diagnostic.span.source)) rechecked_ += kBytesOfFinding;
     }
-    return rechecked_ <= workshop_.desk.limits.rechecked_bytes;
+    return rechecked_ <= context_.check.limits.rechecked_bytes;
   }
 
   /// Records findings. A file that is checked alone has its own limit, in the sink.
   bool has_room_for_findings(const Outcome& outcome) {
     const bool is_first = count_found_ == 0;
     count_found_ += outcome.judged.diagnostics.size();
-    return is_first || count_found_ <= workshop_.desk.limits.all_findings;
+    return is_first || count_found_ <= context_.check.limits.all_findings;
   }
 
   /// `excess` names the exceeded limit: "more than 3 bytes are read".
@@ -416,7 +416,7 @@ class Run {
   }
 
   void take(Outcome&& outcome, const PlannedFile& planned) {
-    const Limits& limits = workshop_.desk.limits;
+    const Limits& limits = context_.check.limits;
     if (!has_room(outcome)) {
       return end_with(planned,
                       "more than " + std::to_string(limits.rechecked_bytes) +
@@ -455,7 +455,7 @@ class Run {
   }
 
   const CheckSettings& settings_;
-  const Workshop& workshop_;
+  const RunContext& context_;
   Memory& memory_;
   SourceMap& sources_;
   const std::size_t jobs_;
@@ -479,9 +479,9 @@ class Run {
 
 }  // namespace
 
-Report run_check(const Plan& plan, const CheckSettings& settings, const Workshop& workshop,
+Report run_check(const Plan& plan, const CheckSettings& settings, const RunContext& context,
                  SourceMap& sources) {
-  Run run(settings, workshop, sources);
+  Run run(settings, context, sources);
   run.configure(plan.configs);
   run.expect(plan.scenes.size() + plan.models.size() + plan.strays.size());
   std::vector<PlannedFile> others = plan.strays;

@@ -44,14 +44,14 @@ struct Memory {
 };
 
 /// The input of a check.
-struct Workshop {
-  Desk desk;
+struct RunContext {
+  CheckContext check;
   Snapshot* snapshot;  ///< null: keep nothing for another check
   Memory& memory;
 };
 
 /// Checks the planned files. The report points into `sources`.
-Report run_check(const Plan& plan, const CheckSettings& settings, const Workshop& workshop,
+Report run_check(const Plan& plan, const CheckSettings& settings, const RunContext& context,
                  SourceMap& sources);
 
 }  // namespace smurf

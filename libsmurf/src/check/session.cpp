@@ -105,7 +105,9 @@ struct Session::State {
     return stamp_of_file && !is_in_archive(path) ? stamp_of_file(path) : FileStamp{};
   }
 
-  Desk desk(std::size_t first_source = 0) const { return {*files, limits, *paths, first_source}; }
+  CheckContext context_from(std::size_t first_source) const {
+    return {*files, limits, *paths, first_source};
+  }
 
   void announce(std::span<const std::string> inputs, const CheckSettings& settings) {
     open(inputs, settings);
@@ -135,10 +137,10 @@ struct Session::State {
     return {&loaded_sources, DiagnosticSink(limits), &with};
   }
 
-  Plan plan(std::span<const std::string> paths, const CheckSettings& settings) {
-    open(paths, settings);
+  Plan plan(std::span<const std::string> inputs, const CheckSettings& settings) {
+    open(inputs, settings);
     PlanSettings wanted;
-    wanted.paths.assign(paths.begin(), paths.end());
+    wanted.paths.assign(inputs.begin(), inputs.end());
     wanted.config = settings.config;
     wanted.is_isolated = settings.is_isolated;
     wanted.limits = limits;
@@ -155,17 +157,17 @@ struct Session::State {
     } else {
       snapshot->begin();
     }
-    const Workshop workshop{desk(), snapshot ? &*snapshot : nullptr, memory};
+    const RunContext context{context_from(0), snapshot ? &*snapshot : nullptr, memory};
     checked = &sources;
-    return run_check(plan, settings, workshop, sources);
+    return run_check(plan, settings, context, sources);
   }
 
   Report report(Judged&& judged, Loaded& loaded) {
     checked = &loaded_sources;
     std::vector<Judged> found;
     found.push_back(std::move(judged));
-    return make_report(std::move(found), *loaded.with->groups, desk(loaded.with->first_source),
-                       loaded_sources);
+    return make_report(std::move(found), *loaded.with->groups,
+                       context_from(loaded.with->first_source), loaded_sources);
   }
 
   Limits limits;

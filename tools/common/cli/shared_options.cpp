@@ -146,10 +146,10 @@ Option xacro_env_option(std::set<std::string>& names) {
       }};
 }
 
-bool take_xacro_argument(std::string_view value, XacroWishes& wishes) {
+bool take_xacro_argument(std::string_view value, XacroSettings& xacro) {
   const std::size_t mark = value.find(":=");
   if (mark == std::string_view::npos || mark == 0) return false;
-  wishes.arguments[std::string(value.substr(0, mark))] = value.substr(mark + 2);
+  xacro.arguments[std::string(value.substr(0, mark))] = value.substr(mark + 2);
   return true;
 }
 

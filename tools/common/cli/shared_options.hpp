@@ -31,7 +31,7 @@ Option allow_outside_option(bool& allow_outside);
 /// NAMES, for `$(env ...)` in xacro files.
 Option xacro_env_option(std::set<std::string>& names);
 /// Takes `name:=value`, an argument of a xacro file; false if it is something else.
-bool take_xacro_argument(std::string_view value, XacroWishes& wishes);
+bool take_xacro_argument(std::string_view value, XacroSettings& xacro);
 /// NAME=N, for the limits on the input.
 Option limit_option(Limits& limits);
 Option jobs_option(std::optional<int>& jobs);

@@ -44,9 +44,9 @@ Setter take_one_operand(std::string& operand) {
   };
 }
 
-Setter take_one_operand(std::string& operand, XacroWishes& wishes) {
-  return [one = take_one_operand(operand), &wishes](std::string_view value) {
-    return take_xacro_argument(value, wishes) ? std::nullopt : one(value);
+Setter take_one_operand(std::string& operand, XacroSettings& xacro) {
+  return [one = take_one_operand(operand), &xacro](std::string_view value) {
+    return take_xacro_argument(value, xacro) ? std::nullopt : one(value);
   };
 }
 

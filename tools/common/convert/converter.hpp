@@ -27,7 +27,7 @@ struct ConverterOptions {
   ColorChoice color = ColorChoice::automatic;
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
-  XacroWishes xacro;
+  XacroSettings xacro;
   bool allow_outside = false;  ///< read files that models name, wherever they are
   Limits limits;
   bool has_loss_report = false;  ///< the tool has --loss-report
@@ -45,7 +45,7 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
 /// A setter for exactly one operand.
 Setter take_one_operand(std::string& operand);
 /// The same, and for the arguments of a xacro file, `name:=value`.
-Setter take_one_operand(std::string& operand, XacroWishes& wishes);
+Setter take_one_operand(std::string& operand, XacroSettings& xacro);
 
 /// One run of a converter. Findings go to standard error, or to the file given by --report.
 class Conversion {

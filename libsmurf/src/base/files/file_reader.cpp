@@ -161,13 +161,13 @@ struct ConfinedFiles::Allowed {
 
 ConfinedFiles::ConfinedFiles()
     : canonical_(std::make_unique<CanonicalPaths>()), allowed_(std::make_unique<Allowed>()) {
-  judge_ways_anew();
+  reset_ways();
 }
 ConfinedFiles::~ConfinedFiles() = default;
 
 /// Decides again which links may be followed. Otherwise, a link that leaves the project and returns
 /// to it could reveal whether folders outside exist.
-void ConfinedFiles::judge_ways_anew() {
+void ConfinedFiles::reset_ways() {
   const auto is_known = [this](const std::string& place) {
     return allowed_->holds(place) || allowed_->is_above(place);
   };
@@ -195,22 +195,22 @@ void ConfinedFiles::allow(const std::string& path) {
   const std::string whole = path::normalize(*place + "/");
   if (whole == "/") allowed_->everything = true;
   allowed_->whole.insert(whole);
-  judge_ways_anew();
+  reset_ways();
 }
 
 void ConfinedFiles::allow_files_in(const std::string& folder) {
   if (auto place = place_of(folder, *canonical_)) allowed_->files_in.insert(*std::move(place));
-  judge_ways_anew();
+  reset_ways();
 }
 
 void ConfinedFiles::allow_named(const std::string& name, const std::string& folder) {
   if (auto place = place_of(folder, *canonical_)) allowed_->named.emplace(name, *std::move(place));
-  judge_ways_anew();
+  reset_ways();
 }
 
 void ConfinedFiles::deny_named(const std::string& name, const std::string& but) {
   allowed_->denied.emplace(path::to_lower(name), but);
-  judge_ways_anew();
+  reset_ways();
 }
 
 bool ConfinedFiles::is_denied(const std::string& path) const {
