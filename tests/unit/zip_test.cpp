@@ -66,21 +66,47 @@ TEST_CASE("files do not share their bytes") {
   CHECK(read_zip(twice, at_most(100'000)).reason == "contains files that share their bytes");
 }
 
-TEST_CASE("sizes may be behind a file") {
-  std::string bytes = zip({{"a.txt", "some text"}});
+/// A file whose checksum and sizes stand behind its bytes, after `before`.
+std::string zip_with_sizes_behind(const std::string& text, const std::string& before,
+                                  const std::string& after = "") {
+  std::string bytes = zip({{"a.txt", text}});
   const std::size_t directory = bytes.find("PK\x01\x02");
   for (const std::size_t header : {std::size_t{0}, directory + 2}) bytes[header + 6] = 8;  // a flag
-  const auto with = [&](std::size_t behind) {
-    std::string changed = bytes;
-    changed.insert(directory, bytes.substr(14, 12) + std::string(behind - 12, 'x'));
-    const std::size_t trailer = changed.find("PK\x05\x06");
-    changed[trailer + 16] = static_cast<char>(directory + behind);
-    return changed;
+  const std::string behind = before + bytes.substr(14, 12) + after;
+  const std::size_t trailer = bytes.find("PK\x05\x06");
+  bytes[trailer + 16] = static_cast<char>(directory + behind.size());
+  return bytes.insert(directory, behind);
+}
+
+TEST_CASE("sizes may be behind a file") {
+  const auto reason = [](const std::string& before, const std::string& after = "") {
+    return read_zip(zip_with_sizes_behind("some text", before, after), at_most(100)).reason;
   };
-  CHECK(read_zip(with(12), at_most(100)).reason == "");
-  CHECK(read_zip(with(16), at_most(100)).reason == "");
-  CHECK(read_zip(with(13), at_most(100)).reason == "is a broken zip archive");
-  CHECK(read_zip(with(40), at_most(100)).reason == "is a broken zip archive");
+  CHECK(reason("") == "");
+  CHECK(reason("PK\x07\x08") == "");
+  CHECK(reason("xxxx") == "is a broken zip archive");
+  CHECK(reason("", "x") == "is a broken zip archive");
+  CHECK(reason("", std::string(28, 'x')) == "is a broken zip archive");
+}
+
+TEST_CASE("a file ends in one place") {
+  const std::string sound = zip_with_sizes_behind("some text", "PK\x07\x08");
+  for (const std::size_t behind : {4, 8, 12}) {  // checksum and sizes
+    std::string other = sound;
+    other[other.find("PK\x07\x08") + behind] ^= 1;
+    CHECK(read_zip(other, at_most(100)).reason == "is a broken zip archive");
+  }
+  for (const std::size_t in_header : {14, 18, 22}) {  // neither 0 nor the sizes behind
+    std::string other = sound;
+    other[in_header] ^= 1;
+    CHECK(read_zip(other, at_most(100)).reason ==
+          "contains the file 'a.txt', whose header differs from the directory");
+  }
+  // A program that unpacks a stream ends the file at the first of two ends.
+  const std::string first = zip_with_sizes_behind("some text", "PK\x07\x08");
+  const std::string end = first.substr(first.find("PK\x07\x08"), 16);
+  CHECK(read_zip(zip_with_sizes_behind("some text" + end + "more", "PK\x07\x08"), at_most(100))
+            .reason == "contains the file 'a.txt', which may end in two places");
 }
 
 TEST_CASE("names stay inside") {

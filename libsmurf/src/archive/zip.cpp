@@ -67,15 +67,31 @@ bool is_inside(std::string_view path) {
   return !path::normalize(path).starts_with("..");
 }
 
+constexpr std::string_view kBeginOfSizes = "PK\x07\x08";
+
 /// A file in the archive, with its header.
 struct Packed {
   std::size_t begin = 0, end = 0;
-  bool has_sizes_behind = false;  ///< sizes and checksum follow the bytes
+  bool has_sizes_behind = false;  ///< checksum and sizes follow the bytes
+  std::uint64_t checksum = 0, packed_size = 0, size = 0;
 
-  bool is_followed_by(std::size_t next) const {
+  /// Whether the next file, or the directory, begins where this one ends.
+  bool is_followed_by(std::size_t next, std::string_view archive) const {
     if (!has_sizes_behind || next < end) return next == end;
-    const std::size_t behind = next - end;  // sizes have 4 or 8 bytes; a signature is optional
-    return behind == 12 || behind == 16 || behind == 20 || behind == 24;
+    std::string_view behind = archive.substr(end, next - end);
+    // Sizes have 4 or 8 bytes; the signature is optional.
+    if (behind.size() == 16 || behind.size() == 24) {
+      if (!behind.starts_with(kBeginOfSizes)) return false;
+      behind.remove_prefix(kBeginOfSizes.size());
+    }
+    if (behind.size() != 12 && behind.size() != 20) return false;
+    const std::size_t width = (behind.size() - 4) / 2;
+    const auto number = [&](std::size_t at) {
+      const std::uint64_t low = read_uint32(behind, at);
+      return width == 4 ? low : low | std::uint64_t{read_uint32(behind, at + 4)} << 32U;
+    };
+    return read_uint32(behind, 0) == checksum && number(4) == packed_size &&
+           number(4 + width) == size;
   }
 };
 
@@ -226,10 +242,10 @@ class Reader {
               [](const Packed& a, const Packed& b) { return a.begin < b.begin; });
     Packed last;
     for (const Packed& file : packed_) {
-      if (!last.is_followed_by(file.begin)) return false;
+      if (!last.is_followed_by(file.begin, file_.bytes)) return false;
       last = file;
     }
-    return last.is_followed_by(directory_);
+    return last.is_followed_by(directory_, file_.bytes);
   }
 
   bool refuse(std::string reason) {
@@ -317,12 +333,17 @@ class Reader {
                   const std::string& name) {
     const auto size = static_cast<std::size_t>(info.compressed_size);
     const bool has_sizes_behind = (info.flag & kHasSizesBehind) != 0;
-    packed_.push_back({begin, begin + header + size, has_sizes_behind});
+    packed_.push_back({begin, begin + header + size, has_sizes_behind, info.crc,
+                       info.compressed_size, info.uncompressed_size});
     // Then, a program that unpacks a stream may find the end of the file, and more files, in it.
     const std::string_view bytes = file_.bytes.substr(begin);
-    if (has_sizes_behind && bytes.size() > header &&
-        bytes.substr(header, size).find("PK\x03\x04") != std::string_view::npos) {
+    if (!has_sizes_behind || bytes.size() <= header) return true;
+    const std::string_view content = bytes.substr(header, size);
+    if (content.find("PK\x03\x04") != std::string_view::npos) {
       return refuse("contains the file '" + name + "', in which another archive begins");
+    }
+    if (info.compression_method == 0 && content.find(kBeginOfSizes) != std::string_view::npos) {
+      return refuse("contains the file '" + name + "', which may end in two places");
     }
     return true;
   }
@@ -333,9 +354,14 @@ class Reader {
     constexpr unsigned kFlags = 1U | kHasSizesBehind | (1U << 11U) | (1U << 13U);
     if (((read_uint16(header, 6) ^ info.flag) & kFlags) != 0) return false;
     if (read_uint16(header, 8) != info.compression_method) return false;
-    if ((info.flag & kHasSizesBehind) != 0) return true;
-    return read_uint32(header, 14) == info.crc && read_uint32(header, 18) == info.compressed_size &&
-           read_uint32(header, 22) == info.uncompressed_size;
+    const auto agrees = [&](std::size_t at, std::uint64_t value) {
+      const std::uint32_t written = read_uint32(header, at);
+      constexpr std::uint32_t kElsewhere = 0xffffffffU;
+      const bool is_behind = (info.flag & kHasSizesBehind) != 0;
+      return written == value || (is_behind && (written == 0 || written == kElsewhere));
+    };
+    return agrees(14, info.crc) && agrees(18, info.compressed_size) &&
+           agrees(22, info.uncompressed_size);
   }
 
   /// The size in the archive may be wrong.
