@@ -188,11 +188,13 @@ std::string zip_of(const std::vector<Entry>& entries) {
     std::string header = "PK\3\4";
     test::append_facts(header, local, entry.text);
     header[6] = static_cast<char>(entry.local_flags);
+    header[7] = static_cast<char>(entry.local_flags >> 8U);
     bytes += header + local + entry.text;
     std::string central = "PK\1\2";
     test::append(central, 0x0314, 2);
     test::append_facts(central, entry.name, entry.text);
     central[8] = static_cast<char>(entry.flags);
+    central[9] = static_cast<char>(entry.flags >> 8U);
     central[30] = static_cast<char>(entry.extra.size());
     test::append_zeros(central, 6);  // comment, disk, inner attributes
     test::append(central, entry.attributes, 4);
@@ -217,6 +219,11 @@ std::string unicode_path(const std::string& name, const std::string& unicode) {
   field += '\1';
   test::append(field, test::crc32(name), 4);
   return field + unicode;
+}
+
+/// With the flag that says that its name is in UTF-8.
+Entry utf8_named(const std::string& name, const std::string& text) {
+  return {name, text, {}, {}, 0, 1U << 11U, 1U << 11U};
 }
 
 std::string reason_of(const std::vector<Entry>& entries) {
@@ -246,9 +253,16 @@ TEST_CASE("names and kinds of entries mean the same to every program") {
 
   CHECK(reason_of({{"Arm.yml", "1"}, {"arm.yml", "2"}}) ==
         "contains the files 'Arm.yml' and 'arm.yml', which are one file on some systems");
-  CHECK(reason_of({{"n\u00e9.yml", "1"}, {"ne\u0301.yml", "2"}}).find("one file on some systems") !=
+  CHECK(reason_of({utf8_named("n\u00e9.yml", "1"), utf8_named("ne\u0301.yml", "2")})
+            .find("one file on some systems") != std::string::npos);
+  CHECK(reason_of({utf8_named("n\u00e9.yml", "1"), utf8_named("n\u00e8.yml", "2")}) == "");
+  // Python reads it in the code page 437, others in that of the system.
+  CHECK(
+      reason_of({{"n\u00e9.yml", "1"}}) ==
+      "contains the file 'n\u00e9.yml', whose name is not marked as UTF-8; give it a name of ASCII "
+      "characters");
+  CHECK(reason_of({utf8_named("n\xff.yml", "1")}).find("is not marked as UTF-8") !=
         std::string::npos);
-  CHECK(reason_of({{"n\u00e9.yml", "1"}, {"n\u00e8.yml", "2"}}) == "");
   CHECK(reason_of({{"s.smurfs", "1"}, {"s.smurfs/x.yml", "2"}}) ==
         "contains the file 's.smurfs', which is also a folder");
   CHECK(reason_of({{"S.smurfs", "1"}, {"s.smurfs/x.yml", "2"}}) ==

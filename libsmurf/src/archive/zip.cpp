@@ -136,24 +136,29 @@ bool is_plain(const unz_file_info64& info, bool is_folder) {
   return is_folder || (info.external_fa & kDosFolder) == 0;
 }
 
-/// Whether the extra field gives the entry another name, or is broken.
-bool has_other_name(std::string_view extra, std::string_view name) {
+/// What the extra field of an entry says about its name.
+enum class NameInExtra : std::uint8_t { none, same, other_or_broken };
+
+NameInExtra name_in(std::string_view extra, std::string_view name) {
   constexpr std::size_t kHead = 4;
   constexpr std::size_t kUnicodePath = 0x7075;
   constexpr std::size_t kPlaceOfName = 5;  // behind a version and a checksum
+  NameInExtra found = NameInExtra::none;
   while (extra.size() >= kHead) {
     const std::size_t id = read_uint16(extra, 0);
     const std::size_t size = read_uint16(extra, 2);
     extra.remove_prefix(kHead);
-    if (size > extra.size()) return true;
+    if (size > extra.size()) return NameInExtra::other_or_broken;
     const std::string_view content = extra.substr(0, size);
     extra.remove_prefix(size);
-    if (id == kUnicodePath &&
-        (content.size() < kPlaceOfName || content.substr(kPlaceOfName) != name)) {
-      return true;
+    if (id != kUnicodePath) continue;
+    if (content.size() < kPlaceOfName || content.substr(kPlaceOfName) != name) {
+      return NameInExtra::other_or_broken;
     }
+    found = NameInExtra::same;
   }
-  return extra.find_first_not_of('\0') != std::string_view::npos;
+  const bool is_rest_zero = extra.find_first_not_of('\0') == std::string_view::npos;
+  return is_rest_zero ? found : NameInExtra::other_or_broken;
 }
 
 class Reader {
@@ -316,12 +321,20 @@ class Reader {
       return refuse("contains the file '" + name + "', whose header has another name");
     }
     const std::size_t behind_name = entry + kEntry + name.size();
+    // Programs decode a name that is not marked as UTF-8 in their own ways.
+    bool is_utf8 = !utf8::find_invalid(name).has_value();
     for (const std::string_view extra :
          {header.substr(std::min(kPlaceOfName + name_size, header.size()), extra_size),
           file_.bytes.substr(std::min(behind_name, file_.bytes.size()), info.size_file_extra)}) {
-      if (has_other_name(extra, name)) {
+      const NameInExtra other = name_in(extra, name);
+      if (other == NameInExtra::other_or_broken) {
         return refuse("contains the file '" + name + "', which has a second name");
       }
+      is_utf8 = is_utf8 && (other == NameInExtra::same || (info.flag & kIsUtf8) != 0);
+    }
+    if (!is_utf8 && utf8::ascii_prefix(name) < name.size()) {
+      return refuse("contains the file '" + name +
+                    "', whose name is not marked as UTF-8; give it a name of ASCII characters");
     }
     if (!has_facts(header, info)) {
       return refuse("contains the file '" + name + "', whose header differs from the directory");
@@ -351,7 +364,7 @@ class Reader {
   /// Whether the header of a file agrees with the entry in the directory: flags, method, checksum
   /// and sizes.
   static bool has_facts(std::string_view header, const unz_file_info64& info) {
-    constexpr unsigned kFlags = 1U | kHasSizesBehind | (1U << 11U) | (1U << 13U);
+    constexpr unsigned kFlags = 1U | kHasSizesBehind | kIsUtf8 | (1U << 13U);
     if (((read_uint16(header, 6) ^ info.flag) & kFlags) != 0) return false;
     if (read_uint16(header, 8) != info.compression_method) return false;
     const auto agrees = [&](std::size_t at, std::uint64_t value) {
@@ -381,6 +394,7 @@ class Reader {
   }
 
   static constexpr unsigned kHasSizesBehind = 1U << 3U;
+  static constexpr unsigned kIsUtf8 = 1U << 11U;
 
   Memory file_;
   ArchiveBudget& budget_;
