@@ -64,7 +64,7 @@ bool is_inside(std::string_view path) {
       path.find('\0') != std::string_view::npos) {
     return false;
   }
-  return !path::normalize(path).starts_with("..");
+  return path::file_name(path) != "." && !path::normalize(path).starts_with("..");
 }
 
 constexpr std::string_view kBeginOfSizes = "PK\x07\x08";
