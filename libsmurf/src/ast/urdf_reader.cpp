@@ -414,6 +414,7 @@ std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sin
                     : root.name() == "mujoco" ? cases::kMjcf
                                               : cases::kForeign);
     if (path::to_lower(root.name()) == "robot") diagnostic.when(cases::kCased);
+    if (!root.child("link")) diagnostic.when(cases::kWithoutLinks);
     return std::nullopt;
   }
   report_xacro(document, sink);

@@ -321,13 +321,39 @@ class ShapeChecker {
     return !has_links_ || (name != nullptr && named_links_->count(std::string(name->value())) > 0);
   }
 
+  /// What readers that ignore this joint miss.
+  void describe_joint(View robot, View joint, Diagnostic& diagnostic) {
+    if (!leaders_) {
+      leaders_.emplace();
+      for (const View one : robot) {
+        for (const View part : one) {
+          const bool is_mimic = part.name() == "mimic";
+          const xml::Attribute* at = part.attribute(is_mimic ? "joint" : "link");
+          if (at == nullptr) continue;
+          if (is_mimic) leaders_->emplace(at->value());
+          if (part.name() == "parent") parents_.emplace(at->value());
+        }
+      }
+    }
+    diagnostic.when(cases::kJointTag);
+    const View end = joint.child("child");
+    const xml::Attribute* link = end ? end.attribute("link") : nullptr;
+    if (link != nullptr && parents_.count(std::string(link->value())) > 0) {
+      diagnostic.when(cases::kChainTag);
+    }
+    const xml::Attribute* name = joint.attribute("name");
+    if (name != nullptr && leaders_->count(std::string(name->value())) > 0) {
+      diagnostic.consequences.push_back(&rules::sml1432_mimic_target_unknown);
+    }
+  }
+
   void wrong_case(View parent, View child, std::string_view name) {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1114_tag_case, child.name_span(),
                      "the element " + quoted(child.name()) + " must be written " + quoted(name));
     diagnostic.note("URDF readers silently ignore it, with all its contents");
     if (name == "link" && is_needed(parent, child)) diagnostic.when(cases::kLinkTag);
-    if (name == "joint") diagnostic.when(cases::kJointTag);
+    if (name == "joint") describe_joint(parent, child, diagnostic);
     if (name == "material" && parent.name() == "robot") {
       diagnostic.when(cases::kSharedMaterialTag);
     }
@@ -371,6 +397,8 @@ class ShapeChecker {
   std::vector<Foreign> foreign_;
   std::map<std::string, std::size_t> foreign_by_message_;
   std::optional<std::unordered_set<std::string>> named_links_;  ///< by joints, once they are needed
+  std::optional<std::unordered_set<std::string>> leaders_;      ///< of joints that mimic them
+  std::unordered_set<std::string> parents_;                     ///< of joints; with leaders_
   bool has_links_ = false;
 };
 

@@ -42,6 +42,9 @@ inline constexpr Circumstance kDroppedByGazebo{"dropped by Gazebo"};
 // The case of SML1512, which MuJoCo refuses also where it does not use the inertia.
 inline constexpr Circumstance kNotPositiveDefinite{"not positive definite"};
 
+// Newton, Isaac, PyBullet: in SML1207 and SML1208, no link with joints is a root.
+inline constexpr Circumstance kRootless{"no root has joints"};
+
 // Drake: in elements that the author lets it ignore.
 inline constexpr Circumstance kDrakeIgnored{"drake_ignore"};
 

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 
 #include "ast/urdf_numbers.hpp"
 #include "link/gazebo_names.hpp"
@@ -293,6 +294,17 @@ std::vector<bool> near_zero_together(const LinkedModel& model) {
   std::vector<bool> result(body.size());
   for (std::size_t i = 0; i < body.size(); ++i) result[i] = is_near_zero(sums[body[i]]);
   return result;
+}
+
+bool has_root_with_joints(const LinkedModel& model) {
+  std::unordered_set<std::string_view> children;
+  const auto& joints = model.robot->joints;
+  for (const urdf::Joint& joint : joints) {
+    if (joint.child) children.insert(*joint.child);
+  }
+  return std::any_of(joints.begin(), joints.end(), [&](const urdf::Joint& joint) {
+    return joint.parent && !children.contains(*joint.parent);
+  });
 }
 
 }  // namespace smurf

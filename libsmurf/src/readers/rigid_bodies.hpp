@@ -69,4 +69,8 @@ inline constexpr Fact kGazeboAddsZeros{
     "negative",
     kRun, when(kUncertain)};
 
+/// Whether a link that is the child of no joint is the parent of one. A joint between a link and
+/// itself makes it a child.
+bool has_root_with_joints(const LinkedModel& model);
+
 }  // namespace smurf

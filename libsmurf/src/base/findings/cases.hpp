@@ -45,9 +45,11 @@ inline constexpr Circumstance kSdf{"SDF"};
 inline constexpr Circumstance kMjcf{"MJCF"};
 inline constexpr Circumstance kForeign{"foreign"};
 inline constexpr Circumstance kCased{"Robot"};
+inline constexpr Circumstance kWithoutLinks{"without links"};
 // SML1113: what has no name. SML1114: which element.
 inline constexpr Circumstance kLinkTag{"link"};
 inline constexpr Circumstance kJointTag{"joint"};
+inline constexpr Circumstance kChainTag{"joint with others behind it"};
 inline constexpr Circumstance kSharedMaterialTag{"material of the robot"};
 inline constexpr Circumstance kColourless{"without colour"};
 

@@ -9,6 +9,9 @@
 namespace smurf::rules::sml1121_xacro_definition_file {
 namespace {
 
+constexpr Circumstance kUndeclared{"prefix not declared"};
+constexpr std::string_view kUndeclaredPrefix = "refuses a prefix that is not declared";
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || !has_only_xacro_definitions(model.robot->document)) return;
   const xml::Document& document = model.robot->document;
@@ -23,11 +26,16 @@ void check(const LinkedModel& model, Findings& findings) {
   }
   Diagnostic& diagnostic =
       findings.report(first, quoted(name) + " defines something that the robot does not use");
+  if (xml::View(document, document.root).attribute("xmlns:xacro") == nullptr) {
+    diagnostic.when(kUndeclared);
+  }
   if (count > 1) diagnostic.note(counted(count - 1, "more definition") + " in this file");
   diagnostic.help("delete it, or run xacro and keep its output");
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::newton, Effect::refuses, kUndeclaredPrefix, kRun, when(kUndeclared)},
+    {&readers::isaac, Effect::refuses, kUndeclaredPrefix, kRun, when(kUndeclared)},
     {&readers::urdf, Effect::takes, "ignores the definition, which would expand to nothing",
      "urdfdom, sdformat, MuJoCo, DART, run"},
 };

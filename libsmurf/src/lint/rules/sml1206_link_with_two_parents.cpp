@@ -90,6 +90,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::crashes, "never terminates", kRun, when(kRing)},
     {&readers::dart, Effect::changes, "builds the link twice, or never terminates", kRun},
     {&readers::mujoco, Effect::refuses, "refuses several parents", kRun},
+    {&readers::isaac, Effect::refuses, "follows the ring until Python stops it", kRun, when(kRing)},
     {&readers::drake, Effect::loses, "leaves out a floating joint", kRun, when(kInFloating)},
     {&readers::drake, Effect::refuses, "refuses the model when it is finalised", kRun},
     {&readers::pinocchio, Effect::refuses, "finds no body of that name, and refuses the file",

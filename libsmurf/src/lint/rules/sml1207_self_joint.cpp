@@ -7,6 +7,7 @@
 #include "base/findings/rules.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1207_self_joint_file {
 namespace {
@@ -58,6 +59,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!tree) tree.emplace(model);
     if (tree->is_apart(*joint.child)) diagnostic.when(kApart);
     if (tree->is_only_root(*joint.child)) diagnostic.when(kOnlyRoot);
+    if (!has_root_with_joints(model)) diagnostic.when(kRootless);
     // The link that it should lead to is a root then, which is not reported for itself.
     if (tree->has_other_roots(*joint.child)) {
       diagnostic.consequences.push_back(&rules::sml1204_several_roots);
@@ -66,6 +68,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::crashes, "ends the process", kRun, when(kRootless)},
     {&readers::pybullet, Effect::loses, "does not reach the link from the root", kRun,
      when(kApart)},
     {&readers::pybullet, Effect::crashes, "ends the process", kRun},
@@ -91,6 +94,14 @@ constexpr Fact kFacts[] = {
     {&readers::pinocchio, Effect::loses, "does not reach the link from the root", kRun,
      when(kApart)},
     {&readers::pinocchio, Effect::crashes, "ends the process", kRun},
+    {&readers::newton, Effect::refuses, "finds no root, and refuses the file", kRun,
+     when(kRootless)},
+    {&readers::newton, Effect::loses, "does not reach the link from the root", kRun, when(kApart)},
+    {&readers::newton, Effect::refuses, "refuses a link with two parents", kRun},
+    {&readers::isaac, Effect::refuses, "finds no root, and refuses the file", kRun,
+     when(kRootless)},
+    {&readers::isaac, Effect::loses, "does not reach the link from the root", kRun, when(kApart)},
+    {&readers::isaac, Effect::refuses, "follows the link to itself until Python stops it", kRun},
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1208_detached_cycle_file {
 namespace {
@@ -23,6 +24,7 @@ void report(const LinkedModel& model, const std::vector<std::size_t>& ring, Find
       findings.report(model.joint(closing).child.span,
                       title(model.joint(closing)) + " closes a ring of " +
                           std::to_string(ring.size()) + " links that no root link reaches");
+  if (!has_root_with_joints(model)) diagnostic.when(kRootless);
   constexpr std::size_t kShown = 5;
   joints.pop_back();
   for (std::size_t i = 0; i < std::min(joints.size(), kShown); ++i) {
@@ -57,6 +59,12 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::refuses, "refuses the model when it is finalised", kRun},
     {&readers::phobos, Effect::changes, "accepts the ring", kRun},
     {&readers::pinocchio, Effect::loses, "leaves the ring out", kRun},
+    {&readers::newton, Effect::refuses, "finds no root, and refuses the file", kRun,
+     when(kRootless)},
+    {&readers::newton, Effect::loses, "leaves the ring out", kRun},
+    {&readers::isaac, Effect::refuses, "finds no root, and refuses the file", kRun,
+     when(kRootless)},
+    {&readers::isaac, Effect::loses, "leaves the ring out", kRun},
 };
 
 }  // namespace

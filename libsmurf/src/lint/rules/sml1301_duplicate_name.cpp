@@ -5,6 +5,12 @@
 namespace smurf::rules::sml1301_duplicate_name_file {
 namespace {
 
+// MuJoCo gives no name to a joint that is fixed.
+constexpr Circumstance kOneIsFixed{"one of them is fixed"};
+
+bool is_fixed(const urdf::Link&) { return false; }
+bool is_fixed(const urdf::Joint& joint) { return joint.type == urdf::JointType::fixed; }
+
 /// `names` has the first of each name. Works for links and joints.
 template <class Elements, class Names>
 void check_names(const Elements& elements, const Names& names, const char* what,
@@ -14,8 +20,10 @@ void check_names(const Elements& elements, const Names& names, const char* what,
     if (!name || name->empty()) continue;
     const auto first = names.find(*name);
     if (*first == i) continue;
-    findings.report(name.span, "a second " + std::string(what) + " is named " + quoted(*name))
-        .label(elements[*first].name.span, "the first one");
+    Diagnostic& diagnostic =
+        findings.report(name.span, "a second " + std::string(what) + " is named " + quoted(*name));
+    diagnostic.label(elements[*first].name.span, "the first one");
+    if (is_fixed(elements[i]) || is_fixed(elements[*first])) diagnostic.when(kOneIsFixed);
   }
 }
 
@@ -29,6 +37,8 @@ constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, sdformat, MuJoCo, Bullet, run"},
     {&readers::mujoco, Effect::takes, "accepts joints of equal names", kRun,
      at("joint").since({3, 14})},
+    {&readers::mujoco, Effect::takes, "gives fixed joints no name", "3.3.7, run",
+     at("joint").when(kOneIsFixed).before({3, 14})},
 };
 
 }  // namespace

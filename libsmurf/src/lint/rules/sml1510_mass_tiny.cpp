@@ -65,6 +65,8 @@ constexpr Fact kFacts[] = {
      "sdformat, run (issue 199)", when(kNotRoot)},
     {&readers::mujoco, Effect::refuses, "refuses a mass below 1e-15 kg", "MuJoCo mjtype.h:27",
      when(kNotRootTooSmall)},
+    {&readers::mujoco, Effect::takes, "looks at the whole body that moves", "3.1.2, run",
+     when(kMomentTooSmall).unless(kAlone).before({3, 1, 3})},
     {&readers::mujoco, Effect::refuses, "refuses a principal moment below 1e-14 kg m2",
      "MuJoCo user_util.cc:862, run", when(kMomentTooSmall)},
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -13,6 +14,9 @@
 
 namespace smurf::rules::sml1512_not_positive_definite_file {
 namespace {
+
+/// MuJoCo before 3.1.3 takes a negative moment for 0, and refuses what is no body even then.
+constexpr Circumstance kLopsided{"breaks the triangle inequality also with 0 for what is negative"};
 
 /// The place of an entry that is too small for a double, which most readers read as 0.
 std::optional<Span> find_underflow(const LinkedModel& model, const urdf::Inertial& inertial) {
@@ -45,6 +49,9 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is not physically possible");
     diagnostic.when(kNotPositiveDefinite);
+    const std::array without_negative{std::max(low, 0.0), std::max(middle, 0.0),
+                                      std::max(high, 0.0)};
+    if (triangle_excess(without_negative) > 0) diagnostic.when(kLopsided);
     if (sound.empty()) sound = sound_together(model);
     if (sound[at]) diagnostic.when(kSoundTogether);
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
@@ -65,6 +72,10 @@ constexpr Fact kFacts[] = {
      "merges the link into the body it is fixed to, or drops the link", kRun, when(kSoundTogether)},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "computes with it anyway", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the inertia", "3.1.2, run",
+     when(kLopsided).before({3, 1, 3})},
+    {&readers::mujoco, Effect::changes, "computes with it where other bodies move with it",
+     "3.1.2, run", before({3, 1, 3}).unless(kAlone)},
     {&readers::mujoco, Effect::refuses, "refuses the inertia", "MuJoCo user_util.cc:862, run"},
     {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",
      kRun},

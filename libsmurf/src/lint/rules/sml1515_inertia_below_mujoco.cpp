@@ -8,6 +8,7 @@
 #include "base/text/words.hpp"
 #include "link/inertia.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1515_inertia_below_mujoco_file {
 namespace {
@@ -78,6 +79,8 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses,
      "reads a hexadecimal number, and refuses the inertia that it makes", kRun, when(cases::kHex)},
+    {&readers::mujoco, Effect::takes, "looks at the whole body that moves", "3.1.2, run",
+     before({3, 1, 3}).unless(kAlone)},
     {&readers::mujoco, Effect::refuses, "refuses a principal moment below 1e-14 kg m2",
      "MuJoCo user_util.cc:862, run"},
 };

@@ -6,6 +6,8 @@
 namespace smurf::rules::sml1707_rgba_range_file {
 namespace {
 
+constexpr Circumstance kNegativeOpacity{"opacity below 0"};
+
 void check(const LinkedModel& model, Findings& findings) {
   for_each_material(model, [&](const urdf::Material& material) {
     if (!material.rgba) return;
@@ -15,6 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
           findings.report(material.rgba.span, "the colour component " + format_number(component) +
                                                   " is not between 0 and 1");
       if (component > 1) diagnostic.help("divide 0-255 values by 255");
+      if (material.rgba->back() < 0) diagnostic.when(kNegativeOpacity);
       return;
     }
   });
@@ -28,6 +31,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes, "clips it", kRun},
     {&readers::drake, Effect::refuses, "refuses a visual of such a colour", kRun},
     {&readers::phobos, Effect::takes, "keeps the number", kRun},
+    {&readers::isaac, Effect::refuses, "refuses an opacity below 0", kRun, when(kNegativeOpacity)},
 };
 
 }  // namespace
