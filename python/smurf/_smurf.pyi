@@ -881,7 +881,7 @@ class Export:
     def losses(self) -> List[Finding]:
         """A new list of smurf.Finding: what the format cannot express."""
     def save(self, path: Path) -> None:
-        """Writes the text into a file, which is replaced."""
+        """Writes the text into a file, which is replaced as a whole."""
 
 class Comparison:
     """What differs between two versions of a robot."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, List
 
+from ._save import Path, save
+
 if TYPE_CHECKING:
     from ._smurf import Finding
 
@@ -19,7 +21,6 @@ class Urdf(bytes):
         urdf.losses = list(losses)
         return urdf
 
-    def save(self, path: str) -> None:
-        """Writes the bytes into a file, which is replaced."""
-        with open(path, "wb") as file:
-            file.write(self)
+    def save(self, path: Path) -> None:
+        """Writes the bytes into a file, which is replaced as a whole."""
+        save(path, self)

@@ -153,11 +153,9 @@ void bind_export(py::module_& module) {
       .def(
           "save",
           [](const Export& self, const py::object& path) {
-            const py::object file = py::module_::import("builtins").attr("open")(path, "wb");
-            file.attr("write")(py::bytes(self.text));
-            file.attr("close")();
+            py::module_::import("smurf._save").attr("save")(path, py::bytes(self.text));
           },
-          py::arg("path"), "Writes the text into a file, which is replaced.")
+          py::arg("path"), "Writes the text into a file, which is replaced as a whole.")
       .def("__str__", [](const Export& self) { return to_text(self.text); })
       .def(
           "_repr_html_",

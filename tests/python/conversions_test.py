@@ -5,6 +5,8 @@ All of them print what smurf/conversion.hpp decides; npm runs the programs thems
 """
 import json
 import re
+import resource
+import signal
 
 import inputs
 import pytest
@@ -94,3 +96,27 @@ def test_losses_are_kept(tmp_path):
     assert isinstance(urdf, bytes) and isinstance(urdf, smurf.Urdf) and len(urdf.losses) > 50
     urdf.save(tmp_path / "arm.urdf")
     assert (tmp_path / "arm.urdf").read_bytes() == urdf
+
+
+def test_a_file_is_saved_as_a_whole(tmp_path):
+    urdf = smurf.load_model(inputs.ARM).to_urdf()
+    place, link = tmp_path / "arm.urdf", tmp_path / "link.urdf"
+    place.write_bytes(b"before")
+    place.chmod(0o640)
+    link.symlink_to(place)
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    signal_before = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limits[1]))
+    try:
+        with pytest.raises(OSError):
+            urdf.save(place)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+        signal.signal(signal.SIGXFSZ, signal_before)
+    assert place.read_bytes() == b"before" and sorted(tmp_path.iterdir()) == [place, link]
+    urdf.save(link)
+    assert link.is_symlink() and place.read_bytes() == urdf and place.stat().st_mode & 0o777 == 0o640
+    for saved in (urdf, smurf.load_model(inputs.ARM).write("mjcf")):
+        with pytest.raises(TypeError):
+            saved.save(1)  # an open file
+        saved.save("/dev/null")
