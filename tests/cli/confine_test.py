@@ -91,7 +91,7 @@ class Confine(cli.CliTest):
                          for one in json.loads(done.stdout)["diagnostics"]])
         self.assertEqual(said[1:], said[:1] * 3)
         self.assertEqual([one for one in said[0] if one[0] == "SML1644"], [
-            ("SML1644", "warning", "2 meshes were not looked at: they lie outside of the project",
+            ("SML1644", "warning", "meshes were not looked at: they lie outside of the project",
              "add `--allow-outside` to check them")])
 
     def test_device_files_and_loops(self):
@@ -253,8 +253,12 @@ class Confine(cli.CliTest):
         (self.project / "up").symlink_to("..")
         (self.project / "same").symlink_to("smurf")
         (self.project / "loop").symlink_to("loop")
+        (self.project / "lost.urdf").symlink_to("/nowhere/lost.urdf")
         found = self.expect(0, "--isolated", "--list-files", ".", cwd=self.project).stdout
         self.assertEqual(found, "r.urdf\nsmurf/r.smurf\n")
+        report = self.run_tool("--isolated", ".", cwd=self.project).stdout
+        self.assertIn("4 symbolic links that lead out of the folder were not followed", report)
+        self.assertNotIn("SML0001", report)
 
     def test_what_folders_outside_are_links_to_is_not_told(self):
         """For two links that lead outside, it makes no difference whether they have the same target."""

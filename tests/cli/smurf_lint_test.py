@@ -97,24 +97,38 @@ class CalmReports(LintTest):
         self.assertEqual(severities[0], "error")
         self.assertNotIn("info", severities)
         self.assertEqual(lines[0], "robot00_.urdf: 15 errors")
-        self.assertIn("... and 12 more of SML1404 in this file; --all shows them", lines)
+        self.assertIn("`robot00_11`, `robot00_13` and 8 more in this file; --all shows them", lines)
         self.assertTrue(any(line.startswith("... and ") and line.endswith(" more files") for line in lines), lines)
         self.assertIn("The most frequent findings:", lines)
         self.assertIn(" 600  error    SML1404 limit-incomplete", lines)
         self.assertNotIn("SML1502", done.stdout)  # an info, which is not shown
         self.assertIn("40 infos are not shown; --min-severity info shows them", lines)
-        self.assertIn("robot08_.urdf: 15 errors, 30 warnings", lines)
+        self.assertIn("robot11_.urdf: 15 errors, 30 warnings", lines)
         self.assertTrue(lines[-1].startswith("smurf-lint --explain SML1404, or https://"), lines[-1])
         everything = self.expect(1, "--all", ".").stdout
         self.assertEqual(everything.count("error[SML1404]"), 600)
         self.assertNotIn("more of", everything)
         self.assertIn("found 600 errors, 1200 warnings and 40 infos in 40 files (40 models)", lines)
 
-    def test_the_last_findings_are_shown(self):
+    def test_what_differs_in_names_only_is_shown_once(self):
         self.write_robot("arm", 10)  # 5 errors and 10 warnings
         done = self.expect(1, "arm.urdf")
-        self.assertEqual(done.stdout.count("error[SML1404]"), 5)
-        self.assertIn("... and 7 more of SML1422 in this file; --all shows them", done.stdout)
+        self.assertEqual(done.stdout.count("error[SML1404]"), 1)
+        self.assertIn("... and the same for `arm3`, `arm5`, `arm7` and `arm9` in this file; --all shows\nthem\n", done.stdout)
+        self.assertEqual(done.stdout.count("warning[SML1422]"), 1)
+
+    def test_what_has_another_remedy_is_shown(self):
+        self.write("r.urdf", '<robot name="r"><link name="arm_a"/><link name="arm_b"/><link name="arm_c"/>' + "".join(
+            f'<joint name="{name}" type="fixed"><parent link="arm_a"/><child link="{child}"/></joint>'
+            for name, child in (("j", "arm_bb"), ("k", "arm_cc"))) + "</robot>")
+        done = self.expect(1, "r.urdf").stdout
+        self.assertEqual(done.count("error[SML1201]"), 2, done)
+        self.assertNotIn("the same for", done)
+
+    def test_findings_without_names_are_told_by_their_lines(self):
+        self.write("r.urdf", '<robot name="r"><link name="a">' + 3 * (
+            '<visual><geometry>\n<box size="0 0 0"/></geometry></visual>') + "</link></robot>")
+        self.assertIn("... and the same in lines 3 and 4; --all shows them\n", self.expect(1, "r.urdf").stdout)
 
     def test_the_worst_file_is_first(self):
         for i in range(9):

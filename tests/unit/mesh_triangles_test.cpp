@@ -113,6 +113,13 @@ TEST_CASE("triangles: a concave polygon is cut along its inside") {
   CHECK(sums.area == doctest::Approx(std::fabs(sums.area_vector[2])));
 }
 
+TEST_CASE("triangles: COLLADA with `<` in attributes, which readers of meshes read") {
+  const std::string first = replaced(collada(), "id=\"p\"", "id=\"<p>\"");
+  const MeshTriangles mesh = read_triangles(replaced(first, "\"#p\"", "\"#<p>\""), ".dae");
+  CHECK(mesh.reason == "");
+  CHECK(mesh.indices.size() == 9);
+}
+
 TEST_CASE("triangles: COLLADA that is broken") {
   const auto broken = [](std::string_view from, std::string_view to) {
     return reason(replaced(collada(), from, to));

@@ -150,7 +150,9 @@ TEST_CASE("numbers: a million doubles survive being written and read") {
 TEST_CASE("numbers: rounded for messages") {
   CHECK(format_rounded(0.1 + 0.2) == "0.3");
   CHECK(format_rounded(1.0) == "1");
-  CHECK(format_rounded(1234567.0) == "1.23457e+06");
+  CHECK(format_rounded(1234567.0) == "1234570");
+  CHECK(format_rounded(-2134.0, 2) == "-2100");
+  CHECK(format_rounded(12345678.0) == "1.23457e+07");
   CHECK(format_rounded(0.333333333, 2) == "0.33");
   CHECK(format_rounded(-2.50) == "-2.5");
 }

@@ -311,6 +311,13 @@ class OpenTest(PlaygroundTest):
         self.assertEqual(results[8], f"{len(results[7]) - 1} files were added.")
         self.assertEqual(results[10], ["arm.urdf"])
 
+    def test_a_missing_package_is_asked_for_in_the_words_of_the_page(self):
+        robot = (cli.FIXTURES / "models/arm/urdf/arm.urdf").read_text().replace("../meshes/", "package://arm_parts/")
+        self.write("arm.urdf", robot)
+        helps = f"{PAGE}.checker.page.report.diagnostics.filter(({{ id }}) => id === 'SML1604').map(({{ help }}) => help)"
+        self.assertEqual(self.play({"drop": [str(self.folder / "arm.urdf")]}, CHECKED, helps)[2],
+                         ["drop the folder of the package `arm_parts` on this page, too"])
+
     def test_a_shared_address_stays_until_something_changes(self):
         shared = {"until": "document.getElementById('shared').textContent !== ''"}
         hash = self.play(example(URDF), CHECKED, click("#share"), shared, "location.hash")[4]

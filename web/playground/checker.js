@@ -11,6 +11,21 @@ const kPause = 400; // ms after the last key
 /** The data of a page of smurf-lint. They contain no "<". */
 const reportIn = (page) => JSON.parse(page.match(/id="report" [^>]*>([^<]*)/)[1]);
 
+/** Advice that names an option of smurf-lint, in the words of this page. */
+export const inOwnWords = (help) =>
+  help
+    .replace(
+      /name (?:its|another) folder(?: with|:) `--package (\S+)=DIR`(?:, or set ROS_PACKAGE_PATH)?/,
+      "drop the folder of the package `$1` on this page, too",
+    )
+    .replace(
+      /(?:read it with|add) `--allow-outside`(?: to check (?:it|them))?/,
+      "drop its folder on this page, too",
+    );
+
+/** The page of a picture, which then says that missing files can be dropped. */
+const takingDrops = (page) => page?.replace("<html", "<html data-drops");
+
 export class Checker {
   constructor(playground) {
     this.playground = playground;
@@ -64,6 +79,8 @@ export class Checker {
       ({ fix }, index) => (report.diagnostics[index].edits = fix?.edits),
     );
     report.remarks = ""; // they name options; the page has buttons
+    for (const one of report.diagnostics) if (one.help) one.help = inOwnWords(one.help);
+    report.picture = takingDrops(report.picture);
     report.advice =
       'To learn whether a certain program loads the files, choose it under "Judge for programs".';
     this.keys = new AbortController();
@@ -133,7 +150,7 @@ export class Checker {
       if (page !== this.page || !result) return;
       if (!html) return void this.playground.fail(result.stderr);
       page.picture.close();
-      page.picture = new Picture(textOf(html));
+      page.picture = new Picture(takingDrops(textOf(html)));
     }
     this.pictured = source;
     const viewer = await page.picture.open(source);

@@ -74,13 +74,17 @@ function showUnseen(scene) {
 function whatIsMissing(scene, hasSolids) {
   const files = new Map();
   for (const { package: name } of scene.unseen) if (name) files.set(name, (files.get(name) ?? 0) + 1);
-  if (files.size > 0)
+  if (files.size > 0) {
+    const takesDrops = document.documentElement.dataset.drops !== undefined; // the playground
     return [...files]
-      .map(
-        ([name, count]) =>
-          `${counted(count, "file")} of the package ${name} ${count === 1 ? "was" : "were"} not found. Name its folder: --package ${name}=DIR`,
-      )
+      .map(([name, count]) => {
+        const cure = takesDrops
+          ? "Drop its folder on this page, too"
+          : `Name its folder: --package ${name}=DIR`;
+        return `${counted(count, "file")} of the package ${name} ${count === 1 ? "was" : "were"} not found. ${cure}`;
+      })
       .join("\n");
+  }
   if (hasSolids) return "";
   if (scene.unseen.length > 0)
     return `${counted(scene.unseen.length, "file")} cannot be shown: "Not shown", below the tree, says why.`;

@@ -17,7 +17,10 @@ struct FoundInputs {
   std::vector<std::string> unreadable;  ///< "'robots/old': Permission denied", sorted
   std::size_t left_out = 0;             ///< files and folders
   std::size_t links_outside = 0;        ///< links that lead out of the folder
-  std::vector<std::string> xacro;       ///< .xacro files, sorted
+  /// Links with the name of a model that lead out of the folder, perhaps to elsewhere in its
+  /// project; sorted.
+  std::vector<std::string> model_links{};
+  std::vector<std::string> xacro;  ///< .xacro files, sorted
 };
 
 /// Whether a path inside a searched folder is skipped, with all its contents.

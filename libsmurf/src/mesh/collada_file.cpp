@@ -14,6 +14,32 @@ namespace smurf::collada {
 
 using xml::View;
 
+namespace {
+
+/// Blender once wrote `<` into the values of attributes. XML forbids it; assimp, tinyxml2 and
+/// pugixml read it. Keeps the length of the text.
+std::string without_brackets_in_values(std::string_view text) {
+  std::string plain(text);
+  bool is_tag = false;
+  char quote = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    char& c = plain[i];
+    if (quote != 0) {
+      if (c == quote) quote = 0;
+      if (c == '<') c = '_';
+    } else if (!is_tag && text.substr(i).starts_with("<!--")) {
+      i = std::min(text.find("-->", i), text.size() - 1);
+    } else if (is_tag && (c == '"' || c == '\'')) {
+      quote = c;
+    } else if (c == '<' || c == '>') {
+      is_tag = c == '<';
+    }
+  }
+  return plain;
+}
+
+}  // namespace
+
 File::File(std::string_view text) {
   // The tree needs some hundred bytes per element; real files have few elements, because numbers
   // are in lists.
@@ -23,6 +49,10 @@ File::File(std::string_view text) {
   const SourceId source = sources_.add("", std::string(text));
   DiagnosticSink sink;
   document_ = parse_xml(sources_, source, Limits{}, sink);
+  if (document_) return;
+  DiagnosticSink second_sink;
+  const SourceId second = sources_.add("", without_brackets_in_values(text));
+  document_ = parse_xml(sources_, second, Limits{}, second_sink);
   if (document_) return;
   defect_ = {"it is not XML", 0, 1};
   for (const Diagnostic& diagnostic : sink.diagnostics()) {

@@ -47,6 +47,7 @@ class Search {
     // Links come last, so a file gets its own path if that is inside the folder.
     for (std::size_t i = 0; i < links_.size(); ++i) follow(std::string(links_[i]));
     std::sort(found_.files.begin(), found_.files.end());
+    std::sort(found_.model_links.begin(), found_.model_links.end());
     std::sort(found_.xacro.begin(), found_.xacro.end());
     std::sort(found_.unreadable.begin(), found_.unreadable.end());
     return std::move(found_);
@@ -113,15 +114,14 @@ class Search {
   }
 
   /// Skips paths outside of the folder without checking whether they exist, and links that lead out
-  /// and back. A link with the name of a model may lead elsewhere in the project; the reader of the
-  /// model decides.
+  /// and back.
   void follow(const std::string& link) {
     sys::Status status{};
     if (inside_.is_denied(link)) {
       if (!is_sought(link)) {
         if (!is_left_out(link, false)) ++found_.links_outside;
-      } else if (sys::lstat(link.c_str(), &status) == 0) {
-        add(link, status);
+      } else if (!is_left_out(link, false)) {
+        found_.model_links.push_back(link);
       }
     } else if (sys::stat(link.c_str(), &status) != 0) {
       if (is_sought(link)) fail(link, errno);

@@ -205,11 +205,27 @@ class Planner {
     if (planned_.insert(identity(path, files_)).second) to.push_back({path, config_of_entry(path)});
   }
 
+  /// Whether a link leads to a file that may not be read.
+  bool leads_outside(const std::string& link) const {
+    if (!files_.is_denied(link)) return false;
+    ConfinedFiles project;
+    confine_to_projects(project, {&link, 1});
+    return project.is_denied(link);
+  }
+
   void add_folder(const std::string& folder) {
-    const FoundInputs found =
+    FoundInputs found =
         find_inputs(folder, settings_.limits, [&](const std::string& path, bool is_one) {
           return is_left_out(path, is_one);
         });
+    for (const std::string& link : found.model_links) {
+      if (leads_outside(link)) {
+        ++found.links_outside;
+      } else {
+        found.files.push_back(link);
+      }
+    }
+    std::sort(found.files.begin(), found.files.end());
     for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
     const std::vector<std::string> roots =
         XacroFiles(found.xacro, files_, settings_.limits).roots();

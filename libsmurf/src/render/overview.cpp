@@ -23,7 +23,8 @@
 namespace smurf {
 namespace {
 
-constexpr std::size_t kMostOfRule = 3;  ///< in a file
+constexpr std::size_t kMostOfRule = 3;  ///< kinds in a file
+constexpr std::size_t kMostOthers = 6;  ///< named after a finding that they repeat
 constexpr std::size_t kMostLines = 140;
 constexpr std::size_t kMostNames = 15;  ///< number of files listed by name only
 constexpr std::size_t kFewest = 3;      ///< fewer findings are shown instead of counted
@@ -102,13 +103,25 @@ class Overview {
     }
     return rest;
   }
+  static std::string without_numbers(std::string text) {
+    std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
+    return text;
+  }
   bool is_of_another_robot(const Diagnostic& one) const {
     return robots_at_.at(place_of(one)).front() != one.span.source;
   }
 
-  /// The number of findings of a rule in a section.
+  /// Findings of a section that differ in names and numbers only: the first is shown, the others
+  /// are named.
+  struct Kind {
+    std::vector<const Diagnostic*> findings;
+  };
+
+  /// The number of findings and of kinds of a rule in a section.
   struct Tally {
     std::size_t all = 0;
+    std::size_t told = 0;
+    std::size_t kinds = 0;
     std::size_t shown = 0;
   };
 
@@ -158,23 +171,39 @@ class Overview {
     return counted(section.findings.size(), to_string(section.severity));
   }
 
-  void add(const Section& section) {
-    std::map<std::string_view, Tally> of_rule;
-    std::vector<std::pair<const Diagnostic*, Tally*>> mine;
+  std::vector<Kind> kinds_of(const Section& section) {
+    std::vector<Kind> kinds;
+    std::map<std::tuple<const Rule*, std::string, std::string_view>, std::size_t> index;
     for (const Diagnostic* one : section.findings) {
+      if (options_.shows_all) {
+        kinds.push_back({{one}});
+        continue;
+      }
       const Repeated& repeated = repeated_[{one->rule, one->message}];
-      if (!options_.shows_all && repeated.first != path_of(section.file)) continue;
-      if (!options_.shows_all && is_of_another_robot(*one)) continue;
-      mine.emplace_back(one, &of_rule[one->rule->id]);
-      ++mine.back().second->all;
+      if (repeated.first != path_of(section.file) || is_of_another_robot(*one)) continue;
+      const auto [kind, is_new] = index.try_emplace(
+          {one->rule, without_numbers(without_names(one->message)), one->help_text}, kinds.size());
+      if (is_new) kinds.emplace_back();
+      kinds[kind->second].findings.push_back(one);
+    }
+    return kinds;
+  }
+
+  void add(const Section& section) {
+    const std::vector<Kind> kinds = kinds_of(section);
+    std::map<std::string_view, Tally> of_rule;
+    for (const Kind& kind : kinds) {
+      Tally& tally = of_rule[kind.findings.front()->rule->id];
+      ++tally.kinds;
+      tally.all += kind.findings.size();
     }
     bool is_titled = !has_titles_;
     bool is_too_long = false;
-    std::size_t left = mine.size();
-    for (const auto& [one, of_this] : mine) {
-      Repeated& repeated = repeated_[{one->rule, one->message}];
-      Tally& tally = *of_this;
-      const bool is_too_many = tally.shown >= kMostOfRule && tally.all >= kMostOfRule + kFewest;
+    std::size_t left = kinds.size();
+    for (const Kind& kind : kinds) {
+      const Diagnostic& one = *kind.findings.front();
+      Tally& tally = of_rule[one.rule->id];
+      const bool is_too_many = tally.shown >= kMostOfRule && tally.kinds >= kMostOfRule + kFewest;
       is_too_long = is_too_long || (lines_ >= kMostLines && left >= kFewest);
       const bool is_cut = !options_.shows_all && (is_too_many || is_too_long);
       --left;
@@ -182,20 +211,59 @@ class Overview {
       if (!is_titled) write(paint_(render::Ink::strong, title(section)) + "\n\n");
       is_titled = true;
       ++tally.shown;
-      write(render_full(*one, sources_, style_) + same_elsewhere(*one, repeated));
+      tally.told += kind.findings.size();
+      write(render_full(one, sources_, style_));
+      const std::string same = same_here(kind) + same_elsewhere(one);
+      if (!same.empty()) write(same + "\n");
     }
     write(cut(of_rule));
   }
 
-  std::string same_elsewhere(const Diagnostic& one, Repeated& repeated) const {
+  /// The first name in a message; empty if there is none.
+  static std::string_view name_in(std::string_view message) {
+    const std::size_t begin = message.find('`');
+    const std::size_t end = message.find('`', begin + 1);
+    return end == std::string_view::npos ? "" : message.substr(begin, end + 1 - begin);
+  }
+
+  /// "... and the same for `left_toe` and `left_shin` in this file; --all shows them"
+  std::string same_here(const Kind& kind) const {
+    if (kind.findings.size() == 1) return {};
+    std::vector<std::string> names, lines;
+    std::set<std::string> distinct{std::string(name_in(kind.findings.front()->message))};
+    for (const Diagnostic* one : std::span(kind.findings).subspan(1)) {
+      names.push_back(render::escape(name_in(one->message)));
+      distinct.insert(names.back());
+      const Span place = one->span;
+      const std::string line = std::to_string(sources_.line_of(place.source, place.begin));
+      if (lines.empty() || lines.back() != line) lines.push_back(line);
+    }
+    const bool are_named = distinct.size() == kind.findings.size() && !distinct.contains("");
+    std::vector<std::string>& others = are_named ? names : lines;
+    const std::string_view where = are_named            ? "for "
+                                   : others.size() == 1 ? "in line "
+                                                        : "in lines ";
+    if (others.size() > kMostOthers + 1) {
+      const std::size_t more = others.size() - kMostOthers;
+      others.resize(kMostOthers);
+      others.push_back(std::to_string(more) + " more");
+    }
+    return render::wrap("... and the same " + std::string(where) + render::enumerate(others) +
+                            (are_named ? " in this file" : "") + "; --all shows " +
+                            (kind.findings.size() == 2 ? "it" : "them"),
+                        0, kOverviewColumns);
+  }
+
+  std::string same_elsewhere(const Diagnostic& one) {
     if (options_.shows_all) return {};
+    Repeated& repeated = repeated_[{one.rule, one.message}];
     if (repeated.files.size() > 1) {
       if (std::exchange(repeated.is_told, true)) return {};
-      return "... and the same in " + counted(repeated.files.size() - 1, "more file") + "\n\n";
+      return "... and the same in " + counted(repeated.files.size() - 1, "more file") + "\n";
     }
     const std::vector<SourceId>& readings = robots_at_.at(place_of(one));
     const std::size_t robots = std::set(readings.begin(), readings.end()).size();
-    return robots == 1 ? "" : "... and the same in " + counted(robots - 1, "more robot") + "\n\n";
+    return robots == 1 ? "" : "... and the same in " + counted(robots - 1, "more robot") + "\n";
   }
 
   /// "... and 12 more of SML1501, 3 of SML1502 in this file; --all shows them"
@@ -203,10 +271,10 @@ class Overview {
     std::string text;
     std::size_t count = 0;
     for (const auto& [id, tally] : of_rule) {
-      if (tally.shown == tally.all) continue;
-      text += (text.empty() ? "... and " : ", ") + std::to_string(tally.all - tally.shown) +
-              (tally.shown > 0 ? " more of " : " of ") + std::string(id);
-      count += tally.all - tally.shown;
+      if (tally.told == tally.all) continue;
+      text += (text.empty() ? "... and " : ", ") + std::to_string(tally.all - tally.told) +
+              (tally.told > 0 ? " more of " : " of ") + std::string(id);
+      count += tally.all - tally.told;
     }
     if (text.empty()) return text;
     const std::string_view them = count == 1 ? "it" : "them";

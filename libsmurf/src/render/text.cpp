@@ -124,16 +124,6 @@ std::string main_frame(const Diagnostic& diagnostic, const SourceMap& sources,
          remarks(diagnostic, sources, frame.gutter(), paint);
 }
 
-/// "a", "a and b", "a, b and c".
-std::string enumerate(const std::vector<std::string>& parts) {
-  std::string out;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) out += i + 1 == parts.size() ? " and " : ", ";
-    out += parts[i];
-  }
-  return out;
-}
-
 }  // namespace
 
 Summary summarize(std::span<const Diagnostic> diagnostics) {
@@ -193,7 +183,7 @@ std::string companions_of(const Summary& summary) {
     parts.push_back(is_file_name ? std::to_string(count) + " " + std::string(title)
                                  : counted(count, title));
   }
-  return enumerate(parts);
+  return render::enumerate(parts);
 }
 
 }  // namespace
@@ -206,7 +196,7 @@ std::string render_summary(const Summary& summary, const TextStyle& style) {
     found.push_back(paint(Ink::warning, counted(summary.warnings, "warning")));
   }
   if (summary.infos > 0) found.push_back(paint(Ink::info, counted(summary.infos, "info")));
-  std::string out = found.empty() ? "no findings" : "found " + enumerate(found);
+  std::string out = found.empty() ? "no findings" : "found " + render::enumerate(found);
   out += " in " + counted(summary.files, "file");
 
   std::vector<std::string> loaded;

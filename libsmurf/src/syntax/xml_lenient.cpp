@@ -74,6 +74,7 @@ void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sin
 void report_missing_quotes(Span value, std::string_view name, DiagnosticSink& sink) {
   sink.report(rules::sml1016_xml_missing_quotes, value,
               "the value of the attribute " + quoted(name) + " has no quotes")
+      .help("put the value in quotes")
       .fixes.push_back({Applicability::safe,
                         {{{value.source, value.begin, value.begin}, "\""},
                          {{value.source, value.end, value.end}, "\""}}});

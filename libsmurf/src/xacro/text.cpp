@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Texts with `${...}` and `$(...)`.
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "base/findings/limits.hpp"
@@ -297,9 +298,21 @@ Value Expander::literal(const Value& value) {
   return value;
 }
 
+namespace {
+
+/// Whether both are numbers that differ by rounding only: many robots define `pi` themselves.
+bool is_nearly(const Value& a, const Value& b) {
+  const auto x = to_real(a), y = to_real(b);
+  constexpr double kRounding = 1e-4;
+  return x && y && std::abs(*x - *y) < kRounding;
+}
+
+}  // namespace
+
 void Expander::set(Table& table, std::string_view name, const Value& value, bool is_unevaluated,
                    Span place) {
-  if (table.root()->own(name) != nullptr && is_first_at(place)) {
+  const Table::Entry* hidden = table.root()->own(name);
+  if (hidden != nullptr && !is_nearly(hidden->value, literal(value)) && is_first_at(place)) {
     Diagnostic& diagnostic = context_.sink.report(
         rules::sml3401_xacro_hides_function, place,
         quoted(name) + " is a function or a constant of expressions, and is hidden from here on");

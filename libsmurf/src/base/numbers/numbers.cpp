@@ -121,6 +121,11 @@ std::string format_number(double value) {
   return shortest(value, is_fixed ? Notation::fixed : Notation::scientific);
 }
 
-std::string format_rounded(double value, int digits) { return general(value, digits); }
+std::string format_rounded(double value, int digits) {
+  const std::string text = general(value, digits);
+  constexpr double kReadable = 1e7;  // "2100 times" instead of "2.1e+03 times"
+  if (std::abs(value) >= kReadable || text.find("e+") == std::string::npos) return text;
+  return format_number(parse_number(text).value_or(value));
+}
 
 }  // namespace smurf

@@ -2,6 +2,7 @@
 #include "base/findings/readers.hpp"
 #include "lint/drake_queries.hpp"
 #include "lint/queries.hpp"
+#include "lint/second_parents.hpp"
 
 namespace smurf::rules::sml1204_several_roots_file {
 namespace {
@@ -10,8 +11,9 @@ namespace {
 constexpr Circumstance kOfTree{"root of a tree"};
 
 /// Joints that name an unknown link, or one link twice, are reported instead of the roots that they
-/// cause.
+/// cause, and so is a joint that leads to another link than to the root.
 bool has_broken_joints(const LinkedModel& model) {
+  if (missed_root(model)) return true;
   for (std::size_t i = 0; i < model.tree.joint_parent.size(); ++i) {
     const auto parent = model.tree.joint_parent[i];
     const auto child = model.tree.joint_child[i];

@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "base/findings/readers.hpp"
+#include "base/findings/rules.hpp"
 #include "lint/queries.hpp"
+#include "lint/second_parents.hpp"
 #include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1206_link_with_two_parents_file {
@@ -60,22 +62,33 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.tree.roots.empty()) return;  // a loop through the root has its own rule
   const std::vector<urdf::Joint>& joints = model.robot->joints;
   std::optional<MergedLinks> merged;  // computed when it is needed
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const auto child = model.tree.joint_child[i];
-    if (!child || !model.tree.joint_parent[i] || *model.tree.joint_parent[i] == *child) continue;
-    const auto first = model.tree.parent_joint[to_size(*child)];
-    if (!first || to_size(*first) == i) continue;
-    const urdf::Joint& other = model.joint(*first);
+  const std::optional<LinkIndex> missed = missed_root(model);
+  for (const std::size_t i : second_parents(model)) {
+    const LinkIndex child = *model.tree.joint_child[i];
+    const urdf::Joint& other = model.joint(*model.tree.parent_joint[to_size(child)]);
     Diagnostic& diagnostic =
         findings.report(joints[i].child.span,
-                        title(model.link(*child)) + " is already the child of " + title(other));
+                        title(model.link(child)) + " is already the child of " + title(other));
     if (other.type == urdf::JointType::fixed) diagnostic.when(kFixed);
-    if (is_below(model, *model.tree.joint_parent[i], *child)) diagnostic.when(kRing);
+    if (is_below(model, *model.tree.joint_parent[i], child)) diagnostic.when(kRing);
     if (!merged) merged.emplace(model);
-    if (merged->contains(*child)) diagnostic.when(kMergedTwice);
+    if (merged->contains(child)) diagnostic.when(kMergedTwice);
     diagnostic.caret = "a second parent";
-    diagnostic.help("keep one of the two joints; URDF has no closed chains");
     diagnostic.label(other.child.span, "the first joint to this link");
+    if (!missed) {
+      diagnostic.help("keep one of the two joints; URDF has no closed chains");
+      continue;
+    }
+    diagnostic.consequences.push_back(&rules::sml1204_several_roots);
+    const std::string name = quoted(*model.link(*missed).name);
+    diagnostic.note("no joint leads to the link " + name);
+    const urdf::Joint* swapped = nullptr;
+    if (missed == model.tree.joint_parent[i]) swapped = &joints[i];
+    const std::size_t first = to_size(*model.tree.parent_joint[to_size(child)]);
+    if (missed == model.tree.joint_parent[first]) swapped = &other;
+    diagnostic.help(swapped != nullptr
+                        ? "are `parent` and `child` of " + title(*swapped) + " swapped?"
+                        : "write " + name + " as the child of one of the two joints");
   }
 }
 

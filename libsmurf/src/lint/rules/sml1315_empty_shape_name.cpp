@@ -15,7 +15,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::drake, Effect::refuses, "refuses an empty name, and takes none", kRun},
+    {&readers::drake, Effect::refuses, "refuses an empty name; accepts a shape without one", kRun},
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
     }
     if (auto repair = repair_of(node, {})) {
       diagnostic.note(repair->note);
+      diagnostic.help("write the moments of the shape, or delete `inertia`");
       diagnostic.fixes.push_back(std::move(repair->fix));
     }
   }

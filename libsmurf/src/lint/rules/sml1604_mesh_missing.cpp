@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -6,6 +7,7 @@
 #include "base/findings/cases.hpp"
 #include "base/findings/readers.hpp"
 #include "base/findings/uncertain.hpp"
+#include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
@@ -64,8 +66,21 @@ bool is_found_from_above(const MeshReference& mesh, const LinkedModel& model) {
   return false;
 }
 
+/// Whether the similar file is that of another link, and more than a misspelling away: `right_hip`
+/// and `right_thigh` are two parts.
+bool is_of_another_part(const MeshReference& mesh, const LinkedModel& model) {
+  constexpr int kMisspelling = 2;
+  const bool is_used =
+      std::any_of(model.meshes.begin(), model.meshes.end(), [&](const MeshReference& other) {
+        return other.exists && other.filename == mesh.meant;
+      });
+  return is_used && edit_distance(path::file_name(mesh.filename), path::file_name(mesh.meant),
+                                  kMisspelling) > kMisspelling;
+}
+
 /// Suggests another file in all places that name the missing one.
 void suggest(const MeshReference& mesh, const LinkedModel& model, Diagnostic& diagnostic) {
+  if (is_of_another_part(mesh, model)) return;
   const bool is_beside = path::parent(mesh.meant) == path::parent(mesh.filename);
   diagnostic.help("did you mean " + quoted(is_beside ? path::file_name(mesh.meant) : mesh.meant) +
                   "?");
@@ -99,6 +114,8 @@ void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_
     diagnostic.note(others + " that the URDF names in this folder" +
                     (lost_beside == 1 ? " is" : " are") + " missing, too");
   }
+  // Its package was found, or it has none.
+  if (!mesh.path.empty()) diagnostic.help("add the file, or correct the path");
   if (path_fault(mesh) == PathFault::found_by_mars_only) {
     diagnostic.when(kFoundByMars);
     diagnostic.note("MARS, from the .smurf, finds " + quoted(mesh.mars_path));

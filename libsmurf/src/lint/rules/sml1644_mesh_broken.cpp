@@ -47,18 +47,28 @@ bool lies_outside(const MeshFile& file) {
          file.reason.find("--allow-outside") != std::string::npos;
 }
 
+bool is_absolute(std::string_view filename) {
+  return filename.starts_with("/") || filename.starts_with("file:///");
+}
+
 /// These files may be sound, and all of them have the same cause.
-void report_outside(const std::vector<Span>& places, bool is_standard_input, Findings& findings) {
+void report_outside(const std::vector<Span>& places, bool are_absolute, bool is_standard_input,
+                    Findings& findings) {
   if (places.empty()) return;
-  const std::string message =
-      places.size() == 1 ? "the mesh was not looked at: it lies outside of the project"
-                         : std::to_string(places.size()) +
-                               " meshes were not looked at: they lie outside of the project";
+  const bool is_one = places.size() == 1;
+  // The same text for all robots of a repository, whatever their numbers of meshes.
+  const char* message = is_one ? "the mesh was not looked at: it lies outside of the project"
+                               : "meshes were not looked at: they lie outside of the project";
   Diagnostic& diagnostic = findings.report(places.front(), message);
+  if (!is_one) diagnostic.caret = "the first of " + std::to_string(places.size());
   diagnostic.severity = Severity::warning;
   diagnostic.when(kUncertain);
-  diagnostic.help("add `--allow-outside` to check " +
-                  std::string(places.size() == 1 ? "it" : "them") +
+  if (are_absolute) {
+    diagnostic.note("absolute paths lead to nothing on other machines");
+    diagnostic.help("write `package://NAME/PATH`, or a path relative to the URDF");
+    return;
+  }
+  diagnostic.help("add `--allow-outside` to check " + std::string(is_one ? "it" : "them") +
                   (is_standard_input ? "; or, if the URDF belongs into another folder, add "
                                        "`--stdin-filename FOLDER/robot.urdf`"
                                      : ""));
@@ -67,6 +77,7 @@ void report_outside(const std::vector<Span>& places, bool is_standard_input, Fin
 void check(const LinkedModel& model, Findings& findings) {
   std::set<const MeshFile*> seen;
   std::vector<Span> outside;
+  bool are_absolute = true;
   // A mesh is reported once. Some readers drop visuals.
   for (const MeshReference* one : collisions_first(model)) {
     const MeshReference& reference = *one;
@@ -81,6 +92,7 @@ void check(const LinkedModel& model, Findings& findings) {
       diagnostic.help(raise_limit("mesh-bytes"));
     } else if (lies_outside(*file)) {
       outside.push_back(reference.span);
+      are_absolute = are_absolute && is_absolute(reference.filename);
     } else if (file->status != ReadStatus::ok) {
       report(reference, file->reason, findings);
     } else if (facts.bytes == 0) {
@@ -100,7 +112,7 @@ void check(const LinkedModel& model, Findings& findings) {
       if (facts.format == MeshFormat::obj) diagnostic.when(kEmptyObj);
     }
   }
-  report_outside(outside, model.urdf_path == kStandardInput, findings);
+  report_outside(outside, are_absolute, model.urdf_path == kStandardInput, findings);
 }
 
 /// Of a mesh that was not looked at.

@@ -51,7 +51,8 @@ void check_value(const LinkedModel& model, const srdf::Description& srdf,
   findings
       .report(place, title_of("joint", joint.name) + " has " + counted(count, "value") +
                          ", but it needs " + std::to_string(*wanted))
-      .help("write " + counted(*wanted, "number") + ", with blanks between them");
+      .help("write " + counted(*wanted, "number") +
+            (*wanted > 1 ? ", with blanks between them" : ""));
 }
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {

@@ -26,7 +26,7 @@ extern constinit const Rule sml4003_out_of_range{.id = "SML4003",
                                                  .severity = Severity::error,
                                                  .summary =
                                                      "A number lies outside what its key allows.",
-                                                 .remedy = "Write a number within these bounds.",
+                                                 .remedy = "Write a number that the key allows.",
                                                  .facts = kFacts};
 
 }  // namespace smurf::rules::sml4003_out_of_range_file

@@ -27,6 +27,7 @@ void check_entries(const LinkedModel& model, const Entries& entries, std::string
       if (*length < kShortest) {
         diagnostic.severity = Severity::error;
         diagnostic.note("it defines no rotation");
+        diagnostic.help("write w: 1, x: 0, y: 0, z: 0 for no rotation, or delete the key");
       }
     }
   }
