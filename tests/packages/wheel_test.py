@@ -171,6 +171,16 @@ class Sources(Case):
             self.assertIn(f"smurf/{module}", wheel.namelist())
             self.assertEqual(len([name for name in wheel.namelist() if ".data/scripts/" in name]), len(PROGRAMS))
 
+    def test_the_sources_make_a_plan(self):
+        """Without a preset, as pip and Debian build them: ninja reads the files of the build and knows each step."""
+        if not shutil.which("cmake") or not shutil.which("ninja"):
+            self.skipTest("cmake and ninja are not installed")
+        build = self.folder / "out/build"
+        done = self.call("cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DSMURF_STATIC=ON", "-DSMURF_BUILD_TESTS=OFF")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.call("ninja", "-C", build, "-t", "query", "bin/smurf-diff")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     def test_two_builds_are_the_same_bytes(self):
         names = [self.build(folder=folder, SMURF_PREBUILT=str(self.small)).stdout.strip() for folder in ("out", "home")]
         first, second = [(self.folder / folder / name).read_bytes() for folder, name in zip(("out", "home"), names)]
