@@ -110,6 +110,24 @@ class Companions(cli.CliTest):
         self.assertIn("info[SML3705]", self.expect(0, "--min-severity", "info", ".").stdout)
         self.assertIn("error[SML3705]", self.expect(1, "lamp_description/urdf/lamp.urdf.xacro").stdout)
 
+    def test_one_of_several_robots_is_excused(self):
+        self.write("lamp_moveit_config/config/ros2_controllers.yaml", CONTROLLERS.replace('["shoulder"]', '["shoulder", "joint_2"]'))
+        robot = URDF.replace("</robot>", '<link name="tip"/><joint name="joint_1" type="fixed"><parent link="arm"/><child link="tip"/></joint></robot>')
+        self.write("lamp_description/urdf/lamp.urdf", robot)
+        self.assertIn("warning[SML3701]", self.expect(0, ".").stdout)
+        self.write("other_description/other.urdf", '<robot name="other"><link name="base"/></robot>')
+        self.assertIn("info[SML3701]", self.expect(0, "--min-severity", "info", ".").stdout)
+        # A robot without ros2_control is a mistake if it is the only one.
+        self.assertNotIn("SML3615", self.run_tool("--target", "ros2_control", ".").stdout)
+        self.assertIn("SML3615", self.run_tool("--target", "ros2_control", "other_description/other.urdf").stdout)
+
+    def test_arguments_are_excused_for_targets_as_well(self):
+        (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
+        self.write("lamp_description/urdf/lamp.urdf.xacro", URDF.replace("<robot ", '<robot xmlns:xacro="x" ').replace(
+            "<plugin>lamp/Hardware", "<plugin>gz_ros2_control/GazeboSimSystem"))
+        self.assertIn("info[SML3613]", self.expect(None, "--min-severity", "info", "--target", "ros2_control", ".").stdout)
+        self.assertIn("error[SML3613]", self.expect(1, "--target", "ros2_control", "lamp_description/urdf/lamp.urdf.xacro").stdout)
+
     def test_files_in_a_package_that_depends_on_the_description(self):
         self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace('"shoulder"', '"sholder"'))
         self.write("lamp_moveit_config/config/joint_limits.yaml", LIMITS.replace("1.5", "1"))
@@ -180,6 +198,14 @@ class Companions(cli.CliTest):
         self.assertIn("show.launch.xml' still names `shoulder` in line 1", done.stderr)
         self.assertEqual(done.stderr.count("still names"), 2)
 
+    def test_settings_of_other_programs_that_still_name_it_are_listed(self):
+        self.write("lamp_moveit_config/config/servo.yaml", "planning_frame: base\nee_frame_name: basement  # base\n")
+        self.write("lamp_description/config/words.yaml", "title: the arms\n")
+        done = self.run_tool("--rename", "link:base=foot", ".")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("servo.yaml' still names `base` in line 1; change it there", done.stderr)
+        self.assertEqual(done.stderr.count("still names"), 1)
+
     def test_xacro_files_that_were_not_loaded_and_still_name_it_are_listed(self):
         self.write("lamp_moveit_config/config/lamp.urdf.xacro",
                    '<robot xmlns:xacro="x" name="lamp2">\n  <xacro:include filename="other.xacro"/>\n  <joint name="shoulder"/>\n'
@@ -212,11 +238,17 @@ arm:
   gains:
     shoulder: {p: 1}
 """
-        self.write("lamp_moveit_config/config/ros_controllers.yaml", lists)
-        self.expect(0, "--rename", "joint:shoulder=hinge", ".")
-        self.assertEqual(self.companion("ros_controllers.yaml"), lists.replace("shoulder", "hinge"))
-        self.expect(0, "--rename", "joint:hinge=shoulder", ".")
-        self.assertEqual(self.companion("ros_controllers.yaml"), lists)
+        for text in (lists, lists[lists.index("arm:\n  type"):]):
+            self.write("lamp_moveit_config/config/ros_controllers.yaml", text)
+            self.expect(0, "--rename", "joint:shoulder=hinge", ".")
+            self.assertEqual(self.companion("ros_controllers.yaml"), text.replace("shoulder", "hinge"))
+            self.expect(0, "--rename", "joint:hinge=shoulder", ".")
+            self.assertEqual(self.companion("ros_controllers.yaml"), text)
+
+    def test_the_tip_of_a_solver_is_renamed(self):
+        self.write("lamp_moveit_config/config/kinematics.yaml", KINEMATICS + "  tip_link: arm\n")
+        self.expect(0, "--rename", "link:arm=boom", ".")
+        self.assertEqual(self.companion("kinematics.yaml"), KINEMATICS + "  tip_link: boom\n")
 
     def test_an_srdf_in_xacro(self):
         (self.folder / "lamp_moveit_config/config/lamp.srdf").unlink()

@@ -23,7 +23,8 @@ constexpr std::size_t kMostPlaces = 20;
 constexpr int kDeepest = 8;
 constexpr std::string_view kBlanksAround = " \t\r\n";
 
-enum class Kind : std::uint8_t { other, launch, robot, companion };
+/// `settings`: a YAML file of another program, such as the frames of MoveIt Servo or of Nav2.
+enum class Kind : std::uint8_t { other, launch, robot, companion, settings };
 
 bool ends_with_one_of(std::string_view name, std::initializer_list<std::string_view> ends) {
   return std::any_of(ends.begin(), ends.end(),
@@ -165,7 +166,8 @@ class Search {
     for (const std::string& project : projects) find_packages(project, 0);
     const bool matters = std::any_of(found_.begin(), found_.end(), [&](const Found& one) {
       const bool is_own = loaded_.contains(identity(one.path)) || is_changed(one.path);
-      return one.kind == Kind::companion || (one.kind == Kind::robot && !is_own);
+      return one.kind == Kind::companion || one.kind == Kind::settings ||
+             (one.kind == Kind::robot && !is_own);
     });
     if (matters) {
       find_users();
@@ -238,8 +240,10 @@ class Search {
     if (loaded_.contains(identity(path)) && kind != Kind::robot) return;
     const FileContent content = files_.read(path, kMostBytes);
     if (content.status != ReadStatus::ok) return;
-    // Any YAML file may contain a word; only these are compared with robots.
-    if (kind == Kind::companion && find_companion_kind(path, content.text) == nullptr) return;
+    // Any YAML file may contain a word; only companions are compared with robots.
+    if (kind == Kind::companion && find_companion_kind(path, content.text) == nullptr) {
+      kind = Kind::settings;
+    }
     for (const Rename& rename : renames_) {
       const std::size_t line = line_with(path, content.text, rename.from);
       if (line == 0) continue;
@@ -330,7 +334,9 @@ class Search {
       return other.kind == Kind::robot && other.name == one.name &&
              !loaded_.contains(identity(other.path));
     });
-    if (!users_.empty()) {
+    if (one.kind == Kind::settings) {
+      if (!is_of_other_robot(one)) add(left_.mentions, sentence + "; change it there");
+    } else if (!users_.empty()) {
       add(left_.misfits, sentence + name_users());
     } else if (!has_other_robot && !is_of_other_robot(one)) {
       add(left_.misfits, sentence + ", but it was not recognized as a file of the robot");

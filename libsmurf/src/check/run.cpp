@@ -12,9 +12,8 @@
 #include "base/files/path.hpp"
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
+#include "check/excuses.hpp"
 #include "check/parallel.hpp"
-#include "lint/companions/ros2_control.hpp"
-#include "smurf/xacro_cases.hpp"
 
 namespace smurf {
 namespace {
@@ -131,6 +130,7 @@ class Run {
     expected_ = files;
     if (settings_.on_progress) settings_.on_progress(0, expected_);
   }
+  void expect_robots(std::size_t count) { has_several_robots_ = count > 1; }
 
  private:
   bool is_remembering() const { return context_.snapshot != nullptr; }
@@ -308,6 +308,7 @@ class Run {
       outcome.parsed.end_loading(outcome.sources, sink);
       outcome.judged = judge(robot, outcome.sources, group.selection, sink, *context.expansions);
       if (planned.may_be_part) excuse_arguments(outcome.judged.diagnostics);
+      if (has_several_robots_) excuse_one_of_several(outcome.judged.diagnostics);
       if (!planned.shown.empty()) {
         for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
       }
@@ -330,17 +331,6 @@ class Run {
     const bool has_name = tag.find("name=") != std::string_view::npos;
     if (model.robot) return model.robot->links.empty() && (was_found || !has_name);
     return was_found && !has_name;
-  }
-
-  /// A robot that was found in a folder may need values that only its users know.
-  static void excuse_arguments(std::vector<Diagnostic>& found) {
-    for (Diagnostic& one : found) {
-      const bool is_open = one.rule == &rules::sml3313_xacro_unknown_argument ||
-                           one.cases.contains(kNoPlugin) ||
-                           one.cases.contains(xacro::kEmptyFileName) ||
-                           one.rule == &rules::sml3705_controller_interface;
-      if (is_open) one.severity = Severity::info;
-    }
   }
 
   void take_companions(const Companions& companions, const LinkedModel& model,
@@ -473,6 +463,7 @@ class Run {
   std::atomic<bool> is_cancelled_ = false;
   std::atomic<std::size_t> done_ = 0;
   std::size_t expected_ = 0;
+  bool has_several_robots_ = false;
   std::vector<const Reader*> targets_;
   std::vector<RobotAnswers> robots_;
 };
@@ -490,6 +481,7 @@ Report run_check(const Plan& plan, const CheckSettings& settings, const RunConte
                             [](const PlannedFile& one) { return !is_companion_path(one.path); });
   const std::vector<PlannedFile> companions(first_companion, others.end());
   others.erase(first_companion, others.end());
+  run.expect_robots(plan.models.size() + others.size());
   for (const auto* planned : {&plan.scenes, &plan.models, &std::as_const(others), &companions}) {
     run.check_all(run.with_variants(*planned));
   }

@@ -59,6 +59,7 @@ Judgement judge(const Diagnostic& diagnostic, std::span<const Reader* const> tar
 }
 
 Severity severity_for(const Diagnostic& diagnostic, const Judgement& judgement) {
+  if (diagnostic.cases.contains(kExcused)) return Severity::info;
   if (!has_facts(*diagnostic.rule) && judgement.stumbles.empty()) return diagnostic.severity;
   Severity severity = Severity::info;
   for (const auto& [fact, names] : judgement.stumbles) {

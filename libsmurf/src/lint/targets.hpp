@@ -10,6 +10,9 @@
 
 namespace smurf {
 
+/// What another file or argument may settle: an info for every target.
+inline constexpr Circumstance kExcused{"excused"};
+
 /// Sets severities, notes the effects on each target, and removes findings about other readers.
 void apply_targets(std::vector<Diagnostic>& diagnostics, std::span<const Reader* const> targets);
 

@@ -36,7 +36,9 @@ bool is_moveit_controllers(std::string_view, std::string_view text) {
   const bool has_manager =
       holds(text, "controller_names:") || holds(text, "moveit_simple_controller_manager:");
   return (has_manager && holds(text, "action_ns:")) ||
-         (holds(text, "controller_list:") && holds(text, "joints:"));
+         (holds(text, "controller_list:") && holds(text, "joints:")) ||
+         (holds(text, "/JointTrajectoryController") && holds(text, "joints:") &&
+          !holds(text, "ros__parameters:"));
 }
 
 bool is_ompl_planning(std::string_view, std::string_view text) {

@@ -132,6 +132,11 @@ void add_of_kinematics(yaml::View root, ReferenceFinder& finder) {
     if (member.is_repeated() || !member.is_mapping()) continue;
     if (member.find("kinematics_solver")) {
       finder.add({NameKind::group}, member.key(), place_of_key(member));
+      for (const std::string_view key : {"tip_link", "tip_name", "root_link", "root_name"}) {
+        const yaml::View link = member.find(key);  // of other solvers
+        if (!link || !link.is_scalar()) continue;
+        finder.add_if_known(NameKind::link, link.text(), place_of_name(link));
+      }
     } else if (is_one_of(member.key(),
                          {"robot_description_kinematics", "ros__parameters", "/**"})) {
       add_of_kinematics(member, finder);

@@ -51,6 +51,9 @@ void for_each_parameter(
     const std::function<void(yaml::View, const std::string&, const RosParameter&)>& visit,
     const std::string& prefix = {});
 
+/// SML3701: a joint of a robot with another number of joints.
+inline constexpr Circumstance kNumberedJoint{"numbered"};
+
 /// "controller `arm_controller`"
 std::string title_of(const RosController& controller);
 

@@ -57,6 +57,8 @@ std::string title_of(const HardwarePart& part, const Hardware& hardware);
 
 /// SML3601: the hardware has no plugin at all; that of a xacro file may need an argument.
 inline constexpr Circumstance kNoPlugin{"no plugin"};
+/// SML3613: the robot lacks the plugin of Gazebo, or the name of its file.
+inline constexpr Circumstance kNoSimulation{"no simulation"};
 
 /// The first version with the parser of Jazzy, for facts about ros2_control and about ROS.
 inline constexpr Version kParserOfJazzy{4};

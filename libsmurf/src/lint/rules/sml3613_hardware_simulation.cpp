@@ -118,11 +118,12 @@ void check_plugins(const Simulation& simulation, Findings& findings) {
   for (const xml::View plugin : simulation.plugins) {
     const xml::View file = plugin.child("parameters");
     if (file && !trimmed(file.text()).empty()) continue;
-    findings
-        .report((file ? file : plugin).name_span(),
-                file ? "`parameters` of the plugin is empty" : "the plugin has no `parameters`")
-        .help("write the path of the file with the controllers in `<parameters>`")
-        .when(kFile);
+    Diagnostic& found = findings.report((file ? file : plugin).name_span(),
+                                        file ? "`parameters` of the plugin is empty"
+                                             : "the plugin has no `parameters`");
+    found.help("write the path of the file with the controllers in `<parameters>`");
+    found.when(kFile);
+    if (file) found.when(kNoSimulation);
   }
 }
 
@@ -139,7 +140,8 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
           .report(plugin.text_span(), title_of(hardware) + " runs in Gazebo, but no `gazebo` of "
                                                            "the robot has the plugin")
           .help("add `<gazebo><plugin filename=\"gz_ros2_control-system\" ...>`")
-          .when(kPlugin);
+          .when(kPlugin)
+          .when(kNoSimulation);
     }
     check_sensors(hardware, simulation, findings);
   }

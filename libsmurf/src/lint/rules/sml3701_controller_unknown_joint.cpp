@@ -14,7 +14,6 @@
 namespace smurf::rules::sml3701_controller_unknown_joint_file {
 namespace {
 
-constexpr Circumstance kNumbered{"numbered"};
 constexpr Circumstance kSettings{"settings"};
 
 /// A controller with the references in its section.
@@ -101,7 +100,7 @@ void check_reference_of(const LinkedModel& model, const Section& section, const 
                                        });
   if (found != nullptr && is_numbered) {
     found->severity = Severity::warning;
-    found->when(kNumbered);
+    found->when(kNumberedJoint);
   }
 }
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check/excuses.hpp"
+
+#include "base/findings/rules.hpp"
+#include "lint/companions/controllers.hpp"
+#include "lint/companions/ros2_control.hpp"
+#include "lint/targets.hpp"
+#include "smurf/xacro_cases.hpp"
+
+namespace smurf {
+namespace {
+
+void excuse(Diagnostic& one) {
+  one.severity = Severity::info;
+  one.when(kExcused);
+}
+
+}  // namespace
+
+void excuse_arguments(std::vector<Diagnostic>& found) {
+  for (Diagnostic& one : found) {
+    const bool is_open = one.rule == &rules::sml3313_xacro_unknown_argument ||
+                         one.cases.contains(kNoPlugin) || one.cases.contains(kNoSimulation) ||
+                         one.cases.contains(xacro::kEmptyFileName) ||
+                         one.rule == &rules::sml3705_controller_interface;
+    if (is_open) excuse(one);
+  }
+}
+
+void excuse_one_of_several(std::vector<Diagnostic>& found) {
+  for (Diagnostic& one : found) {
+    const bool is_open =
+        one.rule == &rules::sml3615_hardware_none || one.cases.contains(kNumberedJoint);
+    if (is_open) excuse(one);
+  }
+}
+
+}  // namespace smurf
