@@ -26,7 +26,10 @@ namespace {
 struct Literal {
   std::string_view path;
   std::uint32_t begin = 0, end = 0;
-  friend auto operator<=>(const Literal&, const Literal&) = default;
+  friend bool operator==(const Literal&, const Literal&) = default;
+  friend bool operator<(const Literal& a, const Literal& b) {  // texts have no <=> in libc++ 14
+    return std::tie(a.path, a.begin, a.end) < std::tie(b.path, b.begin, b.end);
+  }
 };
 
 /// A new value of a literal, for one part of a robot.
