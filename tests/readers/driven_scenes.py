@@ -9,6 +9,7 @@ import json
 import math
 import pathlib
 import sys
+import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
 from flatten_property_test import about, axis, euler, identity, product, quaternion, translation, vector, words  # noqa: E402
@@ -120,6 +121,58 @@ class Robot:
                 f"{self.name}_poses.yml": f"poses:\n- {{name: bent, joints: {json.dumps(self.bent)}}}\n"}
 
 
+def numbers_of(element, attribute, default):
+    text = None if element is None else element.get(attribute)
+    return default if text is None else [float(word) for word in text.split()]
+
+
+class RealRobot(Robot):
+    """The links and joints of a URDF, without its shapes. Names of links and joints are numbered, the root is l0."""
+
+    def __init__(self, dice, name, path):
+        self.name, self.links, self.joints = name, [], []
+        root = ElementTree.parse(path).getroot()
+        joints = {one.find("child").get("link"): one for one in root.iter("joint") if one.find("child") is not None}
+        names, joint_names = {}, {}
+
+        def add(link):
+            names[link.get("name")] = f"l{len(names)}"
+            self.links.append(self.link_of(dice, names[link.get("name")], link.find("inertial")))
+            for child in root.iter("link"):
+                joint = joints.get(child.get("name"))
+                if joint is not None and joint.find("parent").get("link") == link.get("name"):
+                    joint_names[joint.get("name")] = f"j{len(names)}"
+                    self.joints.append((joint, names[link.get("name")], f"l{len(names)}"))
+                    add(child)
+        add(next(link for link in root.iter("link") if link.get("name") not in joints))
+        self.joints = [self.joint_of(dice, joint_names, *one) for one in self.joints]
+        self.free = {j.name: dice.uniform(j.lower, j.upper) for j in self.joints if j.kind != "fixed" and not j.leader}
+        self.bent = {name: self.free[name] / 2 for name in self.free}
+
+    @staticmethod
+    def link_of(dice, name, inertial):
+        link = Link(dice, name, inertial is not None)
+        if inertial is not None:
+            origin, inertia = inertial.find("origin"), inertial.find("inertia")
+            link.mass = float(inertial.find("mass").get("value"))
+            link.centre, link.turn = numbers_of(origin, "xyz", [0.0] * 3), numbers_of(origin, "rpy", [0.0] * 3)
+            link.tensor = [[float(inertia.get("i" + "".join(sorted(a + b)))) for b in "xyz"] for a in "xyz"]
+        return link
+
+    @staticmethod
+    def joint_of(dice, names, element, parent, child):
+        joint = Joint(dice, names[element.get("name")], parent, child, element.get("type"))
+        origin, limit, mimic = (element.find(tag) for tag in ("origin", "limit", "mimic"))
+        joint.place, joint.turn = numbers_of(origin, "xyz", [0.0] * 3), numbers_of(origin, "rpy", [0.0] * 3)
+        joint.axis = unit(numbers_of(element.find("axis"), "xyz", [1.0, 0.0, 0.0])) if joint.kind != "fixed" else [1, 0, 0]
+        if limit is not None and joint.kind in ("revolute", "prismatic"):
+            joint.lower, joint.upper = float(limit.get("lower", 0)), float(limit.get("upper", 0))
+        if mimic is not None:
+            joint.leader = (names[mimic.get("joint")], float(mimic.get("multiplier", 1)))
+            joint.lower, joint.upper = -9.0, 9.0
+        return joint
+
+
 class Entity:
     def __init__(self, dice, name, robot, others):
         self.name, self.robot = name, robot
@@ -176,12 +229,12 @@ def truth_of(entities, dice):
     }
 
 
-def write_scene(folder, dice):
-    """The path of the scene; `truth.json` beside it is what truth_of() returns."""
+def write_scene(folder, dice, path=None):
+    """The path of the scene; `truth.json` beside it is what truth_of() returns. `path` is a URDF for all its robots."""
     folder.mkdir(parents=True)
-    robots = [Robot(dice, f"r{i}") for i in range(dice.randint(1, 3))]
+    robots = [RealRobot(dice, f"r{i}", path) if path else Robot(dice, f"r{i}") for i in range(1 if path else dice.randint(1, 3))]
     entities = []
-    for i in range(dice.randint(1, 4)):
+    for i in range(dice.randint(1, 2 if path else 4)):  # PyBullet has no more than 128 joints
         entities.append(Entity(dice, f"e{i}", dice.choice(robots), entities[:]))
     files = {name: text for robot in robots for name, text in robot.files().items()}
     files["scene.smurfs"] = json.dumps({"entities": [entity.yaml() for entity in entities]})

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scenes of driven_scenes.py in every export that a reader with a Python module reads: links, bodies, limits, and joints that move.
 
-Usage: driven_scenes_test.py SMURFS_FLATTEN
+Usage: driven_scenes_test.py SMURFS_FLATTEN [CORPUS]     with the robots RICH of the corpus, without their shapes
+
+The environment variable SMURF_SEED changes the scenes.
 """
 import json
+import os
 import pathlib
 import random
 import subprocess
@@ -17,6 +20,16 @@ import driven_scenes  # noqa: E402
 
 PYTHON = cli.FIXTURES.parent / "build/readers/python/bin/python"
 SCENES = 300
+SEED = int(os.environ.get("SMURF_SEED", "0"))
+CORPUS = None
+# With bodies that exist: readers and exports repair others.
+RICH = tuple(f"Gepetto__example-robot-data/robots/{name}" for name in (
+    "solo_description/robots/solo12", "simple_humanoid_description/urdf/simple_humanoid", "z1_description/urdf/z1")) + tuple(
+    f"bulletphysics__bullet3/{name}" for name in (
+        "data/r2d2", "data/quadruped/vision/vision60", "examples/pybullet/gym/pybullet_data/a1/a1")) + tuple(
+    f"unitreerobotics__unitree_ros/robots/{name}" for name in (
+        "laikago_description/urdf/laikago", "g1_description/g1_29dof_rev_1_0_with_inspire_hand_DFQ", "h1_description/urdf/h1_with_hand",
+        "h2_description/H2", "a2_description/urdf/a2", "dexterous_hand_description/dex5_1/Dex5-URDF-L/Dex5-URDF-L"))
 SHOWN = 5
 EXACT, SINGLE = 1e-9, 2e-5  # relative to the largest number, or to 1; PyBullet and Newton have single precision
 # reader: (its module, the file, tolerance, whether links without mass are frames of others, whether the base may be moved)
@@ -78,8 +91,11 @@ def problems(found, truth, tolerance, frames_are_left_out, is_moved):
 class DrivenScenes(cli.CliTest):
     def write_scenes(self):
         scenes = []
-        for seed in range(SCENES):
-            scene = driven_scenes.write_scene(self.folder / f"s{seed}", random.Random(seed))
+        rich = [CORPUS / "urdf" / f"{name}.urdf" for name in RICH] if CORPUS else []
+        for i, path in enumerate([None] * SCENES + rich):
+            seed = SEED + i
+            name = f"s{seed}" if path is None else path.stem
+            scene = driven_scenes.write_scene(self.folder / name, random.Random(seed), path)
             for name, form in FORMATS.items():
                 done = self.run_tool(scene, "--format", form, "-o", scene.parent / name, "--quiet")
                 self.assertEqual((done.returncode, done.stdout), (0, ""), f"seed {seed}: {done.stderr}")
@@ -115,4 +131,6 @@ class DrivenScenes(cli.CliTest):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) > 2 and pathlib.Path(sys.argv[2]).is_dir():
+        CORPUS = pathlib.Path(sys.argv.pop(2))
     cli.main()

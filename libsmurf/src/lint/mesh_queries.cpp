@@ -151,6 +151,10 @@ Diagnostic* report_meshes(const LinkedModel& model,
     if (is_at_fault(mesh)) faulty.push_back(&mesh);
   }
   if (faulty.empty()) return nullptr;
+  // At a collision if there is one, because some readers ignore visuals.
+  const auto shown_first = std::find_if(
+      faulty.begin(), faulty.end(), [](const OpenedMesh* mesh) { return mesh->is_collision(); });
+  if (shown_first != faulty.end()) std::rotate(faulty.begin(), shown_first, shown_first + 1);
   const bool is_one = faulty.size() == 1;
   std::string message(one);
   if (!is_one) message = std::to_string(faulty.size()) + " mesh files " + std::string(many);

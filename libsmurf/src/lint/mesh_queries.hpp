@@ -62,8 +62,8 @@ struct OpenedMesh {
 /// Mesh files in the order of their first use, except for files that could not be read.
 std::vector<OpenedMesh> opened_meshes(const LinkedModel& model);
 
-/// Reports one finding for several meshes, at the first of them. `one` is the message for one file,
-/// `many` the text after "12 mesh files". Null if there are no meshes.
+/// Reports one finding for several meshes, at the first of a collision, or the first of them. `one`
+/// is the message for one file, `many` the text after "12 mesh files". Null if there are no meshes.
 Diagnostic* report_meshes(const LinkedModel& model,
                           const std::function<bool(const OpenedMesh&)>& is_at_fault,
                           std::string_view one, std::string_view many, Findings& findings);
