@@ -43,7 +43,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (is_unit_tensor(*link.inertial) || body->mass < kSmallestPart) return;
     if (body->mass > kHeaviestMaterial * extent->volume()) return;
     const double excess = excess_over(*body, extent->grown(kMargin * extent->longest_edge()));
-    if (excess <= (body->mass < kNegligibleMass ? kLarge : kSlack)) return;
+    if (excess <= (body->mass <= kNegligibleMass ? kLarge : kSlack)) return;
     if (likely_axis_order(model, link) != nullptr) return;  // SML1531
     const auto parts = extent_of_rigid_parts(model, link);
     if (!parts || excess_over(*body, parts->grown(kMargin * parts->longest_edge())) <= kSlack)

@@ -3,6 +3,7 @@
 #include "link/inertia.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/axis_order.hpp"
+#include "lint/body.hpp"
 #include "lint/inertia_slips.hpp"
 #include "lint/queries.hpp"
 
@@ -19,6 +20,7 @@ void check_link(const LinkedModel& model, const urdf::Link& link, Findings& find
   Diagnostic& diagnostic = findings.report(inertia_place(model, *link.inertial),
                                            "the inertia of " + title(link) +
                                                " fits its shape when " + std::string(order->words));
+  if (mass <= kNegligibleMass) diagnostic.severity = Severity::info;
   diagnostic.caret = "about x, y, z: " + format_rounded(tensor[0], 3) + ", " +
                      format_rounded(tensor[1], 3) + ", " + format_rounded(tensor[2], 3);
   diagnostic.note("a full shape with this mass has " + format_rounded(mass * shape[0], 3) + ", " +

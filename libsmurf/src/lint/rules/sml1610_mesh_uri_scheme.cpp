@@ -24,8 +24,10 @@ void check(const LinkedModel& model, Findings& findings) {
     has_model_scheme = has_model_scheme || mesh.filename.starts_with("model://");
     are_found = are_found && mesh.exists;
     are_absolute = are_absolute && mesh.filename.starts_with("file:///");
+    const std::string scheme = mesh.filename.substr(0, mesh.filename.find("://") + 3);
+    // Not the whole path: that of `$(find PACKAGE)` is absolute.
     habit.add(mesh.span,
-              "the path " + quoted(mesh.filename) + " has a scheme that MuJoCo and MARS refuse");
+              "MuJoCo and MARS refuse paths of meshes that begin with " + quoted(scheme));
   }
   Diagnostic* diagnostic = habit.report("such paths", findings);
   if (diagnostic == nullptr) return;

@@ -8,11 +8,10 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   Diagnostic* diagnostic = report_meshes(
       model, [](const OpenedMesh& mesh) { return mesh.facts.format == MeshFormat::lfs_pointer; },
-      "the mesh is a Git LFS pointer, not a mesh", "are Git LFS pointers, not meshes", findings);
+      "", "", findings);
   if (diagnostic == nullptr) return;
   // The same text for all robots of a repository, whatever their numbers of meshes.
-  constexpr const char* kMany = "mesh files are Git LFS pointers, not meshes";
-  if (diagnostic->message.ends_with(kMany)) diagnostic->message = kMany;
+  diagnostic->message = "mesh files are Git LFS pointers, not meshes";
   diagnostic->help("run `git lfs pull`");
 }
 
