@@ -120,6 +120,18 @@ class CompanionVariants(cli.CliTest):
         for path in (".", "arm_moveit_config/config/6dof/arm.srdf", "arm_moveit_config/config/7dof/arm.srdf"):
             self.assertIn("no findings", self.expect(0, "--min-severity", "info", path).stdout)
 
+    def test_capitals_of_the_name(self):
+        names = ("base", "lower", "elbow", "wrist")
+        joints = "".join(f'<joint name="{b}_joint" type="revolute"><parent link="{a}"/><child link="{b}"/><axis xyz="0 0 1"/>'
+                         '<limit lower="-1" upper="1" effort="10" velocity="2"/></joint>' for a, b in zip(names, names[1:]))
+        links = '<link name="base"/>' + "".join(f'<link name="{name}">{MASS}</link>' for name in names[1:])
+        self.write("hand/package.xml", cli.package("hand"))
+        self.write("hand/hand.urdf", f'<robot name="Hand">{links}{joints}</robot>')
+        self.write("hand/other.urdf", '<robot name="other"><link name="base"/></robot>')
+        self.write("hand/hand.srdf", SRDF.format("elbow", "elbow").replace('"arm"', '"hand"'))
+        for path in ("hand", "hand/hand.srdf", "hand/hand.urdf"):
+            self.assertIn("SML3502", self.expect(None, path).stdout, path)
+
 
 if __name__ == "__main__":
     cli.main()

@@ -3,6 +3,7 @@
 import json
 import pathlib
 import sys
+import textwrap
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
@@ -153,12 +154,14 @@ class Companions(cli.CliTest):
         self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace('"shoulder"', '"sholder"'))
         done = self.expect(1, "lamp_moveit_config/config/lamp.srdf")
         self.assertIn("joint `sholder`", done.stdout)
+        self.assertIn("checked with 1 SRDF, compared with `lamp_description/urdf/lamp.urdf`", done.stdout)
         self.assertIn("1 error", done.stdout)
 
     def test_an_srdf_without_a_robot_says_so(self):
         self.write("other.srdf", SRDF.replace("lamp", "other").replace('group="arm"', 'group="amr"'))
         done = self.expect(1, "--min-severity", "info", "other.srdf")
         self.assertIn("SML3500", done.stdout)
+        self.assertIn("in 1 file, an SRDF without its robot", done.stdout)
         self.assertIn("did you mean `arm`?", done.stdout)
 
     def test_files_of_another_robot_are_left_alone(self):
@@ -244,6 +247,12 @@ arm:
             self.assertEqual(self.companion("ros_controllers.yaml"), text.replace("shoulder", "hinge"))
             self.expect(0, "--rename", "joint:hinge=shoulder", ".")
             self.assertEqual(self.companion("ros_controllers.yaml"), text)
+
+    def test_controllers_of_moveit_without_a_manager_are_renamed(self):
+        text = textwrap.dedent(MOVEIT[MOVEIT.index("\n") + 1:])
+        self.write("lamp_moveit_config/config/moveit_controllers.yaml", text)
+        self.expect(0, "--rename", "joint:shoulder=hinge", ".")
+        self.assertEqual(self.companion("moveit_controllers.yaml"), text.replace("shoulder", "hinge"))
 
     def test_the_tip_of_a_solver_is_renamed(self):
         self.write("lamp_moveit_config/config/kinematics.yaml", KINEMATICS + "  tip_link: arm\n")
@@ -408,6 +417,7 @@ arm:
 
     def test_rename_of_joints_in_texts(self):
         more = CONTROLLERS.replace("[position]", "[position]", 1) + """    speed_scaling: {state_interface: shoulder/position}
+    ik: {chain_tip: arm, chain_root: base_link}
 chained:
   ros__parameters:
     joints: [pid/shoulder, "shoulder_2"]
@@ -419,6 +429,8 @@ chained:
         self.assertEqual(self.companion("ros2_controllers.yaml"), more.replace("shoulder", "hinge").replace("# hinge", "# shoulder")
                          .replace("hinge_2", "shoulder_2"))
         self.assertEqual(self.companion("ompl_planning.yaml"), planners.replace("shoulder", "hinge"))
+        self.expect(0, "--rename", "link:arm=boom", ".")
+        self.assertIn("chain_tip: boom, chain_root: base_link", self.companion("ros2_controllers.yaml"))
 
     def test_the_parameter_file_of_a_gazebo_plugin(self):
         plugin = ('  <gazebo>\n    <plugin filename="gz_ros2_control-system" name="control">\n'

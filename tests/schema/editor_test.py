@@ -168,6 +168,19 @@ class EditorTest(unittest.TestCase):
         self.assertIn("unknown-joint", self.words(2, 10))
         self.assertEqual(set(self.words(4, 10)) - {"null"}, {"error", "warning", "info", "never"})
 
+    def test_parameter_files_of_robots(self):
+        self.start({f"{SCHEMAS.as_uri()}/ros2-controllers.schema.json": ["controllers.yaml"],
+                    f"{SCHEMAS.as_uri()}/moveit-joint-limits.schema.json": ["joint_limits.yaml"]})
+        marks = self.open("controllers.yaml", "controller_manager:\n  ros__parameters:\n    update_rate: 0\n"
+                                              "    arm: {type: joint_trajectory_controller/JointTrajectoryController}\n"
+                                              "arm:\n  ros__parameters:\n    joints: [a]\n    open_loop_control: maybe\n")
+        self.assertEqual([mark[0] for mark in marks], [3, 8], marks)
+        self.assertIn("in Hz", self.hover(3, 6))
+        self.assertIn("constraints", self.words(8, 5))
+        marks = self.open("joint_limits.yaml", "joint_limits:\n  a:\n    has_velocity_limits: 1\n    max_velocity: fast\n")
+        self.assertEqual([mark[0] for mark in marks], [3, 4], marks)
+        self.assertIn("max_acceleration", self.words(4, 5))
+
 
 if __name__ == "__main__":
     result = unittest.main(exit=False).result

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +28,8 @@ struct Summary {
   std::size_t scenes = 0;
   /// Kinds of companions ("SRDF") and how many of each were compared with robots.
   std::vector<std::pair<std::string_view, std::size_t>> companions = {};
+  /// The robots with which SRDFs were compared that a user named without them; "" for none.
+  std::set<std::string> robots_of_srdfs = {};
   std::size_t links = 0;  ///< symbolic links that lead out of a folder, which were not followed
 };
 /// Counts findings by severity; the caller sets the other counts.

@@ -116,6 +116,7 @@ class Run {
       if (count == 0) continue;
       report.summary.companions.emplace_back(spec.title, static_cast<std::size_t>(count));
     }
+    report.summary.robots_of_srdfs = std::move(robots_of_srdfs_);
     report.problems = plan.problems;
     report.robots = std::move(robots_);
     if (plan.problems.empty()) return report;
@@ -341,6 +342,7 @@ class Run {
       outcome.read.insert(file);
     }
     if (!companions.is_alone) return;
+    outcome.robots_of_srdfs.insert(model.robot ? model.path : "");
     // The robot with which it was compared was not asked for.
     std::erase_if(outcome.judged.diagnostics, [&](const Diagnostic& one) {
       return !is_companion_path(outcome.sources.path(one.span.source));
@@ -423,6 +425,7 @@ class Run {
     for (Diagnostic& diagnostic : outcome.judged.diagnostics) shift(diagnostic, by);
     judge_robot(outcome, planned);
     for (const auto& [file, fit] : outcome.companions) companions_.emplace(file, fit.kind);
+    robots_of_srdfs_.merge(outcome.robots_of_srdfs);
     const auto file_of = [&](const Diagnostic& one) {
       return identity_of(sources_.path(one.span.source));
     };
@@ -453,6 +456,7 @@ class Run {
   std::vector<Judged> found_;                        ///< by configuration
   std::set<std::string> models_, scenes_, read_;     ///< by identity
   std::map<std::string, CompanionKind> companions_;  ///< by identity
+  std::set<std::string> robots_of_srdfs_;            ///< see Summary
   SharedCompanions shared_;                          ///< findings in them
   std::set<std::string> sources_read_;               ///< by identity
   std::uint64_t rechecked_ = 0;                      ///< bytes of files that were read before

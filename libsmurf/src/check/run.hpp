@@ -26,6 +26,7 @@ struct Outcome {
   Judged judged;
   std::set<std::string> models, scenes, read;           ///< by identity
   std::map<std::string, CompanionFit> companions = {};  ///< of robots, by identity
+  std::set<std::string> robots_of_srdfs = {};           ///< see Summary
   MeshLibrary meshes;                                   ///< opened for it
   ParsedFiles parsed;
   Recorder::Answers answers;  ///< queries on which the result depends

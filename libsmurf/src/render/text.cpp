@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/text/counted.hpp"
+#include "base/text/quoted.hpp"
 #include "render/advice.hpp"
 #include "render/frame.hpp"
 #include "render/paint.hpp"
@@ -176,6 +177,19 @@ std::string render_brief(const Diagnostic& diagnostic, const SourceMap& sources,
 namespace {
 
 /// "2 SRDFs and 1 controllers.yaml"
+/// Of SRDFs that a user named: the robots with which they were compared.
+std::string robots_of_srdfs(const Summary& summary) {
+  constexpr std::size_t kMostShown = 3;
+  std::vector<std::string> shown;
+  for (const std::string& robot : summary.robots_of_srdfs) {
+    if (!robot.empty()) shown.push_back(quoted(render::escape(robot)));
+  }
+  const bool has_lone = summary.robots_of_srdfs.contains("");
+  if (shown.size() > kMostShown) return ", compared with " + counted(shown.size(), "robot");
+  std::string text = shown.empty() ? "" : ", compared with " + render::enumerate(shown);
+  return text + (has_lone ? ", an SRDF without its robot" : "");
+}
+
 std::string companions_of(const Summary& summary) {
   std::vector<std::string> parts;
   for (const auto& [title, count] : summary.companions) {
@@ -208,6 +222,7 @@ std::string render_summary(const Summary& summary, const TextStyle& style) {
     out += " (" + loaded[0] + ")";
   }
   if (!summary.companions.empty()) out += ", checked with " + companions_of(summary);
+  out += robots_of_srdfs(summary);
   out += "\n";
   if (summary.suppressed > 0) out += std::to_string(summary.suppressed) + " suppressed\n";
   if (summary.links > 0) {

@@ -151,6 +151,11 @@ bool belongs_to(const LinkedModel& robot, const Companion& companion) {
   return companion.names >= kFewest && companion.known_names * 10 >= companion.names * 9;
 }
 
+/// Whether two names differ at most in capitals: `icub` and `iCub`.
+bool is_same_word(std::string_view a, std::string_view b) {
+  return path::to_lower(a) == path::to_lower(b);
+}
+
 /// Whether one of these files describes a robot of this name.
 bool has_robot(const std::vector<std::string>& paths, std::string_view name,
                const LoadContext& context) {
@@ -257,7 +262,7 @@ class Finder {
   /// Whether an SRDF with this robot name may be one of the robot. Other names are mistakes if the
   /// robot is the only one around.
   bool may_be_for(std::string_view name) {
-    if (model_.robot->name && name == *model_.robot->name) return true;
+    if (model_.robot->name && is_same_word(name, *model_.robot->name)) return true;
     const auto is_urdf = [](const std::string& path) { return has_extension(path, {".urdf"}); };
     const std::vector<std::string>& all = robots();
     return std::count_if(all.begin(), all.end(), is_urdf) == 1 && !has_robot(all, name, context_);
@@ -313,6 +318,11 @@ std::vector<std::string> robots_of(const Companion& companion, const LoadContext
       if (!name || is_companion_path(path) || found.size() >= kMostRobots) continue;
       if (has_robot({path}, *name, context)) found.push_back(path);
     }
+  }
+  for (const std::string& path : urdfs) {
+    if (!found.empty() || !name) break;
+    const FileContent content = context.files.read(path, context.limits.file_bytes);
+    if (is_same_word(robot_name_in(content.text), *name)) found.push_back(path);
   }
   if (found.empty() && urdfs.size() == 1) found.push_back(urdfs.front());
   return found;

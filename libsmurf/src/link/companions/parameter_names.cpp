@@ -2,6 +2,7 @@
 #include "link/companions/parameter_names.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "base/text/words.hpp"
@@ -64,13 +65,22 @@ void add_keys(const Naming& naming, yaml::View value, ReferenceFinder& finder) {
   }
 }
 
-/// The interfaces in the parameters with such a name, at any depth.
-void add_interfaces_below(yaml::View value, int depth, ReferenceFinder& finder) {
+/// Parameters that often have the name of a link: `base_frame_id`, `chain_tip`, `robot_base_link`.
+bool may_hold_link(std::string_view key) {
+  constexpr std::string_view kEnds[] = {"frame_id", "frame", "link", "tip", "root"};
+  return std::any_of(std::begin(kEnds), std::end(kEnds),
+                     [&](std::string_view end) { return key.ends_with(end); });
+}
+
+/// The links and interfaces in the parameters with such a name, at any depth.
+void add_names_below(yaml::View value, int depth, ReferenceFinder& finder) {
   constexpr int kDeepest = 4;
-  if (value.key().find("interface") != std::string_view::npos) {
+  if (may_hold_link(value.key()) && value.is_scalar()) {
+    finder.add_if_known(NameKind::link, value.text(), place_of_name(value));
+  } else if (value.key().find("interface") != std::string_view::npos) {
     add_interfaces(value, 0, finder);
   } else if (value.is_mapping() && depth < kDeepest) {
-    for (const yaml::View member : value) add_interfaces_below(member, depth + 1, finder);
+    for (const yaml::View member : value) add_names_below(member, depth + 1, finder);
   }
 }
 
@@ -93,10 +103,8 @@ void add_of_controller(yaml::View parameters, ReferenceFinder& finder) {
           finder.add(may_name(NameKind::joint), member.key(), place_of_key(member));
         }
       }
-    } else if (value.key().ends_with("frame_id") && value.is_scalar()) {
-      finder.add_if_known(NameKind::link, value.text(), place_of_name(value));
     } else {
-      add_interfaces_below(value, 0, finder);
+      add_names_below(value, 0, finder);
     }
   }
 }
@@ -172,7 +180,19 @@ void add_of_ros_control(yaml::View part, ReferenceFinder& finder) {
 
 constexpr std::string_view kMoveitManager = "moveit_simple_controller_manager";
 
+/// The joints of the controllers in a mapping with `controller_names`.
+void add_of_moveit_manager(yaml::View manager, ReferenceFinder& finder) {
+  for (const yaml::View controller : manager) {
+    if (!controller.is_mapping()) continue;
+    for (const std::string_view key : {"joints", "command_joint"}) {
+      const yaml::View joints = controller.find(key);
+      if (joints) add_text({NameKind::joint}, joints, finder);
+    }
+  }
+}
+
 void add_of_moveit_controllers(yaml::View root, ReferenceFinder& finder) {
+  if (root.find("controller_names")) return add_of_moveit_manager(root, finder);
   for (const yaml::View member : root) {
     if (member.is_sequence() && member.key() == "controller_list") {  // ROS 1
       for (const yaml::View controller : member) {
@@ -183,13 +203,7 @@ void add_of_moveit_controllers(yaml::View root, ReferenceFinder& finder) {
     }
     if (!member.is_mapping()) continue;
     if (member.find("controller_names") || member.key() == kMoveitManager) {
-      for (const yaml::View controller : member) {
-        if (!controller.is_mapping()) continue;
-        for (const std::string_view key : {"joints", "command_joint"}) {
-          const yaml::View joints = controller.find(key);
-          if (joints) add_text({NameKind::joint}, joints, finder);
-        }
-      }
+      add_of_moveit_manager(member, finder);
     } else if (member.find("allowed_start_tolerance_joints")) {
       add_keys({NameKind::joint}, member.find("allowed_start_tolerance_joints"), finder);
     } else {
