@@ -21,7 +21,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::takes, "locks the joint", kRun},
     {&readers::gazebo, Effect::takes, "locks the joint", kRun},
     {&readers::mujoco, Effect::changes, "lets the joint move without limit", kRun},
-    {&readers::drake, Effect::takes, "locks the joint", "Drake, read"},
+    {&readers::drake, Effect::takes, "locks the joint", kRun},
 };
 
 }  // namespace

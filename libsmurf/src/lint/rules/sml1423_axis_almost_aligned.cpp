@@ -36,7 +36,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::pinocchio, Effect::takes, "uses a joint model for any axis, which is slower",
-     "Pinocchio model.hxx:564-573"},
+     "Pinocchio model.hxx:564-573, run"},
 };
 
 }  // namespace

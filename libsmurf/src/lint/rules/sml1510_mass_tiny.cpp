@@ -63,7 +63,7 @@ constexpr Fact kFacts[] = {
      "drops the root with everything below it: a model without links", kRun, when(kRoot)},
     {&readers::gazebo, Effect::loses, "drops the link with everything below it",
      "sdformat, run (issue 199)", when(kNotRoot)},
-    {&readers::mujoco, Effect::refuses, "refuses a mass below 1e-15 kg", "MuJoCo mjtype.h:27",
+    {&readers::mujoco, Effect::refuses, "refuses a mass below 1e-15 kg", "MuJoCo mjtype.h:27, run",
      when(kNotRootTooSmall)},
     {&readers::mujoco, Effect::takes, "looks at the whole body that moves", "3.1.2, run",
      when(kMomentTooSmall).unless(kAlone).before({3, 1, 3})},

@@ -60,7 +60,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses an STL of more than 200000 triangles",
-     "MuJoCo stl_decoder.cc:70", when(kStl)},
+     "MuJoCo stl_decoder.cc:70; 4.0.0, run", when(kStl)},
 };
 
 }  // namespace

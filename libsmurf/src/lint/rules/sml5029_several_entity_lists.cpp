@@ -32,7 +32,7 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::loses, "reads `entities`, else `smurfa`, else `smurfs`",
      "Phobos core/multiple.py"},
     {&readers::pybullet, Effect::loses, "reads `smurfs`, else `entities`",
-     "Phobos scripts/smurfs_in_pybullet.py"},
+     "Phobos scripts/smurfs_in_pybullet.py, run"},
 };
 
 }  // namespace

@@ -35,8 +35,9 @@ void check(const LinkedScene& scene, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes, "reads milliseconds", "MARS SMURFLoader.cpp:471-473"},
-    {&readers::pybullet, Effect::takes, "reads seconds (the script of Phobos)",
-     "Phobos scripts/smurfs_in_pybullet.py"},
+    {&readers::pybullet, Effect::crashes,
+     "stops with a TypeError at `stepsize` (the script of Phobos)",
+     "Phobos scripts/smurfs_in_pybullet.py, run"},
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::refuses, "reads .smurfs only (the script of Phobos)",
      "Phobos scripts/smurfs_in_pybullet.py", when(kSmurfa)},
     {&readers::pybullet, Effect::takes, "reads scenes (the script of Phobos)",
-     "Phobos scripts/smurfs_in_pybullet.py"},
+     "Phobos scripts/smurfs_in_pybullet.py, run"},
 };
 
 }  // namespace

@@ -17,8 +17,8 @@ void check(const LinkedScene& scene, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mars2, Effect::changes, "places the entity in the world frame",
      "MarsSceneLoader.cpp"},
-    {&readers::pybullet, Effect::crashes, "stops with a KeyError",
-     "Phobos scripts/smurfs_in_pybullet.py:149-169"},
+    {&readers::pybullet, Effect::crashes, "stops with a TypeError",
+     "Phobos scripts/smurfs_in_pybullet.py:149-169, run"},
 };
 
 }  // namespace

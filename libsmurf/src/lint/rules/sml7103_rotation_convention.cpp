@@ -47,7 +47,7 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun, when(kYaw)},
     {&readers::phobos, Effect::changes, "reads radians", "Phobos utils/transform.py:9-48"},
     {&readers::pybullet, Effect::crashes, "stops with an exception",
-     "Phobos scripts/smurfs_in_pybullet.py:115-122", when(kQuaternion)},
+     "Phobos scripts/smurfs_in_pybullet.py:115-122, run", when(kQuaternion)},
 };
 
 }  // namespace

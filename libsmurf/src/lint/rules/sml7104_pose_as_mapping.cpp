@@ -20,7 +20,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars2, Effect::crashes, "ends with an uncaught exception", "MarsSceneLoader.cpp"},
     {&readers::phobos, Effect::takes, "writes and reads them", "Phobos, read"},
     {&readers::pybullet, Effect::crashes, "stops with an exception",
-     "Phobos scripts/smurfs_in_pybullet.py:115-122"},
+     "Phobos scripts/smurfs_in_pybullet.py:115-122, run"},
 };
 
 }  // namespace

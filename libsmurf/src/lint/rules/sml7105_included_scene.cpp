@@ -29,7 +29,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars2, Effect::loses, "loads only its .yml entities, and ignores the pose",
      "MarsSceneLoader.cpp:209, 249-298"},
     {&readers::pybullet, Effect::changes, "ignores the pose of the include",
-     "Phobos scripts/smurfs_in_pybullet.py:105-107", when(kPlaced)},
+     "Phobos scripts/smurfs_in_pybullet.py:105-107, run", when(kPlaced)},
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr Fact kFacts[] = {
      "MARS EntityFactoryManager.cpp:68-86"},
     {&readers::phobos, Effect::refuses, "stops with an assertion", "Phobos core/multiple.py"},
     {&readers::pybullet, Effect::crashes, "stops with a KeyError",
-     "Phobos scripts/smurfs_in_pybullet.py"},
+     "Phobos scripts/smurfs_in_pybullet.py, run"},
 };
 
 }  // namespace

@@ -18,8 +18,8 @@ void check(const LinkedScene& scene, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::takes, "reads milliseconds", "MARS SMURFLoader.cpp:471-473"},
-    {&readers::pybullet, Effect::changes, "reads seconds",
-     "Phobos scripts/smurfs_in_pybullet.py:92-96"},
+    {&readers::pybullet, Effect::crashes, "stops with a TypeError at `stepsize`",
+     "Phobos scripts/smurfs_in_pybullet.py:92-96, run"},
 };
 
 }  // namespace
