@@ -76,6 +76,18 @@ class BrokenMeshes(LintTest):
         self.assertRegex(self.expect(1, "--target", "mujoco", "r.urdf").stdout, "mujoco +fails to load")
 
 
+class XacroIncludes(LintTest):
+    def test_what_to_write_for_a_file_that_is_missing(self):
+        self.write("lamp/package.xml", "<package><name>lamp</name></package>")
+        self.write("lamp/parts.xacro", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"/>')
+        for include, help_text in (("$(find lamp)/Parts.xacro", "write `parts.xacro`: case matters"),
+                                   ("$(find lamp)/bulb.xacro", "add the file, or correct the path"),
+                                   ("bulb.xacro", "correct the path; it is relative to `lamp/r.urdf.xacro`")):
+            self.write("lamp/r.urdf.xacro", '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+                                            f'<xacro:include filename="{include}"/><link name="a"/></robot>')
+            self.assertIn(f"= help: {help_text}\n", self.expect(1, "lamp/r.urdf.xacro").stdout)
+
+
 class CalmReports(LintTest):
     """The report for people: the worst findings first, and not too many."""
 

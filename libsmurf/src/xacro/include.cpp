@@ -174,6 +174,23 @@ std::string Expander::readable_path(const std::string& written) {
   return path;
 }
 
+namespace {
+
+/// `is_absolute`: the path began with that of a package.
+std::string help_to_find(const FileReader& files, const std::string& path, bool is_absolute,
+                         std::string_view current) {
+  const std::string_view folder = path::parent(path);
+  const std::string name = path::to_lower(path::file_name(path));
+  for (const std::string& one : files.list(std::string(folder.empty() ? "." : folder))) {
+    const bool is_other = one != path::file_name(path);
+    if (is_other && path::to_lower(one) == name) return "write " + quoted(one) + ": case matters";
+  }
+  if (is_absolute) return "add the file, or correct the path";
+  return "correct the path; it is relative to " + quoted(current);
+}
+
+}  // namespace
+
 Expander::File* Expander::open(const std::string& written, Span reference) {
   const std::string path = readable_path(written);
   if (++files_read_ > context_.limits.xacro_files) {
@@ -189,7 +206,7 @@ Expander::File* Expander::open(const std::string& written, Span reference) {
   if (content.status != ReadStatus::ok) {
     evaluator_.fail(rules::sml3310_xacro_missing_file,
                     "cannot read `" + path + "`: " + content.reason,
-                    "correct the path; it is relative to " + quoted(current_path()));
+                    help_to_find(context_.files, path, path::is_absolute(written), current_path()));
     evaluator_.failure().span = reference;
     evaluator_.failure().is_missing_file = content.status == ReadStatus::not_found;
     if (evaluator_.failure().is_missing_file) evaluator_.failure().missing = path;
