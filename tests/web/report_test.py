@@ -127,7 +127,7 @@ class ContentTest(ReportTest):
                  "Object.defineProperty(navigator, 'clipboard', {value: {writeText: async (text) => { window.copied = text; }}})",
                  f"{CARDS}[0].querySelector('.copy').click()", "window.copied", f"{CARDS}[0].querySelector('.copy').textContent"]
         results = self.browse({"page": page, "steps": steps})[0]["results"]
-        self.assertIn("principal moments 130, 6.7e+03, 6.7e+03 become 0.000133, 0.00673, 0.00673: its shapes", results[0])
+        self.assertIn("principal moments 130, 6700, 6700 become 0.000133, 0.00673, 0.00673: its shapes", results[0])
         self.assertIn('iyy="0.006733333"', results[1])
         self.assertEqual(results[4:], ["smurf-lint --fix-inertia 'i.urdf'", "Copied"])
 
