@@ -272,7 +272,7 @@ ROWS = [
     ("moveit_controllers: joints of no group", "moveit", "  arm:\n", "  eye:\n    action_ns: turn\n    type: FollowJointTrajectory\n    joints: [mount]\n  arm:\n", "SML3805", "no group of the SRDF"),
     ("moveit_controllers: names are no list", "moveit", "controller_names: [arm]", "controller_names: arm", "SML3804", ""),
     ("moveit_controllers: no section", "moveit", "controller_names: [arm]", "controller_names: [arm, amr]", "SML3804", "no section"),
-    ("moveit_controllers: no action_ns", "moveit", "    action_ns: follow_joint_trajectory\n", "    # action_ns:\n", "SML3804", "no `action_ns`"),
+    ("moveit_controllers: no action_ns", "moveit", "    action_ns: follow_joint_trajectory\n", "", "SML3804", "no `action_ns`"),
     ("moveit_controllers: no type", "moveit", "    type: FollowJointTrajectory\n", "", "SML3804", "type"),
     ("moveit_controllers: unknown type", "moveit", "type: FollowJointTrajectory", "type: FollowJointTrajectories", "SML3804", "unknown type"),
     ("moveit_controllers: no joints", "moveit", "    joints: [shoulder]\n", "", "SML3804", "no list `joints`"),

@@ -249,7 +249,7 @@ arm:
             self.assertEqual(self.companion("ros_controllers.yaml"), text)
 
     def test_controllers_of_moveit_without_a_manager_are_renamed(self):
-        text = textwrap.dedent(MOVEIT[MOVEIT.index("\n") + 1:])
+        text = textwrap.dedent(MOVEIT[MOVEIT.index("\n") + 1:]) + "# controller_manager:\n#   ros__parameters:\n"
         self.write("lamp_moveit_config/config/moveit_controllers.yaml", text)
         self.expect(0, "--rename", "joint:shoulder=hinge", ".")
         self.assertEqual(self.companion("moveit_controllers.yaml"), text.replace("shoulder", "hinge"))

@@ -10,8 +10,15 @@
 namespace smurf {
 namespace {
 
+/// Whether a text has a part outside of comments.
 bool holds(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
+  for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at)) {
+    const std::size_t line = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+    if (text.substr(line, at - line).find('#') == std::string_view::npos) return true;
+    at = text.find('\n', at);
+    if (at == std::string_view::npos) break;
+  }
+  return false;
 }
 
 bool is_srdf(std::string_view name, std::string_view) { return is_companion_path(name); }
@@ -35,7 +42,9 @@ bool is_moveit_controllers(std::string_view, std::string_view text) {
   // In ROS 1, controllers are in a list, those of the simulation also without an action.
   const bool has_manager =
       holds(text, "controller_names:") || holds(text, "moveit_simple_controller_manager:");
-  return (has_manager && holds(text, "action_ns:")) ||
+  const bool has_controllers =
+      holds(text, "action_ns:") || (holds(text, "type:") && holds(text, "joints:"));
+  return (has_manager && has_controllers) ||
          (holds(text, "controller_list:") && holds(text, "joints:")) ||
          (holds(text, "/JointTrajectoryController") && holds(text, "joints:") &&
           !holds(text, "ros__parameters:"));
