@@ -34,7 +34,7 @@ OF_DRAKE = {"drake elements": "Drake"}  # the second word is for the reader of t
 COUNTS = ("all-clears", "alarms", "not-known", "others")
 # Upper limits, which should only become smaller. For ros, 18 of those not known name a package that only a machine
 # with ROS may have.
-BOUNDS = {"ros": (0, 2, 26, 53), "ros:jazzy": (0, 1, 26, 53), "ros:rolling": (0, 1, 22, 53), "gazebo": (0, 9, 10, 43),
+BOUNDS = {"ros": (0, 2, 26, 53), "ros:jazzy": (0, 1, 26, 53), "ros:rolling": (0, 1, 22, 53), "gazebo": (0, 5, 10, 43),
           "dart": (0, 2, 8, 12), "dart:6.20": (0, 1, 8, 12), "mujoco": (0, 1, 4, 9), "mujoco:2.3": (1, 1, 4, 13), "mujoco:3.1": (1, 1, 4, 17),
           "mujoco:3.3": (0, 1, 4, 17), "mujoco:4.0": (0, 1, 4, 9), "pybullet": (1, 5, 7, 35), "drake": (3, 1, 7, 12), "drake elements": (6, 1, 0, 23),
           "pinocchio": (1, 5, 4, 30), "newton": (0, 13, 0, 16), "isaac": (6, 2, 0, 42)}

@@ -7,11 +7,12 @@
 namespace smurf::rules::sml1212_floating_not_at_root_file {
 namespace {
 
+constexpr Circumstance kUnreached{"no root reaches it"};
 constexpr Circumstance kFixedToRoot{"fixed to root"};
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
-  std::vector<bool> fixed;  // by link; computed when it is needed
+  std::vector<bool> fixed, reached;  // by link; computed when they are needed
   for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
     const urdf::Joint& joint = model.robot->joints[i];
     const auto parent = model.tree.joint_parent[i];
@@ -22,6 +23,11 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(joint.type_name.span, title(joint) + " is floating, but " +
                                                   title(model.link(*parent)) + " is not the root");
     diagnostic.label(name_place(model, model.joint(*above)), "leads to the parent");
+    if (reached.empty()) {
+      reached.resize(model.robot->links.size());
+      for (const LinkIndex link : model.tree.order) reached[to_size(link)] = true;
+    }
+    if (!reached[to_size(*parent)]) diagnostic.when(kUnreached);
     if (fixed.empty()) fixed = fixed_to_root(model);
     if (fixed[to_size(*parent)] && fuses_fixed_links(model)) {
       diagnostic.when(kFixedToRoot);
@@ -33,6 +39,7 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::takes, "makes a joint of six degrees of freedom", kRun},
     {&readers::mars, Effect::changes, "makes the joint fixed", "MARS smurf.cpp:918-921"},
     {&readers::pybullet, Effect::changes, "makes the joint fixed", kRun},
+    {&readers::gazebo, Effect::takes, "leaves out what no root reaches", kRun, when(kUnreached)},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
     {&readers::mujoco, Effect::takes, "makes one body of the root and what is fixed to it", kRun,
      when(kFixedToRoot)},

@@ -6,10 +6,12 @@
 namespace smurf::rules::sml1213_floating_or_planar_file {
 namespace {
 
+constexpr Circumstance kUnreached{"no root reaches it"};
 constexpr Circumstance kOneDamping{"one damping for three"};
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
+  std::vector<bool> reached;  // by link; computed when it is needed
   for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
     const urdf::Joint& joint = model.robot->joints[i];
     const bool is_floating = joint.type == urdf::JointType::floating;
@@ -23,6 +25,11 @@ void check(const LinkedModel& model, Findings& findings) {
                     title(joint) + " is " + *joint.type_name + ", which few readers can move")
             .note(std::string(is_floating ? "MARS and Bullet make" : "MARS makes") +
                   " the joint fixed; Gazebo cannot build the model");
+    if (reached.empty()) {
+      reached.resize(model.robot->links.size());
+      for (const LinkIndex link : model.tree.order) reached[to_size(link)] = true;
+    }
+    if (parent && !reached[to_size(*parent)]) diagnostic.when(kUnreached);
     if (!is_floating && joint.dynamics && joint.dynamics->damping.written) {
       diagnostic.when(kOneDamping);
     }
@@ -33,6 +40,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes, "makes the joint fixed", "MARS smurf.cpp:918-921"},
     {&readers::pybullet, Effect::takes, "makes a planar joint", kRun, when(kInPlanar)},
     {&readers::pybullet, Effect::changes, "makes the joint fixed", kRun},
+    {&readers::gazebo, Effect::takes, "leaves out what no root reaches", kRun, when(kUnreached)},
     {&readers::gazebo, Effect::refuses, "cannot build the model", kRun},
     {&readers::drake, Effect::refuses,
      "needs three dampings in a planar joint, and refuses the file", kRun, when(kOneDamping)},
