@@ -68,9 +68,11 @@ class CliTest(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
 
     def enter_workspace(self):
-        """Moves the current folder down: packages are also looked for in the folders beside it, where other tests have theirs."""
+        """Moves the current folder down into a repository of its own: packages are also looked for in the folders beside it,
+        and names in the whole repository, where other tests have theirs.
+        """
         self.folder = self.folder / "workspace/src"
-        self.folder.mkdir(parents=True)
+        (self.folder / ".git").mkdir(parents=True)
 
     def leave_repository(self):
         """Moves the current folder out of the build folder, into a place without a repository or package around it."""

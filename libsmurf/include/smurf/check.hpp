@@ -61,6 +61,7 @@ struct CheckSettings {
   std::function<bool()> is_cancelled;
 };
 
+/// The lowest severity that fails a check.
 struct FailOn {
   std::optional<Severity> least;  ///< none: never
 };
