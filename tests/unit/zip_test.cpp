@@ -91,12 +91,12 @@ TEST_CASE("sizes may be behind a file") {
 
 TEST_CASE("a file ends in one place") {
   const std::string sound = zip_with_sizes_behind("some text", "PK\x07\x08");
-  for (const std::size_t behind : {4, 8, 12}) {  // checksum and sizes
+  for (const std::size_t behind : {4U, 8U, 12U}) {  // checksum and sizes
     std::string other = sound;
     other[other.find("PK\x07\x08") + behind] ^= 1;
     CHECK(read_zip(other, at_most(100)).reason == "is a broken zip archive");
   }
-  for (const std::size_t in_header : {14, 18, 22}) {  // neither 0 nor the sizes behind
+  for (const std::size_t in_header : {14U, 18U, 22U}) {  // neither 0 nor the sizes behind
     std::string other = sound;
     other[in_header] ^= 1;
     CHECK(read_zip(other, at_most(100)).reason ==
