@@ -11,6 +11,7 @@
 #include "render/frame.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"
+#include "render/wrap.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf {

@@ -3,9 +3,9 @@
 // selects one of them.
 #include <string_view>
 
-#define TOOL(name, function) int function(int argc, char** argv);
+#define SMURF_TOOL(name, function) int function(int argc, char** argv);
 #include SMURF_TOOLS
-#undef TOOL
+#undef SMURF_TOOL
 
 namespace {
 
@@ -15,9 +15,9 @@ struct Tool {
 };
 
 constexpr Tool kTools[] = {
-#define TOOL(name, function) {name, function},
+#define SMURF_TOOL(name, function) {name, function},
 #include SMURF_TOOLS
-#undef TOOL
+#undef SMURF_TOOL
 };
 
 }  // namespace
