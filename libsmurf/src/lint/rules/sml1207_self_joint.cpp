@@ -19,7 +19,8 @@ constexpr Circumstance kOnlyRoot{"only root"};
 /// link to itself.
 class Tree {
  public:
-  explicit Tree(const LinkedModel& model) : roots_(model.tree.roots.size()) {
+  explicit Tree(const LinkedModel& model)
+      : roots_(model.tree.roots.size()), has_root_with_joints_(smurf::has_root_with_joints(model)) {
     for (const LinkIndex root : model.tree.roots) ++roots_by_name_[view(model.link(root).name)];
     for (const urdf::Joint& joint : model.robot->joints) {
       if (view(joint.child) != view(joint.parent)) reached_.insert(view(joint.child));
@@ -29,6 +30,7 @@ class Tree {
   /// Whether there are several roots without the link. Readers do not treat it as one, because a
   /// joint leads to it.
   bool has_other_roots(std::string_view link) const { return roots_ - roots_named(link) > 1; }
+  bool has_root_with_joints() const { return has_root_with_joints_; }
   bool is_only_root(std::string_view link) const { return roots_ == 1 && roots_named(link) == 1; }
   /// Whether no other joint leads to the link. Readers that start at the root do not find it then.
   bool is_apart(std::string_view link) const { return roots_ > 0 && !reached_.contains(link); }
@@ -43,6 +45,7 @@ class Tree {
   }
 
   std::size_t roots_;
+  bool has_root_with_joints_;
   std::unordered_map<std::string_view, std::size_t> roots_by_name_;
   std::unordered_set<std::string_view> reached_;
 };
@@ -59,7 +62,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!tree) tree.emplace(model);
     if (tree->is_apart(*joint.child)) diagnostic.when(kApart);
     if (tree->is_only_root(*joint.child)) diagnostic.when(kOnlyRoot);
-    if (!has_root_with_joints(model)) diagnostic.when(kRootless);
+    if (!tree->has_root_with_joints()) diagnostic.when(kRootless);
     // The link that it should lead to is a root then, which is not reported for itself.
     if (tree->has_other_roots(*joint.child)) {
       diagnostic.consequences.push_back(&rules::sml1204_several_roots);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <optional>
 
 #include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
@@ -15,7 +16,8 @@ std::size_t parent_of(const LinkedModel& model, std::size_t link) {
 }
 
 /// At the joint that comes last in the file, which most likely closes the ring.
-void report(const LinkedModel& model, const std::vector<std::size_t>& ring, Findings& findings) {
+Diagnostic& report(const LinkedModel& model, const std::vector<std::size_t>& ring,
+                   Findings& findings) {
   std::vector<std::size_t> joints;
   for (const std::size_t link : ring) joints.push_back(to_size(*model.tree.parent_joint[link]));
   std::sort(joints.begin(), joints.end());
@@ -24,17 +26,18 @@ void report(const LinkedModel& model, const std::vector<std::size_t>& ring, Find
       findings.report(model.joint(closing).child.span,
                       title(model.joint(closing)) + " closes a ring of " +
                           std::to_string(ring.size()) + " links that no root link reaches");
-  if (!has_root_with_joints(model)) diagnostic.when(kRootless);
   constexpr std::size_t kShown = 5;
   joints.pop_back();
   for (std::size_t i = 0; i < std::min(joints.size(), kShown); ++i) {
     diagnostic.label(model.robot->joints[joints[i]].child.span, "part of the ring");
   }
+  return diagnostic;
 }
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.tree.roots.empty()) return;
   std::vector<bool> is_done(model.robot->links.size(), false);
+  std::optional<bool> is_rooted;  // computed when it is needed
   for (const LinkIndex link : model.tree.order) is_done[to_size(link)] = true;
   for (std::size_t i = 0; i < is_done.size(); ++i) {
     // Goes up until a link repeats: the links before it hang below the ring.
@@ -45,7 +48,10 @@ void check(const LinkedModel& model, Findings& findings) {
       path.push_back(at);
     }
     const auto ring = std::find(path.begin(), path.end(), at);
-    if (ring != path.end()) report(model, {ring, path.end()}, findings);
+    if (ring == path.end()) continue;
+    Diagnostic& diagnostic = report(model, {ring, path.end()}, findings);
+    if (!is_rooted) is_rooted = has_root_with_joints(model);
+    if (!*is_rooted) diagnostic.when(kRootless);
   }
 }
 
