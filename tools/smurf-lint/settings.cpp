@@ -24,7 +24,7 @@ CheckSettings check_settings(const LintOptions& options) {
 RunSettings merge_run(const ReportSettings& report, const LintOptions& options) {
   RunSettings settings{options.reports, options.threshold, report.baseline};
   if (settings.reports.empty()) {
-    for (const std::string& report : report.formats) append_report(settings.reports)(report);
+    for (const std::string& format : report.formats) append_report(settings.reports)(format);
   }
   if (settings.reports.empty()) settings.reports.push_back({find_report_format("auto"), {}});
   if (!options.has_fail_on && report.fail_on) settings.threshold.fail_on = report.fail_on->least;

@@ -12,8 +12,8 @@
 
 namespace smurf {
 
-/// The joints that lead to a link to which an earlier one leads. A link whose name is there twice
-/// has one joint for each of them, and its name is reported.
+/// The joints whose child already has a parent, by an earlier joint. Links of one name are left
+/// out: the name is reported, and each of the joints may be meant for another link.
 inline std::vector<std::size_t> second_parents(const LinkedModel& model) {
   std::set<std::string_view> names, repeated;
   for (const urdf::Link& link : model.robot->links) {

@@ -296,6 +296,12 @@ std::vector<bool> near_zero_together(const LinkedModel& model) {
   return result;
 }
 
+std::vector<bool> reached_links(const LinkedModel& model) {
+  std::vector<bool> reached(model.robot->links.size());
+  for (const LinkIndex link : model.tree.order) reached[to_size(link)] = true;
+  return reached;
+}
+
 bool has_root_with_joints(const LinkedModel& model) {
   std::unordered_set<std::string_view> children;
   const auto& joints = model.robot->joints;

@@ -69,8 +69,11 @@ inline constexpr Fact kGazeboAddsZeros{
     "negative",
     kRun, when(kUncertain)};
 
-/// Whether a link that is the child of no joint is the parent of one. A joint between a link and
-/// itself makes it a child.
+/// Whether a joint begins at a link to which no joint leads. A joint between a link and itself
+/// leads to the link.
 bool has_root_with_joints(const LinkedModel& model);
+
+/// By link: whether joints lead to it from a root. Rings that no root reaches are left out.
+std::vector<bool> reached_links(const LinkedModel& model);
 
 }  // namespace smurf

@@ -36,9 +36,8 @@ Diagnostic& report(const LinkedModel& model, const std::vector<std::size_t>& rin
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.tree.roots.empty()) return;
-  std::vector<bool> is_done(model.robot->links.size(), false);
+  std::vector<bool> is_done = reached_links(model);
   std::optional<bool> is_rooted;  // computed when it is needed
-  for (const LinkIndex link : model.tree.order) is_done[to_size(link)] = true;
   for (std::size_t i = 0; i < is_done.size(); ++i) {
     // Goes up until a link repeats: the links before it hang below the ring.
     std::vector<std::size_t> path;

@@ -23,10 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(joint.type_name.span, title(joint) + " is floating, but " +
                                                   title(model.link(*parent)) + " is not the root");
     diagnostic.label(name_place(model, model.joint(*above)), "leads to the parent");
-    if (reached.empty()) {
-      reached.resize(model.robot->links.size());
-      for (const LinkIndex link : model.tree.order) reached[to_size(link)] = true;
-    }
+    if (reached.empty()) reached = reached_links(model);
     if (!reached[to_size(*parent)]) diagnostic.when(kUnreached);
     if (fixed.empty()) fixed = fixed_to_root(model);
     if (fixed[to_size(*parent)] && fuses_fixed_links(model)) {

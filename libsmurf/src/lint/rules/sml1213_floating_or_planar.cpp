@@ -2,6 +2,7 @@
 #include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1213_floating_or_planar_file {
 namespace {
@@ -25,10 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
                     title(joint) + " is " + *joint.type_name + ", which few readers can move")
             .note(std::string(is_floating ? "MARS and Bullet make" : "MARS makes") +
                   " the joint fixed; Gazebo cannot build the model");
-    if (reached.empty()) {
-      reached.resize(model.robot->links.size());
-      for (const LinkIndex link : model.tree.order) reached[to_size(link)] = true;
-    }
+    if (reached.empty()) reached = reached_links(model);
     if (parent && !reached[to_size(*parent)]) diagnostic.when(kUnreached);
     if (!is_floating && joint.dynamics && joint.dynamics->damping.written) {
       diagnostic.when(kOneDamping);
