@@ -231,8 +231,8 @@ export class Host {
       this.#data.setBigUint64(to, BigInt(Date.now()) * 1000000n, true),
     fd_read: (fd, list, count, done) =>
       this.#transfer(list, count, done, null, (bytes, at) => this.files.read(fd, bytes, at)),
-    fd_pread: (fd, list, count, low, high, done) =>
-      this.#transfer(list, count, done, low + high * 2 ** 32, (bytes, at) => this.files.read(fd, bytes, at)),
+    fd_pread: (fd, list, count, position, done) =>
+      this.#transfer(list, count, done, Number(position), (bytes, at) => this.files.read(fd, bytes, at)),
     fd_write: (fd, list, count, done) =>
       this.#transfer(list, count, done, null, (bytes, at) => this.files.write(fd, bytes, at)),
     fd_close: (fd) => {
