@@ -175,8 +175,8 @@ void confine_to_projects(ConfinedFiles& files, std::span<const std::string> inpu
 }
 
 bool is_shared_folder(const std::string& path) {
-  const auto folder = canonical_now(path);
-  return folder && places::is_folder(*folder) && is_shared(*folder);
+  const auto folder = places::is_folder(path) ? canonical_now(path) : std::nullopt;
+  return folder && is_shared(*folder);
 }
 
 }  // namespace smurf

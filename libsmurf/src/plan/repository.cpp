@@ -68,10 +68,12 @@ RepositoryPath in_repository() {
 }
 
 FollowedPath follow(const std::string& path) {
+  const std::string whole = places::absolute(path);
+  // Where no name on the way is a link, which is one question, the parts need not be looked at.
+  if (canonical_now(path) == whole) return {{}, whole};
   Repositories repositories;
   std::string at;  // without links
   OpenFolder open("/");
-  const std::string whole = places::absolute(path);
   for (std::size_t begin = 0; begin < whole.size();) {
     const std::size_t end = std::min(whole.find('/', begin), whole.size());
     const std::string part = whole.substr(begin, end - begin);

@@ -127,10 +127,8 @@ void InputFiles::note(const std::string& path) const {
 }
 
 void InputFiles::add(const std::string& path) const {
-  sys::Status status{};
-  if (sys::stat(path.c_str(), &status) != 0) return;
   const std::lock_guard lock(mutex_);
-  known_.insert({status.st_dev, status.st_ino});
+  read_.insert(path);
 }
 
 bool InputFiles::contains(const std::string& path) const {
@@ -139,6 +137,11 @@ bool InputFiles::contains(const std::string& path) const {
   // It decides which files a model may name.
   if (path::file_name(places::canonical(path).value_or(path)) == "package.xml") return true;
   const std::lock_guard lock(mutex_);
+  for (const std::string& one : read_) {  // most runs have no output that exists
+    sys::Status found{};
+    if (sys::stat(one.c_str(), &found) == 0) known_.insert({found.st_dev, found.st_ino});
+  }
+  read_.clear();
   return known_.contains({status.st_dev, status.st_ino});
 }
 

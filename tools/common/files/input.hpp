@@ -63,6 +63,7 @@ class InputFiles final : public FileReader {
 
   const FileReader& behind_;
   mutable std::mutex mutex_;
+  mutable std::set<std::string> read_;  ///< whose identities are not known yet
   mutable std::set<Identity> known_;
   mutable std::set<std::string> asked_;
 };

@@ -21,6 +21,11 @@ std::string inside(const std::string& folder, std::string_view name) {
   return (folder == "/" ? folder : folder + "/") + std::string(name);
 }
 
+std::optional<std::string> here() {
+  auto place = canonical_now(".");
+  return place ? place : places::whole(".");
+}
+
 }  // namespace
 
 std::optional<std::string> CanonicalPaths::known(std::string_view path) const {
@@ -61,7 +66,7 @@ std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) co
     start = path::parent(start);
     at = known(start);
   }
-  if (!at) at = start == "/" ? std::optional(root_of(path)) : places::whole(".");
+  if (!at) at = start == "/" ? std::optional(root_of(path)) : here();
   if (!at) return std::nullopt;
   if (start.empty()) remember("", *at);
   int links = 0;
@@ -104,8 +109,8 @@ std::optional<std::string> CanonicalPaths::walk(std::string at, OpenFolder& fold
       continue;
     }
     at = next;
-    if (name == ".." && !folder.is_open()) {
-      folder.open(at);
+    if (name == "..") {
+      folder.enter_above(at);
     } else {
       folder.enter(name);
     }

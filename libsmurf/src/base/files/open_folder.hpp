@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An open folder: looks up its entries without the path to it, which may be thousands of folders
-// long.
+// A folder whose entries are looked up by short paths, although the path to it may be thousands of
+// folders long.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,20 @@
 
 namespace smurf {
 
+/// Opens a folder only where the path from the last opened one gets long: most need no call at all.
 class OpenFolder {
  public:
   explicit OpenFolder(const std::string& path) { open(path); }
-  ~OpenFolder() { become(-1); }
+  ~OpenFolder() { close(); }
   OpenFolder(const OpenFolder&) = delete;
   OpenFolder& operator=(const OpenFolder&) = delete;
 
   void open(const std::string& path);
-  /// Opens a subfolder that is not a link, or "..", when something in it is asked for. A missing
-  /// subfolder counts as empty.
+  /// Goes to a subfolder that is not a link. A missing subfolder counts as empty.
   void enter(const std::string& name);
-  /// Opens the parent of this folder; `above` is the path of the parent. This folder need not
+  /// Goes to the parent of this folder; `above` is the path of the parent. This folder need not
   /// exist: an editor may name a new folder in a project.
   void enter_above(const std::string& above);
-  bool is_open() const;
 
   /// Whether there is an entry of this name, even a link without a target: a checkout must not
   /// learn what is outside of it.
@@ -34,10 +33,14 @@ class OpenFolder {
   std::optional<std::string> target_of(const std::string& name) const;
 
  private:
-  void become(int number) const;
+  void close();
+  /// Opens the folder.
+  void settle();
+  std::string path_of(std::string_view name) const;
 
-  mutable int number_ = -1;
-  mutable std::string entered_;  ///< the subfolder that is to be opened; empty: none
+  int number_ = -1;   ///< an open folder; negative: none
+  std::string rest_;  ///< the path from there, or from the current folder if none is open
+  bool is_missing_ = false;
 };
 
 }  // namespace smurf

@@ -5,12 +5,14 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <system_error>
 
+#include "base/files/path.hpp"
 #include "base/files/system.hpp"
 
 namespace smurf::sys {
@@ -34,10 +36,11 @@ std::optional<std::string> real_path(const std::string& path) {
 }
 
 std::optional<std::string> place_of(int number) {
-  std::error_code error;
-  const std::filesystem::path place =
-      std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(number), error);
-  return error ? std::nullopt : std::optional(place.string());
+  const std::string link = "/proc/self/fd/" + std::to_string(number);
+  std::array<char, path::kLongest> place;
+  const ssize_t size = ::readlink(link.c_str(), place.data(), place.size());
+  if (size < 0) return std::nullopt;
+  return std::string(place.data(), static_cast<std::size_t>(size));
 }
 
 int adopt_owner(int number, const Status& other) {
