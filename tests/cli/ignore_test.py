@@ -90,7 +90,7 @@ class Files(IgnoreTest):
     def test_nothing_left(self):
         self.write(".smurf-lintignore", "*.urdf\n")
         done = self.expect(2, "robots")
-        self.assertEqual(done.stderr, "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf file in 'robots' (2 left out)\n")
+        self.assertEqual(done.stderr, "smurf-lint: no .smurf, .smurfs, .smurfa, .urdf or .xacro file in 'robots' (2 left out)\n")
 
 
 @unittest.skipUnless(shutil.which("git"), "git is not installed")

@@ -477,7 +477,7 @@ class Refusal(ExportTest):
         self.expect_complaint("'both' contains 2 files to choose from; name one, such as "
                               "'both/left/smurf/arm.smurf'", "both")
         self.write("none/notes.txt", "")
-        self.expect_complaint("no .smurf, .smurfs, .smurfa or .urdf file in 'none'", "none")
+        self.expect_complaint("no .smurf, .smurfs, .smurfa, .urdf or .xacro file in 'none'", "none")
 
 
 class Told(ExportTest):

@@ -1186,9 +1186,9 @@ class Inputs(LintTest):
     def test_nothing_to_check(self):
         self.write("notes/readme.txt", "")
         done = self.expect(2, "notes")
-        self.assertEqual(done.stderr, "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf file in "
+        self.assertEqual(done.stderr, "smurf-lint: no .smurf, .smurfs, .smurfa, .urdf or .xacro file in "
                                       "'notes'\n")
-        self.assertEqual(self.expect(2).stderr, "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf "
+        self.assertEqual(self.expect(2).stderr, "smurf-lint: no .smurf, .smurfs, .smurfa, .urdf or .xacro "
                                                 "file in '.'\n")
 
     def test_xacro_roots_of_a_folder(self):
@@ -1294,7 +1294,7 @@ class Inputs(LintTest):
             (self.folder / "links/robot").unlink(missing_ok=True)
             (self.folder / "links/robot").symlink_to(target)
             self.assertEqual(self.expect(2, "links").stderr,
-                             "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf file in 'links'; symbolic links that lead out "
+                             "smurf-lint: no .smurf, .smurfs, .smurfa, .urdf or .xacro file in 'links'; symbolic links that lead out "
                              "of the folder are not followed: name what to check there\n")
 
     def test_links_that_lead_out_are_counted(self):

@@ -37,7 +37,7 @@ def test_folders(paths):
 
 
 def test_folders_without_robots(tmp_path, capfd):
-    with pytest.raises(smurf.Error, match="no .smurf, .smurfs, .smurfa or .urdf file in"):
+    with pytest.raises(smurf.Error, match="no .smurf, .smurfs, .smurfa, .urdf or .xacro file in"):
         smurf.check(tmp_path)
     with pytest.raises(smurf.Error, match="No such file"):
         smurf.check([MODELS, tmp_path / "nothing"])

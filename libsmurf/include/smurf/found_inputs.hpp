@@ -31,7 +31,8 @@ using LeftOut = std::function<bool(const std::string& path, bool is_folder)>;
 FoundInputs find_inputs(const std::string& folder, const Limits& limits,
                         const LeftOut& is_left_out = nullptr);
 
-/// "no .smurf, .smurfs, .smurfa or .urdf file in 'robots' (2 left out)", and a note on others.
+/// "no .smurf, .smurfs, .smurfa, .urdf or .xacro file in 'robots' (2 left out)",
+/// and a note on others.
 std::string why_nothing(const FoundInputs& found, const std::string& folder);
 
 }  // namespace smurf

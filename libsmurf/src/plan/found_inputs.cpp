@@ -155,7 +155,9 @@ FoundInputs find_inputs(const std::string& folder, const Limits& limits,
 }
 
 std::string why_nothing(const FoundInputs& found, const std::string& folder) {
-  std::string text = "no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'";
+  const std::string_view last = found.xacro.empty() ? ", .urdf or .xacro" : " or .urdf";
+  std::string text =
+      "no .smurf, .smurfs, .smurfa" + std::string(last) + " file in '" + folder + "'";
   if (found.left_out > 0) text += " (" + std::to_string(found.left_out) + " left out)";
   if (!found.xacro.empty()) {
     text += ", only xacro files: name the one of a robot, with its arguments as NAME:=VALUE";
