@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "base/files/error_text.hpp"
+
 using namespace smurf;
 
 TEST_CASE("path: parts") {
@@ -104,4 +106,10 @@ TEST_CASE("path: names that no system opens are left alone") {
   CHECK(path::join("f", name) == "f/" + name);
   CHECK(path::relative(name, "f") == name);
   CHECK(path::normalize(name.substr(0, 3000)).size() < 3000);
+}
+
+TEST_CASE("reasons of the system have the words of Linux") {
+  for (int error = 1; error < 134; ++error) {
+    CHECK(error_text(error) == std::generic_category().message(error));
+  }
 }

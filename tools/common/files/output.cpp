@@ -7,9 +7,9 @@
 #include <climits>
 #include <cstdlib>
 #include <optional>
-#include <system_error>
 #include <thread>
 
+#include "base/files/error_text.hpp"
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/files/system.hpp"
@@ -50,7 +50,7 @@ int write_directly(const std::string& path, std::string_view text) {
 
 std::string reason_of(int error) {
   if (error == ENXIO) return "it is a pipe that nobody reads";
-  return std::generic_category().message(error);
+  return error_text(error);
 }
 
 bool is_device_or_pipe(const std::string& path) {

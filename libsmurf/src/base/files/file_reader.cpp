@@ -8,9 +8,9 @@
 #include <optional>
 #include <set>
 #include <string_view>
-#include <system_error>
 
 #include "base/files/canonical_paths.hpp"
+#include "base/files/error_text.hpp"
 #include "base/files/found_file.hpp"
 #include "base/files/path.hpp"
 #include "base/files/system.hpp"
@@ -20,9 +20,7 @@ namespace {
 
 FileContent failure(int error) {
   const bool is_missing = error == ENOENT || error == ENOTDIR;
-  return {is_missing ? ReadStatus::not_found : ReadStatus::denied,
-          {},
-          std::generic_category().message(error)};
+  return {is_missing ? ReadStatus::not_found : ReadStatus::denied, {}, error_text(error)};
 }
 
 FileContent outside() {
