@@ -115,12 +115,25 @@ void check_directions(xml::View joint, Findings& findings) {
   }
 }
 
+double arc_length(xml::View curve) {
+  if (curve.name() == "drake:line_segment") return number_in(curve, "length").value_or(1);
+  return number_in(curve, "radius").value_or(1) * std::abs(number_in(curve, "angle").value_or(1));
+}
+
 void check_curves(xml::View curves, Findings& findings) {
   std::size_t count = 0;
+  double end = 0;  // m along the curves
   for (const xml::View curve : curves) {
     ++count;
+    const double start = end, length = arc_length(curve);
+    end += length;
+    // PiecewiseTrajectory::kEpsilonTime
+    constexpr double kShortest = std::numeric_limits<double>::epsilon();
     if (number_in(curve, "angle") == 0.0) {
       findings.report(place_of(curve, "angle"), "the angle of an arc must not be 0");
+    } else if (length > 0 && end - start < kShortest) {
+      findings.report(curve.name_span(), "this curve is too short: its end is its start")
+          .when(kTooShort);
     }
     if (curve.name() == "drake:line_segment" || curve.name() == "drake:circular_arc") continue;
     findings.report(curve.name_span(), quoted(curve.name()) + " is not a curve for Drake")

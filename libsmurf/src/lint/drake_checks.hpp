@@ -9,6 +9,7 @@ namespace smurf::drake {
 
 /// Elements that Drake ignores while it loads the file.
 inline constexpr Circumstance kUnread{"unread"};
+inline constexpr Circumstance kTooShort{"too short"};
 
 /// Reports faults that the table of Drake's language does not cover.
 void check_meaning(xml::View element, const Names& names, Findings& findings);

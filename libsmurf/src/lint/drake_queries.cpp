@@ -63,7 +63,7 @@ Names::Names(const LinkedModel& model) : model_(model) {
       if (element.name() == "link") ignored_.insert(name);
       continue;
     }
-    if (element.name() == "drake:joint") joints_.add(name, element);
+    if (element.name() == "drake:joint" && !has_empty_part(element)) joints_.add(name, element);
     // Drake makes no joint of a floating joint.
     const bool is_joint = element.name() == "joint" && value_of(element, "type") != "floating";
     if (is_joint) joints_.add(name, element);

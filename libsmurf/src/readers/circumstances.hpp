@@ -25,6 +25,8 @@ inline constexpr Circumstance kOfWorld{"of the world"};
 inline constexpr Circumstance kCarried{"carried"};  ///< fixed to another link, or to the world
 inline constexpr Circumstance kStill{"still"};      ///< nothing moves it
 inline constexpr Circumstance kAlone{"alone"};      ///< the only inertial of a moving body
+// MuJoCo: in a link that is part of a moving body without mass and collisions.
+inline constexpr Circumstance kMasslessBody{"massless body"};
 // MuJoCo: where the file tells it to.
 inline constexpr Circumstance kVisualsKept{"visuals kept"};
 inline constexpr Circumstance kBalanced{"balanced"};
@@ -39,11 +41,19 @@ inline constexpr Fact kMujocoLooksBeside{
 // Gazebo: in joints and links that it drops, and on names of links that it drops or merges.
 inline constexpr Circumstance kDroppedByGazebo{"dropped by Gazebo"};
 
+// Gazebo, Newton: in joints that no root reaches.
+inline constexpr Circumstance kUnreached{"no root reaches it"};
+// Newton: everywhere, where joints name links that are missing.
+inline constexpr Circumstance kMissed{"a joint misses a link"};
+
 // The case of SML1512, which MuJoCo refuses also where it does not use the inertia.
 inline constexpr Circumstance kNotPositiveDefinite{"not positive definite"};
 
 // Newton, Isaac, PyBullet: in SML1207 and SML1208, no link with joints is a root.
 inline constexpr Circumstance kRootless{"no root has joints"};
+
+// Isaac: on attributes that it cannot keep, wherever they stand.
+inline constexpr Circumstance kPrefixed{"prefixed"};
 
 // Drake: in elements that the author lets it ignore.
 inline constexpr Circumstance kDrakeIgnored{"drake_ignore"};

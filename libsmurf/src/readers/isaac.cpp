@@ -140,9 +140,9 @@ constexpr FamilyFact kFamilies[] = {
 };
 
 constexpr Fact kUnread[] = {
-    {&isaac, ignores, "does not look at it", kRun, at("robot/@version")},
-    {&isaac, ignores, kCustom, kRun, at("transmission")},
-    {&isaac, ignores, kCustom, kRun, at("gazebo")},
+    {&isaac, ignores, "does not look at it", kRun, at("robot/@version").unless(kPrefixed)},
+    {&isaac, ignores, kCustom, kRun, at("transmission").unless(kPrefixed)},
+    {&isaac, ignores, kCustom, kRun, at("gazebo").unless(kPrefixed)},
 };
 
 }  // namespace

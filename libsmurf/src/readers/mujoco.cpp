@@ -58,6 +58,11 @@ class Motion {
     const urdf::Link* part = part_at(model_.robot->links, finding.span.begin);
     if (part == nullptr) return;
     const std::size_t link = index_in(model_.robot->links, *part);
+    if (finding.rule == &rules::sml1114_tag_case) {
+      if (massless_.empty()) massless_ = massless_bodies(model_, Case::heeded);
+      if (massless_[link]) finding.when(kMasslessBody);
+      return;
+    }
     if (is_carried(model_, link)) {
       if (still_.empty()) still_ = fixed_to_root(model_);
       finding.when(kCarried);
@@ -70,7 +75,7 @@ class Motion {
 
  private:
   const LinkedModel& model_;
-  std::vector<bool> alone_, still_;  ///< by link; computed when they are needed
+  std::vector<bool> alone_, still_, massless_;  ///< by link; computed when they are needed
 };
 
 void see(const LinkedModel& model, std::span<Diagnostic* const> found) {
@@ -80,7 +85,7 @@ void see(const LinkedModel& model, std::span<Diagnostic* const> found) {
   for (Diagnostic* finding : found) {
     const std::vector<PlaceName> place = place_of(*finding);
     const bool is_in_inertial = contains(place, at("robot/link/inertial"));
-    if (is_in_inertial) motion.see(*finding);
+    if (is_in_inertial || finding->rule == &rules::sml1114_tag_case) motion.see(*finding);
     if (are_balanced && is_in_inertial) finding->when(kBalanced);
     if (has_visuals && contains(place, at("visual"))) finding->when(kVisualsKept);
     if (!contains(place, at("mesh/@filename"))) continue;

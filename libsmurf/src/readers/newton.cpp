@@ -2,8 +2,13 @@
 // Newton. Its importer parses URDF with ElementTree of Python, which refuses malformed XML, and
 // reads numbers with float(). Its builder checks little: it keeps numbers that make no sense, and
 // uses its own defaults where a number is absent.
+#include <algorithm>
+#include <optional>
+#include <vector>
+
 #include "base/findings/cases.hpp"
 #include "readers/circumstances.hpp"
+#include "readers/rigid_bodies.hpp"
 
 namespace smurf::readers::newton_file {
 namespace {
@@ -62,7 +67,8 @@ constexpr FamilyFact kFamilies[] = {
     {"SML1113", {&newton, loses, "builds the link without the shape", kRun, at("mesh")}},
     {"SML1113",
      {&newton, refuses, "finds no link of the name that a joint uses", kRun,
-      when(cases::kLinkTag)}},
+      when(cases::kLinkTag, kMissed)}},
+    {"SML1113", {&newton, loses, "leaves out the link", kRun, when(cases::kLinkTag)}},
     {"SML1113", {&newton, loses, "reads no such material", kRun, at("material")}},
     {"SML1113",
      {&newton, loses, "warns, and lets the joint move independently", kRun, at("mimic")}},
@@ -73,6 +79,7 @@ constexpr FamilyFact kFamilies[] = {
     {"SML1114",
      {&newton, loses, "ignores the joint, and drops its child", kRun, when(cases::kJointTag)}},
     // Trees
+    {"SML1201", {&newton, loses, "leaves out what no root reaches", kRun, when(kUnreached)}},
     {"SML1206", {&newton, refuses, "refuses the file: it sorts no links with two parents", kRun}},
     {"SML1212", {&newton, takes, "makes a free joint", kRun}},
     {"SML1213",
@@ -86,6 +93,7 @@ constexpr FamilyFact kFamilies[] = {
     {"SML1305", {&newton, loses, "finds no joint that connects the link, and drops it", kRun}},
     {"SML1306", {&newton, takes, "keeps the name with the space", kRun, at("joint/@name")}},
     // Joints
+    {"SML1401", {&newton, loses, "leaves out what no root reaches", kRun, when(kUnreached)}},
     {"SML1403", {&newton, changes, "sets no limits: 1e10 both ways", kRun}},
     {"SML1404", {&newton, changes, "sets the limit to 1e6", kRun}},
     {"SML1406", {&newton, changes, "sets no limit on that side: 1e10", kRun}},
@@ -173,6 +181,36 @@ constexpr Fact kUnread[] = {
     {&newton, ignores, kIgnores, kRun, at("gazebo")},
 };
 
+/// Whether no root reaches the child of a joint: it is part of a ring, or follows one. A joint
+/// whose parent and child are one absent link is such a ring.
+bool is_unreached(const LinkedModel& model, std::size_t joint, const std::vector<bool>& reached) {
+  const std::optional<LinkIndex> child = model.tree.joint_child[joint];
+  if (child) return !reached[to_size(*child)];
+  const urdf::Joint& one = model.robot->joints[joint];
+  return one.parent && one.child && *one.parent == *one.child;
+}
+
+bool is_missed(const LinkedModel& model) {
+  const std::vector<std::optional<LinkIndex>>& parents = model.tree.joint_parent;
+  const std::vector<std::optional<LinkIndex>>& children = model.tree.joint_child;
+  return std::count(parents.begin(), parents.end(), std::nullopt) > 0 ||
+         std::count(children.begin(), children.end(), std::nullopt) > 0;
+}
+
+void see(const LinkedModel& model, std::span<Diagnostic* const> found) {
+  std::vector<bool> reached;  // computed when it is needed
+  const bool is_link_missed = is_missed(model);
+  for (Diagnostic* finding : found) {
+    if (is_link_missed) finding->when(kMissed);
+    const urdf::Joint* joint = part_at(model.robot->joints, finding->span.begin);
+    if (joint == nullptr) continue;
+    if (reached.empty()) reached = reached_links(model);
+    if (is_unreached(model, index_in(model.robot->joints, *joint), reached)) {
+      finding->when(kUnreached);
+    }
+  }
+}
+
 }  // namespace
 
 extern constinit const Reader newton{.name = "newton",
@@ -182,6 +220,7 @@ extern constinit const Reader newton{.name = "newton",
                                      .like = &urdf,
                                      .version = "Newton 1.8",
                                      .families = kFamilies,
-                                     .unread = kUnread};
+                                     .unread = kUnread,
+                                     .see = see};
 
 }  // namespace smurf::readers::newton_file

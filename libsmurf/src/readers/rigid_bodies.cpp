@@ -164,15 +164,20 @@ double mass_in_sdformat(const LinkedModel& model, std::size_t link) {
   return inertial && !has_unread_mass(*inertial) ? *inertial->mass : 0.0;
 }
 
-std::vector<bool> massless_bodies(const LinkedModel& model) {
+std::vector<bool> massless_bodies(const LinkedModel& model, Case names) {
   const std::vector<std::size_t> body = bodies(model);
   std::vector<bool> has_mass(body.size(), false);
+  const auto is_read = [&](const auto& part, std::string_view name) {
+    return names == Case::ignored || xml::View(model.robot->document, part.element).name() == name;
+  };
   for (const LinkIndex link : model.tree.order) {
-    const std::size_t i = to_size(link);
-    const std::optional<urdf::Inertial>& inertial = model.link(link).inertial;
+    const urdf::Link& one = model.link(link);
     // If the mass is unreadable, which another rule reports, any mass is possible.
-    if (inertial ? inertial->mass.value_or(1) > 0 : !model.link(link).collisions.empty()) {
-      has_mass[body[i]] = true;
+    if (one.inertial && is_read(*one.inertial, "inertial")
+            ? one.inertial->mass.value_or(1) > 0
+            : std::any_of(one.collisions.begin(), one.collisions.end(),
+                          [&](const auto& shape) { return is_read(shape, "collision"); })) {
+      has_mass[body[to_size(link)]] = true;
     }
   }
   std::vector<bool> result(body.size(), false);

@@ -13,9 +13,11 @@
 
 namespace smurf {
 
+/// Whether a reader finds elements whose names are written in another case.
+enum class Case { ignored, heeded };
 /// By link: whether it is part of a moving body without mass and without collisions from which a
 /// reader could compute one.
-std::vector<bool> massless_bodies(const LinkedModel& model);
+std::vector<bool> massless_bodies(const LinkedModel& model, Case names = Case::ignored);
 
 /// True when the link, or a link fixed to it, has an inertial.
 bool has_fixed_mass(const LinkedModel& model, LinkIndex link);

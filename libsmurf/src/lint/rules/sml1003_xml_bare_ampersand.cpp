@@ -10,6 +10,10 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::takes, "continues", kRun, when(cases::kCharacter)},
     {&readers::urdfdom, Effect::refuses, "refuses the file", kRun, when(cases::kCharacter)},
     {&readers::dart, Effect::refuses, "refuses the file", kRun, when(cases::kCharacter)},
+    {&readers::drake, Effect::refuses, "reads an empty name, and refuses it", kRun,
+     at("visual/@name").when(cases::kCharacter)},
+    {&readers::drake, Effect::refuses, "reads an empty name, and refuses it", kRun,
+     at("collision/@name").when(cases::kCharacter)},
     {&readers::urdf, Effect::takes, "continues", "urdfdom, sdformat, MuJoCo and Bullet, run"},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
 };

@@ -2,6 +2,7 @@
 #include "base/findings/cases.hpp"
 #include "base/findings/readers.hpp"
 #include "base/findings/rules.hpp"
+#include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1114_tag_case_file {
 namespace {
@@ -20,6 +21,9 @@ constexpr Fact kFacts[] = {
      "urdfdom, run", when(cases::kJointTag)},
     {&readers::urdf, Effect::loses, "ignores the element, with all its contents",
      "urdfdom, MuJoCo, run"},
+    {&readers::mujoco, Effect::refuses,
+     "ignores the element, and refuses a moving body without mass or collision", kRun,
+     when(kMasslessBody)},
     {&readers::mujoco, Effect::changes, "ignores the joint, and welds its child to the world", kRun,
      when(cases::kJointTag)},
 };

@@ -7,6 +7,7 @@
 
 #include "base/findings/readers.hpp"
 #include "base/text/counted.hpp"
+#include "lint/mimic_queries.hpp"
 #include "lint/name_queries.hpp"
 #include "lint/reference_queries.hpp"
 
@@ -144,7 +145,13 @@ void check(const LinkedModel& model, Findings& findings) {
                                                  meanings_of(model, end, one.name, lone));
     if (diagnostic != nullptr && end.name() == "parent") parents[one.name].first = diagnostic;
     if (diagnostic != nullptr && is_driven(end.parent(), driven)) diagnostic->when(kDriven);
-    if (diagnostic != nullptr && one.name == "world") diagnostic->when(kWorld);
+    if (diagnostic != nullptr && one.name == "world") {
+      diagnostic->when(kWorld);
+      const xml::Attribute* name = end.parent().attribute("name");
+      if (name != nullptr && followed_joints(model).contains(name->value())) {
+        diagnostic->when(kFollowed);
+      }
+    }
     if (diagnostic != nullptr && end.name() == "parent" && one.name == "world") {
       diagnostic->when(kDrakeWorld);
       diagnostic->note(
@@ -164,6 +171,7 @@ constexpr Fact kFacts[] = {
      "urdfdom model.h:128; MuJoCo, Bullet, run"},
     {&readers::drake, Effect::takes, "has a link `world` that no file declares", kRun,
      when(kDrakeWorld)},
+    drake_misses_leader(at("child").when(kWorld, kFollowed)),
     {&readers::drake, Effect::changes, "takes its own world for the child", kRun,
      at("child").when(kWorld)},
 };

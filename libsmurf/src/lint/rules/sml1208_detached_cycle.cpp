@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "base/findings/readers.hpp"
@@ -9,6 +10,10 @@
 
 namespace smurf::rules::sml1208_detached_cycle_file {
 namespace {
+
+/// A link that no root reaches stands before one that a root reaches. Bullet's tables are as long
+/// as the number of links that it reaches, and have the indices of all.
+constexpr Circumstance kInFront{"in front of what the root reaches"};
 
 /// The parent of a link that no root reaches.
 std::size_t parent_of(const LinkedModel& model, std::size_t link) {
@@ -37,6 +42,7 @@ Diagnostic& report(const LinkedModel& model, const std::vector<std::size_t>& rin
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.tree.roots.empty()) return;
   std::vector<bool> is_done = reached_links(model);
+  const bool is_in_front = !std::is_sorted(is_done.begin(), is_done.end(), std::greater<>());
   std::optional<bool> is_rooted;  // computed when it is needed
   for (std::size_t i = 0; i < is_done.size(); ++i) {
     // Goes up until a link repeats: the links before it hang below the ring.
@@ -51,11 +57,14 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic = report(model, {ring, path.end()}, findings);
     if (!is_rooted) is_rooted = has_root_with_joints(model);
     if (!*is_rooted) diagnostic.when(kRootless);
+    if (is_in_front) diagnostic.when(kInFront);
   }
 }
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::loses, "accepts it; no root reaches the ring", kRun},
+    {&readers::pybullet, Effect::crashes,
+     "writes outside of its tables, and ends the process at once or later", kRun, when(kInFront)},
     {&readers::pybullet, Effect::changes, "accepts the ring", "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::loses, "leaves the ring out", kRun},
     {&readers::dart, Effect::loses, "leaves the ring out", kRun},

@@ -2,12 +2,12 @@
 #include "base/findings/readers.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1212_floating_not_at_root_file {
 namespace {
 
-constexpr Circumstance kUnreached{"no root reaches it"};
 constexpr Circumstance kFixedToRoot{"fixed to root"};
 
 void check(const LinkedModel& model, Findings& findings) {

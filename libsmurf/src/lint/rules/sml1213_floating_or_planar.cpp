@@ -7,7 +7,6 @@
 namespace smurf::rules::sml1213_floating_or_planar_file {
 namespace {
 
-constexpr Circumstance kUnreached{"no root reaches it"};
 constexpr Circumstance kOneDamping{"one damping for three"};
 
 void check(const LinkedModel& model, Findings& findings) {

@@ -12,10 +12,20 @@ void check(const LinkedModel& model, Findings& findings) {
     findings.report(use.name.span, "a " + std::string(to_string(use.role)) + " has an empty name")
         .help("name it, or delete the attribute");
   });
+  if (!model.robot) return;
+  for (const urdf::Material& material : model.robot->materials) {
+    if (!material.name.written || !material.name->empty()) continue;
+    findings.report(material.name.span, "a material of the robot has an empty name")
+        .help("name it: visuals refer to it by its name");
+  }
 }
 
 constexpr Fact kFacts[] = {
     {&readers::drake, Effect::refuses, "refuses an empty name; accepts a shape without one", kRun},
+    {&readers::isaac, Effect::refuses, "refuses a material without a name", kRun,
+     at("robot/material")},
+    {&readers::pybullet, Effect::changes, "paints with it visuals that have no material", kRun,
+     at("robot/material")},
 };
 
 }  // namespace
@@ -24,9 +34,9 @@ extern constinit const Rule sml1315_empty_shape_name{
     .id = "SML1315",
     .name = "empty-shape-name",
     .severity = Severity::error,
-    .summary = "The name of a visual or collision is empty.",
-    .why = "Without the attribute, readers make a name of their own.",
-    .remedy = "Name it, or delete the attribute.",
+    .summary = "The name of a visual, a collision or a material of the robot is empty.",
+    .why = "Without the attribute, readers make a name of their own for a shape.",
+    .remedy = "Name it, or delete the attribute of a shape.",
     .check_model = check,
     .needs_target = true,
     .facts = kFacts};

@@ -219,6 +219,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::drake, Effect::loses, "does not read it, and loads the file", kRun,
      when(drake::kUnread)},
+    {&readers::drake, Effect::crashes, "ends the process", kRun, when(drake::kTooShort)},
     {&readers::drake, Effect::refuses, "refuses the file",
      "Drake detail_urdf_parser.cc:1296-1377; 1.51.1 does not read it",
      at("drake:distance_constraint")},

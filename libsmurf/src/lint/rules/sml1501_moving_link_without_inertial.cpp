@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1501_moving_link_without_inertial_file {
 namespace {
-
-constexpr Circumstance kWithoutCollision{"without collision"};
 
 bool is_shape_only(const LinkedModel& model) {
   for (const urdf::Link& link : model.robot->links) {
@@ -24,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!above || !model.joint(*above).is_movable() || has_fixed_mass(model, link)) continue;
     Diagnostic& diagnostic = findings.report(name_place(model, model.link(link)),
                                              title(model.link(link)) + " moves and has no mass");
-    if (massless[to_size(link)]) diagnostic.when(kWithoutCollision);
+    if (massless[to_size(link)]) diagnostic.when(kMasslessBody);
     diagnostic.label(name_place(model, model.joint(*above)), "moved by this joint");
   }
 }
@@ -39,7 +38,7 @@ constexpr Fact kFacts[] = {
      "sdformat parser_urdf.cc:2669-2779, run"},
     {&readers::dart, Effect::changes, "gives the link 1 kg and an inertia of 1 kg m2", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without mass or collision", kRun,
-     when(kWithoutCollision)},
+     when(kMasslessBody)},
     {&readers::mujoco, Effect::changes, "gives the collisions the density of water", kRun},
     {&readers::drake, Effect::changes, "computes with a mass matrix that is singular", kRun},
     {&readers::pinocchio, Effect::changes, "computes with a mass matrix that is singular", kRun},

@@ -3,12 +3,11 @@
 
 #include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1502_no_inertial_anywhere_file {
 namespace {
-
-constexpr Circumstance kMasslessBody{"massless body"};
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.robot->links.empty()) return;

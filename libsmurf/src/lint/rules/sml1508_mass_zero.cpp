@@ -12,7 +12,6 @@
 namespace smurf::rules::sml1508_mass_zero_file {
 namespace {
 
-constexpr Circumstance kMasslessBody{"massless body"};
 constexpr Circumstance kMerged{"merged"};
 constexpr Circumstance kRoot{"root"};
 

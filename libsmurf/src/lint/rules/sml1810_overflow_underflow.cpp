@@ -58,6 +58,8 @@ constexpr Fact kFacts[] = {
      at("inertia/@iyy").when(cases::kUnderflow).since({4, 0})},
     {&readers::mujoco, Effect::refuses, "reads 0, and refuses the inertia", "4.0.0, run",
      at("inertia/@izz").when(cases::kUnderflow).since({4, 0})},
+    {&readers::mujoco, Effect::refuses, "reads 0, and refuses a moving body without mass",
+     "4.0.0, run", at("mass/@value").when(cases::kUnderflow, kAlone).since({4, 0})},
     {&readers::mujoco, Effect::changes, "reads 0", "4.0.0, run",
      when(cases::kUnderflow).since({4, 0})},
     {&readers::mujoco, Effect::changes, kComputesStill, kRun,

@@ -5,12 +5,12 @@
 #include "base/numbers/numbers.hpp"
 #include "base/text/counted.hpp"
 #include "lint/queries.hpp"
+#include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
 
 namespace smurf::rules::sml1916_link_without_inertial_file {
 namespace {
 
-constexpr Circumstance kMasslessBody{"massless body"};
 constexpr Circumstance kRoot{"root"};
 
 /// Reported as a whole (SML1502).
