@@ -60,6 +60,12 @@ def mujoco(file, drive):
             found["limits"][name] = list(model.jnt_range[i]) if model.jnt_limited[i] else None
             found["damping"][name] = model.dof_damping[model.jnt_dofadr[i]]
             data.qpos[at] = drive[name]
+    found["drives"] = {}
+    for i in range(model.nu):
+        joint = model.actuator_trnid[i][0]
+        _, stiffness, damping = -model.actuator_biasprm[i][:3]
+        found["drives"][model.joint(joint).name] = [stiffness, damping + model.dof_damping[model.jnt_dofadr[joint]],
+                                                    model.actuator_forcerange[i][1]]
     mj.mj_kinematics(model, data)
     found["driven"] = poses()
     restart()
@@ -174,7 +180,7 @@ def newton(file, drive):
                 for label, at in zip(builder.body_label, state.body_q.numpy())}
 
     positions = model.joint_q.numpy().copy()
-    found = {"links": poses(positions), "bodies": {}, "starts": {}, "limits": {}}
+    found = {"links": poses(positions), "bodies": {}, "starts": {}, "limits": {}, "drives": {}}
     for i, label in enumerate(builder.body_label):
         found["bodies"][short(label)] = body(builder.body_mass[i], builder.body_com[i], list(builder.body_inertia[i]))
     for i, label in enumerate(builder.joint_label):
@@ -185,6 +191,7 @@ def newton(file, drive):
             found["starts"][name] = positions[at]
             found["limits"][name] = [lower, upper] if upper < 1e6 else None
             positions[at] = drive[name]
+            found["drives"][name] = [builder.joint_target_ke[dof], builder.joint_target_kd[dof], builder.joint_effort_limit[dof]]
     found["driven"] = poses(positions)
     return found
 

@@ -86,6 +86,22 @@ class Joint:
         return text + "</joint>\n"
 
 
+class Motor:
+    """Exports resist a wrong speed with the whole effort at a tenth of the largest speed; a position is left at p times its error."""
+
+    def __init__(self, dice):
+        self.kind, self.p = dice.choice(["position", "velocity"]), dice.uniform(2, 30)
+        self.effort, self.speed = dice.uniform(1, 80), dice.uniform(0.5, 8)
+
+    def yaml(self, joint):
+        return {"name": joint, "joint": joint, "type": self.kind, "p": self.p, "maxEffort": self.effort, "maxSpeed": self.speed}
+
+    def drive(self):
+        """Stiffness (N m/rad or N/m), damping (N m s/rad or N s/m), largest effort (N m or N)."""
+        damping = self.effort / (0.1 * self.speed)
+        return [self.p * damping if self.kind == "position" else 0, damping, self.effort]
+
+
 class Robot:
     def __init__(self, dice, name):
         self.name, self.links, self.joints, leaders = name, [Link(dice, "l0", True)], [], []
@@ -101,6 +117,7 @@ class Robot:
                 leaders.append(joint.name)
         self.free = {j.name: dice.uniform(j.lower, j.upper) for j in self.joints if j.name in leaders}
         self.bent = {name: position / 2 for name, position in self.free.items()}
+        self.motors = {name: Motor(dice) for name in sorted(self.free) if dice.random() < 0.5}
 
     def position(self, joint, positions):
         if joint.leader:
@@ -117,7 +134,9 @@ class Robot:
     def files(self):
         urdf = "".join(part.urdf() for part in [*self.links, *self.joints])
         return {f"{self.name}.urdf": f'<robot name="{self.name}">\n{urdf}</robot>\n',
-                f"{self.name}.smurf": f"modelname: {self.name}\nfiles: [{self.name}.urdf, {self.name}_poses.yml]\n",
+                f"{self.name}.smurf": f"modelname: {self.name}\nfiles: [" + ", ".join(
+                    [f"{self.name}.urdf", f"{self.name}_poses.yml", f"{self.name}_motors.yml"]) + "]\n",
+                f"{self.name}_motors.yml": json.dumps({"motors": [motor.yaml(name) for name, motor in self.motors.items()]}),
                 f"{self.name}_poses.yml": f"poses:\n- {{name: bent, joints: {json.dumps(self.bent)}}}\n"}
 
 
@@ -148,6 +167,7 @@ class RealRobot(Robot):
         self.joints = [self.joint_of(dice, joint_names, *one) for one in self.joints]
         self.free = {j.name: dice.uniform(j.lower, j.upper) for j in self.joints if j.kind != "fixed" and not j.leader}
         self.bent = {name: self.free[name] / 2 for name in self.free}
+        self.motors = {}
 
     @staticmethod
     def link_of(dice, name, inertial):
@@ -226,6 +246,10 @@ def truth_of(entities, dice):
         "limits": {name: None if joint.kind == "continuous" else [joint.lower, joint.upper]
                    for name, (_, joint) in joints.items() if joint.kind != "continuous" or not joint.leader},
         "damping": {name: joint.damping for name, (_, joint) in joints.items()},
+        # With the damping of the joint, which the drives of USD have as well.
+        "drives": {name: [stiffness, damping + joint.damping, effort] for name, (entity, joint) in joints.items()
+                   if joint.name in entity.robot.motors
+                   for stiffness, damping, effort in [entity.robot.motors[joint.name].drive()]},
     }
 
 
