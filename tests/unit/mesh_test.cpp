@@ -229,6 +229,7 @@ TEST_CASE("mesh: the format is told from the bytes") {
   check_box(solid, MeshFormat::stl_binary, 36);
   CHECK(solid.named_solid);
   CHECK(read_mesh(obj(), ".stl").format == MeshFormat::obj);
+  CHECK(read_mesh("<<<<<<< HEAD\n" + obj(), ".obj").format == MeshFormat::obj);
   CHECK(read_mesh(collada(), ".stl").format == MeshFormat::collada);
   CHECK(read_mesh("version https://git-lfs.github.com/spec/v1\n", ".stl").format ==
         MeshFormat::lfs_pointer);

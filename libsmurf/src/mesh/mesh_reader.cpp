@@ -29,7 +29,8 @@ bool is_obj(std::string_view text) {
   Words words(text);
   while (!words.is_at_end()) {
     const std::string_view word = words.next();
-    if (word.starts_with('#')) {
+    // Readers skip what git left of a conflict, as they skip other lines that they do not know.
+    if (word.starts_with('#') || word == "<<<<<<<") {
       words.rest_of_line();
       continue;
     }
