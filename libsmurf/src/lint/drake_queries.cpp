@@ -45,6 +45,12 @@ std::set<std::string_view> names_in(const std::vector<xml::View>& elements, std:
   return names;
 }
 
+bool is_simple(xml::View transmission) {
+  const xml::View type = transmission.child("type");
+  const std::string_view text = type ? type.text() : value_of(transmission, "type");
+  return text.find("SimpleTransmission") != std::string_view::npos;
+}
+
 bool has_empty_part(xml::View element) {
   if (element.name() != "drake:joint") return false;
   const auto is_empty = [](xml::View part, std::string_view name) {

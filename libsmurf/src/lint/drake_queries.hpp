@@ -33,6 +33,9 @@ std::string_view value_of(xml::View element, std::string_view attribute);
 /// Whether Drake is told to ignore a link or joint.
 bool is_passed_over(xml::View element);
 
+/// Whether Drake makes an actuator of a `transmission`.
+bool is_simple(xml::View transmission);
+
 /// Whether a `drake:joint` has an empty type or an empty name of a link.
 bool has_empty_part(xml::View element);
 

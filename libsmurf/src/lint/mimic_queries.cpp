@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/mimic_queries.hpp"
 
+#include "lint/drake_queries.hpp"
+
 namespace smurf {
 
 std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_t joint) {
@@ -14,6 +16,12 @@ std::set<std::string_view> followed_joints(const LinkedModel& model) {
   if (!model.robot) return names;
   for (const urdf::Joint& joint : model.robot->joints) {
     if (joint.mimic && joint.mimic->joint) names.insert(*joint.mimic->joint);
+  }
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View element(model.robot->document, id);
+    if (element.name() != "transmission" || !drake::is_simple(element)) continue;
+    if (const xml::View joint = element.child("joint"))
+      names.insert(drake::value_of(joint, "name"));
   }
   return names;
 }

@@ -19,13 +19,13 @@ std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_
 /// For each joint, whether its chain of leaders ends in a cycle.
 std::vector<bool> endless_mimics(const LinkedModel& model);
 
-/// The names of joints that others mimic.
+/// The names of joints that others mimic, and of those that simple transmissions drive.
 std::set<std::string_view> followed_joints(const LinkedModel& model);
 
-inline constexpr Circumstance kFollowed{"mimicked by another joint"};
+inline constexpr Circumstance kFollowed{"mimicked or driven"};
 constexpr Fact drake_misses_leader(Where where) {
   return {&readers::drake, Effect::refuses,
-          "leaves out the joint, and then does not find what another joint mimics", kRun, where};
+          "leaves out the joint, and then does not find what is mimicked or driven", kRun, where};
 }
 
 }  // namespace smurf

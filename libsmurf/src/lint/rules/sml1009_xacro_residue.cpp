@@ -54,6 +54,8 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses a number or name with an expression in it", kRun},
     {&readers::drake, Effect::loses,
      "ignores the element, so everything it would expand to is missing", kRun, at("xacro:")},
+    {&readers::drake, Effect::refuses, "finds no joint of that name", kRun,
+     at("transmission/joint/@name")},
     {&readers::drake, Effect::changes, "uses the text literally", kRun, at("@name")},
     {&readers::drake, Effect::refuses, "refuses the number", kRun},
     {&readers::gazebo, Effect::changes, "uses the text literally, and finds nothing of that name",

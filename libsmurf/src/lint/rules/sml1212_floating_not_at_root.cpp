@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
 #include "link/mujoco_compiler.hpp"
-#include "lint/queries.hpp"
+#include "lint/mimic_queries.hpp"
 #include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
 
@@ -12,6 +12,7 @@ constexpr Circumstance kFixedToRoot{"fixed to root"};
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
+  const std::set<std::string_view> followed = followed_joints(model);
   std::vector<bool> fixed, reached;  // by link; computed when they are needed
   for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
     const urdf::Joint& joint = model.robot->joints[i];
@@ -23,6 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(joint.type_name.span, title(joint) + " is floating, but " +
                                                   title(model.link(*parent)) + " is not the root");
     diagnostic.label(name_place(model, model.joint(*above)), "leads to the parent");
+    if (joint.name && followed.contains(*joint.name)) diagnostic.when(kFollowed);
     if (reached.empty()) reached = reached_links(model);
     if (!reached[to_size(*parent)]) diagnostic.when(kUnreached);
     if (fixed.empty()) fixed = fixed_to_root(model);
@@ -33,6 +35,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    drake_misses_leader(when(kFollowed)),
     {&readers::drake, Effect::takes, "makes a joint of six degrees of freedom", kRun},
     {&readers::mars, Effect::changes, "makes the joint fixed", "MARS smurf.cpp:918-921"},
     {&readers::pybullet, Effect::changes, "makes the joint fixed", kRun},

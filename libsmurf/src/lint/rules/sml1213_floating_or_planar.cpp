@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
-#include "lint/queries.hpp"
+#include "lint/mimic_queries.hpp"
 #include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
 
@@ -11,6 +11,7 @@ constexpr Circumstance kOneDamping{"one damping for three"};
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
+  const std::set<std::string_view> followed = followed_joints(model);
   std::vector<bool> reached;  // by link; computed when it is needed
   for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
     const urdf::Joint& joint = model.robot->joints[i];
@@ -25,6 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
                     title(joint) + " is " + *joint.type_name + ", which few readers can move")
             .note(std::string(is_floating ? "MARS and Bullet make" : "MARS makes") +
                   " the joint fixed; Gazebo cannot build the model");
+    if (joint.name && followed.contains(*joint.name)) diagnostic.when(kFollowed);
     if (reached.empty()) reached = reached_links(model);
     if (parent && !reached[to_size(*parent)]) diagnostic.when(kUnreached);
     if (!is_floating && joint.dynamics && joint.dynamics->damping.written) {
@@ -41,6 +43,7 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::refuses, "cannot build the model", kRun},
     {&readers::drake, Effect::refuses,
      "needs three dampings in a planar joint, and refuses the file", kRun, when(kOneDamping)},
+    drake_misses_leader(when(kFollowed).unless(kInPlanar)),
     {&readers::drake, Effect::changes, "drops the origin of a floating joint", kRun},
     {&readers::pinocchio, Effect::changes, "ignores the normal of a planar joint", kRun,
      when(kInPlanar)},

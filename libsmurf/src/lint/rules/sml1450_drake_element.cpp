@@ -67,17 +67,11 @@ class Checker {
       return;
     }
     // Drake makes actuators of simple transmissions only, and does not read the others.
-    if (child.name() == "transmission" && !is_simple(child)) return;
+    if (child.name() == "transmission" && !drake::is_simple(child)) return;
     missing_attributes(child, spec);
     for (const AttributeSpec& attribute : spec.attributes) this->attribute(child, attribute);
     drake::check_meaning(child, names_, findings_);
     children(child);
-  }
-
-  static bool is_simple(xml::View transmission) {
-    const xml::View type = transmission.child("type");
-    const std::string_view text = type ? type.text() : drake::value_of(transmission, "type");
-    return text.find("SimpleTransmission") != std::string_view::npos;
   }
 
   Diagnostic& unread(xml::View element, std::string note) {
