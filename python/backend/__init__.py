@@ -32,7 +32,7 @@ os.execv(os.path.join(os.path.dirname(os.path.realpath(__file__)), "{MAIN}"), sy
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     with tempfile.TemporaryDirectory(prefix="smurf-wheel-") as work:
         try:
-            programs, modules = gather(pathlib.Path(work))
+            programs, modules, pages = gather(pathlib.Path(work))
         except NoPrograms as problem:
             sys.exit(f"smurf-tools: {problem}")
     tag = tag_of([*programs.values(), *modules.values()], list(modules) == [MODULE])
@@ -44,6 +44,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     files = {f"smurf/{source.name}": source.read_bytes() for source in sources}
     files |= {f"smurf/{module}": content for module, content in modules.items()}
     files |= {f"{name}.data/scripts/{program}": content for program, content in programs.items()}
+    files |= {f"{name}.data/data/share/{page}": content for page, content in pages.items()}
     files |= _dist_info(tag, bool(modules))
     wheel = pathlib.Path(wheel_directory, f"{name}-{tag}.whl")
     write_wheel(wheel, files, record=f"{name}.dist-info/RECORD")

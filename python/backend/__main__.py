@@ -13,7 +13,7 @@ def main(arguments):
         return 2
     with tempfile.TemporaryDirectory(prefix="smurf-") as work:
         try:
-            programs, _ = gather(pathlib.Path(work))
+            programs, *_ = gather(pathlib.Path(work))
         except NoPrograms as problem:
             print(f"smurf-tools: {problem}", file=sys.stderr)
             return 2

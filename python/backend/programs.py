@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where the programs of a wheel come from. In this order, and it says which:
 
-SMURF_PREBUILT   a folder with the programs, and with the Python modules that are to be installed, one for each CPython
+SMURF_PREBUILT   a folder with the programs, and with the Python modules that are to be installed, one for each CPython;
+                 their manual pages and completions are in ../share
 the release      the archive that releases.sha256 names for this version and system; SMURF_RELEASES is another place
                  that has it (a URL, file: too), SMURF_FROM_SOURCE=1 leaves it alone
 the sources      compiled here, with CMake
@@ -23,6 +24,8 @@ PROGRAMS = ("smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatt
             "smurf-load-check")
 OPTIONAL = "smurf-load-check"  # needs a physics engine, which is not everywhere
 MAIN = "smurf-lint"  # on Linux the program of most tools, which have links to it (tools/CMakeLists.txt)
+PAGES = ("man/man1/{}.1", "bash-completion/completions/{}", "zsh/vendor-completions/_{}",
+         "fish/vendor_completions.d/{}.fish")  # in the folder share
 SUMS = pathlib.Path(__file__).with_name("releases.sha256")
 MODULE = "_smurf" + (sysconfig.get_config_var("EXT_SUFFIX") or ".so")
 
@@ -32,14 +35,14 @@ class NoPrograms(Exception):
 
 
 def gather(work):
-    """Two dictionaries, the programs and the modules: contents by name."""
-    programs, modules = _find(work)
+    """Three dictionaries, the programs, the modules, and the pages of the folder share: contents by name."""
+    programs, modules, pages = _find(work)
     missing = [name for name in PROGRAMS if name not in map(_plain, programs)]
     if missing == [OPTIONAL]:
         say(f"there is no {OPTIONAL} among them")
     elif missing:
         raise NoPrograms(f"there is no {' and no '.join(missing)} among them")
-    return programs, modules
+    return programs, modules, pages
 
 
 def names_of_main(programs):
@@ -78,7 +81,13 @@ def system():
 def from_folder(folder, module_folder):
     names = [name + suffix for name in PROGRAMS for suffix in ("", ".exe")]
     programs = {name: (folder / name).read_bytes() for name in names if (folder / name).is_file()}
-    return programs, {file.name: file.read_bytes() for file in sorted(module_folder.glob("_smurf.*")) if is_module(file.name)}
+    modules = {file.name: file.read_bytes() for file in sorted(module_folder.glob("_smurf.*")) if is_module(file.name)}
+    share = folder.parent / "share"
+    return programs, modules, {page: (share / page).read_bytes() for page in pages_of(programs) if (share / page).is_file()}
+
+
+def pages_of(programs):
+    return [page.format(name) for name in programs for page in PAGES]
 
 
 def is_module(name):
@@ -106,12 +115,12 @@ def from_release(archive, sum_):
                          "Nothing was installed")
     with tarfile.open(fileobj=io.BytesIO(content)) as files:
         members = {pathlib.PurePosixPath(member.name): member for member in files if member.isfile() or member.issym()}
-        taken = {(path.parent.name, path.name): member for path, member in members.items()
-                 if (path.parent.name == "bin" and _plain(path.name) in PROGRAMS)
-                 or (path.parent.name == "python" and is_module(path.name))}
+        # In the folder of the release: bin/NAME, python/NAME, share/FOLDER/FOLDER/NAME.
+        places = {path: (path.parts[1], "/".join(path.parts[2:])) for path in members if len(path.parts) > 2}
+        wanted = {"bin": lambda name: _plain(name) in PROGRAMS, "python": is_module, "share": pages_of(PROGRAMS).__contains__}
+        taken = {place: members[path] for path, place in places.items() if place[0] in wanted and wanted[place[0]](place[1])}
         contents = {place: files.extractfile(member).read() for place, member in taken.items()}
-    return tuple({name: content for (folder, name), content in contents.items() if folder == wanted}
-                 for wanted in ("bin", "python"))
+    return tuple({name: content for (folder, name), content in contents.items() if folder == each} for each in wanted)
 
 
 def from_source(work, reason):

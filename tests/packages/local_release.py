@@ -27,6 +27,8 @@ def add_release(project, folder, programs, system=sysconfig.get_platform()):
         for program in PROGRAMS:
             if (programs / program).exists():
                 files.add(programs / program, f"smurf-tools-{version}/bin/{program}")
+        if (programs.parent / "share").is_dir():
+            files.add(programs.parent / "share", f"smurf-tools-{version}/share")
     with open(project / "python/backend/releases.sha256", "a", encoding="utf-8") as table:
         table.write(f"{hashlib.sha256(archive.read_bytes()).hexdigest()}  {archive.name}\n")
     return archive

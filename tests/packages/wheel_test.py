@@ -83,6 +83,24 @@ class Sources(Case):
             record = next(name for name in names if name.endswith("/RECORD"))
             self.assertEqual({line.split(",")[0] for line in wheel.read(record).decode().splitlines()}, names)
 
+    def test_pages(self):
+        """Manual pages and completions of the programs, from beside a folder and from a release; nothing else of share."""
+        from backend.programs import PAGES
+
+        pages = [page.format(program) for page in PAGES for program in PROGRAMS]
+        for page in [*pages, "man/man1/other.1", "doc/smurf/README.md"]:
+            file = self.folder / "share" / page
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(page)
+        archive = add_release(self.project, self.folder / "release", self.small)
+        for source in ({"SMURF_PREBUILT": str(self.small)}, {"SMURF_RELEASES": archive.parent.as_uri()}):
+            done = self.build(**source)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with zipfile.ZipFile(self.folder / "out" / done.stdout.strip()) as wheel:
+                found = {name.partition(".data/data/share/")[2]: wheel.read(name).decode() for name in wheel.namelist()
+                         if ".data/data/" in name}
+            self.assertEqual(found, {page: page for page in pages})
+
     def test_a_folder_without_a_program(self):
         shutil.copy("/bin/true", self.folder / "release/smurf-lint")
         message = self.refused(SMURF_PREBUILT=str(self.folder / "release"))
