@@ -3,7 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "base/files/error_text.hpp"
+#include <system_error>
+
+#include "base/files/system.hpp"
 
 using namespace smurf;
 
@@ -110,6 +112,6 @@ TEST_CASE("path: names that no system opens are left alone") {
 
 TEST_CASE("reasons of the system have the words of Linux") {
   for (int error = 1; error < 134; ++error) {
-    CHECK(error_text(error) == std::generic_category().message(error));
+    CHECK(sys::error_text(error) == std::generic_category().message(error));
   }
 }

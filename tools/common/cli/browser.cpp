@@ -3,7 +3,6 @@
 
 #include <cerrno>
 
-#include "base/files/error_text.hpp"
 #include "base/files/places.hpp"
 #include "base/files/system.hpp"
 #include "common/files/new_file.hpp"
@@ -32,8 +31,8 @@ std::string write_temporary_page(std::string_view tool, std::string_view stem,
     if (file.is_open() && error == 0) return path;
     if (file.is_open()) sys::unlinkat(AT_FDCWD, path.c_str(), 0);
   }
-  complain(tool, "cannot write a page into '" + temporary_folder() + "': " + error_text(error) +
-                     "; name another place with -o FILE");
+  complain(tool, "cannot write a page into '" + temporary_folder() +
+                     "': " + sys::error_text(error) + "; name another place with -o FILE");
   return {};
 }
 

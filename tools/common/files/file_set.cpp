@@ -7,7 +7,6 @@
 #include <climits>
 #include <ctime>
 
-#include "base/files/error_text.hpp"
 #include "base/files/path.hpp"
 #include "base/files/system.hpp"
 #include "base/numbers/numbers.hpp"
@@ -93,7 +92,7 @@ FileSet::Problem problem(const std::string& path, int error) {
   // The model chose these names, so following a link among them would let the model choose the
   // place.
   if (error == ELOOP) return {path, "it is a symbolic link, which is not followed here"};
-  return {path, error_text(error), error == EEXIST};
+  return {path, sys::error_text(error), error == EEXIST};
 }
 
 /// The reason why no file can have this path: on Windows, models could name devices. "" if one can.

@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <system_error>
 
-#include "base/files/error_text.hpp"
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/files/system.hpp"
@@ -49,7 +48,7 @@ std::optional<std::string> read_standard_input(std::string_view tool, const std:
     complain(tool, "cannot read standard input: " +
                        (error == EFBIG ? "it has more than " + std::to_string(limits.file_bytes) +
                                              " bytes; " + raise_limit("file-bytes")
-                                       : error_text(error)));
+                                       : sys::error_text(error)));
     return std::nullopt;
   }
   std::string name = filename;

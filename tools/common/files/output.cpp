@@ -9,7 +9,6 @@
 #include <optional>
 #include <thread>
 
-#include "base/files/error_text.hpp"
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/files/system.hpp"
@@ -50,7 +49,7 @@ int write_directly(const std::string& path, std::string_view text) {
 
 std::string reason_of(int error) {
   if (error == ENXIO) return "it is a pipe that nobody reads";
-  return error_text(error);
+  return sys::error_text(error);
 }
 
 bool is_device_or_pipe(const std::string& path) {

@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "base/files/canonical_paths.hpp"
-#include "base/files/error_text.hpp"
 #include "base/files/found_file.hpp"
 #include "base/files/path.hpp"
 #include "base/files/system.hpp"
@@ -20,7 +19,7 @@ namespace {
 
 FileContent failure(int error) {
   const bool is_missing = error == ENOENT || error == ENOTDIR;
-  return {is_missing ? ReadStatus::not_found : ReadStatus::denied, {}, error_text(error)};
+  return {is_missing ? ReadStatus::not_found : ReadStatus::denied, {}, sys::error_text(error)};
 }
 
 FileContent outside() {

@@ -122,6 +122,9 @@ void wait_until_writable(int number);
 /// By default a program of POSIX may have 1,024 open files; it may raise that limit itself.
 void allow_open_files(std::size_t count);
 
+/// The reason for a value of errno.
+std::string error_text(int error);
+
 /// The reason why no file of this system can have the name; "" if one can.
 std::string_view why_no_name(std::string_view name);
 

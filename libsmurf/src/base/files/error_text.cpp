@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Why the system refused a file, in the words of Linux on every system: reports are compared.
-#pragma once
-
 #include <cerrno>
-#include <string>
 #include <system_error>
 
-namespace smurf {
+#include "base/files/system.hpp"
 
-/// The reason for a value of errno. The libraries of Windows and WebAssembly have other words for
-/// some.
-inline std::string error_text(int error) {
+namespace smurf::sys {
+
+std::string error_text(int error) {
+  // The libraries of Windows and WebAssembly have other words for these.
   switch (error) {
   case EBUSY: return "Device or resource busy";
   case EIO: return "Input/output error";
@@ -24,4 +22,4 @@ inline std::string error_text(int error) {
   }
 }
 
-}  // namespace smurf
+}  // namespace smurf::sys
