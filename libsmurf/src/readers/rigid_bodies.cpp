@@ -93,7 +93,7 @@ struct Sums {
 
 /// Adds what urdfdom reads of an inertial. `X_BL` is the pose of the link in its body.
 void add(const LinkedModel& model, const urdf::Inertial& inertial, const Pose& X_BL, Sums& sums) {
-  if (has_unread_mass(inertial)) return;
+  if (!has_exact_name(model, inertial) || has_unread_mass(inertial)) return;
   const Pose X_BI = X_BL * to_pose(inertial.origin);
   const Quaternion& q = X_BI.orientation;
   const Eigen::Matrix3d R = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
@@ -159,9 +159,14 @@ std::vector<std::size_t> bodies_of_sdformat(const LinkedModel& model) {
   return bodies(model, joints_kept_by_gazebo(model), true);
 }
 
+bool has_exact_name(const LinkedModel& model, const urdf::Inertial& inertial) {
+  return xml::View(model.robot->document, inertial.element).name() == "inertial";
+}
+
 double mass_in_sdformat(const LinkedModel& model, std::size_t link) {
   const std::optional<urdf::Inertial>& inertial = model.robot->links[link].inertial;
-  return inertial && !has_unread_mass(*inertial) ? *inertial->mass : 0.0;
+  if (!inertial || !has_exact_name(model, *inertial) || has_unread_mass(*inertial)) return 0;
+  return *inertial->mass;
 }
 
 std::vector<bool> massless_bodies(const LinkedModel& model, Case names) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/files/path.hpp"
 #include "base/findings/cases.hpp"
 #include "base/findings/uncertain.hpp"
 
@@ -90,6 +91,12 @@ bool is_user_name(std::span<const PlaceName> above) {
     return size <= above.size() &&
            std::equal(map.place.begin(), end, above.end() - static_cast<std::ptrdiff_t>(size));
   });
+}
+
+/// An element whose name is in another case (SML1114) is at the place of the one that is meant.
+PlaceName name_of_segment(std::string_view segment) {
+  const PlaceName name = place_name(segment);
+  return name == PlaceName{} ? place_name(path::to_lower(segment)) : name;
 }
 
 /// The version of a reader that is meant by a target.
@@ -279,7 +286,7 @@ std::vector<PlaceName> place_of(const Diagnostic& diagnostic) {
     const std::size_t slash = std::min(rest.find('/'), rest.size());
     const std::string_view segment = rest.substr(0, slash);
     if (!segment.empty() && !is_index(segment)) {
-      place.push_back(is_user_name(place) ? PlaceName{} : place_name(segment));
+      place.push_back(is_user_name(place) ? PlaceName{} : name_of_segment(segment));
     }
     rest.remove_prefix(std::min(slash + 1, rest.size()));
   }

@@ -14,6 +14,7 @@ namespace {
 constexpr Circumstance kFixed{"fixed"};
 constexpr Circumstance kMergedTwice{"merged twice"};
 constexpr Circumstance kRing{"ring"};
+constexpr Circumstance kSameParent{"same parent"};
 
 /// True when the link is the other one or a descendant of it.
 bool is_below(const LinkedModel& model, LinkIndex link, LinkIndex other) {
@@ -71,6 +72,9 @@ void check(const LinkedModel& model, Findings& findings) {
                         title(model.link(child)) + " is already the child of " + title(other));
     if (other.type == urdf::JointType::fixed) diagnostic.when(kFixed);
     if (is_below(model, *model.tree.joint_parent[i], child)) diagnostic.when(kRing);
+    if (other.parent && joints[i].parent && *other.parent == *joints[i].parent) {
+      diagnostic.when(kSameParent);
+    }
     if (!merged) merged.emplace(model);
     if (merged->contains(child)) diagnostic.when(kMergedTwice);
     diagnostic.caret = "a second parent";
@@ -106,6 +110,8 @@ constexpr Fact kFacts[] = {
     {&readers::isaac, Effect::refuses, "follows the ring until Python stops it", kRun, when(kRing)},
     {&readers::drake, Effect::loses, "leaves out a floating joint", kRun, when(kInFloating)},
     {&readers::drake, Effect::refuses, "refuses the model when it is finalised", kRun},
+    {&readers::pinocchio, Effect::changes, "adds the child and what is fixed to it twice", kRun,
+     when(kSameParent)},
     {&readers::pinocchio, Effect::refuses, "finds no body of that name, and refuses the file",
      kRun},
 };

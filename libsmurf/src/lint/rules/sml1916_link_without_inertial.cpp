@@ -37,6 +37,9 @@ void check_unread_masses(const LinkedModel& model, Findings& findings) {
   for_each_link(model, [&](const urdf::Link& link) {
     const std::optional<urdf::Inertial>& inertial = link.inertial;
     if (!inertial) return;
+    if (!has_exact_name(model, *inertial)) {
+      return findings.add_consequence(tag_name(model, inertial->element));
+    }
     const Field<double>& mass = inertial->mass;
     if (!mass && !is_number(model, *inertial)) {  // a mass of 0 is another finding
       findings.add_consequence(mass.written ? mass.span : tag_name(model, inertial->element));
