@@ -35,6 +35,7 @@ class ParsedFiles;
 struct XacroSettings {
   std::map<std::string, std::string> arguments;  ///< `name:=value`
   std::set<std::string> environment;             ///< variables that `$(env ...)` may read
+  bool needs_origins = true;  ///< false: nobody asks where the parts of the result come from
   friend bool operator==(const XacroSettings&, const XacroSettings&) = default;
 };
 

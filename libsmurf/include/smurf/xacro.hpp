@@ -92,6 +92,7 @@ using Expansions = std::map<SourceId, Expansion>;
 struct Settings {
   std::map<std::string, std::string> arguments;
   std::set<std::string> environment;  ///< the variables that may be read
+  bool needs_origins = true;          ///< false: the result has no leaves
   /// The folder of a package that a file at `near` names; none if it is unknown.
   std::function<std::optional<std::string>(const std::string& name, const std::string& near)>
       find_package;

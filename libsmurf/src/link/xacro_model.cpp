@@ -19,6 +19,7 @@ xacro::Expansion expand_xacro(SourceId root, LoadContext& context) {
   xacro::Settings settings;
   settings.arguments = context.xacro.arguments;
   settings.environment = context.xacro.environment;
+  settings.needs_origins = context.xacro.needs_origins;
   settings.find_package = [&](const std::string& name, const std::string& near) {
     return packages.find(name, near);
   };

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,6 +30,19 @@ class Arena {
     at_ += size;
     left_ -= size;
     return place;
+  }
+
+  /// Copies of a text, and of values that need not be destroyed.
+  std::string_view keep(std::string_view text) {
+    char* const place = static_cast<char*>(take(text.size()));
+    std::copy_n(text.data(), text.size(), place);
+    return {place, text.size()};
+  }
+  template <class T>
+  std::span<const T> keep(std::span<const T> values) {
+    T* const place = static_cast<T*>(take(values.size_bytes()));
+    std::uninitialized_copy(values.begin(), values.end(), place);
+    return {place, values.size()};
   }
 
   template <class T, class... Parameters>

@@ -418,8 +418,8 @@ void add(Table& table, std::span<const TypeRow> rows) {
   for (const TypeRow& row : rows) table.set(row.name, Value::of(row.type));
 }
 
-Table& add_namespace(Table& root, std::string_view name, std::deque<Table>& tables) {
-  Table& table = tables.emplace_back(nullptr, true);
+Table& add_namespace(Table& root, std::string_view name, Heap& heap, std::deque<Table>& tables) {
+  Table& table = tables.emplace_back(heap.arena(), true);
   Value value;
   value.kind = Kind::name_space;
   value.table = &table;
@@ -440,8 +440,8 @@ void add_functions(Table& root, Heap& heap, std::deque<Table>& tables) {
   root.set("range", Value::of(Type::range));
   root.set("dotify", Value::of(Type::yaml_dict));
   add_math(root, heap);
-  add_math(add_namespace(root, "math", tables), heap);
-  Table& python = add_namespace(root, "python", tables);
+  add_math(add_namespace(root, "math", heap, tables), heap);
+  Table& python = add_namespace(root, "python", heap, tables);
   add(python, heap, kGlobal);
   add(python, kGlobalTypes);
   add(python, heap, kPython);
@@ -451,7 +451,7 @@ void add_functions(Table& root, Heap& heap, std::deque<Table>& tables) {
   python.set("range", Value::of(Type::range));
   constexpr FunctionRow kSorted[] = {{"sorted", sorted}};
   add(python, heap, kSorted);
-  Table& xacro = add_namespace(root, "xacro", tables);
+  Table& xacro = add_namespace(root, "xacro", heap, tables);
   add(xacro, heap, kXacro);
   xacro.set("dotify", Value::of(Type::yaml_dict));
 }

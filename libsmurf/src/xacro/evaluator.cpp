@@ -54,22 +54,18 @@ Value Evaluator::fail_unsupported(const std::string& what) {
   return fail(rules::sml3304_xacro_unsupported, what + " is not supported");
 }
 
-bool Evaluator::step(std::uint64_t count) {
-  steps_ += count;
+bool Evaluator::fail_by_work() {
   if (steps_ > limits_.xacro_steps) {
     fail(rules::sml3312_xacro_limit,
          "the expansion needs more than " + std::to_string(limits_.xacro_steps) + " steps",
          raise_limit("xacro-steps"));
-    return false;
-  }
-  if (heap_.is_exhausted()) {
+  } else {
     fail(rules::sml3312_xacro_limit,
          "the values need more than " + std::to_string(limits_.xacro_bytes) +
              " bytes, or are nested too deeply",
          raise_limit("xacro-bytes"));
-    return false;
   }
-  return true;
+  return false;
 }
 
 Value Evaluator::text(std::string text) {
@@ -172,7 +168,7 @@ bool Evaluator::items_of(const Value& value, std::vector<Value>& items) {
 Value Evaluator::evaluate(std::string_view text, Table& table) {
   const Expression& expression = expressions_.parse(text);
   if (expression.root == nullptr) {
-    const SyntaxFault& fault = expression.fault;
+    const SyntaxFault& fault = *expression.fault;
     if (failure_.rule == nullptr) {
       failure_.rule = fault.rule;
       failure_.message = fault.message;
@@ -194,7 +190,7 @@ Value Evaluator::name(const Syntax& syntax, const Scope& scope) {
   if (const Table::Found found = scope.table->find(name)) {
     Value value = found.entry->value;
     if (found.entry->is_unevaluated) value = host_.resolve(*found.table, *found.entry, name);
-    if (value.origin != kComputed && !value.is_failed()) used_.emplace_back(name, value.origin);
+    if (value.origin != kComputed && !value.is_failed()) use(name, value.origin);
     return value;
   }
   std::vector<std::string_view> known;

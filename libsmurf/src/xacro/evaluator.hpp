@@ -106,7 +106,10 @@ class Evaluator {
   Failure take_failure() { return std::exchange(failure_, {}); }
 
   /// Counts work; false once there is too much.
-  bool step(std::uint64_t count = 1);
+  bool step(std::uint64_t count = 1) {
+    steps_ += count;
+    return (steps_ <= limits_.xacro_steps && !heap_.is_exhausted()) || fail_by_work();
+  }
   std::uint64_t steps() const { return steps_; }
 
   /// The items of anything that a loop may visit.
@@ -120,9 +123,19 @@ class Evaluator {
   std::string string_of(const Value& value);
   std::string repr(const Value& value);
 
-  /// Values that were looked up by name, and their places.
-  using Used = std::vector<std::pair<std::string_view, OriginId>>;
-  Used& used() { return used_; }
+  /// Values that were looked up by name since begin_uses(), and their places.
+  using Used = std::span<const std::pair<std::string_view, OriginId>>;
+  Used used() const { return Used(used_).subspan(first_used_); }
+  void use(std::string_view name, OriginId origin) { used_.emplace_back(name, origin); }
+  /// Expressions evaluate others: returns what end_uses() needs to go back to those around.
+  struct Uses {
+    std::size_t first = 0, count = 0;
+  };
+  Uses begin_uses() { return {std::exchange(first_used_, used_.size()), used_.size()}; }
+  void end_uses(Uses outer) {
+    used_.resize(outer.count);
+    first_used_ = outer.first;
+  }
   std::vector<Remark>& remarks() { return remarks_; }
 
   Heap& heap() { return heap_; }
@@ -130,6 +143,7 @@ class Evaluator {
   const Limits& limits() const { return limits_; }
 
  private:
+  bool fail_by_work();
   std::string written(const Value& value, std::string (*write)(const Value&, NoText&));
   Value name(const Syntax& syntax, const Scope& scope);
   void remark_on(const Syntax& comparison, std::size_t index, const Value& left,
@@ -158,7 +172,8 @@ class Evaluator {
   std::uint64_t steps_ = 0;
   int depth_ = 0;
   std::deque<Locals> captured_;
-  Used used_;
+  std::vector<std::pair<std::string_view, OriginId>> used_;
+  std::size_t first_used_ = 0;
   std::vector<Remark> remarks_;
 };
 

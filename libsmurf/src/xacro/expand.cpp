@@ -37,7 +37,7 @@ Expander::Expander(SourceId root, const Settings& settings, Context& context)
       expressions_(heap_),
       evaluator_(heap_, expressions_, context.limits, *this) {
   result_.root = root;
-  functions_ = &tables_.emplace_back();
+  functions_ = &tables_.emplace_back(heap_.arena());
   add_functions(*functions_, heap_, tables_);
   for (const auto& [name, value] : settings.arguments) arguments_[name] = {value, kComputed};
 }
@@ -60,7 +60,7 @@ void Expander::expand_root() {
   result_.frames.push_back({});
   frame_ = FrameId{0};
   if (!parse(file)) return;
-  Table& symbols = tables_.emplace_back(functions_);
+  Table& symbols = tables_.emplace_back(*functions_);
   MacroTable& macros = macro_tables_.emplace_back();
   if (file.root->name.starts_with(kPrefix)) {
     fail(rules::sml3315_xacro_wrong_element, file.root->name_span,
@@ -80,7 +80,7 @@ void Expander::expand_root() {
   if (!is_done) return;
   check_unused(*file.root, root);
   std::string text;
-  write_result(root, pieces_, text, result_.leaves);
+  write_result(root, pieces_, text, settings_.needs_origins ? &result_.leaves : nullptr);
   result_.source = context_.sources.add(file.path, std::move(text));
   result_.is_complete = !has_failed_;
 }
@@ -139,7 +139,7 @@ void Expander::remove_comments(Node& out) {
     std::size_t comment = at - 1;
     const Node& before = *nodes[comment];
     const bool is_blank_text =
-        before.kind == NodeKind::text && without_blanks(before.text.value).empty() &&
+        before.kind == NodeKind::text && has_only_blanks(before.text) &&
         std::count(before.text.value.begin(), before.text.value.end(), '\n') <= 1;
     if (is_blank_text) {
       if (comment == first) break;
@@ -199,10 +199,12 @@ bool Expander::evaluate_attributes(const Node& in, Node& out, Table& symbols) {
   heap_.charge(in.attributes.size() * sizeof(NodeAttribute));
   for (const NodeAttribute& one : in.attributes) {
     if (one.name.starts_with(kPrefix)) continue;
-    NodeAttribute result = one;
-    check_braces(one.text, symbols);
-    if (!trace(one.text, symbols, result.text)) return report();
-    if (one.name != "xmlns:xacro") out.attributes.push_back(result);
+    NodeAttribute& result = out.attributes.emplace_back(one);
+    if (!one.text.is_plain) {
+      check_braces(one.text, symbols);
+      if (!trace(one.text, symbols, result.text)) return report();
+    }
+    if (one.name == "xmlns:xacro") out.attributes.pop_back();
   }
   return true;
 }
@@ -234,12 +236,12 @@ bool Expander::evaluate_children(const Node& in, Node& out, Scope scope) {
       break;
     case NodeKind::text:
       // Blanks between elements stay as they are.
-      if (without_blanks(child->text.value).empty()) {
+      if (has_only_blanks(child->text)) {
         out.children.push_back(child);
         break;
       }
       if (!evaluate_text_node(*child, out, scope.symbols)) return false;
-      if (!without_blanks(out.children.back()->text.value).empty()) evaluates_comments = false;
+      if (!has_only_blanks(out.children.back()->text)) evaluates_comments = false;
       break;
     case NodeKind::comment:
       if (child->text.value.find("xacro:eval-comments") != std::string_view::npos) {
@@ -332,7 +334,8 @@ bool is_property_name(std::string_view name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            static_cast<unsigned char>(c) >= 0x80;
   });
-  for (std::string_view rest = name; has_letters_only && !rest.empty();) {
+  const bool is_ascii = utf8::ascii_prefix(name) == name.size();
+  for (std::string_view rest = name; has_letters_only && !is_ascii && !rest.empty();) {
     const utf8::CodePoint point = utf8::decode(rest);
     if (is_sign(point.value)) return false;
     rest.remove_prefix(point.size);
@@ -349,7 +352,7 @@ bool Expander::define_property(const Node& in, Node& out, Table& symbols) {
   warn_of_others(in, {"name", "value", "default", "remove", "scope", "lazy_eval"});
   const Value read = evaluate_text(*name, symbols);
   if (read.is_failed()) return report();
-  const std::string_view key = read.is_text() ? heap_.keep(*read.text) : std::string_view();
+  const std::string_view key = read.is_text() ? std::string_view(*read.text) : std::string_view();
   if (!is_property_name(key) || key.starts_with("__")) {
     return fail(rules::sml3315_xacro_wrong_element, name->text.whole.use,
                 quoted(read.is_text() ? key : name->text.value) +

@@ -140,6 +140,8 @@ class Expander final : public Host {
   Value evaluate_text(std::string_view text, const Piece& place, Table& symbols,
                       std::vector<Piece>* pieces);
   Value evaluate_text(const NodeAttribute& attribute, Table& symbols);
+  Value evaluate_code(std::string_view written, Table& symbols, Piece& piece);
+  Value text_of_parts(std::string text, const Piece& place, const Piece* filled);
   Value evaluate_expression(std::string_view inner, const Piece& place, Table& symbols,
                             Piece& piece);
   void name_inputs();
@@ -209,6 +211,7 @@ class Expander final : public Host {
   std::deque<MacroTable> macro_tables_;
   std::deque<Macro> macros_;
   std::vector<Piece> pieces_;
+  std::vector<Piece> traced_;  ///< of the text that is being traced
   Table* functions_ = nullptr;
   Table* eval_functions_ = nullptr;
   std::map<std::string, Argument, std::less<>> arguments_;
@@ -227,9 +230,9 @@ class Expander final : public Host {
   std::set<std::uint64_t> warned_;       ///< places of warnings, which are reported once
 };
 
-/// Writes the tree as a text, and notes the leaves.
+/// Writes the tree as a text, and notes the leaves unless `leaves` is null.
 void write_result(const Node& root, const std::vector<Piece>& pieces, std::string& text,
-                  std::vector<Leaf>& leaves);
+                  std::vector<Leaf>* leaves);
 
 /// The code of a text that is one `${...}`; empty for others.
 std::string_view code_of(std::string_view text);

@@ -336,7 +336,7 @@ bool Expander::include(const Node& in, Node& out, Scope scope) {
     const std::string_view key = heap_.keep(evaluator_.string_of(name));
     if (evaluator_.has_failed()) return report();
     macros = &macro_tables_.emplace_back();
-    symbols = &tables_.emplace_back(&scope.symbols, true);
+    symbols = &tables_.emplace_back(scope.symbols, true);
     scope.macros.set(key, {nullptr, macros});
     Value space;
     space.kind = Kind::name_space;

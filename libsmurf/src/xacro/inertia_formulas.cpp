@@ -222,11 +222,10 @@ void Expander::check_inertia(const Node& in, Table& symbols) {
   if (names.size() < 2 || !std::all_of(names.begin(), names.end(), is_number)) return;
   std::array<Samples, 3> moments{};
   const std::size_t remarks = evaluator_.remarks().size();
-  Evaluator::Used used;
-  std::swap(used, evaluator_.used());
+  const Evaluator::Uses uses = evaluator_.begin_uses();
   bool is_known = true;
   for (std::size_t sample = 0; sample < kSamples && is_known; ++sample) {
-    Table table(functions_);
+    Table table(*functions_);
     for (std::size_t i = 0; i < names.size(); ++i) {
       table.set(names[i], Value::of(samples_of(i)[sample]));
     }
@@ -238,7 +237,7 @@ void Expander::check_inertia(const Node& in, Table& symbols) {
   }
   evaluator_.take_failure();
   evaluator_.remarks().resize(remarks);
-  std::swap(used, evaluator_.used());
+  evaluator_.end_uses(uses);
   if (!is_known) return;
   const auto fault = Formulas(moments, names.size()).fault();
   if (!fault) return;

@@ -356,7 +356,7 @@ bool Expander::pass_defaults(const Node& in, const Macro& macro, Table& inner, S
 
 bool Expander::run_macro(const Node& in, const Resolved& resolved, Node& out, Scope scope) {
   const Macro& macro = *resolved.macro;
-  Table& inner = tables_.emplace_back(resolved.symbols);
+  Table& inner = tables_.emplace_back(*resolved.symbols);
   MacroTable& inner_macros = macro_tables_.emplace_back(resolved.macros);
   std::vector<const Macro::Parameter*> left;
   left.reserve(macro.parameters.size());

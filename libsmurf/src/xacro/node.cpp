@@ -2,10 +2,12 @@
 #include "xacro/node.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <string>
 
 #include "base/text/utf8.hpp"
+#include "xacro/python_text.hpp"
 
 namespace smurf::xacro {
 namespace {
@@ -35,7 +37,27 @@ bool append_reference(std::string& text, std::string_view name) {
   return true;
 }
 
+/// What the characters of a text mean for it.
+constexpr unsigned kDecoded = 1;  ///< it is not the text that is meant
+constexpr unsigned kLine = 2;     ///< a line end or a tab
+constexpr unsigned kCode = 4;     ///< it may have an expression
+constexpr unsigned kOther = 8;    ///< it is no blank
+constexpr auto kMarks = [] {
+  std::array<std::uint8_t, 256> marks{};
+  marks.fill(kOther);
+  marks['&'] = kDecoded | kOther;
+  marks['\r'] = kDecoded;
+  marks['\n'] = marks['\t'] = kLine;
+  marks['$'] = marks['{'] = kCode | kOther;
+  marks[' '] = 0;
+  return marks;
+}();
+
 }  // namespace
+
+bool has_only_blanks(const TracedText& text) {
+  return text.is_blank || without_blanks(text.value).empty();
+}
 
 Node* NodeTree::read() {
   // Parents come before their children, so the children's lists are complete at the end.
@@ -69,12 +91,14 @@ std::string NodeTree::decoded(std::string_view raw, bool is_attribute, std::uint
 TracedText NodeTree::traced(std::uint32_t begin, std::uint32_t end, bool is_attribute) {
   TracedText result;
   const std::string_view raw = text_.substr(begin, end - begin);
-  const bool is_plain = std::none_of(raw.begin(), raw.end(), [&](char c) {
-    return c == '&' || c == '\r' || (is_attribute && (c == '\n' || c == '\t'));
-  });
-  result.value = is_plain ? raw : heap_.keep(decoded(raw, is_attribute, begin));
+  unsigned marks = 0;
+  for (const char c : raw) marks |= kMarks[static_cast<unsigned char>(c)];
+  const bool is_exact = (marks & (is_attribute ? kDecoded | kLine : kDecoded)) == 0;
+  result.value = is_exact ? raw : heap_.keep(decoded(raw, is_attribute, begin));
   result.whole.size = offset(result.value.size());
-  result.whole.is_exact = is_plain;
+  result.whole.is_exact = is_exact;
+  result.is_plain = is_exact && (marks & kCode) == 0;
+  result.is_blank = is_exact && (marks & kOther) == 0;
   result.whole.origin = result.whole.use = {document_.source, begin, end};
   return result;
 }

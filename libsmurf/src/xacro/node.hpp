@@ -32,7 +32,11 @@ struct TracedText {
   Piece whole;                    ///< if there is only one
   std::uint32_t first_piece = 0;  ///< in the list of the expansion
   std::uint32_t pieces = 0;       ///< 0: only `whole`
+  bool is_plain = false;          ///< known to have neither `$` nor `{`
+  bool is_blank = false;          ///< known to be blanks and line ends only
 };
+
+bool has_only_blanks(const TracedText& text);
 
 struct NodeAttribute {
   std::string_view name;

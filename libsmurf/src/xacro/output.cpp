@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The result as XML, in the layout of xacro, and where each part of it was written.
 #include <algorithm>
+#include <array>
 
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
@@ -10,7 +11,7 @@ namespace {
 
 class Writer {
  public:
-  Writer(const std::vector<Piece>& pieces, std::string& text, std::vector<Leaf>& leaves)
+  Writer(const std::vector<Piece>& pieces, std::string& text, std::vector<Leaf>* leaves)
       : pieces_(pieces), text_(text), leaves_(leaves) {}
 
   void run(const Node& root) {
@@ -19,11 +20,17 @@ class Writer {
   }
 
  private:
+  static constexpr auto kIsSpecial = [] {
+    std::array<bool, 256> table{};
+    for (std::size_t c = 0; c < ' '; ++c) table[c] = true;
+    for (const char c : {'&', '<', '>', '"'}) table[static_cast<unsigned char>(c)] = true;
+    return table;
+  }();
+
   void escaped(std::string_view value, bool is_attribute) {
-    const auto is_special = [](char c) {
-      return c < ' ' || c == '&' || c == '<' || c == '>' || c == '"';
-    };
-    if (std::none_of(value.begin(), value.end(), is_special)) {
+    unsigned special = 0;
+    for (const char c : value) special |= kIsSpecial[static_cast<unsigned char>(c)] ? 1U : 0U;
+    if (special == 0) {
       text_ += value;
       return;
     }
@@ -41,8 +48,9 @@ class Writer {
     }
   }
 
+  /// A leaf that ends here.
   Leaf& leaf(Leaf::Kind kind, std::size_t begin, const Node& node) {
-    Leaf& leaf = leaves_.emplace_back();
+    Leaf& leaf = leaves_->emplace_back();
     leaf.kind = kind;
     leaf.begin = offset(begin);
     leaf.end = offset(text_.size());
@@ -50,10 +58,19 @@ class Writer {
     return leaf;
   }
 
+  void tag_leaf(Leaf::Kind kind, std::size_t begin, const Node& node) {
+    if (leaves_ == nullptr) return;
+    Leaf& tag = leaf(kind, begin, node);
+    tag.origin = node.name_span;
+    tag.use = node.tag_span;
+    tag.whole = node.span;
+  }
+
   void piece(const Piece& piece, std::string_view value, bool is_attribute, const Node& node,
              Span whole) {
     const std::size_t begin = text_.size();
     escaped(value, is_attribute);
+    if (leaves_ == nullptr) return;
     Leaf& made = leaf(is_attribute ? Leaf::Kind::value : Leaf::Kind::text, begin, node);
     made.origin = piece.origin;
     made.use = piece.use;
@@ -66,6 +83,7 @@ class Writer {
   }
 
   void traced(const TracedText& text, bool is_attribute, const Node& node, Span whole) {
+    if (leaves_ == nullptr) return escaped(text.value, is_attribute);
     if (text.pieces == 0) return piece(text.whole, text.value, is_attribute, node, whole);
     std::size_t at = 0;
     for (std::uint32_t i = 0; i < text.pieces; ++i) {
@@ -75,26 +93,31 @@ class Writer {
     }
   }
 
+  void attribute(const NodeAttribute& one, const Node& node) {
+    text_.push_back(' ');
+    const std::size_t begin = text_.size();
+    text_ += one.name;
+    if (leaves_ != nullptr) {
+      Leaf& name = leaf(Leaf::Kind::attribute, begin, node);
+      name.origin = one.name_span;
+      name.use = name.whole = one.span;
+    }
+    text_.append("=\"", 2);
+    traced(one.text, true, node, one.span);
+    text_.push_back('"');
+  }
+
   void attributes(const Node& node) {
+    if (node.attributes.size() == 1) return attribute(node.attributes[0], node);
     sorted_.clear();
     for (const NodeAttribute& one : node.attributes) sorted_.push_back(&one);
     std::sort(sorted_.begin(), sorted_.end(),
               [](const NodeAttribute* a, const NodeAttribute* b) { return a->name < b->name; });
-    for (const NodeAttribute* one : sorted_) {
-      text_.push_back(' ');
-      const std::size_t begin = text_.size();
-      text_ += one->name;
-      Leaf& name = leaf(Leaf::Kind::attribute, begin, node);
-      name.origin = one->name_span;
-      name.use = name.whole = one->span;
-      text_ += "=\"";
-      traced(one->text, true, node, one->span);
-      text_.push_back('"');
-    }
+    for (const NodeAttribute* one : sorted_) attribute(*one, node);
   }
 
   static bool is_blank(const Node& node) {
-    return node.kind == NodeKind::text && without_blanks(node.text.value).empty();
+    return node.kind == NodeKind::text && has_only_blanks(node.text);
   }
 
   void element(const Node& node, std::size_t indent) {
@@ -102,13 +125,10 @@ class Writer {
     const std::size_t begin = text_.size();
     text_.push_back('<');
     text_ += node.name;
-    Leaf& tag = leaf(Leaf::Kind::tag, begin, node);
-    tag.origin = node.name_span;
-    tag.use = node.tag_span;
-    tag.whole = node.span;
+    tag_leaf(Leaf::Kind::tag, begin, node);
     attributes(node);
     if (node.children.empty()) {
-      text_ += "/>\n";
+      text_.append("/>\n", 3);
       return;
     }
     text_.push_back('>');
@@ -122,13 +142,10 @@ class Writer {
       text_.append(indent, ' ');
     }
     const std::size_t end = text_.size();
-    text_ += "</";
+    text_.append("</", 2);
     text_ += node.name;
     text_.push_back('>');
-    Leaf& closing = leaf(Leaf::Kind::end_tag, end, node);
-    closing.origin = node.name_span;
-    closing.use = node.tag_span;
-    closing.whole = node.span;
+    tag_leaf(Leaf::Kind::end_tag, end, node);
     text_.push_back('\n');
   }
 
@@ -158,7 +175,7 @@ class Writer {
 
   const std::vector<Piece>& pieces_;
   std::string& text_;
-  std::vector<Leaf>& leaves_;
+  std::vector<Leaf>* leaves_;  ///< null: not wanted
   std::vector<const NodeAttribute*> sorted_;  // of one element
 };
 
@@ -181,10 +198,10 @@ struct Needs {
 }  // namespace
 
 void write_result(const Node& root, const std::vector<Piece>& pieces, std::string& text,
-                  std::vector<Leaf>& leaves) {
+                  std::vector<Leaf>* leaves) {
   Needs needs;
   needs.add(root, 0);
-  leaves.reserve(needs.leaves);
+  if (leaves != nullptr) leaves->reserve(needs.leaves);
   text.reserve(needs.bytes);
   Writer(pieces, text, leaves).run(root);
 }

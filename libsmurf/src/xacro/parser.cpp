@@ -15,13 +15,18 @@ std::string_view text_of(Operation operation) {
   return kTexts[static_cast<std::size_t>(operation)];
 }
 
+Expressions::Expressions(Heap& heap) : heap_(heap) {}
+Expressions::~Expressions() = default;
+
 const Expression& Expressions::parse(std::string_view text) {
   const auto known = known_.find(text);
   if (known != known_.end()) return known->second;
-  const auto place = known_.emplace(heap_.keep(std::string(text)), Expression{}).first;
+  const auto place = known_.emplace(heap_.keep(text), Expression{}).first;
   Expression& expression = place->second;
   heap_.charge(text.size() * 20);  // trees need about this much
-  expression.root = Parser(*this, place->first, expression.fault).run();
+  SyntaxFault fault;
+  expression.root = Parser(*this, place->first, fault).run();
+  if (expression.root == nullptr) expression.fault = &faults_.emplace_back(std::move(fault));
   return expression;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <initializer_list>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,8 +18,8 @@ namespace smurf::xacro {
 class Parser {
  public:
   Parser(Expressions& expressions, std::string_view text, SyntaxFault& fault)
-      : expressions_(expressions), fault_(fault) {
-    tokens_ = split_tokens(text, expressions.heap_, fault);
+      : expressions_(expressions), fault_(fault), tokens_(expressions.tokens_) {
+    split_tokens(text, expressions.heap_, fault, expressions.tokens_);
   }
 
   const Syntax* run() {
@@ -65,15 +67,24 @@ class Parser {
     return nullptr;
   }
 
-  Syntax& make(SyntaxKind kind, std::uint32_t begin, std::vector<const Syntax*> parts) {
-    Syntax& node = expressions_.nodes_.emplace_back();
+  using Parts = std::span<const Syntax* const>;
+
+  Syntax& make(SyntaxKind kind, std::uint32_t begin, Parts parts) {
+    Syntax& node = expressions_.heap_.arena().make<Syntax>();
     node.kind = kind;
     node.begin = begin;
     node.end = at_ == 0 ? 0 : tokens_[at_ - 1].end;
-    node.parts = std::move(parts);
+    node.parts = keep(parts);
     node.has_lambda = kind == SyntaxKind::lambda;
     for (const Syntax* part : node.parts) deepen(node, part);
     return node;
+  }
+  Syntax& make(SyntaxKind kind, std::uint32_t begin, std::initializer_list<const Syntax*> parts) {
+    return make(kind, begin, Parts(parts.begin(), parts.size()));
+  }
+  template <class T>
+  std::span<const T> keep(std::span<const T> values) {
+    return values.empty() ? values : expressions_.heap_.arena().keep(values);
   }
   void deepen(Syntax& node, const Syntax* part) {
     if (part == nullptr) return;
@@ -93,7 +104,7 @@ class Parser {
       items.push_back(starred_or_test());
       if (items.back() == nullptr) return nullptr;
     }
-    return &make(SyntaxKind::tuple, begin, std::move(items));
+    return &make(SyntaxKind::tuple, begin, items);
   }
   bool ends_list() const {
     return peek().kind == Token::Kind::end || peek().is(")") || peek().is("]") || peek().is("=");
@@ -182,8 +193,8 @@ class Parser {
     const Syntax* body = test();
     if (body == nullptr) return nullptr;
     defaults.insert(defaults.begin(), body);
-    Syntax& node = make(SyntaxKind::lambda, begin, std::move(defaults));
-    node.names = std::move(names);
+    Syntax& node = make(SyntaxKind::lambda, begin, defaults);
+    node.names = keep(std::span<const std::string_view>(names));
     return &node;
   }
 
@@ -198,7 +209,7 @@ class Parser {
       parts.push_back((this->*inner)());
       if (parts.back() == nullptr) return nullptr;
     }
-    return &make(kind, begin, std::move(parts));
+    return &make(kind, begin, parts);
   }
   const Syntax* disjunction() { return chain("or", SyntaxKind::logical_or, &Parser::conjunction); }
   const Syntax* conjunction() { return chain("and", SyntaxKind::logical_and, &Parser::negation); }
@@ -251,8 +262,8 @@ class Parser {
       parts.push_back(binary(0));
       if (parts.back() == nullptr) return nullptr;
     } while (accept_comparison(operation));
-    Syntax& node = make(SyntaxKind::compare, begin, std::move(parts));
-    node.operations = std::move(operations);
+    Syntax& node = make(SyntaxKind::compare, begin, parts);
+    node.operations = keep(std::span<const Operation>(operations));
     return &node;
   }
 
@@ -343,7 +354,7 @@ class Parser {
 
   Expressions& expressions_;
   SyntaxFault& fault_;
-  std::vector<Token> tokens_;
+  const std::vector<Token>& tokens_;
   std::size_t at_ = 0;
   int depth_ = 0;
 };

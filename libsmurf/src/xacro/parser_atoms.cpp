@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What binds closest: names, constants, brackets, calls, indices.
 #include <algorithm>
+#include <array>
 
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
@@ -65,8 +66,8 @@ const Syntax* Parser::call(std::uint32_t begin, const Syntax* function) {
     if (!accept(",")) break;
   }
   if (!expect(")")) return nullptr;
-  Syntax& node = make(SyntaxKind::call, begin, std::move(parts));
-  node.names = std::move(names);
+  Syntax& node = make(SyntaxKind::call, begin, parts);
+  node.names = keep(std::span<const std::string_view>(names));
   return &node;
 }
 
@@ -78,7 +79,7 @@ const Syntax* Parser::subscript(std::uint32_t begin, const Syntax* value) {
       items.push_back(slice_or_test());
       if (items.back() == nullptr) return nullptr;
     }
-    index = &make(SyntaxKind::tuple, begin, std::move(items));
+    index = &make(SyntaxKind::tuple, begin, items);
   }
   if (index == nullptr || !expect("]")) return nullptr;
   return &make(SyntaxKind::subscript, begin, {value, index});
@@ -86,7 +87,7 @@ const Syntax* Parser::subscript(std::uint32_t begin, const Syntax* value) {
 
 const Syntax* Parser::slice_or_test() {
   const std::uint32_t begin = peek().begin;
-  std::vector<const Syntax*> parts(3, nullptr);
+  std::array<const Syntax*, 3> parts{};
   std::size_t count = 0;
   bool is_slice = false;
   for (;; ++count) {
@@ -97,7 +98,7 @@ const Syntax* Parser::slice_or_test() {
     if (count == 2 || !accept(":")) break;
     is_slice = true;
   }
-  if (is_slice) return &make(SyntaxKind::slice, begin, std::move(parts));
+  if (is_slice) return &make(SyntaxKind::slice, begin, parts);
   if (parts[0] == nullptr) unexpected();
   return parts[0];
 }
@@ -182,7 +183,7 @@ const Syntax* Parser::bracketed(std::uint32_t begin) {
     if (items.back() == nullptr) return nullptr;
   }
   if (!expect(")")) return nullptr;
-  return &make(SyntaxKind::tuple, begin, std::move(items));
+  return &make(SyntaxKind::tuple, begin, items);
 }
 
 const Syntax* Parser::list(std::uint32_t begin) {
@@ -197,12 +198,13 @@ const Syntax* Parser::list(std::uint32_t begin) {
     if (!accept(",")) break;
   }
   if (!expect("]")) return nullptr;
-  return &make(SyntaxKind::list, begin, std::move(items));
+  return &make(SyntaxKind::list, begin, items);
 }
 
 const Syntax* Parser::comprehension(const Syntax* item, std::uint32_t begin, bool is_generator) {
   Syntax& node = make(SyntaxKind::comprehension, begin, {item});
   node.is_generator = is_generator;
+  std::vector<Syntax::Clause> clauses;
   while (accept("for")) {
     Syntax::Clause clause;
     clause.target = target();
@@ -210,13 +212,16 @@ const Syntax* Parser::comprehension(const Syntax* item, std::uint32_t begin, boo
     clause.iterable = disjunction();
     if (clause.iterable == nullptr) return nullptr;
     deepen(node, clause.iterable);
+    std::vector<const Syntax*> conditions;
     while (accept("if")) {
-      clause.conditions.push_back(disjunction());
-      if (clause.conditions.back() == nullptr) return nullptr;
-      deepen(node, clause.conditions.back());
+      conditions.push_back(disjunction());
+      if (conditions.back() == nullptr) return nullptr;
+      deepen(node, conditions.back());
     }
-    node.clauses.push_back(std::move(clause));
+    clause.conditions = keep(Parts(conditions));
+    clauses.push_back(clause);
   }
+  node.clauses = keep(std::span<const Syntax::Clause>(clauses));
   node.end = tokens_[at_ - 1].end;
   return &node;
 }
@@ -236,7 +241,7 @@ const Syntax* Parser::target() {
     return nullptr;
   }
   const bool is_one = names.size() == 1 && !tokens_[at_ - 1].is(",");
-  return is_one ? names[0] : &make(SyntaxKind::tuple, begin, std::move(names));
+  return is_one ? names[0] : &make(SyntaxKind::tuple, begin, names);
 }
 
 }  // namespace smurf::xacro

@@ -142,6 +142,7 @@ void Expander::report_remarks(std::size_t first, std::string_view code, const Pi
 
 /// Reports `{name}` and `{2*pi}`, whose names are known.
 void Expander::check_braces(const TracedText& text, Table& symbols) {
+  if (text.is_plain) return;
   const std::string_view written = text.value;
   for (std::size_t open = written.find('{'); open != std::string_view::npos;
        open = written.find('{', open + 1)) {
@@ -182,7 +183,7 @@ void Expander::check_branches(const Node& in, const Node& out, Table& symbols) {
   for (const Node* child : out.children) {
     const bool is_content =
         child->kind == NodeKind::element ||
-        (child->kind == NodeKind::text && !without_blanks(child->text.value).empty());
+        (child->kind == NodeKind::text && !has_only_blanks(child->text));
     if (is_content) return;
   }
   std::vector<std::string_view> common;

@@ -2,10 +2,12 @@
 // Tables of properties, parameters and functions; each hangs below that of the caller.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
+#include "xacro/arena.hpp"
 #include "xacro/value.hpp"
 
 namespace smurf::xacro {
@@ -28,15 +30,17 @@ class Table {
   };
 
   /// A table without parent is that of the functions.
-  explicit Table(Table* parent = nullptr, bool is_namespace = false)
-      : parent_(parent), is_namespace_(is_namespace) {}
+  explicit Table(Arena& arena, bool is_namespace = false)
+      : arena_(arena), is_namespace_(is_namespace) {}
+  explicit Table(Table& parent, bool is_namespace = false)
+      : arena_(parent.arena_), parent_(&parent), is_namespace_(is_namespace) {}
 
   Table* parent() const { return parent_; }
   bool is_root() const { return parent_ == nullptr; }
   bool is_namespace() const { return is_namespace_; }
 
   /// The entry of this table; null if there is none.
-  Entry* own(std::string_view name);
+  Entry* own(std::string_view name) { return own(name, hash_of(name)); }
   /// The entry of this table or the nearest above, and its table.
   struct Found {
     Entry* entry = nullptr;
@@ -54,9 +58,23 @@ class Table {
   void append_names(std::vector<std::string_view>& names) const;
 
  private:
-  Table* parent_;
-  bool is_namespace_;
-  std::unordered_map<std::string_view, Entry> entries_;
+  /// In the arena: most tables are of one call, and nearly all names are looked up in several.
+  struct Slot {
+    std::string_view name;
+    std::size_t hash = 0;
+    Slot* next = nullptr;
+    Entry entry;
+  };
+
+  static std::size_t hash_of(std::string_view name);
+  Entry* own(std::string_view name, std::size_t hash);
+  void grow();
+
+  Arena& arena_;
+  Table* parent_ = nullptr;
+  bool is_namespace_ = false;
+  std::span<Slot*> chains_;  ///< a power of two
+  std::size_t count_ = 0;
 };
 
 }  // namespace smurf::xacro

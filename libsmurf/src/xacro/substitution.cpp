@@ -56,7 +56,7 @@ Value Expander::argument(const std::string& name) {
   const auto found = arguments_.find(name);
   if (found != arguments_.end()) {
     const OriginId origin = found->second.origin;
-    if (origin != kComputed) evaluator_.used().emplace_back(found->first, origin);
+    if (origin != kComputed) evaluator_.use(found->first, origin);
     return heap_.text(found->second.text).at(origin);
   }
   std::vector<std::string_view> known;
@@ -129,10 +129,10 @@ Value Expander::evaluate_eval(const std::string& expression) {
     return evaluator_.fail("`$(eval ...)` must not contain `__`");
   }
   if (eval_functions_ == nullptr) {
-    eval_functions_ = &tables_.emplace_back();
+    eval_functions_ = &tables_.emplace_back(heap_.arena());
     add_eval_functions(*eval_functions_, heap_);
   }
-  Table& names = tables_.emplace_back(eval_functions_);
+  Table& names = tables_.emplace_back(*eval_functions_);
   for (const auto& [name, argument] : arguments_) {
     if (eval_functions_->own(name) != nullptr) continue;
     Value value = heap_.text(argument.text);
@@ -147,7 +147,7 @@ Value Expander::evaluate_eval(const std::string& expression) {
     }
     names.set(name, value);
   }
-  const std::string_view code = heap_.keep(std::string(without_blanks(expression)));
+  const std::string_view code = heap_.keep(without_blanks(expression));
   const Value value = evaluator_.evaluate(code, names);
   if (value.is_failed()) {
     evaluator_.failure().begin = evaluator_.failure().end = 0;

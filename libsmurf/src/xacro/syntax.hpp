@@ -4,7 +4,7 @@
 
 #include <cstdint>
 #include <deque>
-#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -74,15 +74,15 @@ struct Syntax {
   std::uint32_t begin = 0, end = 0;  ///< in the text of the expression
   std::string_view text;             ///< of a name or an attribute
   Value value;                       ///< of a constant
-  std::vector<const Syntax*> parts;
-  std::vector<std::string_view> names;
-  std::vector<Operation> operations;
+  std::span<const Syntax* const> parts;
+  std::span<const std::string_view> names;
+  std::span<const Operation> operations;
   struct Clause {
     const Syntax* target = nullptr;
     const Syntax* iterable = nullptr;
-    std::vector<const Syntax*> conditions;
+    std::span<const Syntax* const> conditions;
   };
-  std::vector<Clause> clauses;  ///< of a comprehension
+  std::span<const Clause> clauses;  ///< of a comprehension
   bool is_generator = false;    ///< of a comprehension
   bool has_lambda = false;      ///< this, or something in it
 };
@@ -96,21 +96,25 @@ struct SyntaxFault {
 };
 
 struct Expression {
-  const Syntax* root = nullptr;  ///< null: see `fault`
-  SyntaxFault fault;
+  const Syntax* root = nullptr;
+  const SyntaxFault* fault = nullptr;  ///< if there is no root
 };
+
+struct Token;
 
 /// Owns the trees of all expressions; each text is parsed once.
 class Expressions {
  public:
-  explicit Expressions(Heap& heap) : heap_(heap) {}
+  explicit Expressions(Heap& heap);
+  ~Expressions();
   const Expression& parse(std::string_view text);
 
  private:
   friend class Parser;
-  Heap& heap_;
-  std::deque<Syntax> nodes_;
+  Heap& heap_;  ///< the trees are in its arena
+  std::deque<SyntaxFault> faults_;
   std::unordered_map<std::string_view, Expression> known_;
+  std::vector<Token> tokens_;  ///< of the expression that is being parsed
 };
 
 }  // namespace smurf::xacro

@@ -44,6 +44,9 @@ TextToken next_token(std::string_view text, std::size_t at) {
           close + 1};
 }
 
+/// What may begin a number, as Python reads it, or a truth value.
+constexpr std::string_view kOfLiterals = "0123456789+-.iInNtTfF";
+
 /// The bytes of a text behind the first ones; none if they are not written in one place.
 std::optional<Span> place_without(const Piece& text, std::uint32_t first) {
   if (!text.is_exact) return std::nullopt;
@@ -90,8 +93,7 @@ void Expander::name_inputs() {
 
 Value Expander::evaluate_expression(std::string_view inner, const Piece& place, Table& symbols,
                                     Piece& piece) {
-  Evaluator::Used outer;
-  std::swap(outer, evaluator_.used());
+  const Evaluator::Uses outer = evaluator_.begin_uses();
   std::string pasted;
   bool is_exact = true;
   Piece written = part_of(place, 2, 2 + inner.size());
@@ -134,7 +136,7 @@ Value Expander::evaluate_expression(std::string_view inner, const Piece& place, 
     constexpr std::size_t kMostInputs = 4;
     piece.first_input = offset(result_.inputs.size());
     for (const auto& [name, used] : evaluator_.used()) {
-      if (piece.inputs >= kMostInputs) break;
+      if (piece.inputs >= kMostInputs || !settings_.needs_origins) break;
       // The name as it is written, because this copy ends with the expansion.
       const std::string_view all = context_.sources.text(place.origin);
       const std::size_t at = all.find(name);
@@ -143,17 +145,54 @@ Value Expander::evaluate_expression(std::string_view inner, const Piece& place, 
       result_.inputs.push_back({all.substr(at, name.size()), heap_.place(used).span});
     }
   }
-  std::swap(outer, evaluator_.used());
+  evaluator_.end_uses(outer);
+  return value;
+}
+
+namespace {
+
+/// The text that the parts of a text make.
+struct Joined {
+  std::string text;
+  std::size_t parts = 0;
+  std::size_t filled_parts = 0;  ///< that are not empty
+  Piece filled;                  ///< the last of them
+
+  void add(std::string_view shown, Piece piece, std::vector<Piece>* pieces) {
+    ++parts;
+    text += shown;
+    piece.size = offset(shown.size());
+    if (!shown.empty()) {
+      ++filled_parts;
+      filled = piece;
+    }
+    if (pieces != nullptr) pieces->push_back(piece);
+  }
+};
+
+}  // namespace
+
+/// The value of `${...}` or `$(...)`; completes its piece.
+Value Expander::evaluate_code(std::string_view written, Table& symbols, Piece& piece) {
+  const std::string_view code = written.substr(2, written.size() - 3);
+  if (written[1] == '{') return evaluate_expression(code, piece, symbols, piece);
+  const Value inner =
+      evaluate_text(code, part_of(piece, 2, written.size() - 1), symbols, nullptr);
+  if (inner.is_failed()) return inner;
+  const Value value = substitute(evaluator_.string_of(inner));
+  place_failure(piece, 0);
+  if (value.origin != kComputed && !value.is_failed()) {
+    piece.origin = heap_.place(value.origin).span;
+    piece.is_exact = heap_.place(value.origin).is_exact;
+  } else {
+    piece.is_exact = false;
+  }
   return value;
 }
 
 Value Expander::evaluate_text(std::string_view text, const Piece& place, Table& symbols,
                               std::vector<Piece>* pieces) {
-  std::string joined;
-  Value only;
-  std::size_t parts = 0;
-  Piece filled;  // the last that is not empty
-  std::size_t filled_parts = 0;
+  Joined joined;
   for (std::size_t at = 0; at < text.size();) {
     if (!evaluator_.step(2)) {
       place_failure(place, 0);
@@ -161,14 +200,20 @@ Value Expander::evaluate_text(std::string_view text, const Piece& place, Table& 
     }
     const TextToken token = next_token(text, at);
     at = token.end;
-    const std::string_view written = text.substr(token.begin, token.end - token.begin);
-    Piece piece = part_of(place, token.begin, token.end);
+    const bool is_only = joined.parts == 0 && at == text.size();
+    const bool is_escape = token.kind == TextToken::Kind::escape;
+    const std::size_t begin = token.begin + (is_escape ? 1 : 0);
+    const std::string_view written = text.substr(begin, at - begin);
+    Piece piece = part_of(place, begin, at);
     Value value;
     switch (token.kind) {
-    case TextToken::Kind::text: value = heap_.text(std::string(written)).at(origin(piece)); break;
+    case TextToken::Kind::text:
     case TextToken::Kind::escape:
-      piece = part_of(place, token.begin + 1, token.end);
-      value = heap_.text(std::string(written.substr(1)));
+      if (!is_only) {
+        joined.add(written, piece, pieces);
+        continue;
+      }
+      value = heap_.text(std::string(written)).at(is_escape ? kComputed : origin(piece));
       break;
     case TextToken::Kind::fault:
       evaluator_.fail(rules::sml3302_xacro_syntax,
@@ -178,53 +223,40 @@ Value Expander::evaluate_text(std::string_view text, const Piece& place, Table& 
       place_failure(piece, 0);
       return Value::failure();
     case TextToken::Kind::expression:
-      value = evaluate_expression(written.substr(2, written.size() - 3), piece, symbols, piece);
-      break;
-    case TextToken::Kind::substitution: {
-      const Value inner = evaluate_text(written.substr(2, written.size() - 3),
-                                        part_of(piece, 2, written.size() - 1), symbols, nullptr);
-      if (inner.is_failed()) return inner;
-      value = substitute(evaluator_.string_of(inner));
-      place_failure(piece, 0);
-      if (value.origin != kComputed && !value.is_failed()) {
-        piece.origin = heap_.place(value.origin).span;
-        piece.is_exact = heap_.place(value.origin).is_exact;
-      } else {
-        piece.is_exact = false;
-      }
-      break;
-    }
+    case TextToken::Kind::substitution: value = evaluate_code(written, symbols, piece); break;
     }
     if (value.is_failed()) return value;
-    if (parts++ == 0 && at == text.size()) {
-      only = value;
-      if (pieces == nullptr) return only;
-      pieces->push_back(piece);
-      return only;
+    if (is_only) {
+      if (pieces != nullptr) pieces->push_back(piece);
+      return value;
+    }
+    if (value.is_text()) {
+      joined.add(*value.text, piece, pieces);
+      continue;
     }
     const std::string shown = evaluator_.string_of(value);
     if (evaluator_.has_failed()) {
       place_failure(piece, 0);
       return Value::failure();
     }
-    joined += shown;
-    piece.size = offset(shown.size());
-    if (!shown.empty()) {
-      ++filled_parts;
-      filled = piece;
-    }
-    if (pieces != nullptr) pieces->push_back(piece);
+    joined.add(shown, piece, pieces);
   }
-  const Value all = evaluator_.text(std::move(joined));
+  return text_of_parts(std::move(joined.text), place,
+                       joined.filled_parts == 1 ? &joined.filled : nullptr);
+}
+
+/// `filled` is the only part that is not empty; null if there are several.
+Value Expander::text_of_parts(std::string text, const Piece& place, const Piece* filled) {
+  const Value all = evaluator_.text(std::move(text));
   if (all.is_failed()) {
     place_failure(place, 0);
     return all;
   }
   // If all other parts are empty, the value is the one that is left, and keeps its place:
   // `${prefix}wheel` without a prefix is the literal `wheel`.
-  const bool is_one = filled_parts == 1 && filled.is_exact &&
-                      filled.origin.end - filled.origin.begin == filled.size;
-  if (is_one) return all.at(origin(filled));
+  const bool is_one = filled != nullptr && filled->is_exact &&
+                      filled->origin.end - filled->origin.begin == filled->size;
+  if (is_one) return all.at(origin(*filled));
   Piece whole = place;
   whole.is_exact = false;
   return all.at(origin(whole));
@@ -232,37 +264,43 @@ Value Expander::evaluate_text(std::string_view text, const Piece& place, Table& 
 
 Value Expander::evaluate_text(const NodeAttribute& attribute, Table& symbols) {
   const TracedText& text = attribute.text;
-  if (text.value.find('$') == std::string_view::npos) {
+  if (text.is_plain || text.value.find('$') == std::string_view::npos) {
     return heap_.text(std::string(text.value)).at(origin(text.whole));
   }
   return evaluate_text(text.value, text.whole, symbols, nullptr);
 }
 
 bool Expander::trace(const TracedText& in, Table& symbols, TracedText& out) {
-  if (in.value.find('$') == std::string_view::npos) {
+  if (in.is_plain || in.value.find('$') == std::string_view::npos) {
     out = in;
     return true;
   }
-  std::vector<Piece> pieces;
+  std::vector<Piece>& pieces = traced_;
+  pieces.clear();
   Piece place = in.whole;
   place.is_exact = place.is_exact && in.pieces == 0;
   const Value value = evaluate_text(in.value, place, symbols, &pieces);
   if (value.is_failed()) return false;
-  std::string text = evaluator_.string_of(value);
-  if (evaluator_.has_failed()) {
-    place_failure(place, 0);
-    return false;
+  std::string_view text;
+  if (value.is_text()) {
+    text = *value.text;
+  } else {
+    text = heap_.keep(evaluator_.string_of(value));
+    if (evaluator_.has_failed()) {
+      place_failure(place, 0);
+      return false;
+    }
   }
   if (pieces.size() == 1) pieces[0].size = offset(text.size());
-  out.value = value.is_text() ? std::string_view(*value.text) : heap_.keep(std::move(text));
-  out.pieces = 0;
+  out = {};
+  out.value = text;
   out.whole = in.whole;
-  out.whole.size = offset(out.value.size());
+  out.whole.size = offset(text.size());
   out.whole.is_exact = false;
   std::size_t at = 0;
   for (Piece& piece : pieces) {
     const bool is_same = piece.is_exact && piece.origin.end - piece.origin.begin == piece.size &&
-                         context_.sources.text(piece.origin) == out.value.substr(at, piece.size);
+                         context_.sources.text(piece.origin) == text.substr(at, piece.size);
     piece.is_exact = is_same;
     at += piece.size;
   }
@@ -289,6 +327,9 @@ Value Expander::literal(const Value& value) {
     const Value inner = heap_.text(text.substr(1, text.size() - 2));
     return inner.at(value.origin == kComputed ? kComputed : heap_.add(place));
   }
+  // Most texts are neither numbers nor truth values, which their first character tells.
+  const char first = text.empty() ? '\0' : text.front();
+  if (first > ' ' && first <= '~' && kOfLiterals.find(first) == std::string_view::npos) return value;
   // Python ignores underscores in numbers; here, they are texts.
   if (text.empty() || text.find('_') != std::string::npos) return value;
   if (const auto integer = read_integer(text, heap_)) return integer->at(value.origin);

@@ -29,23 +29,21 @@ bool is_name(char c) { return is_name_begin(c) || is_digit(c); }
 
 class Splitter {
  public:
-  Splitter(std::string_view text, Heap& heap, SyntaxFault& fault)
-      : text_(text), heap_(heap), fault_(fault) {}
+  Splitter(std::string_view text, Heap& heap, SyntaxFault& fault, std::vector<Token>& tokens)
+      : text_(text), heap_(heap), fault_(fault), tokens_(tokens) {}
 
-  std::vector<Token> run() {
-    tokens_.reserve(std::min<std::size_t>(text_.size() / 3, 30) + 2);
+  void run() {
+    tokens_.clear();
     while (fault_.rule == nullptr && skip_blanks()) {
       if (at_ == text_.size()) break;
       next();
     }
-    if (fault_.rule != nullptr) return {};
-    if (!brackets_.empty()) {
-      const auto begin = static_cast<std::uint32_t>(brackets_.back());
+    if (fault_.rule == nullptr && depth_ > 0) {
+      const auto begin = brackets_[depth_ - 1];
       fail(begin, begin + 1, std::string("`") + text_[begin] + "` is never closed");
-      return {};
     }
+    if (fault_.rule != nullptr) return tokens_.clear();
     add(Token::Kind::end, at_, at_);
-    return std::move(tokens_);
   }
 
  private:
@@ -78,7 +76,7 @@ class Splitter {
       if (c == '#') {
         at_ = std::min(text_.find('\n', at_), text_.size());
       } else if (c == '\n' || c == '\r') {
-        if (brackets_.empty()) {
+        if (depth_ == 0) {
           fail(at_, at_ + 1, "a line break ends the expression");
           fault_.help = "put the expression in round brackets, or on one line";
           return false;
@@ -278,17 +276,16 @@ class Splitter {
                   "this character does not belong into an expression");
     }
     if (c == '(' || c == '[' || c == '{') {
-      constexpr std::size_t kMostBrackets = 200;  // as Python
-      brackets_.push_back(at_);
-      if (brackets_.size() > kMostBrackets) {
+      if (depth_ == kMostBrackets) {
         return fail(at_, at_ + 1, "there are more than 200 nested brackets");
       }
+      brackets_[depth_++] = static_cast<std::uint32_t>(at_);
     } else if (c == ')' || c == ']' || c == '}') {
       const char open = c == ')' ? '(' : c == ']' ? '[' : '{';
-      if (brackets_.empty() || text_[brackets_.back()] != open) {
+      if (depth_ == 0 || text_[brackets_[depth_ - 1]] != open) {
         return fail(at_, at_ + 1, "`" + std::string(1, c) + "` closes nothing");
       }
-      brackets_.pop_back();
+      --depth_;
     }
     add(Token::Kind::mark, at_, at_ + size);
   }
@@ -310,18 +307,23 @@ class Splitter {
   Heap& heap_;
   SyntaxFault& fault_;
   std::size_t at_ = 0;
-  std::vector<std::size_t> brackets_;
-  std::vector<Token> tokens_;
+  std::vector<Token>& tokens_;
+  static constexpr std::size_t kMostBrackets = 200;  // as Python
+  std::array<std::uint32_t, kMostBrackets> brackets_;
+  std::size_t depth_ = 0;  ///< of open brackets
 };
 
 }  // namespace
 
 bool is_keyword(std::string_view word) {
+  constexpr std::size_t kShortest = 2, kLongest = 8;
+  if (word.size() < kShortest || word.size() > kLongest) return false;
   return std::binary_search(kKeywords.begin(), kKeywords.end(), word);
 }
 
-std::vector<Token> split_tokens(std::string_view text, Heap& heap, SyntaxFault& fault) {
-  return Splitter(text, heap, fault).run();
+void split_tokens(std::string_view text, Heap& heap, SyntaxFault& fault,
+                  std::vector<Token>& tokens) {
+  Splitter(text, heap, fault, tokens).run();
 }
 
 }  // namespace smurf::xacro

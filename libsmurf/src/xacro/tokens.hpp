@@ -27,7 +27,7 @@ struct Token {
 /// Whether a word has a meaning of its own in Python, and is no name.
 bool is_keyword(std::string_view word);
 
-/// Empty after a fault.
-std::vector<Token> split_tokens(std::string_view text, Heap& heap, SyntaxFault& fault);
+/// Replaces the tokens by those of a text; by none after a fault.
+void split_tokens(std::string_view text, Heap& heap, SyntaxFault& fault, std::vector<Token>& tokens);
 
 }  // namespace smurf::xacro

@@ -138,9 +138,9 @@ Value Heap::function(Function function) {
   return value;
 }
 
-std::string_view Heap::keep(std::string text) {
+std::string_view Heap::keep(std::string_view text) {
   charge(sizeof(std::string) + text.size());
-  return texts_.emplace_back(std::move(text));
+  return arena_.keep(text);
 }
 
 OriginId Heap::add(Place place) {

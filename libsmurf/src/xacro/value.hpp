@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "smurf/source.hpp"
+#include "xacro/arena.hpp"
 #include "xacro/bigint.hpp"
 
 namespace smurf::xacro {
@@ -222,8 +223,10 @@ class Heap {
   /// Before a list or a dictionary gets more items: false if one of them is not allowed, because
   /// the list is a part of another one. So no list contains itself, and depths stay true.
   bool adopt(const Value& owner, std::span<const Value> items);
-  /// A text that lives as long as the heap.
-  std::string_view keep(std::string text);
+  /// A copy of a text that lives as long as the heap.
+  std::string_view keep(std::string_view text);
+  /// For what ends with the heap and is not destroyed.
+  Arena& arena() { return arena_; }
 
   OriginId add(Place place);
   const Place& place(OriginId id) const { return places_[static_cast<std::size_t>(id)]; }
@@ -241,6 +244,7 @@ class Heap {
 
   std::uint64_t most_bytes_;
   std::uint64_t used_ = 0;
+  Arena arena_;
   bool is_too_deep_ = false;
   std::deque<std::string> texts_;
   std::deque<BigInt> integers_;

@@ -252,7 +252,7 @@ Place place_of(std::string_view source, std::string_view text, Span span) {
 
 Value Expander::yaml_unit(std::string_view text, double factor, Span span) {
   const Value value =
-      evaluator_.evaluate(heap_.keep(std::string(without_blanks(text))), *functions_);
+      evaluator_.evaluate(heap_.keep(without_blanks(text)), *functions_);
   if (value.is_failed()) {
     evaluator_.failure().span = span;
     return value;

@@ -125,7 +125,9 @@ std::optional<LoadedModel> Conversion::load_model(const std::string& path) {
 std::optional<LoadedExpansion> Conversion::load_xacro(const std::string& path) {
   const auto name = open(path);
   if (!name) return std::nullopt;
-  return session_.load_xacro(*name, settings());
+  CheckSettings wanted = settings();
+  wanted.xacro.needs_origins = false;
+  return session_.load_xacro(*name, wanted);
 }
 
 ExitCode Conversion::report(const LoadedExpansion& loaded, std::vector<Diagnostic> found) {
