@@ -67,7 +67,7 @@ ExitCode write_expansion(const ExportOptions& options, Conversion& conversion) {
     return conversion.refuse(conversion.why() + "; see --force");
   }
   if (options.dry_run) return kDone;
-  const std::string urdf(loaded->sources->text(loaded->expansion.source));
+  const std::string_view urdf = loaded->sources->text(loaded->expansion.source);
   return write_output(kTool, options.common.output, urdf) ? kDone : kFailed;
 }
 

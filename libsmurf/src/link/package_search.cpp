@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "base/files/path.hpp"
 #include "link/packages.hpp"
@@ -29,13 +30,62 @@ bool may_be_folder(const std::string& name) {
 
 }  // namespace
 
-std::optional<std::string> PackageSearch::best(const Packages& packages, const std::string& name) {
-  const auto found = packages.find(name);
-  if (found == packages.end()) return std::nullopt;
-  return *std::min_element(found->second.begin(), found->second.end(),
-                           [](const std::string& a, const std::string& b) {
-                             return a.size() != b.size() ? a.size() < b.size() : a < b;
-                           });
+std::optional<std::string> PackageSearch::best(const std::vector<std::string>& folders,
+                                               const std::string& name) {
+  const auto rank = [&](const std::string& one) {
+    return std::tuple(std::count(one.begin(), one.end(), '/'), path::file_name(one) != name,
+                      one.size(), std::string_view(one));
+  };
+  const auto found =
+      std::min_element(folders.begin(), folders.end(),
+                       [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return found == folders.end() ? std::nullopt : std::optional(*found);
+}
+
+const PackageSearch::Folder& PackageSearch::look_into(const std::string& path) {
+  const auto [known, is_new] = folders_.try_emplace(path);
+  Folder& folder = known->second;
+  if (!is_new) return folder;
+  std::vector<std::string> names = context_.files.list(path);
+  entries_ += names.size();
+  folder.has_package = std::binary_search(names.begin(), names.end(), kPackageFile);
+  // A file is listed as an empty folder. To ask what it is would make it an input of the run.
+  std::erase_if(
+      names, [](const std::string& name) { return name.starts_with('.') || !may_be_folder(name); });
+  folder.names = std::move(names);
+  return folder;
+}
+
+std::optional<std::string> PackageSearch::nearest(const std::string& folder,
+                                                  const std::string& name, Depth depth) {
+  constexpr int kNear = 2;            // levels
+  constexpr std::size_t kMost = 100;  // folders of a level
+  if (is_package(folder, name)) return folder;
+  const auto known = known_.find({folder, depth});
+  std::vector<std::string> level{folder};
+  for (int i = 0; i < kNear && known == known_.end() && entries_ <= kMostEntries; ++i) {
+    std::vector<std::string> inside;
+    for (const std::string& one : level) {
+      if (depth == Depth::packages && !name_in(one).empty()) continue;
+      const Folder& in_it = look_into(one);
+      if (depth == Depth::packages && in_it.has_package) continue;
+      for (const std::string& inner : in_it.names) inside.push_back(path::join(one, inner));
+    }
+    if (inside.size() > kMost) break;
+    std::vector<std::string> found;
+    const auto add = [&](bool is_called_so) {
+      for (const std::string& one : inside) {
+        const bool is_wanted = (path::file_name(one) == name) == is_called_so;
+        if (is_wanted && is_package(one, name)) found.push_back(one);
+      }
+      return !found.empty();
+    };
+    if (add(true) || add(false)) return best(found, name);
+    level = std::move(inside);
+  }
+  const Packages& all = packages_in(folder, depth);
+  const auto found = all.find(name);
+  return found == all.end() ? std::nullopt : best(found->second, name);
 }
 
 void PackageSearch::search(const std::string& folder, int level, Depth depth, Packages& found) {
@@ -53,18 +103,16 @@ void PackageSearch::search(const std::string& folder, int level, Depth depth, Pa
       return;
     }
   }
-  const std::vector<std::string> names = context_.files.list(folder);
-  entries_ += names.size();
-  if (std::binary_search(names.begin(), names.end(), kPackageFile)) {
+  const Folder& inside = look_into(folder);
+  if (inside.has_package) {
     const std::string& name = name_in(folder);
     if (!name.empty()) found[name].push_back(folder);
     if (depth == Depth::packages) return;
   }
   if (level >= kLevels) return;
-  for (const std::string& name : names) {
-    if (name.starts_with('.') || entries_ > kMostEntries) continue;
-    // A file is listed as an empty folder. To ask what it is would make it an input of the run.
-    if (may_be_folder(name)) search(path::join(folder, name), level + 1, depth, found);
+  for (const std::string& name : inside.names) {
+    if (entries_ > kMostEntries) return;
+    search(path::join(folder, name), level + 1, depth, found);
   }
 }
 
@@ -115,13 +163,13 @@ std::optional<std::string> PackageSearch::search_upward(const std::string& name,
     if (is_package(folder, name)) return folder;
     if (std::string inner = path::join(folder, name); is_package(inner, name)) return inner;
     if (!is_in_own) {
-      if (auto found = best(packages_in(folder, depth), name)) return found;
+      if (auto found = nearest(folder, name, depth)) return found;
     }
     const std::string above = path::join(folder, "..");
     if (above == folder) break;
     folder = above;
   }
-  return best(packages_in(".", depth), name);
+  return nearest(".", name, depth);
 }
 
 std::optional<std::string> PackageSearch::search_around(const std::string& name,
@@ -132,7 +180,7 @@ std::optional<std::string> PackageSearch::search_around(const std::string& name,
   if (auto found = search_upward(name, near, own, Depth::packages)) return found;
   if (auto found = search_upward(name, near, own, Depth::inside_of_packages)) return found;
   for (const std::string& one : context_.package_folders) {
-    if (auto found = best(packages_in(one, Depth::inside_of_packages), name)) return found;
+    if (auto found = nearest(one, name, Depth::inside_of_packages)) return found;
   }
   return std::nullopt;
 }

@@ -20,7 +20,8 @@ class PackageSearch {
 
   /// The folder of a package: the one that was given for it; then that of the file at `near`; then
   /// the one nearest to it, as far as files may be read; then one in the folders that contain
-  /// packages.
+  /// packages. Of several in one folder, the one that is nested least; of these, one in a folder of
+  /// the name of the package.
   std::optional<std::string> find(const std::string& name, const std::string& near);
 
  private:
@@ -28,6 +29,12 @@ class PackageSearch {
 
   /// Packages in packages are seldom, and are not built by colcon: they are asked last.
   enum class Depth : std::uint8_t { packages, inside_of_packages };
+
+  /// What is in a folder.
+  struct Folder {
+    bool has_package = false;
+    std::vector<std::string> names;  ///< of what may be folders
+  };
 
   std::optional<std::string> search_around(const std::string& name, const std::string& folder);
   std::optional<std::string> search_upward(const std::string& name, const std::string& folder,
@@ -42,11 +49,16 @@ class PackageSearch {
   /// The packages in a folder and all its subfolders.
   const Packages& packages_in(const std::string& folder, Depth depth);
   void search(const std::string& folder, int level, Depth depth, Packages& found);
-  static std::optional<std::string> best(const Packages& packages, const std::string& name);
+  const Folder& look_into(const std::string& folder);
+  /// The best of the packages in a folder, without reading all of them where it is near.
+  std::optional<std::string> nearest(const std::string& folder, const std::string& name,
+                                     Depth depth);
+  std::optional<std::string> best(const std::vector<std::string>& folders, const std::string& name);
 
   const LoadContext& context_;
   std::map<std::pair<std::string, Depth>, Packages> known_;
   std::map<std::string, std::string> names_;
+  std::map<std::string, Folder> folders_;
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> answers_;
   std::uint64_t entries_ = 0;
 };

@@ -133,7 +133,13 @@ class Expander final : public Host {
   File* open(const std::string& path, Span reference);
   bool parse(File& file);
   std::string help_with_path(const Failure& failure) const;
-  std::string readable_path(const std::string& path);
+  /// A path below the folder of a package; `folder` is empty for others.
+  struct PackagePath {
+    std::string path;
+    std::string folder, rest;
+  };
+  PackagePath package_path(const std::string& path) const;
+  std::string path_before_install(const PackagePath& wanted) const;
 
   // text.cpp
   /// The value of a text. Appends its pieces unless `pieces` is null.
@@ -226,6 +232,7 @@ class Expander final : public Host {
   std::uint64_t files_read_ = 0;
   std::uint64_t depth_ = 0;
   bool has_failed_ = false;
+  bool has_yaml_tags_ = false;           ///< in the YAML file that is being read
   std::uint64_t optional_includes_ = 0;  ///< around the place that is being expanded
   std::set<std::uint64_t> warned_;       ///< places of warnings, which are reported once
 };

@@ -152,26 +152,34 @@ std::string Expander::whole_path(const std::string& path) {
 }
 
 /// The path of a file as it is read and shown: below the folder of its package as it was found.
-std::string Expander::readable_path(const std::string& written) {
-  std::string path = path::normalize(written);
+Expander::PackagePath Expander::package_path(const std::string& written) const {
+  PackagePath found{path::normalize(written), {}, {}};
   for (const auto& [absolute, folder] : package_folders_) {
+    const std::string& path = found.path;
     const bool is_inside =
         path.size() > absolute.size() && path.starts_with(absolute) && path[absolute.size()] == '/';
     if (!is_inside) continue;
-    const std::string rest = path.substr(absolute.size() + 1);
-    path = path::join(folder, rest);
-    const std::string name = rest.substr(0, rest.find('/'));
-    const std::vector<std::string> entries = context_.files.list(folder);
-    if (std::find(entries.begin(), entries.end(), name) != entries.end()) return path;
-    constexpr std::uint64_t kMostBytes = 1U << 20U;
-    const FileContent lists = context_.files.read(path::join(folder, "CMakeLists.txt"), kMostBytes);
-    const auto moved = installed_folders(lists.text);
-    const auto source = moved.find(name);
-    if (source == moved.end()) return path;
-    return path::join(path::join(folder, source->second),
-                      rest.substr(std::min(rest.size(), name.size() + 1)));
+    std::string rest = path.substr(absolute.size() + 1);
+    return {path::join(folder, rest), folder, std::move(rest)};
   }
-  return path;
+  return found;
+}
+
+/// The path of a file that the package does not have, where its CMake file installs it; "" if it is
+/// the same.
+std::string Expander::path_before_install(const PackagePath& wanted) const {
+  if (wanted.folder.empty()) return {};
+  const std::string name = wanted.rest.substr(0, wanted.rest.find('/'));
+  const std::vector<std::string> entries = context_.files.list(wanted.folder);
+  if (std::find(entries.begin(), entries.end(), name) != entries.end()) return {};
+  constexpr std::uint64_t kMostBytes = 1U << 20U;
+  const FileContent lists =
+      context_.files.read(path::join(wanted.folder, "CMakeLists.txt"), kMostBytes);
+  const auto moved = installed_folders(lists.text);
+  const auto source = moved.find(name);
+  if (source == moved.end()) return {};
+  return path::join(path::join(wanted.folder, source->second),
+                    wanted.rest.substr(std::min(wanted.rest.size(), name.size() + 1)));
 }
 
 namespace {
@@ -192,16 +200,24 @@ std::string help_to_find(const FileReader& files, const std::string& path, bool 
 }  // namespace
 
 Expander::File* Expander::open(const std::string& written, Span reference) {
-  const std::string path = readable_path(written);
+  const PackagePath wanted = package_path(written);
+  std::string path = wanted.path;
   if (++files_read_ > context_.limits.xacro_files) {
     fail(rules::sml3312_xacro_limit, reference,
          "more than " + std::to_string(context_.limits.xacro_files) + " files are included",
          raise_limit("xacro-files"));
     return nullptr;
   }
-  const auto known = files_.find(path);
+  auto known = files_.find(path);
   if (known != files_.end()) return known->second.get();
   FileContent content = context_.files.read(path, context_.limits.file_bytes);
+  const bool is_missing = content.status == ReadStatus::not_found;
+  if (std::string other = is_missing ? path_before_install(wanted) : ""; !other.empty()) {
+    path = std::move(other);
+    known = files_.find(path);
+    if (known != files_.end()) return known->second.get();
+    content = context_.files.read(path, context_.limits.file_bytes);
+  }
   result_.included.insert(path);
   if (content.status != ReadStatus::ok) {
     evaluator_.fail(rules::sml3310_xacro_missing_file,
@@ -267,7 +283,9 @@ bool Expander::parse(File& file) {
 }
 
 std::vector<std::string> Expander::glob(const std::string& pattern) {
-  const std::string path = readable_path(pattern);
+  const PackagePath wanted = package_path(pattern);
+  const std::string other = path_before_install(wanted);
+  const std::string& path = other.empty() ? wanted.path : other;
   std::vector<std::string> found{path::is_absolute(path) ? "/" : ""};
   for (const std::string_view name : path::names(path)) {
     std::vector<std::string> next;

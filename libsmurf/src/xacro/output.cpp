@@ -175,7 +175,7 @@ class Writer {
 
   const std::vector<Piece>& pieces_;
   std::string& text_;
-  std::vector<Leaf>* leaves_;  ///< null: not wanted
+  std::vector<Leaf>* leaves_;                 ///< null: not wanted
   std::vector<const NodeAttribute*> sorted_;  // of one element
 };
 

@@ -15,7 +15,7 @@ std::string_view text_of(Operation operation) {
   return kTexts[static_cast<std::size_t>(operation)];
 }
 
-Expressions::Expressions(Heap& heap) : heap_(heap) {}
+Expressions::Expressions(Heap& heap) : heap_(heap), known_(ArenaAllocator<Known>(heap.arena())) {}
 Expressions::~Expressions() = default;
 
 const Expression& Expressions::parse(std::string_view text) {

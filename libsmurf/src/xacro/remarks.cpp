@@ -181,9 +181,8 @@ void Expander::check_braces(const TracedText& text, Table& symbols) {
 /// Reports an element whose branches are for other values than the actual one.
 void Expander::check_branches(const Node& in, const Node& out, Table& symbols) {
   for (const Node* child : out.children) {
-    const bool is_content =
-        child->kind == NodeKind::element ||
-        (child->kind == NodeKind::text && !has_only_blanks(child->text));
+    const bool is_content = child->kind == NodeKind::element ||
+                            (child->kind == NodeKind::text && !has_only_blanks(child->text));
     if (is_content) return;
   }
   std::vector<std::string_view> common;

@@ -4,13 +4,16 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
+#include "xacro/arena.hpp"
 #include "xacro/value.hpp"
 
 namespace smurf::xacro {
@@ -83,8 +86,8 @@ struct Syntax {
     std::span<const Syntax* const> conditions;
   };
   std::span<const Clause> clauses;  ///< of a comprehension
-  bool is_generator = false;    ///< of a comprehension
-  bool has_lambda = false;      ///< this, or something in it
+  bool is_generator = false;        ///< of a comprehension
+  bool has_lambda = false;          ///< this, or something in it
 };
 
 /// Why a text is no expression.
@@ -113,7 +116,10 @@ class Expressions {
   friend class Parser;
   Heap& heap_;  ///< the trees are in its arena
   std::deque<SyntaxFault> faults_;
-  std::unordered_map<std::string_view, Expression> known_;
+  using Known = std::pair<const std::string_view, Expression>;
+  std::unordered_map<std::string_view, Expression, std::hash<std::string_view>, std::equal_to<>,
+                     ArenaAllocator<Known>>
+      known_;
   std::vector<Token> tokens_;  ///< of the expression that is being parsed
 };
 

@@ -176,8 +176,7 @@ struct Joined {
 Value Expander::evaluate_code(std::string_view written, Table& symbols, Piece& piece) {
   const std::string_view code = written.substr(2, written.size() - 3);
   if (written[1] == '{') return evaluate_expression(code, piece, symbols, piece);
-  const Value inner =
-      evaluate_text(code, part_of(piece, 2, written.size() - 1), symbols, nullptr);
+  const Value inner = evaluate_text(code, part_of(piece, 2, written.size() - 1), symbols, nullptr);
   if (inner.is_failed()) return inner;
   const Value value = substitute(evaluator_.string_of(inner));
   place_failure(piece, 0);
@@ -329,7 +328,8 @@ Value Expander::literal(const Value& value) {
   }
   // Most texts are neither numbers nor truth values, which their first character tells.
   const char first = text.empty() ? '\0' : text.front();
-  if (first > ' ' && first <= '~' && kOfLiterals.find(first) == std::string_view::npos) return value;
+  if (first > ' ' && first <= '~' && kOfLiterals.find(first) == std::string_view::npos)
+    return value;
   // Python ignores underscores in numbers; here, they are texts.
   if (text.empty() || text.find('_') != std::string::npos) return value;
   if (const auto integer = read_integer(text, heap_)) return integer->at(value.origin);

@@ -28,6 +28,7 @@ struct Token {
 bool is_keyword(std::string_view word);
 
 /// Replaces the tokens by those of a text; by none after a fault.
-void split_tokens(std::string_view text, Heap& heap, SyntaxFault& fault, std::vector<Token>& tokens);
+void split_tokens(std::string_view text, Heap& heap, SyntaxFault& fault,
+                  std::vector<Token>& tokens);
 
 }  // namespace smurf::xacro

@@ -109,15 +109,17 @@ class Uses {
   }
 
   void mark_all(std::string_view text, SourceId source) {
-    for (std::size_t at = 0; at < text.size();) {
-      if (!kIsOfName[static_cast<unsigned char>(text[at])]) {
-        ++at;
-        continue;
+    const char* const stop = text.data() + text.size();
+    for (const char* at = text.data(); at < stop;) {
+      const char* const begin = at;
+      while (at < stop && kIsOfName[static_cast<unsigned char>(*at)]) ++at;
+      const auto size = static_cast<std::size_t>(at - begin);
+      if (size > 0 && words_[hash({begin, size})]) {
+        const auto place = static_cast<std::size_t>(begin - text.data());
+        mark(text, source, place, place + size);
+        if (!has_unused()) return;
       }
-      std::size_t end = at;
-      while (end < text.size() && kIsOfName[static_cast<unsigned char>(text[end])]) ++end;
-      if (words_[hash(text.substr(at, end - at))]) mark(text, source, at, end);
-      at = end;
+      ++at;
     }
     mark_odd_names(text, source);
   }

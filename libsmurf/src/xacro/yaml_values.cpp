@@ -251,8 +251,7 @@ Place place_of(std::string_view source, std::string_view text, Span span) {
 }  // namespace
 
 Value Expander::yaml_unit(std::string_view text, double factor, Span span) {
-  const Value value =
-      evaluator_.evaluate(heap_.keep(without_blanks(text)), *functions_);
+  const Value value = evaluator_.evaluate(heap_.keep(without_blanks(text)), *functions_);
   if (value.is_failed()) {
     evaluator_.failure().span = span;
     return value;
@@ -374,7 +373,7 @@ Value Expander::yaml_mapping(yaml::View view, std::string_view source) {
     const bool is_quoted = first == '\'' || first == '"';
     if (member.key() == "<<" && !is_quoted) continue;
     const yaml::Style style = is_quoted ? yaml::Style::single_quoted : yaml::Style::plain;
-    const std::string_view tag = tag_before(source, member.key_span());
+    const std::string_view tag = has_yaml_tags_ ? tag_before(source, member.key_span()) : "";
     if (!tag.empty() && !is_one_of(tag, {"!", "!!map", "!!str"})) {
       return fail_yaml("the tag " + quoted(tag) + " of a key", member.key_span(), true);
     }
@@ -393,7 +392,7 @@ Value Expander::yaml_value(yaml::View view, std::string_view source) {
   if (!evaluator_.step(2)) return Value::failure();
   const yaml::Node& node = view.document().nodes[static_cast<std::size_t>(view.id())];
   if (node.is_alias()) return yaml_value(yaml::View(view.document(), node.target()), source);
-  if (view.is_mapping() || view.is_sequence()) {
+  if (has_yaml_tags_ && (view.is_mapping() || view.is_sequence())) {
     const std::string_view tag = tag_before(source, view.span());
     if (!tag.empty() && tag != "!" && tag != (view.is_mapping() ? "!!map" : "!!seq")) {
       return fail_yaml("the tag " + quoted(tag) + " in front of a list or a mapping", view.span(),
@@ -410,8 +409,8 @@ Value Expander::yaml_value(yaml::View view, std::string_view source) {
     return evaluator_.list(std::move(items));
   }
   if (view.is_null()) return Value().at(heap_.add({view.place(), false}));
-  std::string_view tag = tag_before(source, view.span());
-  if (tag.empty()) tag = tag_of_absent(source, view.span());
+  std::string_view tag = has_yaml_tags_ ? tag_before(source, view.span()) : "";
+  if (has_yaml_tags_ && tag.empty()) tag = tag_of_absent(source, view.span());
   return yaml_scalar(view.text(), view.style(), tag, view.span());
 }
 
@@ -451,7 +450,10 @@ Value Expander::load_yaml(const std::string& written) {
                        false);
     }
     file_stack_.push_back(file->path);
-    value = yaml_value(document->view(), context_.sources.text(file->source));
+    const std::string_view text = context_.sources.text(file->source);
+    const bool outer = std::exchange(has_yaml_tags_, text.find('!') != std::string_view::npos);
+    value = yaml_value(document->view(), text);
+    has_yaml_tags_ = outer;
     file_stack_.pop_back();
     if (value.is_failed()) return value;
     yaml_files_[file->path] = value;

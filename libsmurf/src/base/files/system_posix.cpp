@@ -18,6 +18,22 @@
 namespace smurf::sys {
 std::vector<std::string> names_in(int folder) {
   std::vector<std::string> names;
+#ifdef __GLIBC__
+  // A DIR costs three more calls.
+  if (folder < 0) return names;
+  alignas(dirent64) std::array<char, 16384> entries;
+  ssize_t size = 0;
+  while ((size = ::getdents64(folder, entries.data(), entries.size())) > 0) {
+    for (ssize_t at = 0; at < size;) {
+      const auto* const entry = reinterpret_cast<const dirent64*>(entries.data() + at);
+      const std::string_view name = entry->d_name;
+      if (name != "." && name != "..") names.emplace_back(name);
+      at += entry->d_reclen;
+    }
+  }
+  ::close(folder);
+  return names;
+#else
   DIR* opened = folder < 0 ? nullptr : ::fdopendir(folder);
   if (opened == nullptr) return names;
   while (const dirent* entry = ::readdir(opened)) {
@@ -26,6 +42,7 @@ std::vector<std::string> names_in(int folder) {
   }
   ::closedir(opened);
   return names;
+#endif
 }
 
 std::optional<std::string> real_path(const std::string& path) {
