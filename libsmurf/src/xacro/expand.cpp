@@ -44,6 +44,7 @@ Expander::Expander(SourceId root, const Settings& settings, Context& context)
 
 Expansion Expander::run() {
   expand_root();
+  result_.documents.reserve(files_.size());
   for (auto& [path, file] : files_) {
     if (file->document) result_.documents.push_back(*std::move(file->document));
   }
@@ -271,7 +272,7 @@ bool Expander::copy_element(const Node& in, Node& out, Scope scope) {
   element.span = in.span;
   if (in.frame != kNoFrame) element.frame = in.frame;
   if (!evaluate(in, element, scope)) return false;
-  check_prefix(in, out, scope.macros);
+  if (out.name.empty() || out.name == "robot") check_prefix(in, scope.macros);
   check_branches(in, element, scope.symbols);
   if (in.name == "inertia") check_inertia(in, scope.symbols);
   for (const NodeAttribute& one : element.attributes) {

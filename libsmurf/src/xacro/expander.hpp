@@ -174,7 +174,7 @@ class Expander final : public Host {
   void check_braces(const TracedText& text, Table& symbols);
   void check_branches(const Node& in, const Node& out, Table& symbols);
   void check_parameters(const Macro& macro, const NodeAttribute& params);
-  void check_prefix(const Node& in, const Node& out, const MacroTable& macros);
+  void check_prefix(const Node& in, const MacroTable& macros);
   // unused_names.cpp
   void check_unused(const Node& in, const Node& out);
   /// inertia_formulas.cpp

@@ -60,7 +60,8 @@ bool matches(std::string_view pattern, std::string_view name) {
 }
 
 bool has_pattern(std::string_view text) {
-  return text.find_first_of("*[?") != std::string_view::npos;
+  return std::any_of(text.begin(), text.end(),
+                     [](char c) { return c == '*' || c == '[' || c == '?'; });
 }
 
 /// A prefix without a name of its own, which XML parsers refuse; null if there is none.
@@ -68,7 +69,7 @@ const xml::Attribute* find_empty_prefix(const xml::Document& document) {
   for (std::size_t i = 0; i < document.elements.size(); ++i) {
     const xml::View view(document, xml::ElementId{static_cast<std::uint32_t>(i)});
     for (const xml::Attribute& one : view.attributes()) {
-      if (one.name().starts_with("xmlns:") && one.value_span().empty()) return &one;
+      if (one.value_span().empty() && one.name().starts_with("xmlns:")) return &one;
     }
   }
   return nullptr;

@@ -277,9 +277,10 @@ bool Expander::pass_parameters(const Node& in, const Macro& macro, Table& inner,
       set(inner, attribute.name, value, false, attribute.name_span);
     if (shown.size() < kMostShown) {
       NoText problem{{}, kMostShown};
-      const std::string text = text_of(value, problem);
+      const std::string made = value.is_text() ? std::string() : text_of(value, problem);
+      const std::string_view text = value.is_text() ? std::string_view(*value.text) : made;
       if (!shown.empty()) shown += " ";
-      shown += std::string(attribute.name) + "=" + text.substr(0, kMostShown);
+      shown.append(attribute.name).append("=").append(text.substr(0, kMostShown));
     }
   }
   return true;

@@ -120,8 +120,14 @@ class Writer {
     return node.kind == NodeKind::text && has_only_blanks(node.text);
   }
 
+  void blanks(std::size_t count) {
+    constexpr std::string_view kBlanks = "                                ";
+    for (; count > kBlanks.size(); count -= kBlanks.size()) text_ += kBlanks;
+    text_ += kBlanks.substr(0, count);
+  }
+
   void element(const Node& node, std::size_t indent) {
-    text_.append(indent, ' ');
+    blanks(indent);
     const std::size_t begin = text_.size();
     text_.push_back('<');
     text_ += node.name;
@@ -139,7 +145,7 @@ class Writer {
       for (const Node* child : node.children) {
         if (!is_blank(*child)) write(*child, node, indent + 2);
       }
-      text_.append(indent, ' ');
+      blanks(indent);
     }
     const std::size_t end = text_.size();
     text_.append("</", 2);

@@ -253,17 +253,17 @@ void Expander::check_parameters(const Macro& macro, const NodeAttribute& params)
   }
 }
 
-/// Reports an element that old versions of xacro took for a call.
-void Expander::check_prefix(const Node& in, const Node& out, const MacroTable& macros) {
+/// Reports an element, a child of the robot, that old versions of xacro took for a call.
+void Expander::check_prefix(const Node& in, const MacroTable& macros) {
   constexpr std::array<std::string_view, 26> kOfRobots = {
       "actuator", "axis",         "box",      "camera",       "collision", "color",    "cylinder",
       "dynamics", "gazebo",       "geometry", "imu",          "inertia",   "inertial", "joint",
       "limit",    "link",         "mass",     "material",     "mesh",      "mimic",    "origin",
       "plugin",   "ros2_control", "sensor",   "transmission", "visual"};
-  if (!out.name.empty() && out.name != "robot") return;
-  const MacroTable::Entry* entry = macros.find(in.name);
-  if (entry == nullptr || entry->macro == nullptr || in.attributes.empty()) return;
+  if (in.attributes.empty()) return;
   if (std::find(kOfRobots.begin(), kOfRobots.end(), in.name) != kOfRobots.end()) return;
+  const MacroTable::Entry* entry = macros.find(in.name);
+  if (entry == nullptr || entry->macro == nullptr) return;
   const std::vector<Macro::Parameter>& parameters = entry->macro->parameters;
   for (const NodeAttribute& one : in.attributes) {
     const bool is_parameter =

@@ -159,7 +159,7 @@ struct Joined {
   Piece filled;                  ///< the last of them
 
   void add(std::string_view shown, Piece piece, std::vector<Piece>* pieces) {
-    ++parts;
+    if (parts++ == 0) text.reserve(shown.size() + 30);  // nearly always enough
     text += shown;
     piece.size = offset(shown.size());
     if (!shown.empty()) {

@@ -114,7 +114,7 @@ class Uses {
       const char* const begin = at;
       while (at < stop && kIsOfName[static_cast<unsigned char>(*at)]) ++at;
       const auto size = static_cast<std::size_t>(at - begin);
-      if (size > 0 && words_[hash({begin, size})]) {
+      if (size > 0 && may_be_name(*begin, size) && words_[hash({begin, size})]) {
         const auto place = static_cast<std::size_t>(begin - text.data());
         mark(text, source, place, place + size);
         if (!has_unused()) return;
@@ -126,7 +126,13 @@ class Uses {
 
  private:
   static constexpr std::size_t kHashes = 4096;
-  /// Few of the words of a file are names: this tells most others apart for little.
+  /// Few of the words of a file are names: these tell most others apart for little.
+  static std::uint32_t bit_of(std::size_t size) {
+    return std::uint32_t{1} << std::min<std::size_t>(size, 31);
+  }
+  bool may_be_name(char first, std::size_t size) const {
+    return (sizes_[static_cast<unsigned char>(first)] & bit_of(size)) != 0;
+  }
   static std::size_t hash(std::string_view word) {
     const auto letter = [&](std::size_t at) { return static_cast<unsigned char>(word[at]); };
     return (letter(0) * 5U + letter(word.size() / 2) * 67U + letter(word.size() - 1) * 331U +
@@ -142,6 +148,7 @@ class Uses {
   void add(std::string_view name) {
     if (std::all_of(name.begin(), name.end(), is_of_name)) {
       words_.set(hash(name));
+      sizes_[static_cast<unsigned char>(name.front())] |= bit_of(name.size());
     } else {
       odd_.push_back(name);
     }
@@ -185,6 +192,7 @@ class Uses {
   std::unordered_map<std::string_view, std::array<std::optional<Use>, kTitles.size()>> names_;
   std::size_t unused_ = 0;
   std::bitset<kHashes> words_;
+  std::array<std::uint32_t, 256> sizes_{};  ///< of names, by their first letter
   std::vector<std::string_view> odd_;
 };
 

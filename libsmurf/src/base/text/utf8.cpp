@@ -2,6 +2,7 @@
 #include "base/text/utf8.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
@@ -71,11 +72,11 @@ std::size_t count_code_points(std::string_view text) {
 
 std::size_t ascii_prefix(std::string_view text) {
   std::size_t at = 0;
-  // Eight bytes per step, because every byte of every file is checked here.
-  for (; at + sizeof(std::uint64_t) <= text.size(); at += sizeof(std::uint64_t)) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, text.data() + at, sizeof word);
-    if ((word & 0x8080808080808080U) != 0) break;
+  // 32 bytes per step, because every byte of every file is checked here.
+  std::array<std::uint64_t, 4> words{};
+  for (; at + sizeof words <= text.size(); at += sizeof words) {
+    std::memcpy(words.data(), text.data() + at, sizeof words);
+    if (((words[0] | words[1] | words[2] | words[3]) & 0x8080808080808080U) != 0) break;
   }
   while (at < text.size() && static_cast<unsigned char>(text[at]) < 0x80) ++at;
   return at;
