@@ -450,3 +450,27 @@ TEST_CASE("after random edits a check finds what a new session finds") {
   }
   CHECK(seen.size() > 30);
 }
+
+TEST_CASE("session: a package that is near is found without reading those behind it") {
+  const auto package = [](const std::string& name) { return "<name>" + name + "</name>"; };
+  MemoryFiles memory;
+  memory.add("robots/a.xacro", R"(<robot name="a" xmlns:xacro="x">
+    <xacro:include filename="$(find parts)/p.xacro"/></robot>)");
+  memory.add("one/package.xml", package("one"));
+  memory.add("group/parts/package.xml", package("parts"));
+  memory.add("group/parts/p.xacro", R"(<robot xmlns:xacro="x"><link name="${1}"/></robot>)");
+  memory.add("group/others/package.xml", package("others"));
+  CountingFiles files(memory);
+  Session session(files, {});
+  CheckSettings settings;
+  const LoadedExpansion mapped = session.load_xacro("robots/a.xacro", settings);
+  CHECK(mapped.expansion.is_complete);
+  CHECK_FALSE(mapped.expansion.leaves.empty());
+  const std::vector<std::string> read = files.take();
+  CHECK(std::count(read.begin(), read.end(), "group/others/package.xml") == 0);
+  settings.xacro.needs_origins = false;
+  const LoadedExpansion plain = session.load_xacro("robots/a.xacro", settings);
+  CHECK(plain.expansion.leaves.empty());
+  CHECK(plain.sources->text(plain.expansion.source) ==
+        mapped.sources->text(mapped.expansion.source));
+}

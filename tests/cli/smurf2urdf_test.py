@@ -448,6 +448,21 @@ class Refusal(ExportTest):
         comments = re.findall("<!-- (.*?) -->", self.expect(0, "a.urdf.xacro").stdout)
         self.assertEqual(comments, ["kept", "of if", "of a link", "after it", "of a link", "after it", "of a file"])
 
+    def test_packages_of_one_name(self):
+        """Taken is the one that is nested least; of several, the one whose folder has its name."""
+        self.write("robots/a.urdf.xacro", """<robot name="a" xmlns:xacro="x">
+  <xacro:include filename="$(find parts)/p.xacro"/>
+</robot>""")
+
+        def taken_with(folder):
+            self.write(folder + "/package.xml", "<package><name>parts</name></package>")
+            self.write(folder + "/p.xacro", f'<robot xmlns:xacro="x"><link name="of:{folder}"/></robot>')
+            return re.search('link name="of:(.*?)"', self.expect(0, "robots/a.urdf.xacro").stdout)[1]
+        self.assertEqual(taken_with("x/y/z/w"), "x/y/z/w")
+        self.assertEqual(taken_with("with_a_long_name/copies"), "with_a_long_name/copies")
+        self.assertEqual(taken_with("others/and_a_longer_name"), "with_a_long_name/copies")
+        self.assertEqual(taken_with("with_a_very_long_name/parts"), "with_a_very_long_name/parts")
+
     def test_limits_of_xacro(self):
         self.write("a.urdf.xacro", '<robot name="a" xmlns:xacro="x"><link name="${\'a\' * 100}"/></robot>')
         self.run_tool("a.urdf.xacro")
