@@ -15,20 +15,23 @@ import tempfile
 ROBOTS = 400
 ZERO = '<inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>'
 SOUND = '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>'
+WRONG = SOUND.replace("0.01", "0.5", 1)
 INERTIALS = {"mass": f'<inertial><origin xyz="0.1 0 0"/><mass value="1"/>{SOUND}</inertial>',
+             "unread": f'<inertial><origin xyz="0.1 0 0"/><mass value="1 "/>{SOUND}</inertial>',
+             "wrong": f'<inertial><mass value="1"/>{WRONG}</inertial>',
              "zero": f'<inertial><mass value="0"/>{ZERO}</inertial>', "none": ""}
 
 
 class Robot:
-    """Link 0 and moving links have a mass of their own; others may have none."""
+    """Link 0 and moving links have a mass of their own, which a space may hide; others may have none."""
 
     def __init__(self, choice):
         count = choice.randint(2, 9)
         self.parents = [None] + [choice.randrange(link) for link in range(1, count)]
         self.kinds = ["root"] + [choice.choice(("fixed", "fixed", "moving", "kept")) for _ in range(1, count)]
         self.names = [f"l{number}" for number in choice.sample(range(100), count)]
-        self.masses = ["mass" if kind in ("root", "moving") else choice.choice(("mass", "zero", "none", "none"))
-                       for kind in self.kinds]
+        kinds_of_mass = {"root": ["mass"], "moving": ["mass"] * 10 + ["unread", "wrong"]}
+        self.masses = [choice.choice(kinds_of_mass.get(kind, ("mass", "zero", "none", "none"))) for kind in self.kinds]
 
     def text(self):
         parts = []

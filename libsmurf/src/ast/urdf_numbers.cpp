@@ -360,6 +360,16 @@ std::optional<double> parse_hexadecimal(std::string_view text) {
   return is_negative ? -value : value;
 }
 
+bool has_blank_behind(std::string_view text, bool is_vector) {
+  const std::string_view blanks = is_vector ? "\t\n\r" : " \t\n\r";
+  for (std::size_t at = text.find_first_of(blanks); at != std::string_view::npos;
+       at = text.find_first_of(blanks, at + 1)) {
+    if (at > 0 && std::string_view(" \t\n\r").find(text[at - 1]) == std::string_view::npos)
+      return true;
+  }
+  return false;
+}
+
 bool is_underflow(std::string_view text) {
   const std::string lower = path::to_lower(text);
   return !parse_number(text) && is_out_of_range(lower) && lower.find("e-") != std::string::npos;

@@ -22,6 +22,10 @@ std::optional<double> parse_hexadecimal(std::string_view text);
 /// True for a decimal number that is too small for a double.
 bool is_underflow(std::string_view text);
 
+/// Whether white space follows a number where urdfdom does not skip it: anything after a single
+/// number, a tab or line break after one of a vector.
+bool has_blank_behind(std::string_view text, bool is_vector);
+
 /// Whether a value contains a xacro expression, "${...}" or "$(...)".
 bool is_xacro(std::string_view value);
 

@@ -5,6 +5,7 @@
 
 #include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
+#include "base/findings/uncertain.hpp"
 #include "base/text/quoted.hpp"
 #include "link/file_index.hpp"
 
@@ -38,13 +39,25 @@ class MeshSearch {
     const auto* mesh = std::get_if<urdf::Mesh>(&geometry.shape);
     if (mesh == nullptr || !mesh->filename || mesh->filename->empty()) return;
     const std::string path = path_of(*mesh->filename);
-    if (index_.exists(path) || context_.files.is_denied(path)) return;
-    if (lost_++ == 0) first_ = path;
+    if (index_.exists(path)) return;
+    if (context_.files.is_denied(path)) {
+      if (outside_.empty()) outside_ = path;
+    } else if (lost_++ == 0) {
+      first_ = path;
+    }
   }
 
   void report() const {
-    if (lost_ == 0) return;
+    if (lost_ == 0 && outside_.empty()) return;
     const xml::Attribute* place = folder_ != nullptr ? folder_ : compiler_.attribute("strippath");
+    if (lost_ == 0) {
+      Diagnostic& diagnostic = context_.sink.report(
+          rules::sml1647_mujoco_mesh_missing, place->value_span(),
+          "MuJoCo looks for a mesh at " + quoted(outside_) + ", which lies outside of the project");
+      diagnostic.when(kUncertain);
+      diagnostic.help("add `--allow-outside` to look for it there");
+      return;
+    }
     Diagnostic& diagnostic = context_.sink.report(
         rules::sml1647_mujoco_mesh_missing, place->value_span(),
         "MuJoCo looks for a mesh at " + quoted(first_) + ", where there is none");
@@ -67,7 +80,7 @@ class MeshSearch {
   const xml::Attribute* folder_;
   bool strips_;
   std::string urdf_folder_;
-  std::string first_;
+  std::string first_, outside_;
   std::size_t lost_ = 0;
 };
 

@@ -46,10 +46,20 @@ double mass_of(const LinkedModel& model, std::size_t link) {
   return inertial ? std::max(inertial->mass.value_or(0), 0.0) : 0.0;
 }
 
+/// Whether urdfdom cannot read an attribute that has a meaning for other readers.
+bool has_blank_behind(xml::View element, std::string_view name, bool is_vector) {
+  const xml::Attribute* attribute = element ? element.attribute(name) : nullptr;
+  return attribute != nullptr && smurf::has_blank_behind(attribute->value(), is_vector);
+}
+
 /// urdfdom reads the origin, the mass and the inertia, and stops where it cannot read a number.
-bool has_unread_mass(const urdf::Inertial& inertial) {
+bool has_unread_mass(const LinkedModel& model, const urdf::Inertial& inertial) {
   const auto is_lost = [](const auto& field) { return field.written && !field; };
-  return !inertial.mass || is_lost(inertial.origin.xyz) || is_lost(inertial.origin.rpy);
+  if (!inertial.mass || is_lost(inertial.origin.xyz) || is_lost(inertial.origin.rpy)) return true;
+  const xml::View element(model.robot->document, inertial.element);
+  const xml::View origin = element.child("origin");
+  return has_blank_behind(element.child("mass"), "value", false) ||
+         has_blank_behind(origin, "xyz", true) || has_blank_behind(origin, "rpy", true);
 }
 
 /// Whether an entry of the inertia is missing or unreadable: then urdfdom leaves all six at 0. It
@@ -59,8 +69,9 @@ bool has_unread_inertia(const LinkedModel& model, const urdf::Inertial& inertial
   // The element may have a name in another case, in which urdfdom finds no inertia.
   const xml::View inertia = xml::View(model.robot->document, inertial.element).child("inertia");
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (*entries[i]) continue;
     const xml::Attribute* at = inertia ? inertia.attribute(kInertiaEntries[i]) : nullptr;
+    if (at != nullptr && smurf::has_blank_behind(at->value(), false)) return true;
+    if (*entries[i]) continue;
     if (at == nullptr || !is_underflow(at->value())) return true;
   }
   return false;
@@ -93,7 +104,7 @@ struct Sums {
 
 /// Adds what urdfdom reads of an inertial. `X_BL` is the pose of the link in its body.
 void add(const LinkedModel& model, const urdf::Inertial& inertial, const Pose& X_BL, Sums& sums) {
-  if (!has_exact_name(model, inertial) || has_unread_mass(inertial)) return;
+  if (!has_exact_name(model, inertial) || has_unread_mass(model, inertial)) return;
   const Pose X_BI = X_BL * to_pose(inertial.origin);
   const Quaternion& q = X_BI.orientation;
   const Eigen::Matrix3d R = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
@@ -165,7 +176,7 @@ bool has_exact_name(const LinkedModel& model, const urdf::Inertial& inertial) {
 
 double mass_in_sdformat(const LinkedModel& model, std::size_t link) {
   const std::optional<urdf::Inertial>& inertial = model.robot->links[link].inertial;
-  if (!inertial || !has_exact_name(model, *inertial) || has_unread_mass(*inertial)) return 0;
+  if (!inertial || !has_exact_name(model, *inertial) || has_unread_mass(model, *inertial)) return 0;
   return *inertial->mass;
 }
 

@@ -62,6 +62,19 @@ class Counter {
   const std::vector<std::size_t>& body_;
 };
 
+/// By the topmost link of a body: whether urdfdom cannot read the mass of one of its links.
+std::vector<bool> unread_bodies(const LinkedModel& model, const std::vector<std::size_t>& body) {
+  std::vector<bool> unread(body.size(), false);
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const std::optional<urdf::Inertial>& inertial = model.robot->links[i].inertial;
+    if (!inertial || !has_exact_name(model, *inertial)) continue;  // SML1501
+    if (inertial->mass.value_or(1) != 0 && mass_in_sdformat(model, i) == 0) {
+      unread[body[i]] = true;
+    }
+  }
+  return unread;
+}
+
 }  // namespace
 
 std::vector<double> merged_masses(const LinkedModel& model) {
@@ -80,18 +93,40 @@ std::vector<LostLimb> limbs_lost_by_sdformat(const LinkedModel& model) {
   if (!model.robot) return lost;
   const std::vector<std::size_t> body = bodies_of_sdformat(model);
   const std::vector<bool> passed = passed_links(model, merged_masses(model));
+  const std::vector<bool> unread = unread_bodies(model, body);
   const Counter counter(model, body);
   for (const LinkIndex link : model.tree.order) {
     const std::size_t i = to_size(link);
     const auto parent = parent_of(model, i);
     if (passed[i] || !parent || !passed[to_size(*parent)]) continue;
     const urdf::Joint& above = model.joint(*model.tree.parent_joint[i]);
-    if (above.type != urdf::JointType::fixed || is_world(model, *parent)) continue;
+    const bool is_fixed = above.type == urdf::JointType::fixed && !is_world(model, *parent);
+    if (!is_fixed && unread[i])
+      lost.push_back({link, counter.links_below(i, false) + 1, false, true});
+    if (!is_fixed) continue;
     const bool is_merged = body[i] != i;
     const std::size_t links = counter.links_below(i, is_merged) + (is_merged ? 0 : 1);
     if (links > 0) lost.push_back({link, links, is_merged});
   }
   return lost;
+}
+
+bool InertialsTogether::is_sound(std::size_t link) {
+  if (sound_.empty()) sound_ = sound_together(model_);
+  return sound_[link];
+}
+
+void InertialsTogether::tell(std::size_t link, Diagnostic& diagnostic) {
+  if (is_sound(link)) diagnostic.when(kSoundTogether);
+  if (left_out_.empty()) {
+    const std::vector<std::size_t> body = bodies_of_sdformat(model_);
+    const std::vector<bool> passed = passed_links(model_, merged_masses(model_));
+    left_out_.resize(body.size());
+    // Without its root, the model has no links and is refused.
+    const bool has_links = !is_left_without_links(model_);
+    for (std::size_t i = 0; i < body.size(); ++i) left_out_[i] = has_links && !passed[body[i]];
+  }
+  if (left_out_[link]) diagnostic.when(kLeftOut);
 }
 
 std::vector<MasslessSum> massless_sums_of_sdformat(const LinkedModel& model) {

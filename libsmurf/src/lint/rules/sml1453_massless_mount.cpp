@@ -12,18 +12,24 @@ namespace {
 /// The joint to the link is fixed, and a Gazebo element keeps it.
 constexpr Circumstance kKept{"kept joint"};
 
+std::string reason(const LostLimb& limb) {
+  if (limb.is_unread) return " that Gazebo can read";
+  if (!limb.is_merged) return ", and it is kept apart";
+  return ", and " + counted(limb.links, "link hangs", "links hang") + " on it";
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   for (const LostLimb& limb : limbs_lost_by_sdformat(model)) {
     const urdf::Link& mount = model.link(limb.mount);
-    const std::string what = limb.is_merged
-                                 ? counted(limb.links, "link hangs", "links hang") + " on it"
-                                 : "it is kept apart";
     Diagnostic& diagnostic =
-        findings.report(name_place(model, mount), title(mount) + " has no mass, and " + what);
-    diagnostic.note(limb.is_merged ? "Gazebo then has " + counted(limb.links, "link") + " and " +
-                                         counted(limb.links, "joint") + " less"
-                                   : "Gazebo then has " + counted(limb.links, "link") + " less");
-    diagnostic.help("give " + title(mount) + " a small mass and inertia, such as 0.001 kg");
+        findings.report(name_place(model, mount), title(mount) + " has no mass" + reason(limb));
+    diagnostic.note(limb.is_merged || limb.is_unread
+                        ? "Gazebo then has " + counted(limb.links, "link") + " and " +
+                              counted(limb.links, "joint") + " less"
+                        : "Gazebo then has " + counted(limb.links, "link") + " less");
+    diagnostic.help(limb.is_unread
+                        ? "write its mass as a number without anything beside it"
+                        : "give " + title(mount) + " a small mass and inertia, such as 0.001 kg");
     if (!limb.is_merged) diagnostic.when(kKept);
   }
 }

@@ -4,13 +4,14 @@
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
+#include "readers/sdformat_losses.hpp"
 
 namespace smurf::rules::sml1509_mass_negative_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   const std::vector<bool> alone = alone_in_motion(model);
-  std::vector<bool> sound;  // asked for where there is something to report
+  InertialsTogether together(model);
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const std::size_t at = index++;
@@ -19,8 +20,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is " +
                                                       format_number(*link.inertial->mass) + " kg");
     if (alone[at]) diagnostic.when(kAlone);
-    if (sound.empty()) sound = sound_together(model);
-    if (sound[at]) diagnostic.when(kSoundTogether);
+    together.tell(at, diagnostic);
   });
 }
 
@@ -31,6 +31,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::takes, "keeps the number", kRun},
     {&readers::gazebo, Effect::changes,
      "adds it to the body that it is fixed to, or drops the link", kRun, when(kSoundTogether)},
+    kGazeboLeavesOut,
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "warns and goes on", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the mass", kRun, when(kAlone)},

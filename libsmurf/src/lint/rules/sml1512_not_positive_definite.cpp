@@ -11,6 +11,7 @@
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
+#include "readers/sdformat_losses.hpp"
 
 namespace smurf::rules::sml1512_not_positive_definite_file {
 namespace {
@@ -29,7 +30,7 @@ std::optional<Span> find_underflow(const LinkedModel& model, const urdf::Inertia
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  std::vector<bool> sound;  // computed only if there is a finding
+  InertialsTogether together(model);
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const std::size_t at = index++;
@@ -38,8 +39,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!moments) {
       const auto place = find_underflow(model, *link.inertial);
       if (!place) return;
-      if (sound.empty()) sound = sound_together(model);
-      if (!sound[at]) findings.add_consequence(*place);
+      if (!together.is_sound(at)) findings.add_consequence(*place);
       return;
     }
     const auto& [low, middle, high] = *moments;
@@ -52,8 +52,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::array without_negative{std::max(low, 0.0), std::max(middle, 0.0),
                                       std::max(high, 0.0)};
     if (triangle_excess(without_negative) > 0) diagnostic.when(kLopsided);
-    if (sound.empty()) sound = sound_together(model);
-    if (sound[at]) diagnostic.when(kSoundTogether);
+    together.tell(at, diagnostic);
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4);
     diagnostic.note("the principal moments of a body must be positive");
@@ -70,6 +69,7 @@ constexpr Fact kFacts[] = {
      "computes the inertia from the collisions, unless told otherwise", kRun},
     {&readers::gazebo, Effect::takes,
      "merges the link into the body it is fixed to, or drops the link", kRun, when(kSoundTogether)},
+    kGazeboLeavesOut,
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "computes with it anyway", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the inertia", "3.1.2, run",

@@ -7,12 +7,13 @@
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
+#include "readers/sdformat_losses.hpp"
 
 namespace smurf::rules::sml1513_triangle_violated_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  std::vector<bool> sound;  // computed only if there is a finding
+  InertialsTogether together(model);
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const std::size_t at = index++;
@@ -24,8 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is not physically possible");
-    if (sound.empty()) sound = sound_together(model);
-    if (sound[at]) diagnostic.when(kSoundTogether);
+    together.tell(at, diagnostic);
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4) + ": " +
                        format_rounded(high, 4) + " > " + format_rounded(low, 4) + " + " +
@@ -42,6 +42,7 @@ constexpr Fact kFacts[] = {
      "computes the inertia from the collisions, unless told otherwise", kRun},
     {&readers::gazebo, Effect::takes,
      "merges the link into the body it is fixed to, or drops the link", kRun, when(kSoundTogether)},
+    kGazeboLeavesOut,
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "computes with it anyway", kRun},
     {&readers::mujoco, Effect::changes, "balances the moments, because the file tells it to", kRun,

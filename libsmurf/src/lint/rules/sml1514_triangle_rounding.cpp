@@ -10,6 +10,7 @@
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
+#include "readers/sdformat_losses.hpp"
 
 namespace smurf::rules::sml1514_triangle_rounding_file {
 namespace {
@@ -70,7 +71,7 @@ void check(const LinkedModel& model, Findings& findings) {
   check_heavy(model, findings);
   constexpr double kNoise = 1e-14;   // of the eigenvalues
   constexpr double kMargin = 1e-12;  // what the sum is lowered by, relative
-  std::vector<bool> sound;           // computed only if there is a finding
+  InertialsTogether together(model);
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const std::size_t at = index++;
@@ -88,8 +89,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.note("MuJoCo refuses the file");
     const auto& [low, middle, high] = *moments;
     mark(high - (low + middle), low + middle + high, diagnostic);
-    if (sound.empty()) sound = sound_together(model);
-    if (sound[at]) diagnostic.when(kSoundTogether);
+    together.tell(at, diagnostic);
     const Field<double>* entry = largest_of_diagonal(*link.inertial);
     if (entry == nullptr) return;
     const std::string lowered = format_number(((*moments)[0] + (*moments)[1]) * (1 - kMargin));
@@ -101,6 +101,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::takes,
      "merges the link into the body it is fixed to, or drops the link", kRun, when(kSoundTogether)},
+    kGazeboLeavesOut,
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia",
      "gz-math MassMatrix3.hh, run", when(kBeyondSdformat)},
     {&readers::gazebo, Effect::refuses,

@@ -4,16 +4,21 @@
 
 #include "base/files/path.hpp"
 #include "base/findings/readers.hpp"
+#include "base/ranges.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1614_mesh_format_file {
 namespace {
 
 constexpr Circumstance kBobj{"bobj"};
+constexpr Circumstance kOfAssimp{"read by assimp"};
 
 constexpr std::string_view kLoaded[] = {".stl", ".obj", ".dae", ".bobj", ".gltf", ".glb",
                                         ".ply", ".vtk", ".msh", ".mesh", ".fbx",  ".3ds",
                                         ".wrl", ".cdf", ".usd", ".usda", ".usdc"};
+
+/// Further formats that assimp reads, which DART leaves all meshes to.
+constexpr std::string_view kOfAssimpOnly[] = {".ac", ".dxf", ".off", ".raw", ".x3d"};
 
 void check(const LinkedModel& model, Findings& findings) {
   std::set<std::string> reported;
@@ -33,6 +38,9 @@ void check(const LinkedModel& model, Findings& findings) {
       Diagnostic& diagnostic = findings.report(reference.span, subject + " is read by MARS only");
       diagnostic.when(kBobj);
       diagnostic.help("name the .obj or .stl; MARS takes the .bobj beside it");
+    } else if (ranges::contains(kOfAssimpOnly, extension)) {
+      findings.report(reference.span, subject + " is read by hardly any URDF reader")
+          .when(kOfAssimp);
     } else {
       findings.report(reference.span, subject + " is read by no URDF reader known here");
     }
@@ -41,6 +49,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::takes, "reads it", "MARS gui_helper_functions.cpp", when(kBobj)},
+    {&readers::dart, Effect::takes, "reads it", kRun, when(kOfAssimp)},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
     {&readers::pinocchio, Effect::refuses, "cannot load the mesh, and refuses the shapes", kRun},
 };

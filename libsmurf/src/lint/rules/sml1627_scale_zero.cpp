@@ -16,13 +16,16 @@ constexpr Circumstance kZero{"zero"};
 double volume_of(const Vector3& edges) { return std::fabs(edges[0] * edges[1] * edges[2]); }
 
 /// The volume of the mesh at most, in the unit of the file: that of its box where the surface is
-/// open. None of a flat mesh, which is another defect.
+/// open, or where the volumes of its sides cancel, because each face is there from both sides.
+/// MuJoCo adds up their sizes. None of a flat mesh, which is another defect.
 std::optional<double> unscaled_volume(const LinkedModel& model, const urdf::Mesh& mesh) {
   const MeshFacts* facts = find_facts(model, mesh);
   if (facts == nullptr || facts->defect || !facts->box) return std::nullopt;
   const double around = volume_of(facts->box->size());
   if (around == 0) return std::nullopt;
-  return facts->solid ? std::fabs(facts->solid->volume) : around;
+  constexpr double kCancelled = 1e-6;  // of the box
+  const double inside = facts->solid ? std::fabs(facts->solid->volume) : around;
+  return inside > kCancelled * around ? inside : around;
 }
 
 void check_mesh(const LinkedModel& model, const urdf::Mesh& mesh, Findings& findings) {

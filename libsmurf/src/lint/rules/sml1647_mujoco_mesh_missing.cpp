@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
 #include "base/findings/rules.hpp"
+#include "base/findings/uncertain.hpp"
 
 namespace smurf::rules::sml1647_mujoco_mesh_missing_file {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::mujoco, Effect::refuses, "refuses the model if the file is not there", kRun,
+     when(kUncertain)},
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun},
 };
 
