@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/files/found_file.hpp"
 #include "base/files/open_folder.hpp"
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
@@ -120,11 +121,12 @@ std::optional<std::string> CanonicalPaths::walk(std::string at, OpenFolder& fold
 
 std::optional<std::string> canonical_now(const std::string& path) {
 #ifdef O_PATH
-  const int opened = sys::open(path.c_str(), O_PATH | O_CLOEXEC);
-  if (opened < 0) return std::nullopt;
-  auto place = sys::place_of(opened);
-  sys::close(opened);
-  if (place && path::is_absolute(*place)) return place;
+  if (path == ".") {
+    if (std::string here = sys::working_folder(); !here.empty()) return here;
+  }
+  const FoundFile found(path);
+  if (found.error() != 0) return std::nullopt;
+  if (auto place = found.real_path()) return place;
 #endif
   return places::canonical(path);
 }

@@ -219,7 +219,10 @@ bool ConfinedFiles::is_denied(const std::string& path) const {
 FileContent ConfinedFiles::read(const std::string& path, std::uint64_t max_bytes) const {
   if (allowed_->everything || has_zero(path)) return disk_.read(path, max_bytes);
   const FoundFile found(path);
-  if (found.error() != 0) return is_denied(path) ? outside() : failure(found.error());
+  if (found.error() != 0) {
+    if (const auto place = found.real_path()) ways_->saw(path, *place);
+    return is_denied(path) ? outside() : failure(found.error());
+  }
   const auto real = found.real_path();
   if (real) ways_->saw(path, *real);
   const bool is_nowhere = !real && !S_ISREG(found.status().st_mode);  // a pipe of a shell

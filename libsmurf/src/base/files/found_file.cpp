@@ -22,13 +22,30 @@ constexpr bool kHasPlaces = false;
 int place_of(const std::string&) { return -1; }
 #endif
 
+/// The real path if no name in a path is a link.
+std::optional<std::string> place_by_name(const std::string& path) {
+  if (path.empty() || path.size() > path::kLongest / 2) return std::nullopt;
+  if (path::is_absolute(path)) return path::normalize(path);
+  const std::string here = sys::working_folder();
+  return here.empty() ? std::nullopt : std::optional(path::join(here, path));
+}
+
 }  // namespace
 
 Descriptor::~Descriptor() {
   if (number_ >= 0) sys::close(number_);
 }
 
-FoundFile::FoundFile(const std::string& path) : path_(path), place_(place_of(path)) {
+FoundFile::Opened FoundFile::open_place(const std::string& path) {
+  const int opened = sys::open_unlinked(path);
+  if (opened >= 0 || errno != ELOOP) return {opened, true};
+  return {place_of(path), false};
+}
+
+FoundFile::FoundFile(const std::string& path) : FoundFile(path, open_place(path)) {}
+
+FoundFile::FoundFile(const std::string& path, Opened opened)
+    : path_(path), is_unlinked_(opened.is_unlinked), place_(opened.number) {
   if (kHasPlaces && place_.number() < 0) {
     error_ = errno;
     return;
@@ -40,6 +57,10 @@ FoundFile::FoundFile(const std::string& path) : path_(path), place_(place_of(pat
 }
 
 std::optional<std::string> FoundFile::real_path() const {
+  if (is_unlinked_) {
+    if (auto place = place_by_name(path_)) return place;
+  }
+  if (error_ != 0) return std::nullopt;
   std::array<char, path::kLongest> target;
   ssize_t size = -1;
   if (kHasPlaces) {

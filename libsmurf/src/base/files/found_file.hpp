@@ -31,7 +31,8 @@ class FoundFile {
   /// 0, or the errno of the failure.
   int error() const { return error_; }
   const sys::Status& status() const { return status_; }
-  /// Its real path, with all links followed; none if it has no path.
+  /// Its real path, with all links followed; none if it has no path. Of a missing file, only if no
+  /// name on the way to it is a link.
   std::optional<std::string> real_path() const;
   /// A descriptor to read a regular file or a folder, or -1 with errno.
   int open() const;
@@ -39,6 +40,14 @@ class FoundFile {
  private:
   std::string path_;
   mutable std::optional<std::string> looked_up_;  ///< for systems without paths of open files
+  struct Opened {
+    int number = -1;
+    bool is_unlinked = false;
+  };
+  FoundFile(const std::string& path, Opened opened);
+  static Opened open_place(const std::string& path);
+
+  bool is_unlinked_;  ///< no name on the way is a link
   Descriptor place_;
   sys::Status status_{};
   int error_ = 0;

@@ -102,6 +102,14 @@ std::vector<std::string> names_in(int folder);
 /// The path with all links followed; none if it does not exist.
 std::optional<std::string> real_path(const std::string& path);
 
+/// Opens a file or folder for questions about it (O_PATH), if no name on the way to it is a link:
+/// its path without links is then known, and need not be asked for. -1 with errno, which is ELOOP
+/// where there is a link, and where the system cannot tell.
+int open_unlinked(const std::string& path);
+
+/// The path of the current folder, without links; "" if it is unknown.
+std::string working_folder();
+
 /// The path of an open file or folder, if the system provides it.
 std::optional<std::string> place_of(int number);
 

@@ -6,11 +6,17 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <system_error>
+
+#if defined(__linux__) && __has_include(<linux/openat2.h>)
+#include <linux/openat2.h>
+#include <sys/syscall.h>
+#endif
 
 #include "base/files/path.hpp"
 #include "base/files/system.hpp"
@@ -50,6 +56,28 @@ std::optional<std::string> real_path(const std::string& path) {
                                                          &std::free);
   if (!real) return std::nullopt;
   return std::string(real.get());
+}
+
+int open_unlinked([[maybe_unused]] const std::string& path) {
+#if defined(RESOLVE_NO_SYMLINKS) && defined(SYS_openat2)
+  static std::atomic<bool> is_known = true;
+  if (is_known) {
+    open_how how{};
+    how.flags = O_PATH | O_CLOEXEC;
+    how.resolve = RESOLVE_NO_SYMLINKS;
+    const long number = ::syscall(SYS_openat2, AT_FDCWD, path.c_str(), &how, sizeof how);
+    if (number >= 0 || errno == ENOENT) return static_cast<int>(number);
+    if (errno == ENOSYS) is_known = false;  // before Linux 5.6
+  }
+#endif
+  errno = ELOOP;
+  return -1;
+}
+
+std::string working_folder() {
+  std::array<char, path::kLongest> place;
+  const char* const found = ::getcwd(place.data(), place.size());
+  return found != nullptr && *found == '/' ? found : "";
 }
 
 std::optional<std::string> place_of(int number) {
