@@ -63,6 +63,19 @@ TEST_CASE("canonical paths: both calls return the path of std::filesystem") {
   }
 }
 
+TEST_CASE("canonical paths: the path of an existing file is that of std::filesystem") {
+  const Tree tree;
+  for (const std::string name : kNames) {
+    CAPTURE(name);
+    const fs::path path = tree / name;
+    const auto place = canonical_now(path.string());
+    CHECK(place.has_value() == fs::exists(path));
+    if (place) CHECK(*place == fs::canonical(path).string());
+  }
+  CHECK(canonical_now(".") == fs::current_path().string());
+  CHECK_FALSE(canonical_now(tree / "loop"));
+}
+
 TEST_CASE("canonical paths: a link to a missing file is followed") {
   const Tree tree;
   fs::create_symlink("../nothing", tree / "folder/dead");

@@ -48,11 +48,11 @@ void prepare_memory() {
   mallopt(M_MMAP_THRESHOLD, kLargestInHeap);
   mallopt(M_TRIM_THRESHOLD, INT_MAX);
   mallopt(M_TOP_PAD, kAhead);
-  // A page that was written before the request stays small. A block, which is never used or freed,
+  // A page that was written before the request stays small. A block, which is kept and never used,
   // goes until shortly before the first large page.
   const auto start = reinterpret_cast<std::uintptr_t>(::sbrk(0));
   const std::uintptr_t begin = (start + kPage / 4 + kPage - 1) & ~(kPage - 1);
-  const void* const volatile block = std::malloc(begin - start - kMore);
+  static const void* const volatile block = std::malloc(begin - start - kMore);
   mallopt(M_TOP_PAD, kFurther);
   if (block == nullptr) return;
   const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));
