@@ -48,7 +48,7 @@ bool is_everywhere(const Samples& values, const Formula& formula) {
 struct Length {
   std::size_t name = 0;
   double factor = 1;
-  Samples values{};
+  Samples squares{};  ///< of its values
   bool is_same(const Length& other) const { return name == other.name && factor == other.factor; }
 };
 
@@ -64,8 +64,8 @@ class Formulas {
     for (std::size_t i = 0; i < names; ++i) {
       masses_.push_back(samples_of(i));
       for (const double factor : {1.0, 0.5, 2.0}) {
-        Length length{i, factor, samples_of(i)};
-        for (double& value : length.values) value *= factor;
+        Length length{i, factor, masses_.back()};
+        for (double& value : length.squares) value = value * factor * (value * factor);
         lengths_.push_back(length);
       }
     }
@@ -129,7 +129,7 @@ class Formulas {
   }
 
   double square(std::size_t length, std::size_t sample) const {
-    return lengths_[length].values[sample] * lengths_[length].values[sample];
+    return lengths_[length].squares[sample];
   }
 
   /// A cylinder has two moments m/12 (3 r^2 + h^2), a sphere three of 2/5 m r^2.

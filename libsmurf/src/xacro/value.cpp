@@ -403,9 +403,9 @@ std::optional<std::string> hash_key(const Value& value) {
 }
 
 void insert(Dict& dict, const Value& key, const Value& value) {
-  const auto hashed = hash_key(key);
+  auto hashed = hash_key(key);
   if (!hashed) return;
-  const auto [place, is_new] = dict.by_key.try_emplace(*hashed, dict.items.size());
+  const auto [place, is_new] = dict.by_key.try_emplace(*std::move(hashed), dict.items.size());
   if (is_new) {
     dict.items.emplace_back(key, value);
   } else {
