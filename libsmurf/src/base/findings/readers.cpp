@@ -7,6 +7,7 @@
 
 #include "base/files/path.hpp"
 #include "base/findings/cases.hpp"
+#include "base/findings/rules.hpp"
 #include "base/findings/uncertain.hpp"
 
 namespace smurf {
@@ -91,12 +92,6 @@ bool is_user_name(std::span<const PlaceName> above) {
     return size <= above.size() &&
            std::equal(map.place.begin(), end, above.end() - static_cast<std::ptrdiff_t>(size));
   });
-}
-
-/// An element whose name is in another case (SML1114) is at the place of the one that is meant.
-PlaceName name_of_segment(std::string_view segment) {
-  const PlaceName name = place_name(segment);
-  return name == PlaceName{} ? place_name(path::to_lower(segment)) : name;
 }
 
 /// The version of a reader that is meant by a target.
@@ -279,14 +274,16 @@ std::vector<std::string_view> target_names() {
 }
 
 std::vector<PlaceName> place_of(const Diagnostic& diagnostic) {
-  const std::string path = without_predicates(diagnostic.pointer);
+  std::string path = without_predicates(diagnostic.pointer);
+  // An element whose name is in another case is at the place of the one that is meant.
+  if (diagnostic.rule == &rules::sml1114_tag_case) path = path::to_lower(path);
   std::vector<PlaceName> place;
   std::string_view rest = path;
   while (!rest.empty()) {
     const std::size_t slash = std::min(rest.find('/'), rest.size());
     const std::string_view segment = rest.substr(0, slash);
     if (!segment.empty() && !is_index(segment)) {
-      place.push_back(is_user_name(place) ? PlaceName{} : name_of_segment(segment));
+      place.push_back(is_user_name(place) ? PlaceName{} : place_name(segment));
     }
     rest.remove_prefix(std::min(slash + 1, rest.size()));
   }
