@@ -122,3 +122,9 @@ test("the module can come from elsewhere, and what is none is refused", async ()
   await assert.rejects(load(new Uint8Array(4)), WebAssembly.CompileError);
   assert.ok((await load()) instanceof WebAssembly.Module);
 });
+
+test("the module asks for calls of a system only", async () => {
+  // The linker makes an import of each function that nothing defines, and says nothing.
+  const asked = WebAssembly.Module.imports(await load()).map((one) => one.name);
+  assert.deepEqual(asked.filter((name) => name.startsWith("_Z")), []);
+});
