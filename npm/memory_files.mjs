@@ -4,6 +4,9 @@ import { FileError, Open } from "./host.mjs";
 
 // Deep enough that a path two folders up is still in the project; the tools read nothing outside of it.
 const kHere = "/in/the/memory/files";
+/** In bytes. Longer paths take hours, because every path is resolved part by part. */
+const kLongestPath = 1024;
+const kLongestName = 255;
 const kFolderMode = 0o040755;
 const kFileMode = 0o100644;
 const encoder = new TextEncoder();
@@ -16,6 +19,11 @@ function normalized(path) {
     else if (part !== "" && part !== ".") parts.push(part);
   }
   return "/" + parts.join("/");
+}
+
+/** What is written elsewhere would be lost, because only the files of the folder are handed back. */
+function checkInside(path) {
+  if (!normalized(path).startsWith(`${kHere}/`)) throw new FileError("EACCES");
 }
 
 const above = (path) => path.slice(0, Math.max(path.lastIndexOf("/"), 1));
@@ -39,13 +47,22 @@ export class MemoryFiles {
   constructor(files, input = "") {
     this.#input = { node: new Node(bytesOf(input)), at: 0 };
     this.#makeFolders(kHere);
+    // Of a Map, a list or a text, the entries are no files.
+    if (files instanceof Map || Array.isArray(files) || typeof files === "string") {
+      throw new TypeError("the files are not an object that maps paths to texts or bytes");
+    }
     for (const [name, content] of Object.entries(files)) {
       const path = normalized(name);
+      const size = (text) => encoder.encode(text).length;
+      if (name.includes("\0") || size(path) > kLongestPath || path.split("/").some((part) => size(part) > kLongestName)) {
+        throw new TypeError(`'${name.slice(0, 80)}' is not a path that a file can have: it contains a NUL, or is too long`);
+      }
       if (name.startsWith("/") || !path.startsWith(`${kHere}/`)) {
         throw new TypeError(`'${name}' is not a path in the folder of the files: write it without a leading '/' or '..'`);
       }
       this.#makeFolders(above(path));
       if (this.#nodes.get(path)?.bytes === null) throw new TypeError(`'${name}' is a folder of other files`);
+      if (this.#nodes.has(path)) throw new TypeError(`'${name}' names the same file as another path`);
       this.#nodes.set(path, new Node(bytesOf(content)));
     }
     this.before = this.#contents();
@@ -105,6 +122,7 @@ export class MemoryFiles {
     if (node !== undefined && flags & Open.create && flags & Open.exclusive) throw new FileError("EEXIST");
     if (node === undefined) {
       if (!(flags & Open.create)) throw new FileError("ENOENT");
+      checkInside(path);
       if (this.#node(above(whole)).bytes !== null) throw new FileError("ENOTDIR");
       this.#nodes.set(whole, (node = new Node(new Uint8Array(0))));
     }
@@ -175,6 +193,7 @@ export class MemoryFiles {
   }
 
   rename(from, to) {
+    checkInside(to);
     const node = this.#node(from);
     if (node.bytes === null) throw new FileError("EPERM");
     this.#nodes.delete(normalized(from));
@@ -182,6 +201,7 @@ export class MemoryFiles {
   }
 
   link(from, to) {
+    checkInside(to);
     if (this.#nodes.has(normalized(to))) throw new FileError("EEXIST");
     this.#nodes.set(normalized(to), this.#node(from));
   }
@@ -201,6 +221,7 @@ export class MemoryFiles {
   mkdir(path) {
     const whole = normalized(path);
     if (this.#nodes.has(whole)) throw new FileError("EEXIST");
+    checkInside(path);
     if (this.#node(above(whole)).bytes !== null) throw new FileError("ENOTDIR");
     this.#nodes.set(whole, new Node(null));
   }

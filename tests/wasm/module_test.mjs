@@ -65,6 +65,44 @@ test("files without a robot have no findings, and wrong calls say what is wrong"
   await assert.rejects(run("smurf-diff", [], {}), /there is no tool 'smurf-diff' in this package; there are smurf-lint/);
 });
 
+test("odd arguments are refused, and change nothing elsewhere", async () => {
+  const urdf = '<robot name="r"><link name="a"/></robot>';
+  const files = { "r.urdf": urdf };
+  const wrong = [
+    () => lint(new Map([["r.urdf", urdf]])), () => lint([urdf]), () => lint("r.urdf"),
+    () => lint(files, { paths: "r.urdf" }), () => lint(files, { args: "--target=mujoco" }),
+    () => lint(files, { args: ["--target=mujoco\0"] }), () => lint({ "r.urdf\0": urdf }),
+    () => lint({ "r.urdf": urdf, "./r.urdf": urdf }), () => lint({ ["x".repeat(300)]: urdf }),
+    () => lint({ ["d/".repeat(3000) + "r.urdf"]: urdf }), () => lint(files, { args: ["--help"] }),
+    () => run("smurf-lint", "--version", {}), () => run("constructor", [], {}), () => flatten(files),
+  ];
+  for (const call of wrong) await assert.rejects(call, TypeError, String(call));
+  const edit = (file, begin, end) =>
+    ({ diagnostics: [{ fix: { applicability: "safe", edits: [{ file, begin, end, text: "x" }] } }] });
+  const misplaced = [["toString", 0, 0], ["__proto__", 0, 0], ["r.urdf", -1, 0], ["r.urdf", 2, 1], ["r.urdf", 0, 99]];
+  for (const [file, begin, end] of misplaced) {
+    assert.throws(() => applyFixes(files, edit(file, begin, end)), TypeError);
+  }
+  const own = applyFixes(JSON.parse('{"__proto__": "hello"}'), edit("__proto__", 0, 1));
+  assert.deepEqual(Object.entries(own), [["__proto__", "xello"]]);
+  assert.deepEqual(Object.keys(Object.prototype), []);
+});
+
+test("nothing is written outside of the files, where it would be lost", async () => {
+  const files = { "r.urdf": '<robot name="r"><link name="a"/></robot>' };
+  for (const folder of ["..", "../x", "/x"]) await assert.rejects(toSmurf(files, "r.urdf", { folder }), ToolError);
+  const written = await toSmurf(files, "r.urdf", { folder: "a/../b" });
+  assert.deepEqual(Object.keys(written).sort(), ["b/smurf/r.smurf", "b/urdf/r.urdf"]);
+});
+
+test("a module that cannot be loaded does not replace a later one", async () => {
+  const good = await load();
+  const bad = assert.rejects(load(new Uint8Array([1])));
+  const later = load(good);
+  await bad;
+  assert.equal(await load(), await later);
+});
+
 test("fixes are those of smurf-lint --fix", async () => {
   const urdf = '<robot name="räder">\n<link name="a"/><link name="b"/>\n<joint name="j" type="fixed"><axis xyz="0 0 1"/>' +
     '<parent link="a"/><child link="b"/></joint></robot>\n';
