@@ -4,7 +4,7 @@ import { FileError, Open } from "./host.mjs";
 
 // Deep enough that a path two folders up is still in the project; the tools read nothing outside of it.
 const kHere = "/in/the/memory/files";
-/** In bytes. Longer paths take hours, because every path is resolved part by part. */
+/** In bytes. Every path is resolved part by part: with 3,000 folders, that takes more than ten minutes. */
 const kLongestPath = 1024;
 const kLongestName = 255;
 const kFolderMode = 0o040755;
