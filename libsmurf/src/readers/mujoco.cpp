@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MuJoCo, which has its own URDF reader.
+#include "base/findings/rules.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "link/shape_solids.hpp"
 #include "readers/circumstances.hpp"
