@@ -193,8 +193,8 @@ bool is_unreached(const LinkedModel& model, std::size_t joint, const std::vector
 bool is_missed(const LinkedModel& model) {
   const std::vector<std::optional<LinkIndex>>& parents = model.tree.joint_parent;
   const std::vector<std::optional<LinkIndex>>& children = model.tree.joint_child;
-  return std::count(parents.begin(), parents.end(), std::nullopt) > 0 ||
-         std::count(children.begin(), children.end(), std::nullopt) > 0;
+  return std::find(parents.begin(), parents.end(), std::nullopt) != parents.end() ||
+         std::find(children.begin(), children.end(), std::nullopt) != children.end();
 }
 
 void see(const LinkedModel& model, std::span<Diagnostic* const> found) {

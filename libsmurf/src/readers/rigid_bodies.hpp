@@ -33,7 +33,7 @@ std::vector<bool> fixed_to_root(const LinkedModel& model);
 /// separate bodies.
 std::vector<std::size_t> bodies_of_sdformat(const LinkedModel& model);
 
-/// Whether the element has the name that readers look for: our own reader ignores its case.
+/// Whether the element is named exactly `inertial`: our own reader accepts other cases, too.
 bool has_exact_name(const LinkedModel& model, const urdf::Inertial& inertial);
 
 /// The mass (kg) that sdformat reads, whatever its sign; 0 if urdfdom cannot read the inertial.

@@ -25,7 +25,7 @@ namespace smurf::sys {
 std::vector<std::string> names_in(int folder) {
   std::vector<std::string> names;
 #ifdef __GLIBC__
-  // A DIR costs three more calls.
+  // opendir() makes three more calls of the system.
   if (folder < 0) return names;
   alignas(dirent64) std::array<char, 16384> entries;
   ssize_t size = 0;

@@ -28,9 +28,9 @@ Names joints_with_motor(const LinkedModel& model) {
   return driven;
 }
 
-bool is_driven(xml::View joint, const Names& driven) {
+bool has_name_in(xml::View joint, const Names& names) {
   const xml::Attribute* name = joint.attribute("name");
-  return name != nullptr && driven.contains(name->value());
+  return name != nullptr && names.contains(name->value());
 }
 
 /// The links to which no joint leads. If there is only one, it is the root, as it should be.
@@ -128,7 +128,7 @@ Meanings meanings_of(const LinkedModel& model, xml::View end, std::string_view n
 void check(const LinkedModel& model, Findings& findings) {
   if (findings.doubtful_references().empty()) return;
   const urdf::Link* unnamed = link_without_name(model);
-  const Names driven = joints_with_motor(model);
+  const Names driven = joints_with_motor(model), followed = followed_joints(model);
   const std::string_view lone = model.robot ? lone_link(model) : std::string_view();
   std::map<std::string_view, Followers> parents;  // by the name of an absent parent
   for (const Reference& one : findings.doubtful_references()) {
@@ -138,19 +138,16 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto known = end.name() == "parent" ? parents.find(one.name) : parents.end();
     if (known != parents.end()) {
       known->second.add(subject, one.span);
-      if (is_driven(end.parent(), driven)) known->second.first->when(kDriven);
+      if (has_name_in(end.parent(), driven)) known->second.first->when(kDriven);
       continue;
     }
     Diagnostic* diagnostic = check_link_of_joint(model, one, subject, unnamed, findings,
                                                  meanings_of(model, end, one.name, lone));
     if (diagnostic != nullptr && end.name() == "parent") parents[one.name].first = diagnostic;
-    if (diagnostic != nullptr && is_driven(end.parent(), driven)) diagnostic->when(kDriven);
+    if (diagnostic != nullptr && has_name_in(end.parent(), driven)) diagnostic->when(kDriven);
     if (diagnostic != nullptr && one.name == "world") {
       diagnostic->when(kWorld);
-      const xml::Attribute* name = end.parent().attribute("name");
-      if (name != nullptr && followed_joints(model).contains(name->value())) {
-        diagnostic->when(kFollowed);
-      }
+      if (has_name_in(end.parent(), followed)) diagnostic->when(kFollowed);
     }
     if (diagnostic != nullptr && end.name() == "parent" && one.name == "world") {
       diagnostic->when(kDrakeWorld);
