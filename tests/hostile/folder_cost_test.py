@@ -251,6 +251,17 @@ def a_long_name_in_many_shapes(write):
     write("s.smurfs", "entities:\n- {name: e, type: urdf, file: r.urdf}\n")
 
 
+@folder(LINT)
+def robots_that_look_for_packages_in_a_large_workspace(write):
+    """Each robot once looked through all folders again."""
+    for i in range(4000):
+        write(f"other/f{i % 50}/g{i}/notes.rst", "")
+    for i in range(600):
+        write(f"ws/p{i}/package.xml", f"<package><name>p{i}</name></package>")
+        write(f"ws/p{i}/urdf/r.urdf.xacro", '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="a"/>'
+              f'<xacro:include filename="$(find q{i})/urdf/x.xacro"/></robot>')
+
+
 def make_folder(path):
     """Including the folders above it, which may be too many for Python to make in reasonable time."""
     if not path.exists():

@@ -30,6 +30,7 @@ struct ReadFiles {
 };
 
 class ParsedFiles;
+class PackageSearch;
 
 /// What a user decides about xacro files.
 struct XacroSettings {
@@ -63,6 +64,8 @@ struct LoadContext {
   /// Of the xacro files that were loaded, for their findings.
   std::shared_ptr<xacro::Expansions> expansions = std::make_shared<xacro::Expansions>();
   std::vector<CompanionTie> ties = {};
+  /// Packages around the robots. Robots may share it as long as no file changes; made when needed.
+  std::shared_ptr<PackageSearch> package_search = nullptr;
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Reports all mistakes and returns

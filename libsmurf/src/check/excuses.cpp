@@ -35,4 +35,15 @@ void excuse_one_of_several(std::vector<Diagnostic>& found) {
   }
 }
 
+bool is_part(const LinkedModel& model, const SourceMap& sources, bool was_found) {
+  if (model.files.empty()) return false;
+  const std::string_view text = sources.text(model.files.front().source);
+  const std::size_t root = text.find("<robot");
+  const std::string_view tag =
+      root == std::string_view::npos ? "" : text.substr(root, text.find('>', root) - root);
+  const bool has_name = tag.find("name=") != std::string_view::npos;
+  if (model.robot) return model.robot->links.empty() && (was_found || !has_name);
+  return was_found && !has_name;
+}
+
 }  // namespace smurf

@@ -14,6 +14,7 @@
 #include "base/findings/rules.hpp"
 #include "check/excuses.hpp"
 #include "check/parallel.hpp"
+#include "link/package_search.hpp"
 
 namespace smurf {
 namespace {
@@ -48,7 +49,8 @@ class Run {
         context_(context),
         memory_(context.memory),
         sources_(sources),
-        jobs_(count_of_jobs(settings.jobs)) {}
+        jobs_(count_of_jobs(settings.jobs)),
+        shared_search_(std::make_shared<PackageSearch>(context.check.files)) {}
 
   void configure(std::vector<std::string> configs) {
     if (configs.empty()) configs.emplace_back();
@@ -283,7 +285,11 @@ class Run {
                         settings_.package_folders,
                         settings_.opens_meshes ? &meshes : nullptr,
                         &group.config.schemas};
-    if (is_remembering()) context.parsed = &outcome.parsed;
+    if (is_remembering()) {
+      context.parsed = &outcome.parsed;
+    } else {
+      context.package_search = shared_search_;
+    }
     context.xacro = group.settings.xacro;
     context.ties = group.ties;
     if (!planned.arguments.empty()) context.xacro.arguments = planned.arguments;
@@ -319,19 +325,6 @@ class Run {
       }
       if (!robot.companions.is_alone) take_files(std::move(model), outcome);
     }
-  }
-
-  /// Whether a xacro file is only a part of robots, because it makes no link, or needs values that
-  /// others set. Robots have a name; `was_found` means that no user named the file.
-  static bool is_part(const LinkedModel& model, const SourceMap& sources, bool was_found) {
-    if (model.files.empty()) return false;
-    const std::string_view text = sources.text(model.files.front().source);
-    const std::size_t root = text.find("<robot");
-    const std::string_view tag =
-        root == std::string_view::npos ? "" : text.substr(root, text.find('>', root) - root);
-    const bool has_name = tag.find("name=") != std::string_view::npos;
-    if (model.robot) return model.robot->links.empty() && (was_found || !has_name);
-    return was_found && !has_name;
   }
 
   void take_companions(const Companions& companions, const LinkedModel& model,
@@ -453,6 +446,7 @@ class Run {
   SourceMap& sources_;
   const std::size_t jobs_;
   MeshLibrary shared_meshes_;                        ///< of all threads, if nothing is kept
+  std::shared_ptr<PackageSearch> shared_search_;     ///< the same
   std::vector<Judged> found_;                        ///< by configuration
   std::set<std::string> models_, scenes_, read_;     ///< by identity
   std::map<std::string, CompanionKind> companions_;  ///< by identity

@@ -46,8 +46,8 @@ const PackageSearch::Folder& PackageSearch::look_into(const std::string& path) {
   const auto [known, is_new] = folders_.try_emplace(path);
   Folder& folder = known->second;
   if (!is_new) return folder;
-  std::vector<std::string> names = context_.files.list(path);
-  entries_ += names.size();
+  std::vector<std::string> names = files_.list(path);
+  folder.entries = names.size();
   folder.has_package = std::binary_search(names.begin(), names.end(), kPackageFile);
   // A file is listed as an empty folder. To ask what it is would make it an input of the run.
   std::erase_if(
@@ -61,9 +61,9 @@ std::optional<std::string> PackageSearch::nearest(const std::string& folder,
   constexpr int kNear = 2;            // levels
   constexpr std::size_t kMost = 100;  // folders of a level
   if (is_package(folder, name)) return folder;
-  const auto known = known_.find({folder, depth});
+  const bool is_known = trees_.contains({folder, depth});
   std::vector<std::string> level{folder};
-  for (int i = 0; i < kNear && known == known_.end() && entries_ <= kMostEntries; ++i) {
+  for (int i = 0; i < kNear && !is_known; ++i) {
     std::vector<std::string> inside;
     for (const std::string& one : level) {
       if (depth == Depth::packages && !name_in(one).empty()) continue;
@@ -83,45 +83,59 @@ std::optional<std::string> PackageSearch::nearest(const std::string& folder,
     if (add(true) || add(false)) return best(found, name);
     level = std::move(inside);
   }
-  const Packages& all = packages_in(folder, depth);
+  const auto& all = tree_of(folder, depth).packages;
   const auto found = all.find(name);
   return found == all.end() ? std::nullopt : best(found->second, name);
 }
 
-void PackageSearch::search(const std::string& folder, int level, Depth depth, Packages& found) {
-  const auto known = known_.find({folder, depth});
-  if (known != known_.end()) {
-    for (const auto& [name, folders] : known->second) {
-      std::vector<std::string>& all = found[name];
-      all.insert(all.end(), folders.begin(), folders.end());
-    }
-    return;
+/// Takes what was found in a folder before, if the search would find the same again.
+bool PackageSearch::take_known(const std::string& folder, int level, Depth depth,
+                               Tree& found) const {
+  const auto known = trees_.find({folder, depth});
+  if (known == trees_.end()) return false;
+  const Tree& tree = known->second;
+  if (tree.is_cut || level + tree.levels > kLevels || found.entries + tree.entries > kMostEntries) {
+    return false;
   }
+  for (const auto& [name, folders] : tree.packages) {
+    std::vector<std::string>& all = found.packages[name];
+    all.insert(all.end(), folders.begin(), folders.end());
+  }
+  found.entries += tree.entries;
+  found.levels = std::max(found.levels, level + tree.levels);
+  return true;
+}
+
+void PackageSearch::search(const std::string& folder, int level, Depth depth, Tree& found) {
+  if (take_known(folder, level, depth, found)) return;
+  found.levels = std::max(found.levels, level);
   if (depth == Depth::packages) {  // most folders are packages, and their entries are not needed
     if (const std::string& name = name_in(folder); !name.empty()) {
-      found[name].push_back(folder);
+      found.packages[name].push_back(folder);
       return;
     }
   }
   const Folder& inside = look_into(folder);
+  found.entries += inside.entries;
   if (inside.has_package) {
     const std::string& name = name_in(folder);
-    if (!name.empty()) found[name].push_back(folder);
+    if (!name.empty()) found.packages[name].push_back(folder);
     if (depth == Depth::packages) return;
   }
   if (level >= kLevels) return;
   for (const std::string& name : inside.names) {
-    if (entries_ > kMostEntries) return;
+    found.is_cut = found.is_cut || found.entries > kMostEntries;
+    if (found.is_cut) return;
     search(path::join(folder, name), level + 1, depth, found);
   }
 }
 
-const PackageSearch::Packages& PackageSearch::packages_in(const std::string& folder, Depth depth) {
-  const auto known = known_.find({folder, depth});
-  if (known != known_.end()) return known->second;
-  Packages found;
+const PackageSearch::Tree& PackageSearch::tree_of(const std::string& folder, Depth depth) {
+  const auto known = trees_.find({folder, depth});
+  if (known != trees_.end()) return known->second;
+  Tree found;
   search(folder, 0, depth, found);
-  return known_.emplace(std::pair(folder, depth), std::move(found)).first->second;
+  return trees_.emplace(std::pair(folder, depth), std::move(found)).first->second;
 }
 
 const std::string& PackageSearch::name_in(const std::string& folder) {
@@ -129,7 +143,7 @@ const std::string& PackageSearch::name_in(const std::string& folder) {
   if (!is_new) return known->second;
   constexpr std::uint64_t kMostBytes = 1U << 20U;
   const std::string path = path::join(folder, std::string(kPackageFile));
-  return known->second = package_name_in(context_.files.read(path, kMostBytes).text);
+  return known->second = package_name_in(files_.read(path, kMostBytes).text);
 }
 
 std::string PackageSearch::package_around(std::string folder) {
@@ -142,13 +156,17 @@ std::string PackageSearch::package_around(std::string folder) {
   return {};
 }
 
-std::optional<std::string> PackageSearch::find(const std::string& name, const std::string& near) {
-  if (const auto given = context_.packages.find(name); given != context_.packages.end()) {
-    return given->second;
-  }
+std::optional<std::string> PackageSearch::find(const std::string& name, const std::string& near,
+                                               const std::vector<std::string>& package_folders) {
   const std::string folder = path::normalize(path::parent(near).empty() ? "." : path::parent(near));
+  const std::lock_guard lock(mutex_);
   const auto [answer, is_new] = answers_.try_emplace({name, folder});
-  if (is_new) answer->second = search_around(name, folder);
+  if (!is_new) return answer->second;
+  answer->second = search_around(name, folder);
+  for (const std::string& one : package_folders) {
+    if (answer->second) break;
+    answer->second = nearest(one, name, Depth::inside_of_packages);
+  }
   return answer->second;
 }
 
@@ -178,11 +196,17 @@ std::optional<std::string> PackageSearch::search_around(const std::string& name,
   const std::string own = package_around(near);
   if (!own.empty() && is_package(own, name)) return own;
   if (auto found = search_upward(name, near, own, Depth::packages)) return found;
-  if (auto found = search_upward(name, near, own, Depth::inside_of_packages)) return found;
-  for (const std::string& one : context_.package_folders) {
-    if (auto found = nearest(one, name, Depth::inside_of_packages)) return found;
+  return search_upward(name, near, own, Depth::inside_of_packages);
+}
+
+std::optional<std::string> find_package(const std::string& name, const std::string& near,
+                                        LoadContext& context) {
+  const auto given = context.packages.find(name);
+  if (given != context.packages.end()) return given->second;
+  if (!context.package_search) {
+    context.package_search = std::make_shared<PackageSearch>(context.files);
   }
-  return std::nullopt;
+  return context.package_search->find(name, near, context.package_folders);
 }
 
 }  // namespace smurf

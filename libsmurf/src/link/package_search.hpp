@@ -2,8 +2,10 @@
 // ROS packages around a file, by the names in their package.xml.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,26 +16,34 @@
 
 namespace smurf {
 
+/// Several threads may use it. What it finds does not depend on what was asked before.
 class PackageSearch {
  public:
-  explicit PackageSearch(const LoadContext& context) : context_(context) {}
+  explicit PackageSearch(const FileReader& files) : files_(files) {}
 
-  /// The folder of a package: the one that was given for it; then that of the file at `near`; then
-  /// the one nearest to it, as far as files may be read; then one in the folders that contain
-  /// packages. Of several in one folder, the one that is nested least; of these, one in a folder of
-  /// the name of the package.
-  std::optional<std::string> find(const std::string& name, const std::string& near);
+  /// The folder of a package: that of the file at `near`; then the one nearest to it, as far as
+  /// files may be read; then one in the folders that contain packages. Of several in one folder,
+  /// the one that is nested least; of these, one in a folder of the name of the package.
+  std::optional<std::string> find(const std::string& name, const std::string& near,
+                                  const std::vector<std::string>& package_folders);
 
  private:
-  using Packages = std::map<std::string, std::vector<std::string>>;
-
   /// Packages in packages are seldom, and are not built by colcon: they are asked last.
   enum class Depth : std::uint8_t { packages, inside_of_packages };
 
   /// What is in a folder.
   struct Folder {
     bool has_package = false;
+    std::size_t entries = 0;
     std::vector<std::string> names;  ///< of what may be folders
+  };
+
+  /// What is in a folder and all its subfolders.
+  struct Tree {
+    std::map<std::string, std::vector<std::string>> packages;  ///< by name
+    std::uint64_t entries = 0;
+    int levels = 0;
+    bool is_cut = false;  ///< there are more entries than are looked at
   };
 
   std::optional<std::string> search_around(const std::string& name, const std::string& folder);
@@ -46,21 +56,25 @@ class PackageSearch {
   bool is_package(const std::string& folder, std::string_view name) {
     return name_in(folder) == name;
   }
-  /// The packages in a folder and all its subfolders.
-  const Packages& packages_in(const std::string& folder, Depth depth);
-  void search(const std::string& folder, int level, Depth depth, Packages& found);
+  const Tree& tree_of(const std::string& folder, Depth depth);
+  void search(const std::string& folder, int level, Depth depth, Tree& found);
+  bool take_known(const std::string& folder, int level, Depth depth, Tree& found) const;
   const Folder& look_into(const std::string& folder);
   /// The best of the packages in a folder, without reading all of them where it is near.
   std::optional<std::string> nearest(const std::string& folder, const std::string& name,
                                      Depth depth);
   std::optional<std::string> best(const std::vector<std::string>& folders, const std::string& name);
 
-  const LoadContext& context_;
-  std::map<std::pair<std::string, Depth>, Packages> known_;
+  const FileReader& files_;
+  std::mutex mutex_;
+  std::map<std::pair<std::string, Depth>, Tree> trees_;
   std::map<std::string, std::string> names_;
   std::map<std::string, Folder> folders_;
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> answers_;
-  std::uint64_t entries_ = 0;
 };
+
+/// The same, but a folder that the user gave for the package comes first.
+std::optional<std::string> find_package(const std::string& name, const std::string& near,
+                                        LoadContext& context);
 
 }  // namespace smurf

@@ -28,8 +28,8 @@ std::string package_name_in(std::string_view text) {
   return std::string(trimmed(std::string_view(plain).substr(name, end - name)));
 }
 
-Packages::Packages(const LoadContext& context, const std::string& urdf_path, FileIndex& index)
-    : context_(context), index_(index), urdf_path_(urdf_path), beside_(context) {
+Packages::Packages(LoadContext& context, const std::string& urdf_path, FileIndex& index)
+    : context_(context), index_(index), urdf_path_(urdf_path) {
   constexpr int kLevels = 8;
   const std::string_view urdf_folder = path::parent(urdf_path);
   std::string folder = path::normalize(urdf_folder.empty() ? "." : urdf_folder);
@@ -82,7 +82,8 @@ Packages::Place Packages::search(const std::string& name_and_rest) {
   const std::string package = installed(name);
   if (!package.empty()) return {path::join(package, rest)};
   if (xacro::is_xacro_file(urdf_path_)) {
-    if (const auto found = beside_.find(name, urdf_path_)) return {path::join(*found, rest)};
+    if (const auto found = find_package(name, urdf_path_, context_))
+      return {path::join(*found, rest)};
   }
   if (guess) {
     guessed_.emplace(name, guess->path.substr(0, guess->path.size() - rest.size()));

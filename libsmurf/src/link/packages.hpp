@@ -20,7 +20,7 @@ std::string without_comments(std::string_view xml);
 
 class Packages {
  public:
-  Packages(const LoadContext& context, const std::string& urdf_path, FileIndex& index);
+  Packages(LoadContext& context, const std::string& urdf_path, FileIndex& index);
 
   struct Place {
     std::string path;       ///< empty if the package is unknown
@@ -48,10 +48,9 @@ class Packages {
   /// The name in a folder's package.xml; empty if there is none.
   const std::string& package_name(const std::string& folder);
 
-  const LoadContext& context_;
+  LoadContext& context_;
   FileIndex& index_;
   std::string urdf_path_;
-  PackageSearch beside_;
   std::vector<std::string> folders_;  ///< the URDF's folder and its parents
   std::map<std::string, std::string> names_;
   std::map<std::string, std::string> guessed_;  ///< by name: the folder in which a file was found

@@ -16,7 +16,7 @@ namespace {
 
 class Resolver {
  public:
-  Resolver(const LinkedModel& model, const LoadContext& context)
+  Resolver(const LinkedModel& model, LoadContext& context)
       : context_(context),
         index_(context.files),
         urdf_folder_(path::parent(model.urdf_path)),
@@ -191,7 +191,7 @@ class Resolver {
     return &context_.meshes->read(path, context_.files, context_.limits);
   }
 
-  const LoadContext& context_;
+  LoadContext& context_;
   FileIndex index_;
   std::string urdf_folder_;
   std::string main_folder_;
@@ -202,7 +202,7 @@ class Resolver {
 
 }  // namespace
 
-void resolve_resources(LinkedModel& model, const LoadContext& context) {
+void resolve_resources(LinkedModel& model, LoadContext& context) {
   Resolver resolver(model, context);
   for (const MaterialAnnotation& material : model.annotations.materials) {
     resolver.texture(material.diffuse_texture, model.annotation_textures);

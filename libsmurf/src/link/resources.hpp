@@ -8,6 +8,6 @@ namespace smurf {
 
 /// Finds the meshes of the URDF, if there is one, and the textures of the annotations; opens the
 /// meshes if the context has a mesh library.
-void resolve_resources(LinkedModel& model, const LoadContext& context);
+void resolve_resources(LinkedModel& model, LoadContext& context);
 
 }  // namespace smurf

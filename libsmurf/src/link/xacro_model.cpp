@@ -15,13 +15,12 @@ xacro::Expansion load_xacro(const std::string& path, LoadContext& context) {
 }
 
 xacro::Expansion expand_xacro(SourceId root, LoadContext& context) {
-  PackageSearch packages(context);
   xacro::Settings settings;
   settings.arguments = context.xacro.arguments;
   settings.environment = context.xacro.environment;
   settings.needs_origins = context.xacro.needs_origins;
   settings.find_package = [&](const std::string& name, const std::string& near) {
-    return packages.find(name, near);
+    return find_package(name, near, context);
   };
   settings.absolute = [here = std::string()](const std::string& relative) mutable {
     if (path::is_absolute(relative)) return path::normalize(places::absolute(relative));

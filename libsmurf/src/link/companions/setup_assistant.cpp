@@ -12,7 +12,6 @@ void find_missing_files(Companion& companion, LoadContext& context) {
   const yaml::View config =
       root && root.is_mapping() ? root.find("moveit_setup_assistant_config") : yaml::View();
   if (!config || !config.is_mapping()) return;
-  PackageSearch packages(context);
   for (const std::string_view name : {"URDF", "SRDF"}) {
     yaml::View part = config.find(name);
     if (!part) part = config.find(name == "URDF" ? "urdf" : "srdf");  // in ROS 2
@@ -20,8 +19,8 @@ void find_missing_files(Companion& companion, LoadContext& context) {
     if (!path || !path.is_scalar() || path.text().empty()) continue;
     std::string folder = companion.folder;
     if (const yaml::View package = part.find("package"); package && package.is_scalar()) {
-      const auto found =
-          packages.find(std::string(package.text()), context.sources.path(companion.source));
+      const auto found = find_package(std::string(package.text()),
+                                      context.sources.path(companion.source), context);
       // Without a package, the path is absolute.
       if (!found || package.text().empty()) continue;
       folder = *found;
