@@ -822,6 +822,11 @@ class Explanations(LintTest):
         self.assertTrue(text.startswith("mesh: element of a URDF."), text)
         self.assertIn("scale", text)
 
+    def test_attributes(self):
+        for name, value in (("multiplier", "a number"), ("k_velocity", "a number"), ("mesh.scale", "three numbers"),
+                            ("quat_xyzw", "four numbers"), ("filename", "a text")):
+            self.assertIn(f"\nValue: {value}", self.expect(0, "--explain", name).stdout, name)
+
     def test_everything_fits_a_terminal(self):
         for arguments in (["--list-rules"], ["--explain", "SML1"], ["--limit", "help"], ["--help"]):
             for line in self.expect(0, *arguments).stdout.splitlines():

@@ -249,6 +249,25 @@ TEST_CASE("the canonical form does not depend on order and notation") {
   CHECK(Exported(Read(other), options).text == canonical.text);
 }
 
+TEST_CASE("the canonical form has the order of the rows, except for those that are last") {
+  UrdfExport options;
+  options.is_canonical = true;
+  const std::string mixed =
+      "<mimic offset=\"0\" multiplier=\"2\" joint=\"tilt\"/>"
+      "<limit velocity=\"2\" jerk=\"9\" effort=\"10\" upper=\"1\" lower=\"-1\"/>"
+      "<safety_controller soft_lower_limit=\"0\" k_velocity=\"1\" k_position=\"2\"/>"
+      "<dynamics friction=\"1\" damping=\"2\"/><calibration rising=\"1\" falling=\"0.5\"/>";
+  const std::string limit = "<limit lower=\"-1.0\" upper=\"1\" effort=\"10\" velocity=\"2\"/>";
+  const Exported canonical(Read(replaced(kUrdf, limit, mixed)), options);
+  CHECK(canonical.has(
+      "    <calibration falling=\"0.5\" rising=\"1\"/>\n"
+      "    <dynamics damping=\"2\" friction=\"1\"/>\n"
+      "    <limit lower=\"-1\" upper=\"1\" effort=\"10\" velocity=\"2\" jerk=\"9\"/>\n"
+      "    <mimic joint=\"tilt\" multiplier=\"2\" offset=\"0\"/>\n"
+      "    <safety_controller k_position=\"2\" k_velocity=\"1\" "
+      "soft_lower_limit=\"0\"/>\n"));
+}
+
 TEST_CASE("motors become extensions where no extension drives their joints") {
   const Read lamp(kUrdf, kAnnotations);
   UrdfExport options;

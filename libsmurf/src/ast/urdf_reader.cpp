@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "ast/urdf_attributes.hpp"
 #include "ast/urdf_numbers.hpp"
 #include "base/files/path.hpp"
 #include "base/findings/cases.hpp"
@@ -16,6 +17,7 @@
 #include "base/numbers/quantity.hpp"
 #include "base/ranges.hpp"
 #include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 
 namespace smurf {
 namespace {
@@ -42,8 +44,7 @@ class RobotReader {
   explicit RobotReader(DiagnosticSink& sink) : sink_(sink) {}
 
   void robot(View root, urdf::Robot& robot) {
-    text(root, "name", robot.name);
-    text(root, "version", robot.version);
+    attributes(root, urdf::kRobot, robot);
     // These elements are large, and growing vectors reserve up to twice the needed memory.
     const auto count = [&](std::string_view name) {
       return static_cast<std::size_t>(
@@ -72,23 +73,55 @@ class RobotReader {
     out.span = element.span();
   }
 
-  static void text(View element, std::string_view name, Field<std::string>& out) {
-    const xml::Attribute* attribute = element.attribute(name);
-    if (attribute == nullptr) return;
-    out.set(std::string(attribute->value()));
-    out.span = attribute->value_span();
-    out.written = true;
+  /// Reads the attributes of a table. Most elements have the order of the table.
+  template <class T>
+  void attributes(View element, urdf::Rows<T> rows, T& out) {
+    const std::span<const xml::Attribute> given = element.attributes();
+    std::size_t next = 0;
+    urdf::for_each_field(rows, out, [&](const urdf::AttributeSpec& spec, auto& field) {
+      const bool is_next = next < given.size() && is_same(given[next].name(), spec.name);
+      const xml::Attribute* attribute = is_next ? &given[next] : element.attribute(spec.name);
+      if (attribute == nullptr) return;
+      ++next;
+      field.span = attribute->value_span();
+      field.written = true;
+      value(element, *attribute, field);
+    });
   }
 
-  void number(View element, std::string_view name, Field<double>& out) {
-    const xml::Attribute* attribute = element.attribute(name);
-    if (attribute == nullptr) return;
-    out.span = attribute->value_span();
-    out.written = true;
+  /// The attributes of a child element, if there is one.
+  template <class T>
+  void child(View parent, std::string_view name, urdf::Rows<T> rows, T& out) {
+    if (const View element = child_of(parent, name)) attributes(element, rows, out);
+  }
+
+  /// A child element that is a part of its own, if there is one.
+  template <class Owner, class T = std::remove_reference_t<decltype(*std::declval<Owner&>())>>
+  void part(View parent, std::string_view name, urdf::Rows<T> rows, Owner& out) {
+    const View element = child_of(parent, name);
+    if (!element) return;
+    T& made = make(out);
+    place(element, made);
+    attributes(element, rows, made);
+  }
+  template <class T>
+  static T& make(std::optional<T>& out) {
+    return out.emplace();
+  }
+  template <class T>
+  static T& make(std::unique_ptr<T>& out) {
+    return *(out = std::make_unique<T>());
+  }
+
+  static void value(View, const xml::Attribute& attribute, Field<std::string>& out) {
+    out.set(std::string(attribute.value()));
+  }
+
+  void value(View element, const xml::Attribute& attribute, Field<double>& out) {
     double value = 0;
-    if (!read_numbers(*attribute, {&value, 1}, sink_)) return;
+    if (!read_numbers(attribute, {&value, 1}, sink_)) return;
     if (!is_quantity(value) && std::fabs(value) > largest_in(element)) {
-      return report_too_large(element, *attribute, largest_in(element), value < 0);
+      return report_too_large(element, attribute, largest_in(element), value < 0);
     }
     out.set(value);
   }
@@ -119,16 +152,12 @@ class RobotReader {
   }
 
   template <std::size_t N>
-  void vector(View element, std::string_view name, Field<std::array<double, N>>& out) {
-    const xml::Attribute* attribute = element.attribute(name);
-    if (attribute == nullptr) return;
-    out.span = attribute->value_span();
-    out.written = true;
+  void value(View element, const xml::Attribute& attribute, Field<std::array<double, N>>& out) {
     std::array<double, N> values{};
-    if (!read_numbers(*attribute, values, sink_)) return;
+    if (!read_numbers(attribute, values, sink_)) return;
     if (!std::all_of(values.begin(), values.end(), is_quantity)) {
       const bool is_negative = *std::min_element(values.begin(), values.end()) < 0;
-      return report_too_large(element, *attribute, kLargestQuantity, is_negative);
+      return report_too_large(element, attribute, kLargestQuantity, is_negative);
     }
     out.set(values);
   }
@@ -137,15 +166,16 @@ class RobotReader {
     const View element = child_of(parent, "origin");
     if (!element) return;
     out.element = element.id();
-    vector(element, "xyz", out.xyz);
-    vector(element, "rpy", out.rpy);
+    attributes(element, urdf::kOrigin, out);
     if (has_quaternions_) quaternion(element, out.rpy);
   }
 
   /// Reads the quaternion that URDF 1.1 allows instead of rpy. Readers ignore it in URDF 1.0.
   void quaternion(View element, Field<Vector3>& rpy) {
-    Field<std::array<double, 4>> xyzw;
-    vector(element, "quat_xyzw", xyzw);
+    const xml::Attribute* attribute = element.attribute("quat_xyzw");
+    if (attribute == nullptr) return;
+    Field<std::array<double, 4>> xyzw{{}, attribute->value_span()};
+    value(element, *attribute, xyzw);
     if (!xyzw) return;
     const auto& [x, y, z, w] = *xyzw;
     const Quaternion q{w, x, y, z};
@@ -155,15 +185,8 @@ class RobotReader {
   void inertial(View element, urdf::Inertial& out) {
     place(element, out);
     origin(element, out.origin);
-    if (const View mass = child_of(element, "mass")) number(mass, "value", out.mass);
-    if (const View inertia = child_of(element, "inertia")) {
-      number(inertia, "ixx", out.ixx);
-      number(inertia, "ixy", out.ixy);
-      number(inertia, "ixz", out.ixz);
-      number(inertia, "iyy", out.iyy);
-      number(inertia, "iyz", out.iyz);
-      number(inertia, "izz", out.izz);
-    }
+    child(element, "mass", urdf::kMass, out);
+    child(element, "inertia", urdf::kInertia, out);
   }
 
   void geometry(View parent, urdf::Geometry& out) {
@@ -179,127 +202,73 @@ class RobotReader {
   }
 
   urdf::Shape shape(View element) {
-    if (element.name() == "box") {
-      urdf::Box box;
-      vector(element, "size", box.size);
-      return box;
-    }
-    if (element.name() == "sphere") {
-      urdf::Sphere sphere;
-      number(element, "radius", sphere.radius);
-      return sphere;
-    }
-    if (element.name() == "cylinder") {
-      urdf::Cylinder cylinder;
-      number(element, "radius", cylinder.radius);
-      number(element, "length", cylinder.length);
-      return cylinder;
-    }
-    if (element.name() == "capsule") {
-      urdf::Capsule capsule;
-      number(element, "radius", capsule.radius);
-      number(element, "length", capsule.length);
-      return capsule;
-    }
-    if (element.name() == "mesh") {
-      urdf::Mesh mesh;
-      text(element, "filename", mesh.filename);
-      vector(element, "scale", mesh.scale);
-      return mesh;
-    }
+    if (element.name() == "box") return shape<urdf::Box>(element, urdf::kBox);
+    if (element.name() == "sphere") return shape<urdf::Sphere>(element, urdf::kSphere);
+    if (element.name() == "cylinder") return shape<urdf::Cylinder>(element, urdf::kCylinder);
+    if (element.name() == "capsule") return shape<urdf::Capsule>(element, urdf::kCapsule);
+    if (element.name() == "mesh") return shape<urdf::Mesh>(element, urdf::kMesh);
     return std::monostate{};
+  }
+  template <class T>
+  T shape(View element, urdf::Rows<T> rows) {
+    T out;
+    attributes(element, rows, out);
+    return out;
   }
 
   urdf::Material material(View element) {
     urdf::Material out;
     place(element, out);
-    text(element, "name", out.name);
+    attributes(element, urdf::kMaterial, out);
     if (out.name && out.name->find('%') != std::string::npos) {
       report_percent(out.name.span, *out.name, sink_);
     }
-    if (const View color = child_of(element, "color")) vector(color, "rgba", out.rgba);
-    if (const View texture = child_of(element, "texture")) text(texture, "filename", out.texture);
+    child(element, "color", urdf::kColor, out);
+    child(element, "texture", urdf::kTexture, out);
     return out;
   }
 
   void link(View element, urdf::Link& out) {
     place(element, out);
-    text(element, "name", out.name);
+    attributes(element, urdf::kLink, out);
     for (const View child : element) {
       if (is(child, "inertial") && !out.inertial) {
         inertial(child, out.inertial.emplace());
       } else if (is(child, "visual")) {
         urdf::Visual& visual = out.visuals.emplace_back();
-        geometry_use(child, visual);
+        geometry_use(child, urdf::kVisual, visual);
         if (const View paint = child_of(child, "material")) visual.material = material(paint);
       } else if (is(child, "collision")) {
-        geometry_use(child, out.collisions.emplace_back());
+        geometry_use(child, urdf::kCollision, out.collisions.emplace_back());
       }
     }
   }
 
   /// Members that visuals and collisions share.
   template <class T>
-  void geometry_use(View element, T& out) {
+  void geometry_use(View element, urdf::Rows<T> rows, T& out) {
     place(element, out);
-    text(element, "name", out.name);
+    attributes(element, rows, out);
     origin(element, out.origin);
     geometry(element, out.geometry);
   }
 
-  static urdf::JointType joint_type(std::string_view name) {
-    using enum urdf::JointType;
-    if (name == "revolute") return revolute;
-    if (name == "continuous") return continuous;
-    if (name == "prismatic") return prismatic;
-    if (name == "fixed") return fixed;
-    if (name == "floating") return floating;
-    if (name == "planar") return planar;
-    return unknown;
-  }
-
   void joint(View element, urdf::Joint& out) {
     place(element, out);
-    text(element, "name", out.name);
-    text(element, "type", out.type_name);
-    if (out.type_name) out.type = joint_type(*out.type_name);
+    attributes(element, urdf::kJoint, out);
+    if (out.type_name) out.type = urdf::joint_type(*out.type_name);
     origin(element, out.origin);
-    if (const View parent = child_of(element, "parent")) text(parent, "link", out.parent);
-    if (const View child = child_of(element, "child")) text(child, "link", out.child);
+    child(element, "parent", urdf::kParent, out);
+    child(element, "child", urdf::kChild, out);
     if (const View axis = child_of(element, "axis")) {
       out.axis_element = axis.id();
-      vector(axis, "xyz", out.axis);
+      attributes(axis, urdf::kAxis, out);
     }
-    if (const View limit = child_of(element, "limit")) {
-      place(limit, out.limit.emplace());
-      number(limit, "lower", out.limit->lower);
-      number(limit, "upper", out.limit->upper);
-      number(limit, "effort", out.limit->effort);
-      number(limit, "velocity", out.limit->velocity);
-    }
-    if (const View dynamics = child_of(element, "dynamics")) {
-      place(dynamics, out.dynamics.emplace());
-      number(dynamics, "damping", out.dynamics->damping);
-      number(dynamics, "friction", out.dynamics->friction);
-    }
-    if (const View mimic = child_of(element, "mimic")) {
-      place(mimic, *(out.mimic = std::make_unique<urdf::Mimic>()));
-      text(mimic, "joint", out.mimic->joint);
-      number(mimic, "multiplier", out.mimic->multiplier);
-      number(mimic, "offset", out.mimic->offset);
-    }
-    if (const View safety = child_of(element, "safety_controller")) {
-      place(safety, *(out.safety_controller = std::make_unique<urdf::SafetyController>()));
-      number(safety, "soft_lower_limit", out.safety_controller->soft_lower_limit);
-      number(safety, "soft_upper_limit", out.safety_controller->soft_upper_limit);
-      number(safety, "k_position", out.safety_controller->k_position);
-      number(safety, "k_velocity", out.safety_controller->k_velocity);
-    }
-    if (const View calibration = child_of(element, "calibration")) {
-      place(calibration, *(out.calibration = std::make_unique<urdf::Calibration>()));
-      number(calibration, "rising", out.calibration->rising);
-      number(calibration, "falling", out.calibration->falling);
-    }
+    part(element, "limit", urdf::kLimit, out.limit);
+    part(element, "dynamics", urdf::kDynamics, out.dynamics);
+    part(element, "mimic", urdf::kMimic, out.mimic);
+    part(element, "safety_controller", urdf::kSafetyController, out.safety_controller);
+    part(element, "calibration", urdf::kCalibration, out.calibration);
   }
 
   DiagnosticSink& sink_;

@@ -1,27 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sources: urdfdom 3.0.1 and 5.x parsers, the URDF XML specification on the ROS wiki; extensions as
-// read by sdformat, Drake, Bullet, MuJoCo, Pinocchio and Isaac.
+// Sources: those of the attributes; extensions as read by sdformat, Drake, Bullet, MuJoCo,
+// Pinocchio and Isaac.
 #include "ast/urdf_schema.hpp"
 
 #include <algorithm>
 #include <utility>
 
+#include "ast/urdf_attributes.hpp"
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 
 namespace smurf::urdf {
 namespace {
 
-/// Marks an attribute whose absence is reported by a separate rule.
-constexpr AttributeSpec usual(AttributeSpec spec) {
-  spec.is_usual = true;
-  return spec;
+/// The form of a value that is read into this member.
+template <class T>
+constexpr Form form_of(const Attribute<T>& row) {
+  if (std::holds_alternative<Field<std::string> T::*>(row.member)) return Form::text;
+  if (std::holds_alternative<Field<Vector3> T::*>(row.member)) return Form::three_numbers;
+  if (std::holds_alternative<Field<std::array<double, 4>> T::*>(row.member)) {
+    return Form::four_numbers;
+  }
+  return row.spec.form;
 }
 
-constexpr AttributeSpec kRobotAttributes[] = {
-    {"name", false, "Name of the robot."},
-    {"version", false, "Version of URDF; urdfdom accepts 1.0, its newer versions also 1.1 and 1.2.",
-     "", "1.0"}};
+/// The rows of an element without their members.
+template <const auto& Rows>
+constexpr auto kSpecs = [] {
+  std::array<AttributeSpec, std::size(Rows)> specs{};
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    specs[i] = Rows[i].spec;
+    specs[i].form = form_of(Rows[i]);
+  }
+  return specs;
+}();
+
 constexpr ChildSpec kRobotChildren[] = {{"link"}, {"joint"}, {"material"}};
 constexpr std::string_view kRobotExtensions[] = {"transmission",
                                                  "gazebo",
@@ -47,9 +60,6 @@ constexpr std::string_view kRobotExtensions[] = {"transmission",
                                                  "author",
                                                  "submodel"};
 
-constexpr AttributeSpec kLinkAttributes[] = {
-    {"name", true, "Name of the link; joints, motors and sensors refer to it, so it is unique."},
-    {"type", false, "From old files; readers ignore it."}};
 constexpr ChildSpec kLinkChildren[] = {{"inertial", true}, {"visual"}, {"collision"}};
 constexpr std::string_view kLinkExtensions[] = {"contact",      "collision_checking",
                                                 "audio_source", "self_collision_checking",
@@ -61,25 +71,10 @@ constexpr std::string_view kLinkExtensions[] = {"contact",      "collision_check
 
 constexpr ChildSpec kInertialChildren[] = {
     {"origin", true}, {"mass", true, true}, {"inertia", true, true}};
-constexpr AttributeSpec kMassAttributes[] = {{"value", true, "Mass of the link.", "kg"}};
-/// Separate rules report missing entries of a tensor and entries below its diagonal.
-constexpr AttributeSpec kInertiaAttributes[] = {
-    usual({"ixx", false, "Moment about the x axis through the centre of mass.", "kg m^2"}),
-    usual({"ixy", false, "Product of inertia: minus the integral of x y.", "kg m^2"}),
-    usual({"ixz", false, "Product of inertia: minus the integral of x z.", "kg m^2"}),
-    usual({"iyy", false, "Moment about the y axis through the centre of mass.", "kg m^2"}),
-    usual({"iyz", false, "Product of inertia: minus the integral of y z.", "kg m^2"}),
-    usual({"izz", false, "Moment about the z axis through the centre of mass.", "kg m^2"})};
 constexpr std::string_view kInertiaExtensions[] = {"iyx", "izx", "izy"};
-constexpr AttributeSpec kOriginAttributes[] = {
-    usual({"xyz", false, "Position in the frame of the enclosing element.", "m", "0 0 0"}),
-    {"rpy", false, "Rotation about the fixed axes x, then y, then z.", "rad", "0 0 0"},
-    {"quat_xyzw", false, "Rotation as a quaternion; read since version 1.1 of URDF."}};
 
-constexpr AttributeSpec kVisualAttributes[] = {{"name", false, "Name of the visual."}};
 constexpr ChildSpec kVisualChildren[] = {
     {"origin", true}, {"geometry", true, true}, {"material", true}};
-constexpr AttributeSpec kCollisionAttributes[] = {{"name", false, "Name of the collision."}};
 constexpr ChildSpec kCollisionChildren[] = {{"origin", true}, {"geometry", true, true}};
 constexpr std::string_view kCollisionExtensions[] = {
     "group",        "mask",   "concave",          "verbose", "material", "contact_coefficients",
@@ -88,137 +83,75 @@ constexpr std::string_view kCollisionExtensions[] = {
 constexpr ChildSpec kGeometryChildren[] = {
     {"box"}, {"sphere"}, {"cylinder"}, {"capsule"}, {"mesh"}};
 constexpr std::string_view kGeometryExtensions[] = {"plane", "cdf", "ellipsoid", "verbose"};
-constexpr AttributeSpec kBoxAttributes[] = {
-    {"size", true, "Full lengths of the edges along x, y and z.", "m"}};
-constexpr AttributeSpec kSphereAttributes[] = {{"radius", true, "Radius.", "m"}};
-constexpr AttributeSpec kCylinderAttributes[] = {
-    {"radius", true, "Radius.", "m"},
-    {"length", true, "Length along z; for a capsule, without its half spheres.", "m"}};
-constexpr AttributeSpec kMeshAttributes[] = {
-    {"filename", true, "The mesh: a path, or package://NAME/PATH."},
-    {"scale", false, "Factors along x, y and z.", "", "1 1 1"}};
 
-constexpr AttributeSpec kMaterialAttributes[] = {{.name = "name",
-                                                  .required = true,
-                                                  .doc = "Name of the material.",
-                                                  .names = NameKind::material}};
 constexpr ChildSpec kMaterialChildren[] = {{"color", true}, {"texture", true}};
 constexpr std::string_view kMaterialExtensions[] = {"specular", "shininess"};
-constexpr AttributeSpec kColorAttributes[] = {
-    {"rgba", true, "Red, green, blue and alpha, each from 0 to 1."}};
-constexpr AttributeSpec kTextureAttributes[] = {
-    usual({"filename", false, "The image: a path, or package://NAME/PATH."})};
 
-constexpr std::string_view kJointTypes[] = {"revolute", "continuous", "prismatic",
-                                            "fixed",    "floating",   "planar"};
-constexpr AttributeSpec kJointAttributes[] = {
-    {"name", true, "Name of the joint; motors and sensors refer to it, so it is unique."},
-    usual({"type", false, "How the child moves relative to the parent.", "", "", kJointTypes})};
-constexpr ChildSpec kJointChildren[] = {{"origin", true},      {"parent", true, true},
-                                        {"child", true, true}, {"axis", true},
-                                        {"limit", true},       {"dynamics", true},
-                                        {"mimic", true},       {"safety_controller", true},
-                                        {"calibration", true}};
+constexpr ChildSpec kJointChildren[] = {
+    {"origin", true}, {"parent", true, true}, {"child", true, true},
+    {"axis", true},   {"calibration", true},  {"dynamics", true},
+    {"limit", true},  {"mimic", true},        {"safety_controller", true}};
 constexpr std::string_view kJointExtensions[] = {
     "dont_collapse", "joint_properties", "hardwareInterface", "gearbox", "sensor",
     "motor",         "actuator",         "drake_ignore"};
-constexpr AttributeSpec kLinkReference[] = {
-    usual({.name = "link", .doc = "Name of the link.", .names = NameKind::link})};
-constexpr AttributeSpec kAxisAttributes[] = {
-    {"xyz", true, "Direction in the joint's frame, of length 1.", "", "1 0 0"}};
-constexpr AttributeSpec kLimitAttributes[] = {
-    usual({"lower", false, "Lowest position.", "rad or m", "0"}),
-    usual({"upper", false, "Highest position.", "rad or m", "0"}),
-    usual({"effort", false, "Largest torque or force.", "N m or N"}),
-    usual({"velocity", false, "Largest speed.", "rad/s or m/s"}),
-    {"acceleration", false, "Largest acceleration; read since version 1.2 of URDF.",
-     "rad/s^2 or m/s^2"},
-    {"deceleration", false, "Largest deceleration; read since version 1.2 of URDF.",
-     "rad/s^2 or m/s^2"},
-    {"jerk", false, "Largest jerk; read since version 1.2 of URDF.", "rad/s^3 or m/s^3"}};
-constexpr AttributeSpec kDynamicsAttributes[] = {
-    {"damping", false, "Viscous damping.", "N m s/rad or N s/m", "0"},
-    {"friction", false, "Static friction.", "N m or N", "0"}};
 constexpr std::string_view kDynamicsExtensions[] = {"spring_stiffness", "spring_reference"};
-constexpr AttributeSpec kMimicAttributes[] = {
-    {.name = "joint",
-     .required = true,
-     .doc = "Joint that this one follows.",
-     .names = NameKind::joint},
-    {"multiplier", false, "Factor on the position of that joint.", "", "1"},
-    {"offset", false, "Offset that is added to the result.", "rad or m", "0"}};
-constexpr AttributeSpec kSafetyAttributes[] = {
-    {"soft_lower_limit", false, "Where the controller begins to limit the position.", "rad or m",
-     "0"},
-    {"soft_upper_limit", false, "Where the controller begins to limit the position.", "rad or m",
-     "0"},
-    {"k_position", false, "Relation between position and velocity limits.", "", "0"},
-    {"k_velocity", true, "Relation between effort and velocity limits."}};
-constexpr AttributeSpec kCalibrationAttributes[] = {
-    {"rising", false, "Position at which the reference rises.", "rad or m"},
-    {"falling", false, "Position at which the reference falls.", "rad or m"},
-    {"reference_position", false, "Position of the reference mark.", "rad or m"}};
 
 constexpr ElementSpec kElements[] = {
-    {"robot", kRobotAttributes, kRobotChildren, kRobotExtensions,
+    {"robot", kSpecs<kRobot>, kRobotChildren, kRobotExtensions,
      "A robot: links, and joints between them."},
-    {"link", kLinkAttributes, kLinkChildren, kLinkExtensions, "A rigid body."},
+    {"link", kSpecs<kLink>, kLinkChildren, kLinkExtensions, "A rigid body."},
     {"inertial", {}, kInertialChildren, {}, "Mass, centre of mass and inertia of the link."},
-    {"mass", kMassAttributes, {}, {}, "Mass of the link."},
+    {"mass", kSpecs<kMass>, {}, {}, "Mass of the link."},
     {"inertia",
-     kInertiaAttributes,
+     kSpecs<kInertia>,
      {},
      kInertiaExtensions,
      "Inertia about the centre of mass, in the axes of the inertial frame."},
     {"origin",
-     kOriginAttributes,
+     kSpecs<kOrigin>,
      {},
      {},
      "Pose in the frame of the enclosing element; for a joint, in the frame of the parent link."},
-    {"visual", kVisualAttributes, kVisualChildren, kCollisionExtensions,
+    {"visual", kSpecs<kVisual>, kVisualChildren, kCollisionExtensions,
      "The appearance of the link."},
-    {"collision", kCollisionAttributes, kCollisionChildren, kCollisionExtensions,
+    {"collision", kSpecs<kCollision>, kCollisionChildren, kCollisionExtensions,
      "The shape of the link for collision detection."},
     {"geometry", {}, kGeometryChildren, kGeometryExtensions, "One shape."},
-    {"box", kBoxAttributes, {}, {}, "A box around the origin."},
-    {"sphere", kSphereAttributes, {}, {}, "A sphere around the origin."},
-    {"cylinder", kCylinderAttributes, {}, {}, "A cylinder around the origin, its axis along z."},
+    {"box", kSpecs<kBox>, {}, {}, "A box around the origin."},
+    {"sphere", kSpecs<kSphere>, {}, {}, "A sphere around the origin."},
+    {"cylinder", kSpecs<kCylinder>, {}, {}, "A cylinder around the origin, its axis along z."},
     {"capsule",
-     kCylinderAttributes,
+     kSpecs<kCapsule>,
      {},
      {},
      "A cylinder with half spheres at its ends, its axis along z; read since version 1.1 of URDF."},
-    {"mesh", kMeshAttributes, {}, {}, "The triangles of a mesh file."},
-    {"material", kMaterialAttributes, kMaterialChildren, kMaterialExtensions,
+    {"mesh", kSpecs<kMesh>, {}, {}, "The triangles of a mesh file."},
+    {"material", kSpecs<kMaterial>, kMaterialChildren, kMaterialExtensions,
      "A colour or a texture, with a name that visuals share."},
-    {"color", kColorAttributes, {}, {}, "A colour."},
-    {"texture", kTextureAttributes, {}, {}, "An image."},
-    {"joint", kJointAttributes, kJointChildren, kJointExtensions,
+    {"color", kSpecs<kColor>, {}, {}, "A colour."},
+    {"texture", kSpecs<kTexture>, {}, {}, "An image."},
+    {"joint", kSpecs<kJoint>, kJointChildren, kJointExtensions,
      "How a child link moves relative to its parent link."},
-    {"parent", kLinkReference, {}, {}, "The link that carries the joint."},
-    {"child", kLinkReference, {}, {}, "The link that the joint moves."},
+    {"parent", kSpecs<kParent>, {}, {}, "The link that carries the joint."},
+    {"child", kSpecs<kChild>, {}, {}, "The link that the joint moves."},
     {"axis",
-     kAxisAttributes,
+     kSpecs<kAxis>,
      {},
      {},
      "The axis of a revolute, continuous or prismatic joint, the normal of a planar one."},
     {"limit",
-     kLimitAttributes,
+     kSpecs<kLimit>,
      {},
      {},
      "Limits of the joint; revolute and prismatic joints need them."},
-    {"dynamics",
-     kDynamicsAttributes,
-     {},
-     kDynamicsExtensions,
-     "Damping and friction of the joint."},
-    {"mimic", kMimicAttributes, {}, {}, "The joint follows another one."},
+    {"dynamics", kSpecs<kDynamics>, {}, kDynamicsExtensions, "Damping and friction of the joint."},
+    {"mimic", kSpecs<kMimic>, {}, {}, "The joint follows another one."},
     {"safety_controller",
-     kSafetyAttributes,
+     kSpecs<kSafetyController>,
      {},
      {},
      "Limits of the controller within those of the joint."},
-    {"calibration", kCalibrationAttributes, {}, {}, "Where the joint is calibrated."},
+    {"calibration", kSpecs<kCalibration>, {}, {}, "Where the joint is calibrated."},
 };
 
 /// Synonyms from SDF, MJCF and English -> URDF names.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The elements and attributes of URDF as one table.
+// The elements of URDF as one table; their attributes are rows of urdf_attributes.hpp.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -11,16 +12,26 @@
 
 namespace smurf::urdf {
 
+/// How the value of an attribute is written.
+enum class Form : std::uint8_t { number, three_numbers, four_numbers, text };
+
 /// The texts are for authors of URDFs; `values`, if any, are the only allowed values.
 struct AttributeSpec {
   std::string_view name;
-  bool required = false;
   std::string_view doc = {};   ///< one sentence
   std::string_view unit = {};  ///< "rad or m"; may be empty
   std::string_view fallback = {};
   std::span<const std::string_view> values = {};
-  NameKinds names = {};   ///< kinds of things that it may name; empty: it is not a name
+  NameKinds names = {};       ///< kinds of things that it may name; empty: it is not a name
+  Form form = Form::number;   ///< only stated in rows without a member, whose type has the form
+  std::string_view key = {};  ///< its name in the dump and in Python, if it differs
+  bool is_path = false;
+  bool required = false;
   bool is_usual = false;  ///< needed; its absence has a separate rule
+  bool is_last = false;   ///< in the canonical form, after the attributes of other rows
+
+  /// Its name in the dump and in Python.
+  constexpr std::string_view member_name() const { return key.empty() ? name : key; }
 };
 
 struct ChildSpec {

@@ -241,21 +241,25 @@ std::vector<KeyHelp> settings_in(std::span<const std::string> path) {
   return keys;
 }
 
-std::string_view value_of(const urdf::AttributeSpec& attribute) {
-  if (attribute.name == "rgba") return "four numbers";
-  if (is_one_of(attribute.name, {"xyz", "rpy", "size"})) return "three numbers";
-  return attribute.unit.empty() ? "a text" : "a number";
+std::string_view describe(urdf::Form form) {
+  switch (form) {
+  case urdf::Form::number: return "a number";
+  case urdf::Form::three_numbers: return "three numbers";
+  case urdf::Form::four_numbers: return "four numbers";
+  case urdf::Form::text: break;
+  }
+  return "a text";
 }
 
 KeyHelp help_of(const urdf::AttributeSpec& attribute, std::string_view element) {
   KeyHelp help{std::string(element), std::string(attribute.name),
-               attribute.doc,        value_of(attribute),
+               attribute.doc,        describe(attribute.form),
                attribute.unit,       attribute.fallback};
   help.required = attribute.required;
   help.is_usual = attribute.required || attribute.is_usual;
   help.choices.assign(attribute.values.begin(), attribute.values.end());
   help.names = attribute.names;
-  help.is_path = attribute.name == "filename";
+  help.is_path = attribute.is_path;
   help.is_color = attribute.name == "rgba";
   return help;
 }

@@ -4,9 +4,11 @@
 // in the order of the specification; the shortest numbers; no comments.
 #include <algorithm>
 #include <map>
-#include <span>
+#include <tuple>
 
+#include "ast/urdf_schema.hpp"
 #include "base/numbers/numbers.hpp"
+#include "base/ranges.hpp"
 #include "base/text/edits.hpp"
 #include "base/text/words.hpp"
 #include "convert/passes.hpp"
@@ -14,17 +16,23 @@
 namespace smurf {
 namespace {
 
-constexpr std::string_view kAttributes[] = {
-    "name", "type",  "version", "link",  "xyz",    "rpy",      "joint",   "multiplier",
-    "ixx",  "ixy",   "ixz",     "iyy",   "iyz",    "izz",      "radius",  "length",
-    "size", "scale", "lower",   "upper", "effort", "velocity", "damping", "friction"};
-constexpr std::string_view kChildren[] = {
-    "origin",   "mass",        "inertia",  "inertial", "visual", "collision",
-    "geometry", "material",    "color",    "texture",  "parent", "child",
-    "axis",     "calibration", "dynamics", "limit",    "mimic",  "safety_controller"};
+/// Children of elements other than `robot` and `geometry`, each once, in the order of the table.
+std::vector<std::string_view> children_in_order() {
+  std::vector<std::string_view> order;
+  for (const urdf::ElementSpec& element : urdf::all_element_specs()) {
+    if (element.name == "robot" || element.name == "geometry") continue;
+    for (const urdf::ChildSpec& child : element.children) order.push_back(child.name);
+  }
+  return order;
+}
 
-std::size_t rank(std::span<const std::string_view> order, std::string_view name) {
-  return static_cast<std::size_t>(std::find(order.begin(), order.end(), name) - order.begin());
+/// The attributes of all elements, in the order of the tables.
+std::vector<const urdf::AttributeSpec*> attributes_in_order() {
+  std::vector<const urdf::AttributeSpec*> order;
+  for (const urdf::ElementSpec& element : urdf::all_element_specs()) {
+    for (const urdf::AttributeSpec& attribute : element.attributes) order.push_back(&attribute);
+  }
+  return order;
 }
 
 /// Numbers in their shortest form, separated by single spaces; other texts unchanged.
@@ -71,25 +79,31 @@ class CanonicalWriter {
 
   void indent(int depth) { out_.append(static_cast<std::size_t>(depth) * 2, ' '); }
 
+  std::size_t child_rank(std::string_view name) const {
+    return static_cast<std::size_t>(std::find(children_.begin(), children_.end(), name) -
+                                    children_.begin());
+  }
+
+  /// The number of rows if no element of URDF has the attribute.
+  std::size_t row_of(std::string_view name) const {
+    return static_cast<std::size_t>(ranges::find(rows_, name, &urdf::AttributeSpec::name) -
+                                    rows_.begin());
+  }
+
   void open(xml::View element, int depth, std::string_view end) {
-    std::vector<const xml::Attribute*> attributes;
+    std::vector<std::tuple<std::size_t, std::string_view, std::string>> attributes;
     for (const xml::Attribute& one : element.attributes()) {
-      attributes.push_back(&one);
+      const std::size_t row = row_of(one.name());
+      const bool is_known = row < rows_.size();
+      const bool is_text = is_known && rows_[row]->form == urdf::Form::text;
+      attributes.emplace_back(is_known && rows_[row]->is_last ? rows_.size() : row, one.name(),
+                              is_text ? std::string(one.value()) : canonical_value(one.value()));
     }
-    std::sort(attributes.begin(), attributes.end(),
-              [](const xml::Attribute* a, const xml::Attribute* b) {
-                const std::size_t i = rank(kAttributes, a->name());
-                const std::size_t j = rank(kAttributes, b->name());
-                return i != j ? i < j : a->name() < b->name();
-              });
+    std::sort(attributes.begin(), attributes.end());
     indent(depth);
     out_ += "<" + std::string(element.name());
-    for (const xml::Attribute* one : attributes) {
-      const bool is_text = one->name() == "name" || one->name() == "filename" ||
-                           one->name() == "link" || one->name() == "joint" ||
-                           one->name() == "version";
-      const std::string value = is_text ? std::string(one->value()) : canonical_value(one->value());
-      out_ += " " + std::string(one->name()) + "=\"" + escape_xml(value) + "\"";
+    for (const auto& [rank, name, value] : attributes) {
+      out_ += " " + std::string(name) + "=\"" + escape_xml(value) + "\"";
     }
     out_ += end;
   }
@@ -102,8 +116,8 @@ class CanonicalWriter {
     for (const xml::View child : element) children.push_back(child);
     // Readers use the first child of a geometry as its shape, even if it is something else.
     if (element.name() != "geometry") {
-      std::stable_sort(children.begin(), children.end(), [](xml::View a, xml::View b) {
-        return rank(kChildren, a.name()) < rank(kChildren, b.name());
+      std::stable_sort(children.begin(), children.end(), [&](xml::View a, xml::View b) {
+        return child_rank(a.name()) < child_rank(b.name());
       });
     }
     const bool has_text = !trimmed(element.text()).empty();
@@ -131,6 +145,8 @@ class CanonicalWriter {
 
   const LinkedModel& model_;
   std::string_view text_;
+  const std::vector<std::string_view> children_ = children_in_order();
+  const std::vector<const urdf::AttributeSpec*> rows_ = attributes_in_order();
   std::string out_;
   std::map<std::size_t, bool> written_;  ///< by element
 };

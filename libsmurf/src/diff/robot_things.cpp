@@ -6,7 +6,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "ast/urdf_schema.hpp"
+#include "ast/urdf_attributes.hpp"
 #include "base/files/path.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/ranges.hpp"
@@ -19,19 +19,14 @@ namespace {
 using urdf::AttributeSpec;
 using urdf::ElementSpec;
 
-constexpr std::string_view kInertia[] = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
-
 const AttributeSpec* find_attribute(const ElementSpec* spec, std::string_view name) {
   if (spec == nullptr) return nullptr;
   const auto found = ranges::find(spec->attributes, name, &AttributeSpec::name);
   return found == spec->attributes.end() ? nullptr : &*found;
 }
 
-/// Whether an attribute of URDF is a name, address or word; all others are numbers.
 bool is_text(const AttributeSpec* spec) {
-  if (spec == nullptr) return false;
-  return !spec->names.empty() || !spec->values.empty() || spec->name == "name" ||
-         spec->name == "filename" || spec->name == "version" || spec->name == "type";
+  return spec != nullptr && spec->form == urdf::Form::text;
 }
 
 /// Reads a list of numbers; joins the words of any other text by single spaces.
@@ -247,7 +242,7 @@ class RobotCollector {
     if (!tensor) return group;
     Property inertia =
         numbers_property("inertia", inertia_in_link(inertial), tensor.tag_span(), "kg m^2");
-    inertia.parts = kInertia;
+    inertia.parts = urdf::kInertiaEntries;
     add_member(group, std::move(inertia));
     const ElementSpec* spec = urdf::find_element_spec("inertia");
     for (const xml::Attribute& at : tensor.attributes()) {

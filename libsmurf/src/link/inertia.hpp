@@ -4,15 +4,13 @@
 
 #include <array>
 #include <optional>
-#include <string_view>
 
+#include "ast/urdf_attributes.hpp"
 #include "smurf/urdf.hpp"
 
 namespace smurf {
 
-/// The names of the six entries, and the entries in this order.
-inline constexpr std::array<std::string_view, 6> kInertiaEntries = {"ixx", "ixy", "ixz",
-                                                                    "iyy", "iyz", "izz"};
+/// The six entries, in the order of kInertiaEntries.
 inline std::array<const Field<double>*, 6> entries_of(const urdf::Inertial& inertial) {
   return {&inertial.ixx, &inertial.ixy, &inertial.ixz, &inertial.iyy, &inertial.iyz, &inertial.izz};
 }

@@ -89,7 +89,7 @@ std::string element_of(const Tensor& tensor) {
   std::string text = "<inertia";
   for (std::size_t i = 0; i < kPlaces.size(); ++i) {
     const double entry = tensor[kPlaces[i]];
-    text += " " + std::string(kInertiaEntries[i]) + "=\"" +
+    text += " " + std::string(urdf::kInertiaEntries[i]) + "=\"" +
             format_rounded(std::fabs(entry) < least ? 0 : entry, kDigits) + "\"";
   }
   return text + "/>";

@@ -64,18 +64,13 @@ std::string in_layout(std::string_view text, std::size_t at, const std::string& 
 std::string_view attribute_at(const urdf::Robot& robot, Span span) {
   for (const urdf::Link& link : robot.links) {
     if (!link.inertial || span.begin < link.span.begin || span.end > link.span.end) continue;
-    const urdf::Inertial& one = *link.inertial;
-    const std::array<std::pair<const Field<double>*, std::string_view>, 7> fields{
-        {{&one.mass, "mass"},
-         {&one.ixx, "ixx"},
-         {&one.ixy, "ixy"},
-         {&one.ixz, "ixz"},
-         {&one.iyy, "iyy"},
-         {&one.iyz, "iyz"},
-         {&one.izz, "izz"}}};
-    for (const auto& [field, name] : fields) {
-      if (field->span == span) return name;
-    }
+    std::string_view found;
+    const auto compare = [&](const urdf::AttributeSpec& spec, const auto& field) {
+      if (field.span == span) found = spec.member_name();
+    };
+    urdf::for_each_field(urdf::kMass, *link.inertial, compare);
+    urdf::for_each_field(urdf::kInertia, *link.inertial, compare);
+    if (!found.empty()) return found;
   }
   return "inertia";
 }

@@ -69,7 +69,7 @@ bool has_unread_inertia(const LinkedModel& model, const urdf::Inertial& inertial
   // The element may have a name in another case, in which urdfdom finds no inertia.
   const xml::View inertia = xml::View(model.robot->document, inertial.element).child("inertia");
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const xml::Attribute* at = inertia ? inertia.attribute(kInertiaEntries[i]) : nullptr;
+    const xml::Attribute* at = inertia ? inertia.attribute(urdf::kInertiaEntries[i]) : nullptr;
     if (at != nullptr && smurf::has_blank_behind(at->value(), false)) return true;
     if (*entries[i]) continue;
     if (at == nullptr || !is_underflow(at->value())) return true;

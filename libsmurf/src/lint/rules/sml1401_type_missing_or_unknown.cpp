@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ast/urdf_attributes.hpp"
 #include "base/files/path.hpp"
 #include "base/findings/readers.hpp"
 #include "base/text/suggest.hpp"
@@ -11,9 +12,6 @@ namespace {
 constexpr Circumstance kLimited{"limited"};
 constexpr Circumstance kEmpty{"empty"};
 constexpr Circumstance kSpherical{"spherical"};
-
-constexpr std::string_view kTypes[] = {"revolute", "continuous", "prismatic",
-                                       "fixed",    "floating",   "planar"};
 
 /// True for a range that does not begin at 0, where that of a ball joint must.
 bool is_limited(const urdf::Joint& joint) {
@@ -40,7 +38,7 @@ void check(const LinkedModel& model, Findings& findings) {
       diagnostic.when(kSpherical);
       diagnostic.note("only Bullet and MuJoCo know this type");
     }
-    if (const auto near = only_nearest(*joint.type_name, kTypes)) {
+    if (const auto near = only_nearest(*joint.type_name, urdf::kJointTypes)) {
       diagnostic.help("did you mean " + quoted(*near) + "?");
       const bool is_case = path::to_lower(*joint.type_name) == *near;
       diagnostic.fixes.push_back({is_case ? Applicability::safe : Applicability::unsafe,

@@ -30,7 +30,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!inertia) return;
     std::string missing, zeros;
     bool is_diagonal_whole = true;
-    for (const std::string_view name : kInertiaEntries) {
+    for (const std::string_view name : urdf::kInertiaEntries) {
       if (inertia.attribute(name) != nullptr) continue;
       if (const Span slip = find_misspelt(inertia, name); !slip.empty()) {
         findings.add_consequence(slip);

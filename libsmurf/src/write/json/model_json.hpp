@@ -21,6 +21,8 @@ void print_robot(JsonPrinter& json, const LinkedModel& model, const SourceMap& s
 void print_field(JsonPrinter& json, std::string_view key, const Field<std::string>& field);
 void print_field(JsonPrinter& json, std::string_view key, const Field<double>& field);
 void print_field(JsonPrinter& json, std::string_view key, const Field<Vector3>& field);
+void print_field(JsonPrinter& json, std::string_view key,
+                 const Field<std::array<double, 4>>& field);
 
 /// A list of sections or keys that are in no table: name, place, value.
 void print_custom(JsonPrinter& json, const std::vector<CustomSection>& sections,

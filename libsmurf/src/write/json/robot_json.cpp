@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "ast/urdf_attributes.hpp"
 #include "write/json/model_json.hpp"
 
 namespace smurf {
@@ -27,15 +28,16 @@ void print_field(JsonPrinter& json, std::string_view key, const Field<Vector3>& 
   json.vector(*field);
 }
 
+void print_field(JsonPrinter& json, std::string_view key,
+                 const Field<std::array<double, 4>>& field) {
+  if (!field) return;
+  json.key(key);
+  json.numbers(*field);
+}
+
 namespace {
 
 using Layout = JsonPrinter::Layout;
-
-std::string_view name_of(urdf::JointType type) {
-  static constexpr std::array<std::string_view, 7> kNames = {
-      "revolute", "continuous", "prismatic", "fixed", "floating", "planar", "unknown"};
-  return kNames[static_cast<std::size_t>(type)];
-}
 
 class RobotPrinter {
  public:
@@ -85,21 +87,32 @@ class RobotPrinter {
 
   void material(const urdf::Material& material) {
     json_.begin_object();
-    print_field(json_, "name", material.name);
-    source(material.span);
-    if (material.rgba) {
-      json_.key("rgba");
-      json_.numbers(*material.rgba);
-    }
-    if (material.texture) file("texture", material.texture);
+    head(urdf::kMaterial, material);
+    values(urdf::kColor, material);
+    values(urdf::kTexture, material);
     json_.end();
   }
 
-  /// The value as written, and the file that was found for it.
-  void file(std::string_view key, const Field<std::string>& filename) {
-    if (!filename) return;
-    print_field(json_, key, filename);
-    const auto found = files_.find(filename.span.begin);
+  /// Name, place and other attributes of an entry.
+  template <class T>
+  void head(urdf::Rows<T> rows, const T& entry) {
+    print_field(json_, "name", entry.name);
+    source(entry.span);
+    values(rows.subspan(1), entry);
+  }
+
+  template <class T>
+  void values(urdf::Rows<T> rows, const T& object) {
+    urdf::for_each_field(rows, object, [&](const urdf::AttributeSpec& spec, const auto& field) {
+      if (!spec.values.empty()) return;  // a JointType, which is printed instead of its word
+      print_field(json_, spec.member_name(), field);
+      if (spec.is_path && field) file(field.span);
+    });
+  }
+
+  /// The file that was found for a path.
+  void file(Span written) {
+    const auto found = files_.find(written.begin);
     if (found == files_.end() || found->second->path.empty()) return;
     json_.member("file", found->second->path);
     json_.key("exists");
@@ -108,12 +121,11 @@ class RobotPrinter {
 
   void link(const urdf::Link& link) {
     json_.begin_object(Layout::block);
-    print_field(json_, "name", link.name);
-    source(link.span);
+    head(urdf::kLink, link);
     if (link.inertial) inertial(*link.inertial);
     list("visuals", link.visuals, [&](const urdf::Visual& one) {
       json_.begin_object();
-      shape_of(one, "X_LV");
+      shape_of(urdf::kVisual, one, "X_LV");
       if (one.material) {
         json_.key("material");
         material(*one.material);
@@ -122,7 +134,7 @@ class RobotPrinter {
     });
     list("collisions", link.collisions, [&](const urdf::Collision& one) {
       json_.begin_object();
-      shape_of(one, "X_LC");
+      shape_of(urdf::kCollision, one, "X_LC");
       json_.end();
     });
     json_.end();
@@ -132,25 +144,16 @@ class RobotPrinter {
     json_.key("inertial");
     json_.begin_object();
     source(inertial.span);
-    print_field(json_, "mass", inertial.mass);
+    values(urdf::kMass, inertial);
     pose("X_LI", inertial.origin);
-    json_.key("inertia");
-    json_.begin_object();
-    for (const auto& [key, field] :
-         {std::pair("ixx", &inertial.ixx), std::pair("ixy", &inertial.ixy),
-          std::pair("ixz", &inertial.ixz), std::pair("iyy", &inertial.iyy),
-          std::pair("iyz", &inertial.iyz), std::pair("izz", &inertial.izz)}) {
-      print_field(json_, key, *field);
-    }
-    json_.end();
+    object("inertia", urdf::kInertia, inertial);
     json_.end();
   }
 
   /// Members that visuals and collisions share.
-  template <class Part>
-  void shape_of(const Part& part, std::string_view frames) {
-    print_field(json_, "name", part.name);
-    source(part.span);
+  template <class T>
+  void shape_of(urdf::Rows<T> rows, const T& part, std::string_view frames) {
+    head(rows, part);
     pose(frames, part.origin);
     if (std::holds_alternative<std::monostate>(part.geometry.shape)) return;
     json_.key("geometry");
@@ -161,73 +164,40 @@ class RobotPrinter {
   }
 
   void shape(std::monostate) {}
-  void shape(const urdf::Box& box) {
-    json_.text("box");
-    print_field(json_, "size", box.size);
-  }
-  void shape(const urdf::Sphere& sphere) {
-    json_.text("sphere");
-    print_field(json_, "radius", sphere.radius);
-  }
-  void shape(const urdf::Cylinder& cylinder) {
-    json_.text("cylinder");
-    print_field(json_, "radius", cylinder.radius);
-    print_field(json_, "length", cylinder.length);
-  }
-  void shape(const urdf::Capsule& capsule) {
-    json_.text("capsule");
-    print_field(json_, "radius", capsule.radius);
-    print_field(json_, "length", capsule.length);
-  }
-  void shape(const urdf::Mesh& mesh) {
-    json_.text("mesh");
-    file("filename", mesh.filename);
-    print_field(json_, "scale", mesh.scale);
+  void shape(const urdf::Box& box) { shape("box", urdf::kBox, box); }
+  void shape(const urdf::Sphere& sphere) { shape("sphere", urdf::kSphere, sphere); }
+  void shape(const urdf::Cylinder& cylinder) { shape("cylinder", urdf::kCylinder, cylinder); }
+  void shape(const urdf::Capsule& capsule) { shape("capsule", urdf::kCapsule, capsule); }
+  void shape(const urdf::Mesh& mesh) { shape("mesh", urdf::kMesh, mesh); }
+  template <class T>
+  void shape(std::string_view type, urdf::Rows<T> rows, const T& shape) {
+    json_.text(type);
+    values(rows, shape);
   }
 
   void joint(const urdf::Joint& joint) {
     json_.begin_object(Layout::block);
-    print_field(json_, "name", joint.name);
-    source(joint.span);
+    head(urdf::kJoint, joint);
     json_.member("type", name_of(joint.type));
-    print_field(json_, "parent", joint.parent);
-    print_field(json_, "child", joint.child);
+    values(urdf::kParent, joint);
+    values(urdf::kChild, joint);
     pose("X_PJ", joint.origin);
-    print_field(json_, "axis", joint.axis);
-    if (const auto& limit = joint.limit) {
-      part("limit", {{"lower", &limit->lower},
-                     {"upper", &limit->upper},
-                     {"effort", &limit->effort},
-                     {"velocity", &limit->velocity}});
-    }
-    if (const auto& dynamics = joint.dynamics) {
-      part("dynamics", {{"damping", &dynamics->damping}, {"friction", &dynamics->friction}});
-    }
-    if (const auto& mimic = joint.mimic) {
-      json_.key("mimic");
-      json_.begin_object();
-      print_field(json_, "joint", mimic->joint);
-      print_field(json_, "multiplier", mimic->multiplier);
-      print_field(json_, "offset", mimic->offset);
-      json_.end();
-    }
+    values(urdf::kAxis, joint);
+    if (joint.limit) object("limit", urdf::kLimit, *joint.limit);
+    if (joint.dynamics) object("dynamics", urdf::kDynamics, *joint.dynamics);
+    if (joint.mimic) object("mimic", urdf::kMimic, *joint.mimic);
     if (const auto& safety = joint.safety_controller) {
-      part("safety_controller", {{"soft_lower_limit", &safety->soft_lower_limit},
-                                 {"soft_upper_limit", &safety->soft_upper_limit},
-                                 {"k_position", &safety->k_position},
-                                 {"k_velocity", &safety->k_velocity}});
+      object("safety_controller", urdf::kSafetyController, *safety);
     }
-    if (const auto& calibration = joint.calibration) {
-      part("calibration", {{"rising", &calibration->rising}, {"falling", &calibration->falling}});
-    }
+    if (joint.calibration) object("calibration", urdf::kCalibration, *joint.calibration);
     json_.end();
   }
 
-  void part(std::string_view key,
-            std::initializer_list<std::pair<std::string_view, const Field<double>*>> numbers) {
+  template <class T>
+  void object(std::string_view key, urdf::Rows<T> rows, const T& part) {
     json_.key(key);
     json_.begin_object();
-    for (const auto& [name, field] : numbers) print_field(json_, name, *field);
+    values(rows, part);
     json_.end();
   }
 
