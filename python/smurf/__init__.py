@@ -32,6 +32,7 @@ from ._urdf import Urdf
 try:
     from ._smurf import (
         Box,
+        Calibration,
         Capsule,
         Collision,
         CollisionAnnotation,
@@ -66,6 +67,7 @@ try:
         NodeAnnotation,
         Place,
         Report,
+        SafetyController,
         Scene,
         Sensor,
         Session,
@@ -91,11 +93,12 @@ except ModuleNotFoundError as missing:
     globals().update(__version__=_absent.version(), __getattr__=_absent.attribute)
 
 __all__ = [
-    "Box", "Capsule", "Collision", "CollisionAnnotation", "Comparison", "Controller", "Cylinder",
-    "Dynamics", "Error", "Exoskeleton", "Export", "Finding", "FlatInstance", "FlatModel", "FlatScene",
-    "Graphics", "Inertial", "Instance", "Interface", "Joint", "JointAnnotation", "JointPoseSet",
-    "JointTask", "Light", "Limit", "Link", "LinkAnnotation", "Material", "MaterialAnnotation", "Mesh",
-    "Mimic", "Model", "Motor", "NodeAnnotation", "Place", "Report", "Scene", "Sensor", "Session",
-    "Sphere", "Submechanism", "Submodel", "TargetVerdict", "Urdf", "Visual", "VisualAnnotation", "__version__",
-    "check", "convert", "diff", "explain", "fix", "load_model", "load_scene", "parse_urdf",
+    "Box", "Calibration", "Capsule", "Collision", "CollisionAnnotation", "Comparison", "Controller",
+    "Cylinder", "Dynamics", "Error", "Exoskeleton", "Export", "Finding", "FlatInstance", "FlatModel",
+    "FlatScene", "Graphics", "Inertial", "Instance", "Interface", "Joint", "JointAnnotation",
+    "JointPoseSet", "JointTask", "Light", "Limit", "Link", "LinkAnnotation", "Material",
+    "MaterialAnnotation", "Mesh", "Mimic", "Model", "Motor", "NodeAnnotation", "Place", "Report",
+    "SafetyController", "Scene", "Sensor", "Session", "Sphere", "Submechanism", "Submodel",
+    "TargetVerdict", "Urdf", "Visual", "VisualAnnotation", "__version__", "check", "convert", "diff",
+    "explain", "fix", "load_model", "load_scene", "parse_urdf",
 ]

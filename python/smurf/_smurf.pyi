@@ -146,43 +146,43 @@ class _Named(_Part):
 class _Annotation(_Named): ...
 
 class Box(_Reference):
-    """A box around its origin."""
+    """A box around the origin."""
     @property
     def size(self) -> Optional[Array]:
-        """Full edge lengths: array of shape (3,), m."""
+        """Full lengths of the edges along x, y and z, m. As written: array of shape (3,)."""
 
 class Sphere(_Reference):
-    """A sphere around its origin."""
+    """A sphere around the origin."""
     @property
     def radius(self) -> Optional[float]:
-        """m."""
+        """Radius, m."""
 
 class Cylinder(_Reference):
-    """A cylinder around its origin, along z."""
+    """A cylinder around the origin, its axis along z."""
     @property
     def radius(self) -> Optional[float]:
-        """m."""
+        """Radius, m."""
     @property
     def length(self) -> Optional[float]:
-        """m."""
+        """Length along z, m."""
 
 class Capsule(_Reference):
-    """A capsule around its origin, along z."""
+    """A cylinder with half spheres at its ends, its axis along z; read since version 1.1 of URDF."""
     @property
     def radius(self) -> Optional[float]:
-        """m."""
+        """Radius, m."""
     @property
     def length(self) -> Optional[float]:
-        """Of the cylindrical part, m."""
+        """Length along z, without the half spheres, m."""
 
 class Mesh(_Reference):
-    """A mesh file."""
+    """The triangles of a mesh file."""
     @property
     def filename(self) -> Optional[str]:
-        """As it is written."""
+        """The mesh: a path, or package://NAME/PATH."""
     @property
     def scale(self) -> Optional[Array]:
-        """Array of shape (3,)."""
+        """Factors along x, y and z; None means 1 1 1. As written: array of shape (3,)."""
     @property
     def path(self) -> Optional[str]:
         """Where the file is, as URDF readers look for it; None when it is unknown."""
@@ -191,19 +191,19 @@ class Mesh(_Reference):
         """Whether there is a file."""
 
 class Material(_Named):
-    """A material of the URDF."""
+    """A colour or a texture, with a name that visuals share."""
     @property
     def rgba(self) -> Optional[Tuple[float, float, float, float]]:
-        """Red, green, blue, alpha, each 0 to 1."""
+        """Red, green, blue and alpha, each from 0 to 1."""
     @property
     def texture(self) -> Optional[str]:
-        """Image file, as it is written."""
+        """The image: a path, or package://NAME/PATH."""
 
 class Inertial(_Part):
-    """Mass and inertia of a link."""
+    """Mass, centre of mass and inertia of the link."""
     @property
     def mass(self) -> Optional[float]:
-        """kg."""
+        """Mass of the link, kg."""
     @property
     def X_LI(self) -> Array:
         """Pose of the inertial frame I, whose origin is the centre of mass, in the link: array of shape (4, 4), m.
@@ -215,7 +215,7 @@ class Inertial(_Part):
         """
 
 class Visual(_Named):
-    """What is seen of a link."""
+    """The appearance of the link."""
     @property
     def X_LV(self) -> Array:
         """Pose in the link: array of shape (4, 4), m."""
@@ -227,7 +227,7 @@ class Visual(_Named):
         """smurf.Material or None."""
 
 class Collision(_Named):
-    """The shape of a link for collision detection."""
+    """The shape of the link for collision detection."""
     @property
     def X_LC(self) -> Array:
         """Pose in the link: array of shape (4, 4), m."""
@@ -236,7 +236,7 @@ class Collision(_Named):
         """smurf.Box, Sphere, Cylinder, Capsule or Mesh; None when there is none."""
 
 class Link(_Named):
-    """A link."""
+    """A rigid body."""
     @property
     def inertial(self) -> Optional[Inertial]:
         """smurf.Inertial or None."""
@@ -248,43 +248,67 @@ class Link(_Named):
         """A new list of smurf.Collision."""
 
 class Limit(_Part):
-    """Limits of a joint."""
+    """Limits of the joint; revolute and prismatic joints need them."""
     @property
     def lower(self) -> Optional[float]:
-        """Lowest position, rad or m."""
+        """Lowest position, rad or m; None means 0."""
     @property
     def upper(self) -> Optional[float]:
-        """Highest position, rad or m."""
+        """Highest position, rad or m; None means 0."""
     @property
     def effort(self) -> Optional[float]:
-        """N m or N."""
+        """Largest torque or force, N m or N."""
     @property
     def velocity(self) -> Optional[float]:
-        """rad/s or m/s."""
+        """Largest speed, rad/s or m/s."""
 
 class Dynamics(_Part):
-    """Damping and friction of a joint."""
+    """Damping and friction of the joint."""
     @property
     def damping(self) -> Optional[float]:
-        """N m s/rad or N s/m."""
+        """Viscous damping, N m s/rad or N s/m; None means 0."""
     @property
     def friction(self) -> Optional[float]:
-        """N m or N."""
+        """Static friction, N m or N; None means 0."""
 
 class Mimic(_Part):
-    """A joint follows another one."""
+    """The joint follows another one."""
     @property
     def joint(self) -> Optional[str]:
-        """Name of the joint that it follows."""
+        """Joint that this one follows."""
     @property
     def multiplier(self) -> Optional[float]:
-        """1 when it is not written."""
+        """Factor on the position of that joint; None means 1."""
     @property
     def offset(self) -> Optional[float]:
-        """rad or m; 0 when it is not written."""
+        """Offset that is added to the result, rad or m; None means 0."""
+
+class SafetyController(_Part):
+    """Limits of the controller within those of the joint."""
+    @property
+    def soft_lower_limit(self) -> Optional[float]:
+        """Where the controller begins to limit the position, rad or m; None means 0."""
+    @property
+    def soft_upper_limit(self) -> Optional[float]:
+        """Where the controller begins to limit the position, rad or m; None means 0."""
+    @property
+    def k_position(self) -> Optional[float]:
+        """Relation between position and velocity limits; None means 0."""
+    @property
+    def k_velocity(self) -> Optional[float]:
+        """Relation between effort and velocity limits."""
+
+class Calibration(_Part):
+    """Where the joint is calibrated."""
+    @property
+    def rising(self) -> Optional[float]:
+        """Position at which the reference rises, rad or m."""
+    @property
+    def falling(self) -> Optional[float]:
+        """Position at which the reference falls, rad or m."""
 
 class Joint(_Named):
-    """A joint."""
+    """How a child link moves relative to its parent link."""
     @property
     def type(self) -> str:
         """"revolute", "continuous", "prismatic", "fixed", "floating", "planar" or "unknown"."""
@@ -296,7 +320,7 @@ class Joint(_Named):
         """Name of the child link."""
     @property
     def axis(self) -> Optional[Array]:
-        """As written, in the joint's frame: array of shape (3,), not normalised. (1, 0, 0) when it is None."""
+        """Direction in the joint's frame, of length 1; None means 1 0 0. As written: array of shape (3,)."""
     @property
     def X_PJ(self) -> Array:
         """Pose of the joint's frame, which is that of the child link at position zero, in the parent link: array
@@ -311,6 +335,12 @@ class Joint(_Named):
     @property
     def mimic(self) -> Optional[Mimic]:
         """smurf.Mimic or None."""
+    @property
+    def safety_controller(self) -> Optional[SafetyController]:
+        """smurf.SafetyController or None."""
+    @property
+    def calibration(self) -> Optional[Calibration]:
+        """smurf.Calibration or None."""
     @property
     def is_movable(self) -> bool:
         """True for a joint that can move."""

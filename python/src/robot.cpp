@@ -1,48 +1,92 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contents of a URDF.
-#include <array>
+// The contents of a URDF. What URDF calls an attribute is a property by its row in the tables of
+// the library.
 #include <variant>
 
+#include "ast/urdf_attributes.hpp"
+#include "link/inertia.hpp"
 #include "model.hpp"
 #include "reference.hpp"
-#include "smurf/urdf.hpp"
 
 namespace smurf::python {
 namespace {
 
-py::str name_of(urdf::JointType type) {
-  static constexpr std::array<const char*, 7> kNames = {
-      "revolute", "continuous", "prismatic", "fixed", "floating", "planar", "unknown"};
-  return {kNames[static_cast<std::size_t>(type)]};
+/// "Lowest position, rad or m; None means 0."
+std::string doc_of(const urdf::AttributeSpec& spec, bool is_array) {
+  std::string doc(spec.doc.substr(0, spec.doc.size() - 1));
+  if (!spec.unit.empty()) doc.append(", ").append(spec.unit);
+  if (!spec.fallback.empty()) doc.append("; None means ").append(spec.fallback);
+  return doc + (is_array ? ". As written: array of shape (3,)." : ".");
 }
 
-py::object geometry_of(const OwnerPtr& owner, const urdf::Geometry& geometry) {
-  return std::visit(
-      [&](const auto& shape) -> py::object {
-        using Shape = std::decay_t<decltype(shape)>;
-        if constexpr (std::is_same_v<Shape, std::monostate>) {
-          return py::none();
-        } else {
-          return py::cast(Ref<Shape>{owner, &shape});
-        }
-      },
-      geometry.shape);
-}
+/// The class of an element.
+template <class T>
+class ElementClass : public ReferenceClass<T> {
+ public:
+  ElementClass(py::module_& module, const char* name, std::string_view element)
+      : ReferenceClass<T>(module, name, urdf::find_element_spec(element)->doc.data()) {}
+
+  /// A property for each row with a member.
+  ElementClass& attributes(urdf::Rows<T> rows) {
+    for (const urdf::Attribute<T>& row : rows) {
+      std::visit([&](auto member) { this->row(row.spec, member); }, row.member);
+    }
+    return *this;
+  }
+
+  /// An optional member.
+  template <class Part>
+  ElementClass& part(const char* name, Part T::*member, const char* doc) {
+    this->attribute(
+        name, [member](const Ref<T>& self) { return to_optional(self.owner, (*self).*member); },
+        doc);
+    return *this;
+  }
+  template <class Part>
+  ElementClass& list(const char* name, Part T::*member, const char* doc) {
+    this->attribute(
+        name, [member](const Ref<T>& self) { return to_list(self.owner, (*self).*member); }, doc);
+    return *this;
+  }
+  ElementClass& pose(const char* name, const char* doc) {
+    this->attribute(
+        name, [](const Ref<T>& self) { return to_matrix4(to_pose(self->origin)); }, doc);
+    return *this;
+  }
+  ElementClass& geometry() {
+    this->attribute(
+        "geometry",
+        [](const Ref<T>& self) {
+          return std::visit([&](const auto& shape) { return to_object(self.owner, shape); },
+                            self->geometry.shape);
+        },
+        "smurf.Box, Sphere, Cylinder, Capsule or Mesh; None when there is none.");
+    return *this;
+  }
+
+ private:
+  void row(const urdf::AttributeSpec&, std::monostate) {}
+  template <class V>
+  void row(const urdf::AttributeSpec& spec, Field<V> T::*member) {
+    // Names are literals, which end in a null character.
+    this->field(spec.member_name().data(), member,
+                doc_of(spec, std::is_same_v<V, Vector3>).c_str());
+  }
+
+  static py::object to_object(const OwnerPtr&, std::monostate) { return py::none(); }
+  template <class Shape>
+  static py::object to_object(const OwnerPtr& owner, const Shape& shape) {
+    return py::cast(Ref<Shape>{owner, &shape});
+  }
+};
 
 void bind_shapes(py::module_& module) {
-  ReferenceClass<urdf::Box>(module, "Box", "A box around its origin.")
-      .field("size", &urdf::Box::size, "Full edge lengths: array of shape (3,), m.");
-  ReferenceClass<urdf::Sphere>(module, "Sphere", "A sphere around its origin.")
-      .field("radius", &urdf::Sphere::radius, "m.");
-  ReferenceClass<urdf::Cylinder>(module, "Cylinder", "A cylinder around its origin, along z.")
-      .field("radius", &urdf::Cylinder::radius, "m.")
-      .field("length", &urdf::Cylinder::length, "m.");
-  ReferenceClass<urdf::Capsule>(module, "Capsule", "A capsule around its origin, along z.")
-      .field("radius", &urdf::Capsule::radius, "m.")
-      .field("length", &urdf::Capsule::length, "Of the cylindrical part, m.");
-  ReferenceClass<urdf::Mesh>(module, "Mesh", "A mesh file.")
-      .field("filename", &urdf::Mesh::filename, "As it is written.")
-      .field("scale", &urdf::Mesh::scale, "Array of shape (3,).")
+  ElementClass<urdf::Box>(module, "Box", "box").attributes(urdf::kBox);
+  ElementClass<urdf::Sphere>(module, "Sphere", "sphere").attributes(urdf::kSphere);
+  ElementClass<urdf::Cylinder>(module, "Cylinder", "cylinder").attributes(urdf::kCylinder);
+  ElementClass<urdf::Capsule>(module, "Capsule", "capsule").attributes(urdf::kCapsule);
+  ElementClass<urdf::Mesh>(module, "Mesh", "mesh")
+      .attributes(urdf::kMesh)
       .attribute(
           "path",
           [](const Ref<urdf::Mesh>& self) -> py::object {
@@ -60,120 +104,82 @@ void bind_shapes(py::module_& module) {
           "Whether there is a file.");
 }
 
-void bind_parts(py::module_& module) {
-  ReferenceClass<urdf::Material>(module, "Material", "A material of the URDF.")
-      .field("name", &urdf::Material::name, "Name.")
-      .field("rgba", &urdf::Material::rgba, "Red, green, blue, alpha, each 0 to 1.")
-      .field("texture", &urdf::Material::texture, "Image file, as it is written.");
-  ReferenceClass<urdf::Inertial>(module, "Inertial", "Mass and inertia of a link.")
-      .field("mass", &urdf::Inertial::mass, "kg.")
-      .attribute(
-          "X_LI", [](const Ref<urdf::Inertial>& self) { return to_matrix4(to_pose(self->origin)); },
-          "Pose of the inertial frame I, whose origin is the centre of mass, in the link: array of "
-          "shape (4, 4), m.")
-      .attribute(
-          "inertia",
-          [](const Ref<urdf::Inertial>& self) -> py::object {
-            const auto& [xx, xy, xz, yy, yz, zz] =
-                std::tie(self->ixx, self->ixy, self->ixz, self->iyy, self->iyz, self->izz);
-            for (const Field<double>* part : {&xx, &xy, &xz, &yy, &yz, &zz}) {
-              if (!*part) return py::none();
-            }
-            py::array_t<double> matrix = new_array({3, 3});
-            auto to = matrix.mutable_unchecked<2>();
-            to(0, 0) = *xx;
-            to(1, 1) = *yy;
-            to(2, 2) = *zz;
-            to(0, 1) = to(1, 0) = *xy;
-            to(0, 2) = to(2, 0) = *xz;
-            to(1, 2) = to(2, 1) = *yz;
-            return matrix;
-          },
-          "About the centre of mass, in the inertial frame: array of shape (3, 3), kg m^2. None "
-          "when one of the six numbers is missing.");
-  ReferenceClass<urdf::Visual>(module, "Visual", "What is seen of a link.")
-      .field("name", &urdf::Visual::name, "Name.")
-      .attribute(
-          "X_LV", [](const Ref<urdf::Visual>& self) { return to_matrix4(to_pose(self->origin)); },
-          "Pose in the link: array of shape (4, 4), m.")
-      .attribute(
-          "geometry",
-          [](const Ref<urdf::Visual>& self) { return geometry_of(self.owner, self->geometry); },
-          "smurf.Box, Sphere, Cylinder, Capsule or Mesh; None when there is none.")
-      .attribute(
-          "material",
-          [](const Ref<urdf::Visual>& self) { return to_optional(self.owner, self->material); },
-          "smurf.Material or None.");
-  ReferenceClass<urdf::Collision>(module, "Collision",
-                                  "The shape of a link for collision detection.")
-      .field("name", &urdf::Collision::name, "Name.")
-      .attribute(
-          "X_LC",
-          [](const Ref<urdf::Collision>& self) { return to_matrix4(to_pose(self->origin)); },
-          "Pose in the link: array of shape (4, 4), m.")
-      .attribute(
-          "geometry",
-          [](const Ref<urdf::Collision>& self) { return geometry_of(self.owner, self->geometry); },
-          "smurf.Box, Sphere, Cylinder, Capsule or Mesh; None when there is none.");
-  ReferenceClass<urdf::Link>(module, "Link", "A link.")
-      .method("__reduce__", [](const Ref<urdf::Link>& self) { return reduce(self); })
-      .field("name", &urdf::Link::name, "Name.")
-      .attribute(
-          "inertial",
-          [](const Ref<urdf::Link>& self) { return to_optional(self.owner, self->inertial); },
-          "smurf.Inertial or None.")
-      .attribute(
-          "visuals", [](const Ref<urdf::Link>& self) { return to_list(self.owner, self->visuals); },
-          "A new list of smurf.Visual.")
-      .attribute(
-          "collisions",
-          [](const Ref<urdf::Link>& self) { return to_list(self.owner, self->collisions); },
-          "A new list of smurf.Collision.");
+py::object inertia_of(const Ref<urdf::Inertial>& self) {
+  const auto entries = entries_of(*self);
+  for (const Field<double>* entry : entries) {
+    if (!*entry) return py::none();
+  }
+  const auto& [xx, xy, xz, yy, yz, zz] = entries;
+  py::array_t<double> matrix = new_array({3, 3});
+  auto to = matrix.mutable_unchecked<2>();
+  to(0, 0) = **xx;
+  to(1, 1) = **yy;
+  to(2, 2) = **zz;
+  to(0, 1) = to(1, 0) = **xy;
+  to(0, 2) = to(2, 0) = **xz;
+  to(1, 2) = to(2, 1) = **yz;
+  return matrix;
+}
+
+void bind_link(py::module_& module) {
+  ElementClass<urdf::Material>(module, "Material", "material")
+      .attributes(urdf::kMaterial)
+      .attributes(urdf::kColor)
+      .attributes(urdf::kTexture);
+  ElementClass<urdf::Inertial>(module, "Inertial", "inertial")
+      .attributes(urdf::kMass)
+      .pose("X_LI",
+            "Pose of the inertial frame I, whose origin is the centre of mass, in the link: array "
+            "of shape (4, 4), m.")
+      .attribute("inertia", inertia_of,
+                 "About the centre of mass, in the inertial frame: array of shape (3, 3), kg m^2. "
+                 "None when one of the six numbers is missing.");
+  ElementClass<urdf::Visual>(module, "Visual", "visual")
+      .attributes(urdf::kVisual)
+      .pose("X_LV", "Pose in the link: array of shape (4, 4), m.")
+      .geometry()
+      .part("material", &urdf::Visual::material, "smurf.Material or None.");
+  ElementClass<urdf::Collision>(module, "Collision", "collision")
+      .attributes(urdf::kCollision)
+      .pose("X_LC", "Pose in the link: array of shape (4, 4), m.")
+      .geometry();
+  ElementClass<urdf::Link>(module, "Link", "link")
+      .attributes(urdf::kLink)
+      .part("inertial", &urdf::Link::inertial, "smurf.Inertial or None.")
+      .list("visuals", &urdf::Link::visuals, "A new list of smurf.Visual.")
+      .list("collisions", &urdf::Link::collisions, "A new list of smurf.Collision.")
+      .method("__reduce__", [](const Ref<urdf::Link>& self) { return reduce(self); });
 }
 
 void bind_joint(py::module_& module) {
-  ReferenceClass<urdf::Limit>(module, "Limit", "Limits of a joint.")
-      .field("lower", &urdf::Limit::lower, "Lowest position, rad or m.")
-      .field("upper", &urdf::Limit::upper, "Highest position, rad or m.")
-      .field("effort", &urdf::Limit::effort, "N m or N.")
-      .field("velocity", &urdf::Limit::velocity, "rad/s or m/s.");
-  ReferenceClass<urdf::Dynamics>(module, "Dynamics", "Damping and friction of a joint.")
-      .field("damping", &urdf::Dynamics::damping, "N m s/rad or N s/m.")
-      .field("friction", &urdf::Dynamics::friction, "N m or N.");
-  ReferenceClass<urdf::Mimic>(module, "Mimic", "A joint follows another one.")
-      .field("joint", &urdf::Mimic::joint, "Name of the joint that it follows.")
-      .field("multiplier", &urdf::Mimic::multiplier, "1 when it is not written.")
-      .field("offset", &urdf::Mimic::offset, "rad or m; 0 when it is not written.");
-  ReferenceClass<urdf::Joint>(module, "Joint", "A joint.")
-      .method("__reduce__", [](const Ref<urdf::Joint>& self) { return reduce(self); })
-      .field("name", &urdf::Joint::name, "Name.")
+  using urdf::Joint;
+  ElementClass<urdf::Limit>(module, "Limit", "limit").attributes(urdf::kLimit);
+  ElementClass<urdf::Dynamics>(module, "Dynamics", "dynamics").attributes(urdf::kDynamics);
+  ElementClass<urdf::Mimic>(module, "Mimic", "mimic").attributes(urdf::kMimic);
+  ElementClass<urdf::SafetyController>(module, "SafetyController", "safety_controller")
+      .attributes(urdf::kSafetyController);
+  ElementClass<urdf::Calibration>(module, "Calibration", "calibration")
+      .attributes(urdf::kCalibration);
+  ElementClass<Joint>(module, "Joint", "joint")
+      .attributes(urdf::kJoint)
+      .attributes(urdf::kParent)
+      .attributes(urdf::kChild)
+      .attributes(urdf::kAxis)
+      .pose("X_PJ",
+            "Pose of the joint's frame, which is that of the child link at position zero, in the "
+            "parent link: array of shape (4, 4), m.")
+      .part("limit", &Joint::limit, "smurf.Limit or None.")
+      .part("dynamics", &Joint::dynamics, "smurf.Dynamics or None.")
+      .part("mimic", &Joint::mimic, "smurf.Mimic or None.")
+      .part("safety_controller", &Joint::safety_controller, "smurf.SafetyController or None.")
+      .part("calibration", &Joint::calibration, "smurf.Calibration or None.")
+      .method("__reduce__", [](const Ref<Joint>& self) { return reduce(self); })
       .attribute(
-          "type", [](const Ref<urdf::Joint>& self) { return name_of(self->type); },
+          "type", [](const Ref<Joint>& self) { return py::str(std::string(name_of(self->type))); },
           "\"revolute\", \"continuous\", \"prismatic\", \"fixed\", \"floating\", \"planar\" or "
           "\"unknown\".")
-      .field("parent", &urdf::Joint::parent, "Name of the parent link.")
-      .field("child", &urdf::Joint::child, "Name of the child link.")
-      .field("axis", &urdf::Joint::axis,
-             "As written, in the joint's frame: array of shape (3,), not normalised. (1, 0, 0) "
-             "when it is None.")
       .attribute(
-          "X_PJ", [](const Ref<urdf::Joint>& self) { return to_matrix4(to_pose(self->origin)); },
-          "Pose of the joint's frame, which is that of the child link at position zero, in the "
-          "parent link: array of shape (4, 4), m.")
-      .attribute(
-          "limit",
-          [](const Ref<urdf::Joint>& self) { return to_optional(self.owner, self->limit); },
-          "smurf.Limit or None.")
-      .attribute(
-          "dynamics",
-          [](const Ref<urdf::Joint>& self) { return to_optional(self.owner, self->dynamics); },
-          "smurf.Dynamics or None.")
-      .attribute(
-          "mimic",
-          [](const Ref<urdf::Joint>& self) { return to_optional(self.owner, self->mimic); },
-          "smurf.Mimic or None.")
-      .attribute(
-          "is_movable", [](const Ref<urdf::Joint>& self) { return self->is_movable(); },
+          "is_movable", [](const Ref<Joint>& self) { return self->is_movable(); },
           "True for a joint that can move.");
 }
 
@@ -181,7 +187,7 @@ void bind_joint(py::module_& module) {
 
 void bind_robot(py::module_& module) {
   bind_shapes(module);
-  bind_parts(module);
+  bind_link(module);
   bind_joint(module);
 }
 

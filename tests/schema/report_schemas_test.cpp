@@ -2,18 +2,21 @@
 // The hand-written schemas accept the output of the tools and reject near misses.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <initializer_list>
 #include <span>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include "ast/urdf_schema.hpp"
 #include "schema/case_file.hpp"
 #include "schema/validator.hpp"
 #include "smurf/check.hpp"
 #include "smurf/diff.hpp"
 #include "smurf/render.hpp"
 #include "smurf/write.hpp"
+#include "support/temporary_folder.hpp"
 
 using Json = nlohmann::json;
 using namespace smurf;
@@ -199,6 +202,31 @@ Json dump_of_model(const std::string& path) {
   return Json::parse(*write_model_json(loaded.model, *loaded.sources));
 }
 
+/// An element of URDF with all attributes and children; each shape is that of a visual.
+std::string whole_element(std::string_view name, std::string_view shape = "box") {
+  const urdf::ElementSpec& spec = *urdf::find_element_spec(name);
+  std::string text = "<" + std::string(name);
+  for (const urdf::AttributeSpec& attribute : spec.attributes) {
+    std::string_view value = "1";
+    if (attribute.form == urdf::Form::three_numbers) value = "1 2 3";
+    if (attribute.form == urdf::Form::four_numbers) value = "0 0 0 1";
+    if (!attribute.values.empty()) value = attribute.values.front();
+    text.append(" ").append(attribute.name).append("=\"").append(value).append("\"");
+  }
+  text += ">";
+  for (const urdf::ChildSpec& child : spec.children) {
+    if (name == "geometry" && child.name != shape) continue;
+    if (child.name != "visual") {
+      text += whole_element(child.name, shape);
+      continue;
+    }
+    for (const urdf::ChildSpec& one : urdf::find_element_spec("geometry")->children) {
+      text += whole_element(child.name, one.name);
+    }
+  }
+  return text.append("</").append(name).append(">");
+}
+
 Json dump_of_scene(const std::string& path) {
   Session session;
   const LoadedScene loaded = session.load_scene(path);
@@ -229,6 +257,24 @@ TEST_CASE("the dump of a model") {
          {"/model/links/1/visuals/0/geometry", R"({"type": "cone"})"},
          {"/model/joints/0", R"({"type": "hinge"})"},
          {"/model/annotations/motors/0", R"({"values": []})"}});
+}
+
+TEST_CASE("the dump of a robot with every attribute of URDF") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "every.urdf";
+  std::ofstream(path) << whole_element("robot");
+  const Json dump = dump_of_model(path);
+  check("model-dump.schema.json", dump,
+        {{"/model/joints/0/safety_controller", R"({"k_position": "1"})"},
+         {"/model/joints/0/calibration", R"({"edge": 1})"}});
+  const Json& joint = dump.at("model").at("joints").at(0);
+  for (const auto& [part, attributes] : {std::pair{"limit", std::size_t{4}},
+                                         {"dynamics", 2},
+                                         {"mimic", 3},
+                                         {"safety_controller", 4},
+                                         {"calibration", 2}}) {
+    CHECK(joint.at(part).size() == attributes);
+  }
 }
 
 TEST_CASE("the dump of a scene") {

@@ -108,15 +108,15 @@ inline constexpr Attribute<Collision> kCollision[] = {
     {{"name", "Name of the collision."}, &Collision::name}};
 
 inline constexpr AttributeSpec kRadius = required({"radius", "Radius.", "m"});
-inline constexpr AttributeSpec kLength =
-    required({"length", "Length along z; for a capsule, without its half spheres.", "m"});
 inline constexpr Attribute<Box> kBox[] = {
     {required({"size", "Full lengths of the edges along x, y and z.", "m"}), &Box::size}};
 inline constexpr Attribute<Sphere> kSphere[] = {{kRadius, &Sphere::radius}};
-inline constexpr Attribute<Cylinder> kCylinder[] = {{kRadius, &Cylinder::radius},
-                                                    {kLength, &Cylinder::length}};
-inline constexpr Attribute<Capsule> kCapsule[] = {{kRadius, &Capsule::radius},
-                                                  {kLength, &Capsule::length}};
+inline constexpr Attribute<Cylinder> kCylinder[] = {
+    {kRadius, &Cylinder::radius},
+    {required({"length", "Length along z.", "m"}), &Cylinder::length}};
+inline constexpr Attribute<Capsule> kCapsule[] = {
+    {kRadius, &Capsule::radius},
+    {required({"length", "Length along z, without the half spheres.", "m"}), &Capsule::length}};
 inline constexpr Attribute<Mesh> kMesh[] = {
     {last(required({.name = "filename",
                     .doc = "The mesh: a path, or package://NAME/PATH.",
@@ -146,12 +146,16 @@ inline constexpr Attribute<Joint> kJoint[] = {
             .doc = "How the child moves relative to the parent.",
             .values = kJointTypes}),
      &Joint::type_name}};
-inline constexpr Attribute<Joint> kParent[] = {
-    {usual({.name = "link", .doc = "Name of the link.", .names = NameKind::link, .key = "parent"}),
-     &Joint::parent}};
-inline constexpr Attribute<Joint> kChild[] = {
-    {usual({.name = "link", .doc = "Name of the link.", .names = NameKind::link, .key = "child"}),
-     &Joint::child}};
+inline constexpr Attribute<Joint> kParent[] = {{usual({.name = "link",
+                                                       .doc = "Name of the parent link.",
+                                                       .names = NameKind::link,
+                                                       .key = "parent"}),
+                                                &Joint::parent}};
+inline constexpr Attribute<Joint> kChild[] = {{usual({.name = "link",
+                                                      .doc = "Name of the child link.",
+                                                      .names = NameKind::link,
+                                                      .key = "child"}),
+                                               &Joint::child}};
 inline constexpr Attribute<Joint> kAxis[] = {
     {required({.name = "xyz",
                .doc = "Direction in the joint's frame, of length 1.",
