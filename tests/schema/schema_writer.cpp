@@ -391,13 +391,13 @@ void print(const Json& json, std::size_t indent, std::size_t used, std::string& 
   out += "\n" + std::string(indent, ' ') + (json.is_array() ? "]" : "}");
 }
 
+}  // namespace
+
 std::string to_text(const Json& json) {
   std::string text;
   print(json, 0, 0, text);
   return text + "\n";
 }
-
-}  // namespace
 
 std::map<std::string, std::string> write_schemas() {
   std::map<std::string, std::string> files;

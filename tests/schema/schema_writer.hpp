@@ -5,7 +5,12 @@
 #include <map>
 #include <string>
 
+#include "schema/schema_head.hpp"
+
 namespace smurf::test {
+
+/// A schema in the layout of the files.
+std::string to_text(const Json& schema);
 
 /// "motors.schema.json" -> its text.
 std::map<std::string, std::string> write_schemas();
