@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The files in schemas/ match the tables. SMURF_UPDATE_SNAPSHOTS=1 rewrites them; in the schema of the
-// dump, which is written by hand, it adds attributes of URDF.
+// The files in schemas/ match the tables. SMURF_UPDATE_SNAPSHOTS=1 rewrites them; in the schema of
+// the dump, which is written by hand, it adds attributes of URDF.
 #include <array>
 #include <cstdlib>
 #include <filesystem>
