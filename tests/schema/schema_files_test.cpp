@@ -118,3 +118,13 @@ TEST_CASE("every key of every section has a sentence, and defaults are JSON") {
     }
   }
 }
+
+TEST_CASE("every attribute of URDF has a sentence") {
+  for (const urdf::ElementSpec& element : urdf::all_element_specs()) {
+    for (const urdf::AttributeSpec& attribute : element.attributes) {
+      CAPTURE(element.name);
+      CAPTURE(attribute.name);
+      CHECK(attribute.doc.ends_with('.'));
+    }
+  }
+}
