@@ -18,6 +18,7 @@
 
 namespace smurf::urdf {
 
+/// In the order of the forms in urdf_schema.cpp.
 template <class T>
 using Member = std::variant<std::monostate, Field<std::string> T::*, Field<double> T::*,
                             Field<Vector3> T::*, Field<std::array<double, 4>> T::*>;
@@ -47,14 +48,20 @@ void for_each_field(Rows<T> rows, T& object, const Use& use) {
   }
 }
 
-/// An attribute whose absence is an error (SML1113).
-constexpr AttributeSpec required(AttributeSpec spec) {
-  spec.required = true;
+using enum Need;
+
+/// An attribute that has this name in the dump and in Python.
+constexpr AttributeSpec shown_as(std::string_view key, AttributeSpec spec) {
+  spec.key = key;
   return spec;
 }
-/// An attribute whose absence is reported by a separate rule.
-constexpr AttributeSpec usual(AttributeSpec spec) {
-  spec.is_usual = true;
+/// An attribute that names a thing of this kind.
+constexpr AttributeSpec names(NameKind kind, AttributeSpec spec) {
+  spec.names = kind;
+  return spec;
+}
+constexpr AttributeSpec path(AttributeSpec spec) {
+  spec.is_path = true;
   return spec;
 }
 /// An attribute that the canonical form writes after those of the other rows.
@@ -64,30 +71,29 @@ constexpr AttributeSpec last(AttributeSpec spec) {
 }
 
 inline constexpr Attribute<Robot> kRobot[] = {
-    {{"name", "Name of the robot."}, &Robot::name},
-    {{"version", "Version of URDF; urdfdom accepts 1.0, its newer versions also 1.1 and 1.2.", "",
-      "1.0"},
+    {{"name", optional, "Name of the robot."}, &Robot::name},
+    {{"version", optional,
+      "Version of URDF; urdfdom accepts 1.0, its newer versions also 1.1 and 1.2.", "", "1.0"},
      &Robot::version}};
 
 inline constexpr Attribute<Link> kLink[] = {
-    {required(
-         {"name", "Name of the link; joints, motors and sensors refer to it, so it is unique."}),
+    {{"name", required,
+      "Name of the link; joints, motors and sensors refer to it, so it is unique."},
      &Link::name},
     {{.name = "type", .doc = "From old files; readers ignore it.", .form = Form::text}}};
 
 inline constexpr Attribute<Inertial> kMass[] = {
-    {required({.name = "value", .doc = "Mass of the link.", .unit = "kg", .key = "mass"}),
-     &Inertial::mass}};
+    {shown_as("mass", {"value", required, "Mass of the link.", "kg"}), &Inertial::mass}};
 // Separate rules report missing entries of a tensor and entries below its diagonal.
 inline constexpr Attribute<Inertial> kInertia[] = {
-    {usual({"ixx", "Moment about the x axis through the centre of mass.", "kg m^2"}),
+    {{"ixx", usual, "Moment about the x axis through the centre of mass.", "kg m^2"},
      &Inertial::ixx},
-    {usual({"ixy", "Product of inertia: minus the integral of x y.", "kg m^2"}), &Inertial::ixy},
-    {usual({"ixz", "Product of inertia: minus the integral of x z.", "kg m^2"}), &Inertial::ixz},
-    {usual({"iyy", "Moment about the y axis through the centre of mass.", "kg m^2"}),
+    {{"ixy", usual, "Product of inertia: minus the integral of x y.", "kg m^2"}, &Inertial::ixy},
+    {{"ixz", usual, "Product of inertia: minus the integral of x z.", "kg m^2"}, &Inertial::ixz},
+    {{"iyy", usual, "Moment about the y axis through the centre of mass.", "kg m^2"},
      &Inertial::iyy},
-    {usual({"iyz", "Product of inertia: minus the integral of y z.", "kg m^2"}), &Inertial::iyz},
-    {usual({"izz", "Moment about the z axis through the centre of mass.", "kg m^2"}),
+    {{"iyz", usual, "Product of inertia: minus the integral of y z.", "kg m^2"}, &Inertial::iyz},
+    {{"izz", usual, "Moment about the z axis through the centre of mass.", "kg m^2"},
      &Inertial::izz}};
 /// Their names.
 inline constexpr auto kInertiaEntries = [] {
@@ -96,104 +102,98 @@ inline constexpr auto kInertiaEntries = [] {
   return names;
 }();
 inline constexpr Attribute<Origin> kOrigin[] = {
-    {usual({"xyz", "Position in the frame of the enclosing element.", "m", "0 0 0"}), &Origin::xyz},
-    {{"rpy", "Rotation about the fixed axes x, then y, then z.", "rad", "0 0 0"}, &Origin::rpy},
+    {{"xyz", usual, "Position in the frame of the enclosing element.", "m", "0 0 0"}, &Origin::xyz},
+    {{"rpy", optional, "Rotation about the fixed axes x, then y, then z.", "rad", "0 0 0"},
+     &Origin::rpy},
     // Its value is read into `rpy`.
     {{.name = "quat_xyzw",
       .doc = "Rotation as a quaternion; read since version 1.1 of URDF.",
       .form = Form::four_numbers}}};
 
-inline constexpr Attribute<Visual> kVisual[] = {{{"name", "Name of the visual."}, &Visual::name}};
+inline constexpr Attribute<Visual> kVisual[] = {
+    {{"name", optional, "Name of the visual."}, &Visual::name}};
 inline constexpr Attribute<Collision> kCollision[] = {
-    {{"name", "Name of the collision."}, &Collision::name}};
+    {{"name", optional, "Name of the collision."}, &Collision::name}};
 
-inline constexpr AttributeSpec kRadius = required({"radius", "Radius.", "m"});
+inline constexpr AttributeSpec kRadius = {"radius", required, "Radius.", "m"};
 inline constexpr Attribute<Box> kBox[] = {
-    {required({"size", "Full lengths of the edges along x, y and z.", "m"}), &Box::size}};
+    {{"size", required, "Full lengths of the edges along x, y and z.", "m"}, &Box::size}};
 inline constexpr Attribute<Sphere> kSphere[] = {{kRadius, &Sphere::radius}};
 inline constexpr Attribute<Cylinder> kCylinder[] = {
     {kRadius, &Cylinder::radius},
-    {required({"length", "Length along z.", "m"}), &Cylinder::length}};
+    {{"length", required, "Length along z.", "m"}, &Cylinder::length}};
 inline constexpr Attribute<Capsule> kCapsule[] = {
     {kRadius, &Capsule::radius},
-    {required({"length", "Length along z, without the half spheres.", "m"}), &Capsule::length}};
+    {{"length", required, "Length along z, without the half spheres.", "m"}, &Capsule::length}};
 inline constexpr Attribute<Mesh> kMesh[] = {
-    {last(required({.name = "filename",
-                    .doc = "The mesh: a path, or package://NAME/PATH.",
-                    .is_path = true})),
+    {last(path({"filename", required, "The mesh: a path, or package://NAME/PATH."})),
      &Mesh::filename},
-    {{"scale", "Factors along x, y and z.", "", "1 1 1"}, &Mesh::scale}};
+    {{"scale", optional, "Factors along x, y and z.", "", "1 1 1"}, &Mesh::scale}};
 
 inline constexpr Attribute<Material> kMaterial[] = {
-    {required({.name = "name", .doc = "Name of the material.", .names = NameKind::material}),
-     &Material::name}};
+    {names(NameKind::material, {"name", required, "Name of the material."}), &Material::name}};
 inline constexpr Attribute<Material> kColor[] = {
-    {required({"rgba", "Red, green, blue and alpha, each from 0 to 1."}), &Material::rgba}};
+    {{"rgba", required, "Red, green, blue and alpha, each from 0 to 1."}, &Material::rgba}};
 inline constexpr Attribute<Material> kTexture[] = {
-    {usual({.name = "filename",
-            .doc = "The image: a path, or package://NAME/PATH.",
-            .key = "texture",
-            .is_path = true}),
+    {shown_as("texture", path({"filename", usual, "The image: a path, or package://NAME/PATH."})),
      &Material::texture}};
 
 /// In the order of JointType.
 inline constexpr std::string_view kJointTypes[] = {"revolute", "continuous", "prismatic",
                                                    "fixed",    "floating",   "planar"};
 inline constexpr Attribute<Joint> kJoint[] = {
-    {required({"name", "Name of the joint; motors and sensors refer to it, so it is unique."}),
+    {{"name", required, "Name of the joint; motors and sensors refer to it, so it is unique."},
      &Joint::name},
-    {usual({.name = "type",
-            .doc = "How the child moves relative to the parent.",
-            .values = kJointTypes}),
+    {{.name = "type",
+      .need = usual,
+      .doc = "How the child moves relative to the parent.",
+      .values = kJointTypes},
      &Joint::type_name}};
-inline constexpr Attribute<Joint> kParent[] = {{usual({.name = "link",
-                                                       .doc = "Name of the parent link.",
-                                                       .names = NameKind::link,
-                                                       .key = "parent"}),
-                                                &Joint::parent}};
-inline constexpr Attribute<Joint> kChild[] = {{usual({.name = "link",
-                                                      .doc = "Name of the child link.",
-                                                      .names = NameKind::link,
-                                                      .key = "child"}),
-                                               &Joint::child}};
+inline constexpr Attribute<Joint> kParent[] = {
+    {shown_as("parent", names(NameKind::link, {"link", usual, "Name of the parent link."})),
+     &Joint::parent}};
+inline constexpr Attribute<Joint> kChild[] = {
+    {shown_as("child", names(NameKind::link, {"link", usual, "Name of the child link."})),
+     &Joint::child}};
 inline constexpr Attribute<Joint> kAxis[] = {
-    {required({.name = "xyz",
-               .doc = "Direction in the joint's frame, of length 1.",
-               .fallback = "1 0 0",
-               .key = "axis"}),
+    {shown_as("axis",
+              {"xyz", required, "Direction in the joint's frame, of length 1.", "", "1 0 0"}),
      &Joint::axis}};
 inline constexpr Attribute<Limit> kLimit[] = {
-    {usual({"lower", "Lowest position.", "rad or m", "0"}), &Limit::lower},
-    {usual({"upper", "Highest position.", "rad or m", "0"}), &Limit::upper},
-    {usual({"effort", "Largest torque or force.", "N m or N"}), &Limit::effort},
-    {usual({"velocity", "Largest speed.", "rad/s or m/s"}), &Limit::velocity},
-    {{"acceleration", "Largest acceleration; read since version 1.2 of URDF.", "rad/s^2 or m/s^2"}},
-    {{"deceleration", "Largest deceleration; read since version 1.2 of URDF.", "rad/s^2 or m/s^2"}},
-    {{"jerk", "Largest jerk; read since version 1.2 of URDF.", "rad/s^3 or m/s^3"}}};
+    {{"lower", usual, "Lowest position.", "rad or m", "0"}, &Limit::lower},
+    {{"upper", usual, "Highest position.", "rad or m", "0"}, &Limit::upper},
+    {{"effort", usual, "Largest torque or force.", "N m or N"}, &Limit::effort},
+    {{"velocity", usual, "Largest speed.", "rad/s or m/s"}, &Limit::velocity},
+    {{"acceleration", optional, "Largest acceleration; read since version 1.2 of URDF.",
+      "rad/s^2 or m/s^2"}},
+    {{"deceleration", optional, "Largest deceleration; read since version 1.2 of URDF.",
+      "rad/s^2 or m/s^2"}},
+    {{"jerk", optional, "Largest jerk; read since version 1.2 of URDF.", "rad/s^3 or m/s^3"}}};
 inline constexpr Attribute<Dynamics> kDynamics[] = {
-    {{"damping", "Viscous damping.", "N m s/rad or N s/m", "0"}, &Dynamics::damping},
-    {{"friction", "Static friction.", "N m or N", "0"}, &Dynamics::friction}};
+    {{"damping", optional, "Viscous damping.", "N m s/rad or N s/m", "0"}, &Dynamics::damping},
+    {{"friction", optional, "Static friction.", "N m or N", "0"}, &Dynamics::friction}};
 inline constexpr Attribute<Mimic> kMimic[] = {
-    {required({.name = "joint", .doc = "Joint that this one follows.", .names = NameKind::joint}),
-     &Mimic::joint},
-    {{"multiplier", "Factor on the position of that joint.", "", "1"}, &Mimic::multiplier},
-    {{"offset", "Offset that is added to the result.", "rad or m", "0"}, &Mimic::offset}};
+    {names(NameKind::joint, {"joint", required, "Joint that this one follows."}), &Mimic::joint},
+    {{"multiplier", optional, "Factor on the position of that joint.", "", "1"},
+     &Mimic::multiplier},
+    {{"offset", optional, "Offset that is added to the result.", "rad or m", "0"}, &Mimic::offset}};
 inline constexpr Attribute<SafetyController> kSafetyController[] = {
-    {last({"soft_lower_limit", "Where the controller begins to limit the position.", "rad or m",
-           "0"}),
+    {last({"soft_lower_limit", optional, "Where the controller begins to limit the position.",
+           "rad or m", "0"}),
      &SafetyController::soft_lower_limit},
-    {last({"soft_upper_limit", "Where the controller begins to limit the position.", "rad or m",
-           "0"}),
+    {last({"soft_upper_limit", optional, "Where the controller begins to limit the position.",
+           "rad or m", "0"}),
      &SafetyController::soft_upper_limit},
-    {last({"k_position", "Relation between position and velocity limits.", "", "0"}),
+    {last({"k_position", optional, "Relation between position and velocity limits.", "", "0"}),
      &SafetyController::k_position},
-    {last(required({"k_velocity", "Relation between effort and velocity limits."})),
+    {last({"k_velocity", required, "Relation between effort and velocity limits."}),
      &SafetyController::k_velocity}};
 inline constexpr Attribute<Calibration> kCalibration[] = {
-    {last({"rising", "Position at which the reference rises.", "rad or m"}), &Calibration::rising},
-    {last({"falling", "Position at which the reference falls.", "rad or m"}),
+    {last({"rising", optional, "Position at which the reference rises.", "rad or m"}),
+     &Calibration::rising},
+    {last({"falling", optional, "Position at which the reference falls.", "rad or m"}),
      &Calibration::falling},
-    {last({"reference_position", "Position of the reference mark.", "rad or m"})}};
+    {last({"reference_position", optional, "Position of the reference mark.", "rad or m"})}};
 
 constexpr std::string_view name_of(JointType type) {
   return type == JointType::unknown ? "unknown" : kJointTypes[static_cast<std::size_t>(type)];

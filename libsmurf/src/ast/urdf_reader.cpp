@@ -100,19 +100,14 @@ class RobotReader {
   void part(View parent, std::string_view name, urdf::Rows<T> rows, Owner& out) {
     const View element = child_of(parent, name);
     if (!element) return;
-    T& made = make(out);
-    place(element, made);
-    attributes(element, rows, made);
+    if constexpr (std::is_same_v<Owner, std::optional<T>>) {
+      out.emplace();
+    } else {
+      out = std::make_unique<T>();
+    }
+    place(element, *out);
+    attributes(element, rows, *out);
   }
-  template <class T>
-  static T& make(std::optional<T>& out) {
-    return out.emplace();
-  }
-  template <class T>
-  static T& make(std::unique_ptr<T>& out) {
-    return *(out = std::make_unique<T>());
-  }
-
   static void value(View, const xml::Attribute& attribute, Field<std::string>& out) {
     out.set(std::string(attribute.value()));
   }

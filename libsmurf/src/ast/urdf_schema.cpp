@@ -13,24 +13,15 @@
 namespace smurf::urdf {
 namespace {
 
-/// The form of a value that is read into this member.
-template <class T>
-constexpr Form form_of(const Attribute<T>& row) {
-  if (std::holds_alternative<Field<std::string> T::*>(row.member)) return Form::text;
-  if (std::holds_alternative<Field<Vector3> T::*>(row.member)) return Form::three_numbers;
-  if (std::holds_alternative<Field<std::array<double, 4>> T::*>(row.member)) {
-    return Form::four_numbers;
-  }
-  return row.spec.form;
-}
-
-/// The rows of an element without their members.
+/// The rows of an element without their members, but with the form of each member.
 template <const auto& Rows>
 constexpr auto kSpecs = [] {
   std::array<AttributeSpec, std::size(Rows)> specs{};
   for (std::size_t i = 0; i < specs.size(); ++i) {
     specs[i] = Rows[i].spec;
-    specs[i].form = form_of(Rows[i]);
+    const Form forms[] = {specs[i].form, Form::text, Form::number, Form::three_numbers,
+                          Form::four_numbers};
+    specs[i].form = forms[Rows[i].member.index()];
   }
   return specs;
 }();
@@ -97,61 +88,47 @@ constexpr std::string_view kJointExtensions[] = {
 constexpr std::string_view kDynamicsExtensions[] = {"spring_stiffness", "spring_reference"};
 
 constexpr ElementSpec kElements[] = {
-    {"robot", kSpecs<kRobot>, kRobotChildren, kRobotExtensions,
-     "A robot: links, and joints between them."},
-    {"link", kSpecs<kLink>, kLinkChildren, kLinkExtensions, "A rigid body."},
-    {"inertial", {}, kInertialChildren, {}, "Mass, centre of mass and inertia of the link."},
-    {"mass", kSpecs<kMass>, {}, {}, "Mass of the link."},
+    {"robot", "A robot: links, and joints between them.", kSpecs<kRobot>, kRobotChildren,
+     kRobotExtensions},
+    {"link", "A rigid body.", kSpecs<kLink>, kLinkChildren, kLinkExtensions},
+    {"inertial", "Mass, centre of mass and inertia of the link.", {}, kInertialChildren},
+    {"mass", "Mass of the link.", kSpecs<kMass>},
     {"inertia",
+     "Inertia about the centre of mass, in the axes of the inertial frame.",
      kSpecs<kInertia>,
      {},
-     kInertiaExtensions,
-     "Inertia about the centre of mass, in the axes of the inertial frame."},
+     kInertiaExtensions},
     {"origin",
-     kSpecs<kOrigin>,
-     {},
-     {},
-     "Pose in the frame of the enclosing element; for a joint, in the frame of the parent link."},
-    {"visual", kSpecs<kVisual>, kVisualChildren, kCollisionExtensions,
-     "The appearance of the link."},
-    {"collision", kSpecs<kCollision>, kCollisionChildren, kCollisionExtensions,
-     "The shape of the link for collision detection."},
-    {"geometry", {}, kGeometryChildren, kGeometryExtensions, "One shape."},
-    {"box", kSpecs<kBox>, {}, {}, "A box around the origin."},
-    {"sphere", kSpecs<kSphere>, {}, {}, "A sphere around the origin."},
-    {"cylinder", kSpecs<kCylinder>, {}, {}, "A cylinder around the origin, its axis along z."},
+     "Pose in the frame of the enclosing element; for a joint, in the frame of the parent link.",
+     kSpecs<kOrigin>},
+    {"visual", "The appearance of the link.", kSpecs<kVisual>, kVisualChildren,
+     kCollisionExtensions},
+    {"collision", "The shape of the link for collision detection.", kSpecs<kCollision>,
+     kCollisionChildren, kCollisionExtensions},
+    {"geometry", "One shape.", {}, kGeometryChildren, kGeometryExtensions},
+    {"box", "A box around the origin.", kSpecs<kBox>},
+    {"sphere", "A sphere around the origin.", kSpecs<kSphere>},
+    {"cylinder", "A cylinder around the origin, its axis along z.", kSpecs<kCylinder>},
     {"capsule",
-     kSpecs<kCapsule>,
-     {},
-     {},
-     "A cylinder with half spheres at its ends, its axis along z; read since version 1.1 of URDF."},
-    {"mesh", kSpecs<kMesh>, {}, {}, "The triangles of a mesh file."},
-    {"material", kSpecs<kMaterial>, kMaterialChildren, kMaterialExtensions,
-     "A colour or a texture, with a name that visuals share."},
-    {"color", kSpecs<kColor>, {}, {}, "A colour."},
-    {"texture", kSpecs<kTexture>, {}, {}, "An image."},
-    {"joint", kSpecs<kJoint>, kJointChildren, kJointExtensions,
-     "How a child link moves relative to its parent link."},
-    {"parent", kSpecs<kParent>, {}, {}, "The link that carries the joint."},
-    {"child", kSpecs<kChild>, {}, {}, "The link that the joint moves."},
-    {"axis",
-     kSpecs<kAxis>,
-     {},
-     {},
-     "The axis of a revolute, continuous or prismatic joint, the normal of a planar one."},
-    {"limit",
-     kSpecs<kLimit>,
-     {},
-     {},
-     "Limits of the joint; revolute and prismatic joints need them."},
-    {"dynamics", kSpecs<kDynamics>, {}, kDynamicsExtensions, "Damping and friction of the joint."},
-    {"mimic", kSpecs<kMimic>, {}, {}, "The joint follows another one."},
-    {"safety_controller",
-     kSpecs<kSafetyController>,
-     {},
-     {},
-     "Limits of the controller within those of the joint."},
-    {"calibration", kSpecs<kCalibration>, {}, {}, "Where the joint is calibrated."},
+     "A cylinder with half spheres at its ends, its axis along z; read since version 1.1 of URDF.",
+     kSpecs<kCapsule>},
+    {"mesh", "The triangles of a mesh file.", kSpecs<kMesh>},
+    {"material", "A colour or a texture, with a name that visuals share.", kSpecs<kMaterial>,
+     kMaterialChildren, kMaterialExtensions},
+    {"color", "A colour.", kSpecs<kColor>},
+    {"texture", "An image.", kSpecs<kTexture>},
+    {"joint", "How a child link moves relative to its parent link.", kSpecs<kJoint>, kJointChildren,
+     kJointExtensions},
+    {"parent", "The link that carries the joint.", kSpecs<kParent>},
+    {"child", "The link that the joint moves.", kSpecs<kChild>},
+    {"axis", "The axis of a revolute, continuous or prismatic joint, the normal of a planar one.",
+     kSpecs<kAxis>},
+    {"limit", "Limits of the joint; revolute and prismatic joints need them.", kSpecs<kLimit>},
+    {"dynamics", "Damping and friction of the joint.", kSpecs<kDynamics>, {}, kDynamicsExtensions},
+    {"mimic", "The joint follows another one.", kSpecs<kMimic>},
+    {"safety_controller", "Limits of the controller within those of the joint.",
+     kSpecs<kSafetyController>},
+    {"calibration", "Where the joint is calibrated.", kSpecs<kCalibration>},
 };
 
 /// Synonyms from SDF, MJCF and English -> URDF names.

@@ -15,9 +15,13 @@ namespace smurf::urdf {
 /// How the value of an attribute is written.
 enum class Form : std::uint8_t { number, three_numbers, four_numbers, text };
 
+/// Whether an attribute must be written: `usual` if its absence is reported by a separate rule.
+enum class Need : std::uint8_t { optional, usual, required };
+
 /// The texts are for authors of URDFs; `values`, if any, are the only allowed values.
 struct AttributeSpec {
   std::string_view name;
+  Need need = Need::optional;
   std::string_view doc = {};   ///< one sentence
   std::string_view unit = {};  ///< "rad or m"; may be empty
   std::string_view fallback = {};
@@ -26,10 +30,9 @@ struct AttributeSpec {
   Form form = Form::number;   ///< only stated in rows without a member, whose type has the form
   std::string_view key = {};  ///< its name in the dump and in Python, if it differs
   bool is_path = false;
-  bool required = false;
-  bool is_usual = false;  ///< needed; its absence has a separate rule
-  bool is_last = false;   ///< in the canonical form, after the attributes of other rows
+  bool is_last = false;  ///< in the canonical form, after the attributes of other rows
 
+  constexpr bool is_required() const { return need == Need::required; }
   /// Its name in the dump and in Python.
   constexpr std::string_view member_name() const { return key.empty() ? name : key; }
 };
@@ -42,11 +45,11 @@ struct ChildSpec {
 
 struct ElementSpec {
   std::string_view name;
+  std::string_view doc;  ///< one sentence
   std::span<const AttributeSpec> attributes;
-  std::span<const ChildSpec> children;
+  std::span<const ChildSpec> children = {};
   /// Children and attributes of vendors that some reader knows; their contents are not checked.
-  std::span<const std::string_view> extensions;
-  std::string_view doc = {};  ///< one sentence
+  std::span<const std::string_view> extensions = {};
 };
 
 /// All elements, `robot` first.

@@ -101,11 +101,12 @@ class ShapeChecker {
     for (const xml::Attribute& at : element.attributes()) {
       const std::size_t i = index_of(spec.attributes, at.name(), next);
       if (i == spec.attributes.size()) return false;
-      required += spec.attributes[i].required ? 1 : 0;
+      required += spec.attributes[i].is_required() ? 1 : 0;
       next = i + 1;
     }
-    return required == std::count_if(spec.attributes.begin(), spec.attributes.end(),
-                                     [](const AttributeSpec& known) { return known.required; });
+    return required ==
+           std::count_if(spec.attributes.begin(), spec.attributes.end(),
+                         [](const AttributeSpec& known) { return known.is_required(); });
   }
 
   /// Readers use the first of several elements, so a missing attribute matters only there.
@@ -145,7 +146,7 @@ class ShapeChecker {
 
   static bool is_required(const ElementSpec& spec, std::string_view name) {
     return std::any_of(spec.attributes.begin(), spec.attributes.end(),
-                       [&](const AttributeSpec& a) { return a.required && a.name == name; });
+                       [&](const AttributeSpec& a) { return a.is_required() && a.name == name; });
   }
 
   void misspelt_attribute(View element, const xml::Attribute& attribute, std::string_view meant,
@@ -180,7 +181,8 @@ class ShapeChecker {
     std::string missing;
     for (const AttributeSpec& attribute : spec.attributes) {
       // Reported as an attribute that is written as an element.
-      if (!attribute.required || !holds(absent, attribute.name) || element.child(attribute.name)) {
+      if (!attribute.is_required() || !holds(absent, attribute.name) ||
+          element.child(attribute.name)) {
         continue;
       }
       missing += (missing.empty() ? " has no " : " and no ") + quoted(attribute.name);

@@ -241,22 +241,15 @@ std::vector<KeyHelp> settings_in(std::span<const std::string> path) {
   return keys;
 }
 
-std::string_view describe(urdf::Form form) {
-  switch (form) {
-  case urdf::Form::number: return "a number";
-  case urdf::Form::three_numbers: return "three numbers";
-  case urdf::Form::four_numbers: return "four numbers";
-  case urdf::Form::text: break;
-  }
-  return "a text";
-}
+/// In the order of urdf::Form.
+constexpr std::string_view kForms[] = {"a number", "three numbers", "four numbers", "a text"};
 
 KeyHelp help_of(const urdf::AttributeSpec& attribute, std::string_view element) {
   KeyHelp help{std::string(element), std::string(attribute.name),
-               attribute.doc,        describe(attribute.form),
+               attribute.doc,        kForms[static_cast<std::size_t>(attribute.form)],
                attribute.unit,       attribute.fallback};
-  help.required = attribute.required;
-  help.is_usual = attribute.required || attribute.is_usual;
+  help.required = attribute.is_required();
+  help.is_usual = attribute.need != urdf::Need::optional;
   help.choices.assign(attribute.values.begin(), attribute.values.end());
   help.names = attribute.names;
   help.is_path = attribute.is_path;

@@ -16,16 +16,6 @@
 namespace smurf {
 namespace {
 
-/// Children of elements other than `robot` and `geometry`, each once, in the order of the table.
-std::vector<std::string_view> children_in_order() {
-  std::vector<std::string_view> order;
-  for (const urdf::ElementSpec& element : urdf::all_element_specs()) {
-    if (element.name == "robot" || element.name == "geometry") continue;
-    for (const urdf::ChildSpec& child : element.children) order.push_back(child.name);
-  }
-  return order;
-}
-
 /// The attributes of all elements, in the order of the tables.
 std::vector<const urdf::AttributeSpec*> attributes_in_order() {
   std::vector<const urdf::AttributeSpec*> order;
@@ -79,11 +69,6 @@ class CanonicalWriter {
 
   void indent(int depth) { out_.append(static_cast<std::size_t>(depth) * 2, ' '); }
 
-  std::size_t child_rank(std::string_view name) const {
-    return static_cast<std::size_t>(std::find(children_.begin(), children_.end(), name) -
-                                    children_.begin());
-  }
-
   /// The number of rows if no element of URDF has the attribute.
   std::size_t row_of(std::string_view name) const {
     return static_cast<std::size_t>(ranges::find(rows_, name, &urdf::AttributeSpec::name) -
@@ -115,10 +100,15 @@ class CanonicalWriter {
     std::vector<xml::View> children;
     for (const xml::View child : element) children.push_back(child);
     // Readers use the first child of a geometry as its shape, even if it is something else.
-    if (element.name() != "geometry") {
-      std::stable_sort(children.begin(), children.end(), [&](xml::View a, xml::View b) {
-        return child_rank(a.name()) < child_rank(b.name());
-      });
+    // Children of an extension keep their order.
+    const urdf::ElementSpec* spec = urdf::find_element_spec(element.name());
+    if (spec != nullptr && element.name() != "geometry") {
+      const auto rank = [&](xml::View child) {
+        return ranges::find(spec->children, child.name(), &urdf::ChildSpec::name) -
+               spec->children.begin();
+      };
+      std::stable_sort(children.begin(), children.end(),
+                       [&](xml::View a, xml::View b) { return rank(a) < rank(b); });
     }
     const bool has_text = !trimmed(element.text()).empty();
     if (has_text) {  // an extension, in which spaces may have a meaning
@@ -145,7 +135,6 @@ class CanonicalWriter {
 
   const LinkedModel& model_;
   std::string_view text_;
-  const std::vector<std::string_view> children_ = children_in_order();
   const std::vector<const urdf::AttributeSpec*> rows_ = attributes_in_order();
   std::string out_;
   std::map<std::size_t, bool> written_;  ///< by element
