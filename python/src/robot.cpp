@@ -34,18 +34,18 @@ class ElementClass : public ReferenceClass<T> {
     return *this;
   }
 
-  /// An optional member.
+  /// An optional member, or a list.
   template <class Part>
   ElementClass& part(const char* name, Part T::*member, const char* doc) {
-    this->attribute(
-        name, [member](const Ref<T>& self) { return to_optional(self.owner, (*self).*member); },
-        doc);
-    return *this;
-  }
-  template <class Part>
-  ElementClass& list(const char* name, Part T::*member, const char* doc) {
-    this->attribute(
-        name, [member](const Ref<T>& self) { return to_list(self.owner, (*self).*member); }, doc);
+    const auto get = [member](const Ref<T>& self) {
+      const Part& value = (*self).*member;
+      if constexpr (requires { value.begin(); }) {
+        return to_list(self.owner, value);
+      } else {
+        return to_optional(self.owner, value);
+      }
+    };
+    this->attribute(name, get, doc);
     return *this;
   }
   ElementClass& pose(const char* name, const char* doc) {
@@ -146,8 +146,8 @@ void bind_link(py::module_& module) {
   ElementClass<urdf::Link>(module, "Link", "link")
       .attributes(urdf::kLink)
       .part("inertial", &urdf::Link::inertial, "smurf.Inertial or None.")
-      .list("visuals", &urdf::Link::visuals, "A new list of smurf.Visual.")
-      .list("collisions", &urdf::Link::collisions, "A new list of smurf.Collision.")
+      .part("visuals", &urdf::Link::visuals, "A new list of smurf.Visual.")
+      .part("collisions", &urdf::Link::collisions, "A new list of smurf.Collision.")
       .method("__reduce__", [](const Ref<urdf::Link>& self) { return reduce(self); });
 }
 

@@ -142,6 +142,13 @@ constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
     {"url", "filename"},
 };
 
+template <class Spec>
+const Spec* row_of(std::span<const Spec> table, std::string_view name) {
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const Spec& spec) { return is_same(spec.name, name); });
+  return found == table.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 std::optional<std::string_view> meant_name(std::string_view name,
@@ -159,10 +166,13 @@ std::optional<std::string_view> meant_name(std::string_view name,
 std::span<const ElementSpec> all_element_specs() { return kElements; }
 
 const ElementSpec* find_element_spec(std::string_view name) {
-  const ElementSpec* found =
-      std::find_if(std::begin(kElements), std::end(kElements),
-                   [&](const ElementSpec& spec) { return is_same(spec.name, name); });
-  return found == std::end(kElements) ? nullptr : found;
+  return row_of<ElementSpec>(kElements, name);
 }
+
+const AttributeSpec* ElementSpec::attribute(std::string_view name) const {
+  return row_of(attributes, name);
+}
+
+const ChildSpec* ElementSpec::child(std::string_view name) const { return row_of(children, name); }
 
 }  // namespace smurf::urdf

@@ -50,11 +50,14 @@ struct ElementSpec {
   std::span<const ChildSpec> children = {};
   /// Children and attributes of vendors that some reader knows; their contents are not checked.
   std::span<const std::string_view> extensions = {};
+
+  /// Null for a name that is not in the table.
+  const AttributeSpec* attribute(std::string_view name) const;
+  const ChildSpec* child(std::string_view name) const;
 };
 
 /// All elements, `robot` first.
 std::span<const ElementSpec> all_element_specs();
-/// Null for a name that is not in the table.
 const ElementSpec* find_element_spec(std::string_view name);
 /// The known name that was probably meant: the nearest name, or the URDF name for a word of
 /// SDFormat, MJCF or English (`pose`, `file`, `torque`).

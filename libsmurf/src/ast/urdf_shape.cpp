@@ -119,15 +119,13 @@ class ShapeChecker {
     std::vector<const xml::Attribute*> foreign;
     for (const xml::Attribute& attribute : element.attributes()) {
       const std::string_view name = attribute.name();
-      const bool is_known = std::any_of(spec.attributes.begin(), spec.attributes.end(),
-                                        [&](const AttributeSpec& a) { return a.name == name; });
       // A prefix marks another vocabulary (drake:..., xmlns:...).
-      if (is_known || name.find(':') != std::string_view::npos || name == "xmlns" ||
-          holds(spec.extensions, name)) {
+      if (spec.attribute(name) != nullptr || name.find(':') != std::string_view::npos ||
+          name == "xmlns" || holds(spec.extensions, name)) {
         continue;
       }
       if (const auto meant = urdf::meant_name(name, absent)) {
-        misspelt_attribute(element, attribute, *meant, is_required(spec, *meant));
+        misspelt_attribute(element, attribute, *meant, spec.attribute(*meant)->is_required());
         // One finding per cause: the name that was meant is not also reported as missing.
         std::erase(absent, *meant);
       } else {
@@ -142,11 +140,6 @@ class ShapeChecker {
                   "unknown attribute " + quoted(attribute->name()) + " of " +
                       quoted(element.name()));
     }
-  }
-
-  static bool is_required(const ElementSpec& spec, std::string_view name) {
-    return std::any_of(spec.attributes.begin(), spec.attributes.end(),
-                       [&](const AttributeSpec& a) { return a.is_required() && a.name == name; });
   }
 
   void misspelt_attribute(View element, const xml::Attribute& attribute, std::string_view meant,
@@ -223,9 +216,8 @@ class ShapeChecker {
   void foreign_child(View parent, View child, const ElementSpec& spec) {
     const std::string_view name = child.name();
     if (holds(spec.extensions, name) || name.find(':') != std::string_view::npos) return;
-    if (std::any_of(spec.attributes.begin(), spec.attributes.end(),
-                    [&](const AttributeSpec& a) { return a.name == name; })) {
-      return attribute_as_element(parent, child, is_required(spec, name));
+    if (const AttributeSpec* attribute = spec.attribute(name)) {
+      return attribute_as_element(parent, child, attribute->is_required());
     }
     // Robots contain elements of many vendors, so only probable misspellings are reported there.
     std::vector<std::string_view> names;

@@ -20,9 +20,7 @@ using urdf::AttributeSpec;
 using urdf::ElementSpec;
 
 const AttributeSpec* find_attribute(const ElementSpec* spec, std::string_view name) {
-  if (spec == nullptr) return nullptr;
-  const auto found = ranges::find(spec->attributes, name, &AttributeSpec::name);
-  return found == spec->attributes.end() ? nullptr : &*found;
+  return spec == nullptr ? nullptr : spec->attribute(name);
 }
 
 bool is_text(const AttributeSpec* spec) {
@@ -168,7 +166,8 @@ class RobotCollector {
       if (is_left_out(path::to_lower(child.name()))) continue;
       Siblings& same = siblings[child.name()];
       const bool is_first = !std::exchange(same.is_known, true);
-      if (is_single(spec, child.name())) {
+      const urdf::ChildSpec* row = spec == nullptr ? nullptr : spec->child(child.name());
+      if (row != nullptr && row->single) {
         if (is_first) add_member(group, element(child));
         continue;
       }
@@ -194,12 +193,6 @@ class RobotCollector {
     bool is_known = false;     ///< the first element was read
     std::size_t list = kNone;  ///< the member of the group that contains them
   };
-
-  static bool is_single(const ElementSpec* spec, std::string_view name) {
-    if (spec == nullptr) return false;
-    const auto child = ranges::find(spec->children, name, &urdf::ChildSpec::name);
-    return child != spec->children.end() && child->single;
-  }
 
   void material(const urdf::Material& material) {
     Thing& thing = add("material", material.name, NameKind::material, material.span);

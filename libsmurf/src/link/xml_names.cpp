@@ -179,9 +179,7 @@ void ReferenceFinder::read_inner(xml::View element) {
   const urdf::ElementSpec* spec = urdf::find_element_spec(element.name());
   if (spec == nullptr) return;
   for (const xml::View child : element) {
-    const bool is_urdf = std::any_of(spec->children.begin(), spec->children.end(),
-                                     [&](const auto& one) { return one.name == child.name(); });
-    if (is_urdf) {
+    if (spec->child(child.name()) != nullptr) {
       read_inner(child);
     } else {
       read_extension(child);

@@ -14,7 +14,7 @@ namespace {
 constexpr Circumstance kDrakeShape{"shape of Drake", &readers::drake};
 
 bool is_shape_of(const urdf::ElementSpec& spec, std::string_view name) {
-  return ranges::find(spec.children, name, &urdf::ChildSpec::name) != spec.children.end() ||
+  return spec.child(name) != nullptr ||
          (name != "verbose" && ranges::contains(spec.extensions, name));
 }
 

@@ -24,13 +24,10 @@ struct HexadecimalInertia {
   HexadecimalInertia(const LinkedModel& model, const urdf::Inertial& written) {
     const xml::View inertia = xml::View(model.robot->document, written.element).child("inertia");
     if (!inertia) return;
-    using urdf::Inertial;
-    constexpr std::pair<const char*, Field<double> Inertial::*> kEntries[] = {
-        {"ixx", &Inertial::ixx}, {"ixy", &Inertial::ixy}, {"ixz", &Inertial::ixz},
-        {"iyy", &Inertial::iyy}, {"iyz", &Inertial::iyz}, {"izz", &Inertial::izz}};
-    for (const auto& [name, entry] : kEntries) {
+    for (const auto& [spec, member] : urdf::kInertia) {
+      const auto entry = std::get<Field<double> urdf::Inertial::*>(member);
       inertial.*entry = written.*entry;
-      const xml::Attribute* attribute = inertia.attribute(name);
+      const xml::Attribute* attribute = inertia.attribute(spec.name);
       if (attribute == nullptr || written.*entry) continue;
       if (const auto value = parse_hexadecimal(trimmed(attribute->value())))
         add(*attribute, *value, inertial.*entry);

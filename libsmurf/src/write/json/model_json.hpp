@@ -3,7 +3,9 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "smurf/linked.hpp"
@@ -18,11 +20,18 @@ void print_model(JsonPrinter& json, const LinkedModel& model, const SourceMap& s
 void print_robot(JsonPrinter& json, const LinkedModel& model, const SourceMap& sources);
 
 /// Writes a key if it has a value.
-void print_field(JsonPrinter& json, std::string_view key, const Field<std::string>& field);
-void print_field(JsonPrinter& json, std::string_view key, const Field<double>& field);
-void print_field(JsonPrinter& json, std::string_view key, const Field<Vector3>& field);
-void print_field(JsonPrinter& json, std::string_view key,
-                 const Field<std::array<double, 4>>& field);
+template <class V>
+void print_field(JsonPrinter& json, std::string_view key, const Field<V>& field) {
+  if (!field) return;
+  json.key(key);
+  if constexpr (std::is_same_v<V, std::string>) {
+    json.text(*field);
+  } else if constexpr (std::is_same_v<V, double>) {
+    json.number(*field);
+  } else {
+    json.numbers(*field);
+  }
+}
 
 /// A list of sections or keys that are in no table: name, place, value.
 void print_custom(JsonPrinter& json, const std::vector<CustomSection>& sections,

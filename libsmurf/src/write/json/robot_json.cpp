@@ -11,30 +11,6 @@
 
 namespace smurf {
 
-void print_field(JsonPrinter& json, std::string_view key, const Field<std::string>& field) {
-  if (!field) return;
-  json.member(key, *field);
-}
-
-void print_field(JsonPrinter& json, std::string_view key, const Field<double>& field) {
-  if (!field) return;
-  json.key(key);
-  json.number(*field);
-}
-
-void print_field(JsonPrinter& json, std::string_view key, const Field<Vector3>& field) {
-  if (!field) return;
-  json.key(key);
-  json.vector(*field);
-}
-
-void print_field(JsonPrinter& json, std::string_view key,
-                 const Field<std::array<double, 4>>& field) {
-  if (!field) return;
-  json.key(key);
-  json.numbers(*field);
-}
-
 namespace {
 
 using Layout = JsonPrinter::Layout;

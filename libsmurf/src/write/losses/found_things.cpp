@@ -46,20 +46,15 @@ struct Undefined {
   Found attributes;
 };
 
-template <class Spec>
-bool has_name(std::span<const Spec> table, std::string_view name) {
-  return ranges::any_of(table, [&](const Spec& known) { return known.name == name; });
-}
-
 /// Adds what is undefined in an element of URDF, at any depth.
 void add_undefined(xml::View element, const urdf::ElementSpec& spec, int depth, Undefined& found) {
   for (const xml::Attribute& at : element.attributes()) {
-    if (at.name().starts_with("xmlns") || has_name(spec.attributes, at.name())) continue;
+    if (at.name().starts_with("xmlns") || spec.attribute(at.name()) != nullptr) continue;
     found.attributes.push_back({at.name_span(), shortened(at.name(), kMostOfName)});
   }
   for (const xml::View child : element) {
     const urdf::ElementSpec* known =
-        has_name(spec.children, child.name()) ? urdf::find_element_spec(child.name()) : nullptr;
+        spec.child(child.name()) != nullptr ? urdf::find_element_spec(child.name()) : nullptr;
     if (known != nullptr) {
       add_undefined(child, *known, depth + 1, found);
     } else if (depth > 1) {
