@@ -461,7 +461,14 @@ chained:
     def test_robots_that_were_not_expanded_are_counted(self):
         (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
         self.write("lamp_description/urdf/lamp.urdf.xacro", URDF.replace('name="lamp"', 'name="$(arg name)" xmlns:xacro="x"'))
-        self.assertIn("1 robot was not checked, because arguments have no value", self.expect(0, ".").stdout)
+        done = self.expect(0, "--target", "gazebo", ".")
+        self.assertIn("1 robot was not checked, because arguments have no value; `smurf-lint --init`", done.stdout)
+        self.assertRegex(done.stdout, r"gazebo +not known")
+        self.expect(0, "--init")
+        done = self.expect(0, ".")
+        self.assertIn("1 robot was not checked, because arguments have no value; --min-severity info shows which", done.stdout)
+        self.assertRegex(done.stdout, r"ros +not known")
+        (self.folder / ".smurf-lint.yaml").unlink()
         self.assertNotIn("was not checked", self.expect(0, "lamp_description/urdf/lamp.urdf.xacro", "name:=lamp").stdout)
 
     def test_variants_of_a_robot_have_one_title(self):

@@ -255,6 +255,18 @@ TEST_CASE("what a reader does not look at it takes, unless it cannot read the fi
   CHECK(effect_of("ros", found("SML1801", size)) == Effect::breaks);
 }
 
+TEST_CASE("no target loads a robot that xacro cannot make") {
+  for (const Rule* rule : all_rules()) {
+    if (!rule->id.starts_with("SML33")) continue;
+    for (const Reader* reader : all_readers()) {
+      CAPTURE(rule->id);
+      CAPTURE(reader->name);
+      const Answer answer = judge_target(*reader, std::vector{found(rule->id, "/robot")}).answer();
+      CHECK(answer == (rule->may_pass_elsewhere ? Answer::unknown : Answer::refuses));
+    }
+  }
+}
+
 TEST_CASE("the severity is that of the worst target") {
   const Diagnostic bounds_equal = found("SML1408", "/robot/joint/limit/@upper");
   CHECK(severity_for(bounds_equal, {}) == Severity::warning);

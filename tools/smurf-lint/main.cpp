@@ -183,7 +183,7 @@ std::string remark_on_input(const LintOptions& options, const LintPlan& plan,
 
 /// Robots of a folder that need arguments are not expanded. This is no finding, but should not pass
 /// for a check.
-std::string remark_on_arguments(const Checked& checked) {
+std::string remark_on_arguments(const LintPlan& plan, const Checked& checked) {
   std::set<std::string_view> robots;
   for (const Diagnostic& one : checked.report.diagnostics) {
     const bool is_open =
@@ -191,9 +191,12 @@ std::string remark_on_arguments(const Checked& checked) {
     if (is_open) robots.insert(checked.session.sources().path(one.span.source));
   }
   if (robots.empty()) return {};
+  const bool is_new = std::all_of(plan.configs.begin(), plan.configs.end(),
+                                  [](const std::string& path) { return path.empty(); });
   return counted(robots.size(), "robot") + (robots.size() == 1 ? " was" : " were") +
-         " not checked, because arguments have no value; `smurf-lint --init` writes a configuration "
-         "with the values in launch files\n";
+         " not checked, because arguments have no value; " +
+         (is_new ? "`smurf-lint --init` writes a configuration with the values in launch files\n"
+                 : "--min-severity info shows which, and where to give one\n");
 }
 
 ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked& checked,
@@ -204,7 +207,7 @@ ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked&
   const std::string place = is_taken ? "/dev/stderr" : options.output;
   const ExitCode written = write_reports(
       options, plan, place, checked,
-      remark_on_input(options, plan, checked.report) + remark_on_arguments(checked) +
+      remark_on_input(options, plan, checked.report) + remark_on_arguments(plan, checked) +
           fix_remarks(fixed, checked.report.diagnostics, shown(options, checked.report)));
   if (written != kDone) return written;
   return judge(checked.report.summary, merge_run(checked.report.settings, options).threshold);

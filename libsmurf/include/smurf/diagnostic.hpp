@@ -179,6 +179,8 @@ struct Rule {
   Tool reported_by = Tool::lint;
   bool is_impossible = false;    ///< physically impossible, whatever the readers do
   bool blocks_building = false;  ///< no robot can be built from the file
+  /// With other packages, arguments or limits, or in another program, there is no such fault.
+  bool may_pass_elsewhere = false;
 };
 
 /// A second place that explains a diagnostic, possibly in another file.
@@ -222,7 +224,7 @@ struct Diagnostic {
   /// The pointer by names, "/motors/name=elbow/joint": the same after other entries were added.
   std::string named_pointer;
   /// What readers distinguish: cases of the rule, and circumstances that locate() adds.
-  Circumstances cases;
+  Circumstances cases = {};
   /// Other rules that the finding also breaks: to readers, a misspelt `effort` is missing.
   std::vector<const Rule*> consequences;
   /// The severity before targets changed it; none if they did not change it.

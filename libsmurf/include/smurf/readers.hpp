@@ -29,9 +29,9 @@ struct ReaderVersion {
 
 /// A program that reads robots. Facts about it are in the rows of the rules.
 struct Reader {
-  std::string_view name;   ///< the value of `--target`: "mujoco"
-  std::string_view title;  ///< "MuJoCo"
-  std::string_view basis;  ///< which version, and whether it was executed or read
+  std::string_view name;     ///< the value of `--target`: "mujoco"
+  std::string_view title{};  ///< "MuJoCo"
+  std::string_view basis{};  ///< which version, and whether it was executed or read
   const Reader* like = nullptr;
   /// The version that was run: facts whose evidence is kRun were seen with it.
   std::string_view version{};

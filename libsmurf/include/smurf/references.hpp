@@ -41,7 +41,7 @@ struct Reference {
   std::uint32_t item = kNothing;
   ModelIndex model{kNothing};  ///< in a scene: the model with the name; kNothing for entities
   /// The pieces of a computed name that stand in a file; positions are those in the name.
-  std::vector<xacro::Copied> copied;
+  std::vector<xacro::Copied> copied = {};
 
   bool is_known() const { return item != kNothing; }
 };

@@ -210,10 +210,15 @@ class XPaths {
   std::string find(ElementId id);
 
  private:
-  void name_children(View parent);
+  /// Numbers of elements that another step would name as well.
+  static constexpr std::uint32_t kUnknown = 0;
+  static constexpr std::uint32_t kAlone = static_cast<std::uint32_t>(-1);
+
+  void number_children(View parent);
+  std::string step(View element);
 
   const Document* document_;
-  std::vector<std::string> steps_;  ///< by element; empty until the first request
+  std::vector<std::uint32_t> numbers_;  ///< by element, from 1
 };
 
 /// The deepest element whose span contains the byte.

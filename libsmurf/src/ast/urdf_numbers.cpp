@@ -361,11 +361,9 @@ std::optional<double> parse_hexadecimal(std::string_view text) {
 }
 
 bool has_blank_behind(std::string_view text, bool is_vector) {
-  const std::string_view blanks = is_vector ? "\t\n\r" : " \t\n\r";
-  for (std::size_t at = text.find_first_of(blanks); at != std::string_view::npos;
-       at = text.find_first_of(blanks, at + 1)) {
-    if (at > 0 && std::string_view(" \t\n\r").find(text[at - 1]) == std::string_view::npos)
-      return true;
+  for (std::size_t at = 1; at < text.size(); ++at) {
+    const bool separates = is_vector && text[at] == ' ';
+    if (is_blank(text[at]) && !separates && !is_blank(text[at - 1])) return true;
   }
   return false;
 }

@@ -23,7 +23,10 @@ void excuse_arguments(std::vector<Diagnostic>& found) {
                          one.cases.contains(kNoPlugin) || one.cases.contains(kNoSimulation) ||
                          one.cases.contains(xacro::kEmptyFileName) ||
                          one.rule == &rules::sml3705_controller_interface;
-    if (is_open) excuse(one);
+    if (!is_open) continue;
+    // There is no robot. So nobody knows what a target makes of it.
+    if (one.rule->blocks_building) one.untargeted = one.severity;
+    excuse(one);
   }
 }
 

@@ -122,7 +122,6 @@ pairs_of_sides(const std::vector<std::string_view>& names) {
 }
 
 std::vector<std::vector<std::size_t>> siblings_of(const std::vector<std::string_view>& names) {
-  constexpr std::size_t kFewest = 3;
   std::map<std::string, std::size_t> place_of;
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -132,7 +131,10 @@ std::vector<std::vector<std::size_t>> siblings_of(const std::vector<std::string_
     if (is_new) groups.emplace_back();
     groups[known->second].push_back(i);
   }
-  std::erase_if(groups, [](const auto& group) { return group.size() < kFewest; });
+  std::erase_if(groups, [](const auto& group) {
+    constexpr std::size_t kFewest = 3;
+    return group.size() < kFewest;
+  });
   return groups;
 }
 

@@ -82,7 +82,7 @@ void apply_targets(std::vector<Diagnostic>& diagnostics, std::span<const Reader*
   for (Diagnostic& diagnostic : diagnostics) {
     const Judgement judgement = judge(diagnostic, targets);
     if (judgement.is_meant) continue;
-    diagnostic.untargeted = diagnostic.severity;
+    if (!diagnostic.untargeted) diagnostic.untargeted = diagnostic.severity;
     diagnostic.severity = severity_for(diagnostic, judgement);
     for (const auto& [fact, names] : judgement.stumbles) {
       diagnostic.note(names + ": " + std::string(fact->makes));

@@ -2,6 +2,8 @@
 // Reading an xml::Document.
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
@@ -26,32 +28,46 @@ View View::child(std::string_view name) const {
   return {};
 }
 
-void XPaths::name_children(View parent) {
-  const auto key_of = [](View element) {
-    const Attribute* name = element.attribute("name");
-    const bool is_usable = name != nullptr && name->value().find('\'') == std::string_view::npos;
-    return "/" + std::string(element.name()) +
-           (is_usable ? "[@name='" + std::string(name->value()) + "']" : "");
-  };
+namespace {
+
+/// The value by which a step names an element; none if it has no name that can be quoted.
+std::optional<std::string_view> name_in_step(View element) {
+  const Attribute* name = element.attribute("name");
+  if (name == nullptr || name->value().find('\'') != std::string_view::npos) return std::nullopt;
+  return name->value();
+}
+
+}  // namespace
+
+void XPaths::number_children(View parent) {
   struct Siblings {
-    std::size_t count = 0;
-    std::size_t seen = 0;
+    std::uint32_t count = 0;
+    std::uint32_t seen = 0;
   };
-  std::map<std::string, Siblings> same;
+  std::map<std::pair<std::string_view, std::optional<std::string_view>>, Siblings> same;
   // For elements without a name, all siblings of the kind are counted.
-  const auto kind_of = [](View element) { return "/" + std::string(element.name()); };
   for (const View child : parent) {
-    ++same[key_of(child)].count;
-    if (key_of(child) != kind_of(child)) ++same[kind_of(child)].count;
+    const auto name = name_in_step(child);
+    ++same[{child.name(), name}].count;
+    if (name) ++same[{child.name(), std::nullopt}].count;
   }
   for (const View child : parent) {
-    std::string step = key_of(child);
-    Siblings& siblings = same[step];
+    const auto name = name_in_step(child);
+    Siblings& siblings = same[{child.name(), name}];
     ++siblings.seen;
-    if (step != kind_of(child)) ++same[kind_of(child)].seen;
-    if (siblings.count > 1) step += "[" + std::to_string(siblings.seen) + "]";
-    steps_[static_cast<std::size_t>(child.id())] = std::move(step);
+    if (name) ++same[{child.name(), std::nullopt}].seen;
+    numbers_[static_cast<std::size_t>(child.id())] = siblings.count > 1 ? siblings.seen : kAlone;
   }
+}
+
+std::string XPaths::step(View element) {
+  std::string step = "/" + std::string(element.name());
+  const View parent = element.parent();
+  if (!parent) return step;
+  const std::uint32_t& number = numbers_[static_cast<std::size_t>(element.id())];
+  if (number == kUnknown) number_children(parent);
+  if (const auto name = name_in_step(element)) step += "[@name='" + std::string(*name) + "']";
+  return number == kAlone ? step : step + "[" + std::to_string(number) + "]";
 }
 
 /// Every finding has a path, so long names in it would be kept ten thousand times.
@@ -60,18 +76,10 @@ constexpr std::size_t kLongestPath = 2000;
 
 /// The last steps of a path that is too long.
 std::string XPaths::find(ElementId id) {
-  steps_.resize(document_->elements.size());
+  numbers_.resize(document_->elements.size(), kUnknown);
   std::string result;
   for (View view(*document_, id); view; view = view.parent()) {
-    std::string& step = steps_[static_cast<std::size_t>(view.id())];
-    if (step.empty()) {
-      if (const View parent = view.parent()) {
-        name_children(parent);
-      } else {
-        step = "/" + std::string(view.name());
-      }
-    }
-    result.insert(0, shortened(step, kLongestStep));
+    result.insert(0, shortened(step(view), kLongestStep));
     if (result.size() > kLongestPath) return "/..." + result;
   }
   return result;

@@ -59,6 +59,13 @@ bool is_about_companions(const Rule& rule) {
   return false;
 }
 
+constexpr Fact kNoExpansion{.effect = Effect::refuses,
+                            .makes = "gets no robot, because xacro fails",
+                            .evidence = "xacro 2.1.1, run"};
+
+/// Faults of xacro, which runs before all readers.
+bool is_about_expansion(const Rule& rule) { return rule.id.starts_with("SML33"); }
+
 /// References from annotations, and their keys.
 bool is_about_annotations(const Rule& rule) {
   return rule.id.starts_with("SML3") || rule.id.starts_with("SML4");
@@ -157,6 +164,7 @@ const Fact* find_fact(const Reader& reader, const Rule& rule, const Finding& fin
     }
   }
   if (is_about_companions(rule)) return &kNoCompanions;
+  if (is_about_expansion(rule)) return rule.may_pass_elsewhere ? nullptr : &kNoExpansion;
   const bool is_read = reader.reads_annotations || !is_about_annotations(rule);
   return is_read ? nullptr : &kNoAnnotations;
 }

@@ -12,6 +12,7 @@ extern constinit const Rule sml3304_xacro_unsupported{
            "never guessed.",
     .remedy = "Write the expression with the supported parts of the language.",
     .sources = "xacro 2.1.1, run.",
-    .blocks_building = true};
+    .blocks_building = true,
+    .may_pass_elsewhere = true};
 
 }  // namespace smurf::rules::sml3304_xacro_unsupported_file

@@ -11,6 +11,7 @@ extern constinit const Rule sml3309_xacro_unknown_package{
     .why = "xacro stops, so there is no robot.",
     .remedy = "Name its folder with `--package NAME=DIR`, or set ROS_PACKAGE_PATH.",
     .sources = "xacro 2.1.1, run.",
-    .blocks_building = true};
+    .blocks_building = true,
+    .may_pass_elsewhere = true};
 
 }  // namespace smurf::rules::sml3309_xacro_unknown_package_file

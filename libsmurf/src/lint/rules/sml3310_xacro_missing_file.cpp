@@ -12,6 +12,7 @@ extern constinit const Rule sml3310_xacro_missing_file{
     .remedy = "Correct the path. Relative paths belong to the file that is being "
               "processed.",
     .sources = "xacro 2.1.1, run.",
-    .blocks_building = true};
+    .blocks_building = true,
+    .may_pass_elsewhere = true};
 
 }  // namespace smurf::rules::sml3310_xacro_missing_file_file

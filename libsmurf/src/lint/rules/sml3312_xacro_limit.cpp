@@ -11,6 +11,7 @@ extern constinit const Rule sml3312_xacro_limit{.id = "SML3312",
                                                 .remedy =
                                                     "Write a smaller robot, or raise the limit.",
                                                 .sources = "xacro 2.1.1, run.",
-                                                .blocks_building = true};
+                                                .blocks_building = true,
+                                                .may_pass_elsewhere = true};
 
 }  // namespace smurf::rules::sml3312_xacro_limit_file

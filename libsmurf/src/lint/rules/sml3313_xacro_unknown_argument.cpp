@@ -12,6 +12,7 @@ extern constinit const Rule sml3313_xacro_unknown_argument{
     .remedy = "Define it with `<xacro:arg>` before it is used, or give it a value: "
               "`name:=value`.",
     .sources = "xacro 2.1.1, run.",
-    .blocks_building = true};
+    .blocks_building = true,
+    .may_pass_elsewhere = true};
 
 }  // namespace smurf::rules::sml3313_xacro_unknown_argument_file

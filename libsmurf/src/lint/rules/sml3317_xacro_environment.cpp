@@ -13,6 +13,7 @@ extern constinit const Rule sml3317_xacro_environment{
            "into a report.",
     .remedy = "Allow it with `--xacro-env NAME`, or use an argument.",
     .sources = "xacro 2.1.1, run.",
-    .blocks_building = true};
+    .blocks_building = true,
+    .may_pass_elsewhere = true};
 
 }  // namespace smurf::rules::sml3317_xacro_environment_file

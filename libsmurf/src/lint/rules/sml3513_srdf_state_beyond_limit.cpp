@@ -9,18 +9,19 @@ void check_value(const srdf::GroupState& state, const srdf::StateJoint& one,
                  const urdf::Joint& joint, Findings& findings) {
   const bool has_range =
       joint.type == urdf::JointType::revolute || joint.type == urdf::JointType::prismatic;
-  const auto value = one.value ? parse_number(*one.value) : std::nullopt;
-  if (!has_range || !joint.limit || !value) return;
+  const auto read = one.value ? parse_number(*one.value) : std::nullopt;
+  if (!has_range || !joint.limit || !read) return;
+  const double value = *read;
   if (joint.mimic && joint.mimic->joint) return;  // SML3514
   const double lower = joint.limit->lower.value_or(0);
   const double upper = joint.limit->upper.value_or(0);
   const bool is_unread = (joint.limit->lower.written && !joint.limit->lower) ||
                          (joint.limit->upper.written && !joint.limit->upper);
   const double slack = findings.tolerance();
-  if (is_unread || lower > upper || (*value >= lower - slack && *value <= upper + slack)) return;
+  if (is_unread || lower > upper || (value >= lower - slack && value <= upper + slack)) return;
   findings
       .report(one.value.span, title_of("state", state.name) + " sets the joint " +
-                                  quoted(*one.name) + " to " + format_rounded(*value) +
+                                  quoted(*one.name) + " to " + format_rounded(value) +
                                   ", beyond its limits " + format_rounded(lower) + " to " +
                                   format_rounded(upper))
       .label(joint.name.span, "the joint is defined here")
