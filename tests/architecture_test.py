@@ -127,7 +127,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/text/utf8.hpp",
     "base/files/windows_paths.hpp",
     "convert/mass_properties.hpp",
-    "flatten/shapes.hpp",
+    "flatten/scene_shapes.hpp",
     "link/kinematics.hpp",
     "lint/annotation_queries.hpp",
     "link/inertia.hpp",

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "docs/page.hpp"
-#include "write/losses/scene_things.hpp"
+#include "write/losses/loss_table.hpp"
 
 using namespace smurf;
 
@@ -34,7 +34,7 @@ std::string scene_formats_page() {
   std::ostringstream page;
   page << "# What the formats of scenes keep\n\n"
           "These tables show what each output format of smurfs-flatten keeps of a model and a "
-          "scene. They are made from the table in `libsmurf/src/write/losses/scene_things.cpp` by "
+          "scene. They are made from the table in `libsmurf/src/write/losses/loss_table.cpp` by "
           "`rules_page_test`; do not edit. The warnings "
           "come from the same table: things that are `lost` or `changed`, and the missing part of "
           "things kept `partly`, are reported by name "

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "smurf-load-check/shapes.hpp"
+#include "smurf-load-check/collision_shapes.hpp"
 #include "smurf-load-check/world.hpp"
 #include "smurf/load.hpp"
 

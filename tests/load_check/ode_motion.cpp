@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "smurf-load-check/plan.hpp"
-#include "smurf-load-check/shapes.hpp"
+#include "smurf-load-check/body_plan.hpp"
+#include "smurf-load-check/collision_shapes.hpp"
 #include "smurf-load-check/world.hpp"
 #include "smurf/load.hpp"
 

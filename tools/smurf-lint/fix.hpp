@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
+#include "smurf-lint/lint_plan.hpp"
 #include "smurf-lint/options.hpp"
-#include "smurf-lint/plan.hpp"
 #include "smurf/check.hpp"
 
 namespace smurf::tools {

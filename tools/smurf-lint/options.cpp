@@ -7,7 +7,7 @@
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"
 #include "common/cli/shared_options.hpp"
-#include "smurf-lint/rename.hpp"
+#include "smurf-lint/rename_all.hpp"
 #include "smurf/format.hpp"
 
 namespace smurf::tools {

@@ -9,7 +9,7 @@
 #include "base/text/edits.hpp"
 #include "common/files/input.hpp"
 #include "render/printable.hpp"
-#include "smurf-lint/plan.hpp"
+#include "smurf-lint/lint_plan.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/check.hpp"
 #include "smurf/config.hpp"

@@ -2,8 +2,8 @@
 // Stage BUILD: checks that ODE accepts the bodies and joints of a plan.
 #pragma once
 
+#include "smurf-load-check/body_plan.hpp"
 #include "smurf-load-check/bounds.hpp"
-#include "smurf-load-check/plan.hpp"
 #include "smurf-load-check/result.hpp"
 
 namespace smurf::load_check {

@@ -8,7 +8,7 @@
 #include "lint/queries.hpp"
 #include "smurf-load-check/bodies.hpp"
 #include "smurf-load-check/check.hpp"
-#include "smurf-load-check/shapes.hpp"
+#include "smurf-load-check/collision_shapes.hpp"
 #include "smurf-load-check/stage_run.hpp"
 #include "smurf-load-check/stand_ins.hpp"
 #include "smurf-load-check/start.hpp"

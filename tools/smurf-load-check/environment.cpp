@@ -6,7 +6,7 @@
 
 #include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
-#include "flatten/shapes.hpp"
+#include "flatten/scene_shapes.hpp"
 #include "smurf-load-check/heightfield.hpp"
 
 namespace smurf::load_check {

@@ -2,7 +2,7 @@
 // Entities of a scene that are not models: planes and other primitives, heightmaps.
 #pragma once
 
-#include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/body_plan.hpp"
 #include "smurf-load-check/shape_files.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/flatten.hpp"

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "lint/annotation_queries.hpp"
-#include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/body_plan.hpp"
 
 namespace smurf::load_check {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/body_plan.hpp"
 #include "smurf-load-check/shape_files.hpp"
 
 namespace smurf::load_check {

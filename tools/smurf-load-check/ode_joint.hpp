@@ -4,7 +4,7 @@
 
 #include <ode/ode.h>
 
-#include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/body_plan.hpp"
 #include "smurf-load-check/world.hpp"
 
 namespace smurf::load_check {

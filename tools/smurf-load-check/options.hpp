@@ -4,8 +4,8 @@
 
 #include "common/cli/command.hpp"
 #include "common/cli/report.hpp"
+#include "smurf-load-check/check_processes.hpp"
 #include "smurf-load-check/inputs.hpp"
-#include "smurf-load-check/run.hpp"
 
 namespace smurf::load_check {
 

@@ -2,7 +2,7 @@
 // Replaces bodies and axes that ODE refuses, so that the rest of a robot is checked.
 #pragma once
 
-#include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/body_plan.hpp"
 
 namespace smurf::load_check {
 

@@ -2,7 +2,7 @@
 // The start positions of the joints of a robot: as close to zero as their limits allow.
 #pragma once
 
-#include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/body_plan.hpp"
 
 namespace smurf::load_check {
 

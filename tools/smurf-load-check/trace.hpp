@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "smurf-load-check/run.hpp"
+#include "smurf-load-check/check_processes.hpp"
 #include "smurf/pose.hpp"
 
 namespace smurf::load_check {

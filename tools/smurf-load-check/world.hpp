@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/body_plan.hpp"
 
 namespace smurf::load_check {
 

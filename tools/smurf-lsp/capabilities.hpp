@@ -76,7 +76,7 @@ Json file_filters();
 Json prepare_rename(Context& context, const Json& params);
 Json rename(Context& context, const Json& params);
 
-Json picture(Context& context, const Json& params);  // picture.cpp
+Json picture(Context& context, const Json& params);  // preview.cpp
 
 // xacro.cpp
 /// What the name or the expression at the place is; null if there is none.

@@ -14,7 +14,7 @@
 #include "common/rename/loaded_names.hpp"
 #include "common/rename/xacro_names.hpp"
 #include "common/rename/xacro_rename.hpp"
-#include "smurf-lint/plan.hpp"
+#include "smurf-lint/lint_plan.hpp"
 #include "smurf-lsp/positions.hpp"
 #include "smurf/check.hpp"
 #include "smurf/xacro_files.hpp"

@@ -17,7 +17,7 @@
 #include "smurf/result_losses.hpp"
 #include "smurf/write_scene.hpp"
 #include "smurfs-flatten/chain.hpp"
-#include "smurfs-flatten/compare.hpp"
+#include "smurfs-flatten/compare_dialects.hpp"
 #include "smurfs-flatten/formats.hpp"
 
 using namespace smurf;

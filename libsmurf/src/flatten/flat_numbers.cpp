@@ -4,7 +4,7 @@
 #include "base/findings/rules.hpp"
 #include "base/numbers/quantity.hpp"
 #include "base/text/quoted.hpp"
-#include "flatten/shapes.hpp"
+#include "flatten/scene_shapes.hpp"
 #include "smurf/flatten.hpp"
 
 namespace smurf {

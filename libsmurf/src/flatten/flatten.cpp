@@ -9,8 +9,8 @@
 #include "base/files/places.hpp"
 #include "base/text/unique_names.hpp"
 #include "flatten/old_shapes.hpp"
-#include "flatten/shapes.hpp"
-#include "flatten/value.hpp"
+#include "flatten/plain_values.hpp"
+#include "flatten/scene_shapes.hpp"
 #include "link/scene_link.hpp"
 #include "smurf/dialect.hpp"
 

@@ -9,8 +9,8 @@
 #include "base/files/path.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/words.hpp"
-#include "flatten/shapes.hpp"
-#include "flatten/value.hpp"
+#include "flatten/plain_values.hpp"
+#include "flatten/scene_shapes.hpp"
 
 namespace smurf {
 namespace {

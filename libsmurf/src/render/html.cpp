@@ -10,7 +10,7 @@
 #include "render/printable.hpp"
 #include "render/report_json.hpp"
 #include "render/report_page.hpp"
-#include "render/targets.hpp"
+#include "render/verdict_text.hpp"
 
 namespace smurf {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "base/findings/rules.hpp"
 #include "schema/checked_schema.hpp"
-#include "schema/explain.hpp"
 #include "schema/json_schema.hpp"
+#include "schema/violations.hpp"
 #include "syntax/yaml_reader.hpp"
 
 namespace smurf {

@@ -190,7 +190,7 @@ Value subscript_of(Evaluator& evaluator, const Value& value, const Value& index)
 // types.cpp
 Value call_type(Evaluator& evaluator, Type type, Call& call);
 bool is_subtype(Type type, Type of);
-// format.cpp
+// format_strings.cpp
 Value percent_format(Evaluator& evaluator, const std::string& format, const Value& values);
 Value brace_format(Call& call);
 // builtins.cpp, math_functions.cpp

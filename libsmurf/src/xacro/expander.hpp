@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The state of an expansion. Its functions are in expand.cpp (elements), macro.cpp, include.cpp,
-// text.cpp (texts with expressions), substitution.cpp ($(...)) and yaml_values.cpp.
+// texts.cpp (texts with expressions), substitution.cpp ($(...)) and yaml_values.cpp.
 #pragma once
 
 #include <deque>
@@ -141,7 +141,7 @@ class Expander final : public Host {
   PackagePath package_path(const std::string& path) const;
   std::string path_before_install(const PackagePath& wanted) const;
 
-  // text.cpp
+  // texts.cpp
   /// The value of a text. Appends its pieces unless `pieces` is null.
   Value evaluate_text(std::string_view text, const Piece& place, Table& symbols,
                       std::vector<Piece>* pieces);

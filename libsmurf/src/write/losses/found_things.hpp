@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the rows of the table (scene_things.hpp) that a model or scene uses and a format loses.
+// Finds the rows of the table (loss_table.hpp) that a model or scene uses and a format loses.
 #pragma once
 
-#include "write/losses/scene_things.hpp"
+#include "write/losses/loss_table.hpp"
 
 namespace smurf::things {
 

@@ -28,17 +28,17 @@ const std::string& name_in(const FoundThing& thing) { return thing.name; }
 /// "`a`, `b` and 3 more". Two models may have the same names, which are listed once.
 template <class Names>
 std::string list(const Names& names) {
-  constexpr std::size_t kShown = 8;
+  constexpr std::size_t kListed = 8;
   std::set<std::string_view> listed;
   std::string text;
   std::size_t count = 0;
   for (const auto& each : names) {
     const std::string& name = name_in(each);
     if (!name.empty() && !listed.insert(name).second) continue;
-    if (++count > kShown) continue;
+    if (++count > kListed) continue;
     text += (count == 1 ? "" : ", ") + (name.empty() ? "a node without name" : quoted(name));
   }
-  if (count > kShown) text += " and " + std::to_string(count - kShown) + " more";
+  if (count > kListed) text += " and " + std::to_string(count - kListed) + " more";
   return text;
 }
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "write/losses/scene_things.hpp"
+#include "write/losses/loss_table.hpp"
 
 namespace smurf {
 

@@ -2,7 +2,7 @@
 #include "write/parts/contacts.hpp"
 
 #include "base/numbers/quantity.hpp"
-#include "flatten/shapes.hpp"
+#include "flatten/scene_shapes.hpp"
 
 namespace smurf {
 

@@ -9,7 +9,7 @@
 #include "base/numbers/vectors.hpp"
 #include "base/text/unique_names.hpp"
 #include "base/text/words.hpp"
-#include "flatten/shapes.hpp"
+#include "flatten/scene_shapes.hpp"
 #include "link/inertia.hpp"
 #include "link/kinematics.hpp"
 #include "link/shape_solids.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf-load-check/shapes.hpp"
+#include "smurf-load-check/collision_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf-lint/masses.hpp"
+#include "smurf-lint/show_masses.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "flatten/value.hpp"
+#include "flatten/plain_values.hpp"
 
 #include <cmath>
 #include <set>

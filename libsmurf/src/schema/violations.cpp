@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "schema/explain.hpp"
+#include "schema/violations.hpp"
 
 #include <algorithm>
 #include <set>

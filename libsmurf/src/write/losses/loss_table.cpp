@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "write/losses/scene_things.hpp"
+#include "write/losses/loss_table.hpp"
 
 #include "write/losses/found_things.hpp"
 

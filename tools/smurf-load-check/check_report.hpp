@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "smurf-load-check/run.hpp"
+#include "smurf-load-check/check_processes.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf::load_check {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf-lint/rename.hpp"
+#include "smurf-lint/rename_all.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf-load-check/report.hpp"
+#include "smurf-load-check/check_report.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

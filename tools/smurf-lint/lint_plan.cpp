@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf-lint/plan.hpp"
+#include "smurf-lint/lint_plan.hpp"
 
 #include <algorithm>
 #include <array>

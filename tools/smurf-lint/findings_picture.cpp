@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf-lint/picture.hpp"
+#include "smurf-lint/findings_picture.hpp"
 
 #include <optional>
 

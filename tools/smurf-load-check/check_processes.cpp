@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf-load-check/run.hpp"
+#include "smurf-load-check/check_processes.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sizes and defaults of MARS (entity_generation primitives.cpp:115-150, NodeData.cpp,
 // NodePhysics.cpp); heightmaps as Phobos 0.7 writes them and as MARS reads a terrain node.
-#include "flatten/shapes.hpp"
+#include "flatten/scene_shapes.hpp"
 
 #include <cmath>
 

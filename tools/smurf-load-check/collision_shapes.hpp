@@ -2,7 +2,7 @@
 // Collision elements as shapes that ODE can build.
 #pragma once
 
-#include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/body_plan.hpp"
 #include "smurf-load-check/shape_files.hpp"
 #include "smurf/diagnostic.hpp"
 

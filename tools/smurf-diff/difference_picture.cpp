@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf-diff/picture.hpp"
+#include "smurf-diff/difference_picture.hpp"
 
 #include "common/convert/pictured_scene.hpp"
 #include "common/files/input.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurfs-flatten/compare.hpp"
+#include "smurfs-flatten/compare_dialects.hpp"
 
 #include <algorithm>
 #include <cmath>

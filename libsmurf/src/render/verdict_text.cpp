@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints the effects of findings on each target as text.
-#include "render/targets.hpp"
+#include "render/verdict_text.hpp"
 
 #include <algorithm>
 

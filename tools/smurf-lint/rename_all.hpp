@@ -6,8 +6,8 @@
 #include <string>
 
 #include "smurf-lint/fix.hpp"
+#include "smurf-lint/lint_plan.hpp"
 #include "smurf-lint/options.hpp"
-#include "smurf-lint/plan.hpp"
 #include "smurf/check.hpp"
 
 namespace smurf::tools {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/body_plan.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
