@@ -277,7 +277,7 @@ bool Expander::copy_element(const Node& in, Node& out, Scope scope) {
   if (in.name == "inertia") check_inertia(in, scope.symbols);
   for (const NodeAttribute& one : element.attributes) {
     if (!one.is_number) continue;
-    return fail(rules::sml3403_xacro_lost_attribute, one.text.whole.use,
+    return fail(rules::sml3303_xacro_computation, one.text.whole.use,
                 "`xacro:attribute` fails with a value that is no text",
                 "put `str()` around the value");
   }

@@ -10,7 +10,7 @@ extern constinit const Rule sml3403_xacro_lost_attribute{
     .summary = "`xacro:attribute` sets an attribute of an element that is not in the "
                "result.",
     .why = "Inside of `xacro:if`, a macro or an included file, the attribute is lost "
-           "without a message; a number makes xacro fail.",
+           "without a message.",
     .remedy = "Put `xacro:attribute` directly into the element that gets the attribute.",
     .sources = "xacro 2.1.1, run."};
 
