@@ -128,9 +128,11 @@ TEST_CASE("targets are known by name") {
   CHECK(find_target("urdfdom") == nullptr);
   CHECK(find_target("MuJoCo") == nullptr);
   const std::vector<std::string_view> names = target_names();
-  for (const char* name :
-       {"mars", "mars2", "phobos", "pybullet", "ros", "gazebo", "dart", "mujoco", "drake"}) {
-    CHECK(std::find(names.begin(), names.end(), name) != names.end());
+  for (const Reader* reader : all_readers()) {
+    CAPTURE(reader->name);
+    const bool is_named = std::find(names.begin(), names.end(), reader->name) != names.end();
+    CHECK(is_named == reader->is_target);
+    CHECK((find_target(reader->name) == reader) == reader->is_target);
   }
 }
 

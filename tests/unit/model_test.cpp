@@ -2,6 +2,7 @@
 // The files that belong to a model, and the order in which they are merged.
 #include <doctest/doctest.h>
 
+#include "ast/sections.hpp"
 #include "smurf/load.hpp"
 #include "unit/parsed.hpp"
 
@@ -72,37 +73,21 @@ TEST_CASE("model: singular and plural names are one section") {
 }
 
 TEST_CASE("model: every section of every file is merged") {
-  const std::string sections =
-      "materials: [{name: x}]\nmotors: [" + motor("x") +
-      "]\nsensors: [{name: x, type: NodeIMU}]\ncontrollers: [{name: x}]\n"
-      "collision: [{name: x, bitmask: 1}]\nvisuals: [{name: x}]\nlink: [{name: x}]\n"
-      "nodes: [{name: x}]\njoint: [{name: x}]\njoint_tasks: [{name: x}]\nlights: [{name: x}]\ngraphics: {clearColor: {r: 0}}\n"
-      "poses: [{name: x, joints: {j: 1}}]\nsubmechanisms: [{name: x}]\nexoskeletons: [{name: x}]\n"
-      "interfaces: [{name: x}]\nsubmodels: {x: {start: a}}\nmine: [1]\n";
+  std::string text = "mine: [1]\n";
+  for (const SectionSpec* section : all_sections()) {
+    const bool is_named = section->form == SectionForm::named;
+    text += std::string(section->name) + (is_named ? ": {x: {}}\n" : ": [{name: x}]\n");
+  }
   const LoadedFiles loaded({{"r.smurf", "files: [r.urdf, a.yml, b.yml]\n"},
-                            {"a.yml", sections},
-                            {"b.yml", sections},
+                            {"a.yml", text},
+                            {"b.yml", text},
                             {"r.urdf", kUrdf}},
                            "r.smurf");
-  const Annotations& all = loaded.model.annotations;
-  CHECK(all.materials.size() == 2);
-  CHECK(all.motors.size() == 2);
-  CHECK(all.sensors.size() == 2);
-  CHECK(all.controllers.size() == 2);
-  CHECK(all.collisions.size() == 2);
-  CHECK(all.visuals.size() == 2);
-  CHECK(all.links.size() == 2);
-  CHECK(all.nodes.size() == 2);
-  CHECK(all.joints.size() == 2);
-  CHECK(all.joint_tasks.size() == 2);
-  CHECK(all.lights.size() == 2);
-  CHECK(all.graphics.size() == 2);
-  CHECK(all.poses.size() == 2);
-  CHECK(all.submechanisms.size() == 2);
-  CHECK(all.exoskeletons.size() == 2);
-  CHECK(all.interfaces.size() == 2);
-  CHECK(all.submodels.size() == 2);
-  CHECK(all.custom.size() == 2);
+  for (const SectionSpec* section : all_sections()) {
+    CAPTURE(section->name);
+    CHECK(section->list.entries(loaded.model.annotations).size() == 2);
+  }
+  CHECK(loaded.model.annotations.custom.size() == 2);
 }
 
 TEST_CASE("model: of several URDFs the last one counts") {

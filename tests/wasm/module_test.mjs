@@ -122,7 +122,10 @@ test("flatten gives the poses of the command", async () => {
 });
 
 test("all formats can be written", async () => {
-  for (const format of ["sdf", "mjcf", "gltf", "usda", "svg"]) {
+  const listed = native("smurfs-flatten", ["--format", "help"], nested).stdout.toString();
+  const formats = [...listed.matchAll(/^ {2}([\w.]+) /gm)].map(([, name]) => name).filter((name) => name !== "html");
+  assert.ok(formats.length > 6, listed);  // without pages, which some builds only make
+  for (const format of formats) {
     const args = [`--format=${format}`, "outer.smurfs"];
     const result = await run("smurfs-flatten", args, filesIn(nested));
     assert.equal(result.code, 0, result.stderr);

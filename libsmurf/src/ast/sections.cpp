@@ -54,6 +54,16 @@ void read_section(const SectionSpec& section, yaml::View value, Annotations& out
 
 std::span<const SectionSpec* const> all_sections() { return kSections; }
 
+void append_sections(Annotations& to, Annotations& from) {
+  for (const SectionSpec* section : kSections) section->list.append(to, from);
+  sections::append_list(to.custom, from.custom);
+}
+
+void move_sections(Annotations& from, SourceId source, Annotations& to) {
+  for (const SectionSpec* section : kSections) section->list.move(from, source, to);
+  sections::move_list(from.custom, source, to.custom);
+}
+
 const SectionSpec* find_section(std::string_view name) {
   for (const SectionSpec* section : kSections) {
     const auto& aliases = section->aliases;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the parts of a model that a URDF cannot express. Values that the URDF already has and names
 // that refer to it are not losses.
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
+#include "ast/sections.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
@@ -19,6 +22,11 @@ constexpr std::pair<std::string_view, std::string_view> kOldNames[] = {
     {"texturename", "diffuseTexture"},
     {"motorMaxForce", "maxEffort"},
     {"maximumVelocity", "maxSpeed"}};
+
+/// Sections whose entries are lost in parts only; those of all others are lost as a whole.
+constexpr const SectionSpec* kPartlyInUrdf[] = {
+    &sections::materials, &sections::motors,  &sections::joint, &sections::sensors,
+    &sections::collision, &sections::visuals, &sections::link};
 
 class LossReport {
  public:
@@ -36,16 +44,9 @@ class LossReport {
     for (const Motor& motor : all.motors) of_motor(motor);
     for (const JointAnnotation& joint : all.joints) of_joint(joint);
     for (const Sensor& sensor : all.sensors) of_sensor(sensor);
-    whole_entries(all.controllers, "controller");
-    if (!options_.has_srdf) whole_entries(all.poses, "joint pose set");
-    whole_entries(all.joint_tasks, "joint task");
-    whole_entries(all.lights, "light");
-    whole_entries(all.graphics, "graphics entry");
-    whole_entries(all.nodes, "node");
-    whole_entries(all.submechanisms, "submechanism");
-    whole_entries(all.exoskeletons, "exoskeleton");
-    whole_entries(all.interfaces, "interface");
-    whole_entries(all.submodels, "submodel");
+    for (const SectionSpec* section : all_sections()) {
+      if (!is_partly_in_urdf(*section)) whole_entries(*section);
+    }
     for (const CollisionAnnotation& entry : all.collisions) of_keys(entry, "collision");
     for (const VisualAnnotation& entry : all.visuals) of_keys(entry, "visual");
     for (const LinkAnnotation& entry : all.links) of_keys(entry, "link");
@@ -83,10 +84,15 @@ class LossReport {
     return document == nullptr ? yaml::View() : yaml::View(*document, entry.node);
   }
 
-  template <class Entries>
-  void whole_entries(const Entries& entries, std::string_view kind) {
-    for (const Annotation& entry : entries) {
-      lose_entry(rules::sml8001_not_expressible, entry, kind, "has no place in a URDF");
+  bool is_partly_in_urdf(const SectionSpec& section) const {
+    return std::find(std::begin(kPartlyInUrdf), std::end(kPartlyInUrdf), &section) !=
+               std::end(kPartlyInUrdf) ||
+           (options_.has_srdf && &section == &sections::poses);
+  }
+
+  void whole_entries(const SectionSpec& section) {
+    for (const Annotation* entry : section.list.entries(model_.annotations)) {
+      lose_entry(rules::sml8001_not_expressible, *entry, section.entry, "has no place in a URDF");
     }
   }
 

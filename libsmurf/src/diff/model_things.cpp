@@ -31,7 +31,7 @@ class AnnotationCollector {
     if (model_.has_main) main_file();
     for (const SectionSpec* section : all_sections()) {
       const std::vector<const KeySpec*> rows = section->keys();
-      for (const Annotation* entry : section->entries(model_.annotations)) {
+      for (const Annotation* entry : section->list.entries(model_.annotations)) {
         this->entry(*section, rows, *entry);
       }
     }

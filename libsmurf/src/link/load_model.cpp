@@ -25,7 +25,6 @@
 #include "link/parsed_files.hpp"
 #include "link/read_file.hpp"
 #include "link/resources.hpp"
-#include "link/sections_of.hpp"
 #include "link/xacro_model.hpp"
 #include "smurf/load.hpp"
 #include "syntax/xml_reader.hpp"
@@ -33,20 +32,6 @@
 
 namespace smurf {
 namespace {
-
-template <class T>
-void append(std::vector<T>& to, std::vector<T>&& from) {
-  if (to.empty()) {  // nearly always: a section is in one file
-    to = std::move(from);
-    return;
-  }
-  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
-}
-
-/// Lists are concatenated in the order of the files; mappings keep all their files.
-void merge(Annotations& to, Annotations&& from) {
-  for_each_section(to, from, [](auto& list, auto& added) { append(list, std::move(added)); });
-}
 
 /// MARS reads .yml only, which a rule reports; Phobos reads the others too.
 bool is_annotation(std::string_view extension) {
@@ -144,7 +129,7 @@ class ModelLoader {
       return;
     }
     model_.main = std::move(*main);
-    merge(model_.annotations, std::move(model_.main.inline_annotations));
+    append_sections(model_.annotations, model_.main.inline_annotations);
     listed_files(path);
     find_unlisted(path);
   }
@@ -260,7 +245,7 @@ class ModelLoader {
                              : read_annotations(*document, context_.sink);
     model_.files.back().document = std::move(document);
     if (annotations) {
-      merge(model_.annotations, std::move(*annotations));
+      append_sections(model_.annotations, *annotations);
     } else {
       model_.is_complete = false;
     }

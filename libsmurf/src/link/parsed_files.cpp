@@ -2,11 +2,10 @@
 #include "link/parsed_files.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <string>
 
+#include "ast/sections.hpp"
 #include "base/findings/rules.hpp"
-#include "link/sections_of.hpp"
 
 namespace smurf {
 namespace {
@@ -14,21 +13,6 @@ namespace {
 bool is_same(const SourceMap& a, const SourceMap& b, SourceId source) {
   return static_cast<std::size_t>(source) < b.size() && a.path(source) == b.path(source) &&
          a.text(source) == b.text(source);
-}
-
-/// The adjacent entries of one file.
-template <class T>
-void move_entries(std::vector<T>& from, SourceId source, std::vector<T>& to) {
-  const auto is_here = [&](const T& entry) { return entry.span.source == source; };
-  const auto begin = std::find_if(from.begin(), from.end(), is_here);
-  const auto end = std::find_if_not(begin, from.end(), is_here);
-  if (begin == from.begin() && end == from.end()) {
-    to = std::move(from);
-    from.clear();
-  } else {
-    to.assign(std::make_move_iterator(begin), std::make_move_iterator(end));
-    from.erase(begin, end);
-  }
 }
 
 }  // namespace
@@ -69,8 +53,7 @@ void ParsedFiles::keep(LinkedModel&& model) {
     if (kept == files_.end() || has_lost_findings_ || with_findings_.contains(file.source))
       continue;
     kept->second.document = std::move(file.document);
-    for_each_section(model.annotations, kept->second.annotations,
-                     [&](auto& from, auto& to) { move_entries(from, file.source, to); });
+    move_sections(model.annotations, file.source, kept->second.annotations);
     if (model.robot && model.robot->document.source == file.source) {
       kept->second.robot = std::move(model.robot);
       model.robot.reset();

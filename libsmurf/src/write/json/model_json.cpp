@@ -58,7 +58,7 @@ class ModelPrinter {
     json_.key("annotations");
     json_.begin_object(Layout::block);
     for (const SectionSpec* section : all_sections()) {
-      const std::vector<const Annotation*> entries = section->entries(model_.annotations);
+      const std::vector<const Annotation*> entries = section->list.entries(model_.annotations);
       if (entries.empty()) continue;
       const std::vector<const KeySpec*> keys = section->keys();
       json_.key(section->name);
