@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kinds of companions. A new kind is a row here, its names in companion_names.cpp, and rules.
+// The kinds of companions. A new kind is a row here, its names in parameter_names.cpp, and rules.
 #include <algorithm>
 #include <array>
 
