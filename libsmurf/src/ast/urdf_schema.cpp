@@ -169,10 +169,12 @@ const ElementSpec* find_element_spec(std::string_view name) {
   return row_of<ElementSpec>(kElements, name);
 }
 
-const AttributeSpec* ElementSpec::attribute(std::string_view name) const {
-  return row_of(attributes, name);
+const AttributeSpec* ElementSpec::attribute(std::string_view wanted) const {
+  return row_of(attributes, wanted);
 }
 
-const ChildSpec* ElementSpec::child(std::string_view name) const { return row_of(children, name); }
+const ChildSpec* ElementSpec::child(std::string_view wanted) const {
+  return row_of(children, wanted);
+}
 
 }  // namespace smurf::urdf

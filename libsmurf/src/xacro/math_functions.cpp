@@ -400,7 +400,7 @@ struct Row {
   Value (*call)(Call& call);
 };
 
-constexpr std::array kRows = {
+constexpr std::array kFunctions = {
     Row{"acos", real_function<arc_cosine>},
     Row{"acosh", real_function<std::acosh>},
     Row{"asin", real_function<arc_sine>},
@@ -461,7 +461,7 @@ constexpr std::array kRows = {
 }  // namespace
 
 void add_math(Table& table, Heap& heap) {
-  for (const Row& row : kRows) {
+  for (const Row& row : kFunctions) {
     Function function;
     function.name = row.name;
     function.call = row.call;

@@ -14,12 +14,13 @@ namespace {
 
 /// Appends what a reference such as "lt" or "#x41" means; false if it is unknown.
 bool append_reference(std::string& text, std::string_view name) {
-  struct Row {
+  struct Entity {
     std::string_view name;
     char character;
   };
-  constexpr Row kRows[] = {{"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}};
-  for (const Row& row : kRows) {
+  constexpr Entity kEntities[] = {
+      {"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}};
+  for (const Entity& row : kEntities) {
     if (row.name != name) continue;
     text.push_back(row.character);
     return true;

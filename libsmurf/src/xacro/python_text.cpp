@@ -117,10 +117,10 @@ std::string_view without_blanks(std::string_view text) {
     text.remove_prefix(point.size);
   }
   while (!text.empty()) {
-    std::size_t begin = text.size() - 1;
-    while (begin > 0 && utf8::is_continuation(text[begin])) --begin;
-    if (!is_python_blank(utf8::decode(text.substr(begin)).value)) break;
-    text = text.substr(0, begin);
+    std::size_t last = text.size() - 1;
+    while (last > 0 && utf8::is_continuation(text[last])) --last;
+    if (!is_python_blank(utf8::decode(text.substr(last)).value)) break;
+    text = text.substr(0, last);
   }
   return text;
 }
