@@ -43,9 +43,8 @@ std::optional<std::string> PackageSearch::best(const std::vector<std::string>& f
 }
 
 const PackageSearch::Folder& PackageSearch::look_into(const std::string& path) {
-  const auto [known, is_new] = folders_.try_emplace(path);
-  Folder& folder = known->second;
-  if (!is_new) return folder;
+  if (const Folder* known = find_known(folders_, path)) return *known;
+  Folder folder;
   std::vector<std::string> names = files_.list(path);
   folder.entries = names.size();
   folder.has_package = std::binary_search(names.begin(), names.end(), kPackageFile);
@@ -53,7 +52,7 @@ const PackageSearch::Folder& PackageSearch::look_into(const std::string& path) {
   std::erase_if(
       names, [](const std::string& name) { return name.starts_with('.') || !may_be_folder(name); });
   folder.names = std::move(names);
-  return folder;
+  return keep(folders_, path, std::move(folder));
 }
 
 std::optional<std::string> PackageSearch::nearest(const std::string& folder,
@@ -61,7 +60,7 @@ std::optional<std::string> PackageSearch::nearest(const std::string& folder,
   constexpr int kNear = 2;            // levels
   constexpr std::size_t kMost = 100;  // folders of a level
   if (is_package(folder, name)) return folder;
-  const bool is_known = trees_.contains({folder, depth});
+  const bool is_known = known_tree(folder, depth) != nullptr;
   std::vector<std::string> level{folder};
   for (int i = 0; i < kNear && !is_known; ++i) {
     std::vector<std::string> inside;
@@ -89,11 +88,10 @@ std::optional<std::string> PackageSearch::nearest(const std::string& folder,
 }
 
 /// Takes what was found in a folder before, if the search would find the same again.
-bool PackageSearch::take_known(const std::string& folder, int level, Depth depth,
-                               Tree& found) const {
-  const auto known = trees_.find({folder, depth});
-  if (known == trees_.end()) return false;
-  const Tree& tree = known->second;
+bool PackageSearch::take_known(const std::string& folder, int level, Depth depth, Tree& found) {
+  const Tree* known = known_tree(folder, depth);
+  if (known == nullptr) return false;
+  const Tree& tree = *known;
   if (tree.is_cut || level + tree.levels > kLevels || found.entries + tree.entries > kMostEntries) {
     return false;
   }
@@ -130,20 +128,28 @@ void PackageSearch::search(const std::string& folder, int level, Depth depth, Tr
   }
 }
 
-const PackageSearch::Tree& PackageSearch::tree_of(const std::string& folder, Depth depth) {
+const PackageSearch::Tree* PackageSearch::known_tree(const std::string& folder, Depth depth) {
+  const std::lock_guard lock(mutex_);
   const auto known = trees_.find({folder, depth});
-  if (known != trees_.end()) return known->second;
-  Tree found;
-  search(folder, 0, depth, found);
-  return trees_.emplace(std::pair(folder, depth), std::move(found)).first->second;
+  return known == trees_.end() || !known->second.is_complete ? nullptr : &known->second.tree;
+}
+
+const PackageSearch::Tree& PackageSearch::tree_of(const std::string& folder, Depth depth) {
+  TreeEntry& entry = [&]() -> TreeEntry& {
+    const std::lock_guard lock(mutex_);
+    return trees_[{folder, depth}];
+  }();
+  const std::lock_guard lock(entry.mutex);
+  if (!entry.is_complete) search(folder, 0, depth, entry.tree);
+  entry.is_complete = true;
+  return entry.tree;
 }
 
 const std::string& PackageSearch::name_in(const std::string& folder) {
-  const auto [known, is_new] = names_.try_emplace(folder);
-  if (!is_new) return known->second;
+  if (const std::string* known = find_known(names_, folder)) return *known;
   constexpr std::uint64_t kMostBytes = 1U << 20U;
   const std::string path = path::join(folder, std::string(kPackageFile));
-  return known->second = package_name_in(files_.read(path, kMostBytes).text);
+  return keep(names_, folder, package_name_in(files_.read(path, kMostBytes).text));
 }
 
 std::string PackageSearch::package_around(std::string folder) {
@@ -159,15 +165,13 @@ std::string PackageSearch::package_around(std::string folder) {
 std::optional<std::string> PackageSearch::find(const std::string& name, const std::string& near,
                                                const std::vector<std::string>& package_folders) {
   const std::string folder = path::normalize(path::parent(near).empty() ? "." : path::parent(near));
-  const std::lock_guard lock(mutex_);
-  const auto [answer, is_new] = answers_.try_emplace({name, folder});
-  if (!is_new) return answer->second;
-  answer->second = search_around(name, folder);
+  if (const auto* known = find_known(answers_, {name, folder})) return *known;
+  std::optional<std::string> answer = search_around(name, folder);
   for (const std::string& one : package_folders) {
-    if (answer->second) break;
-    answer->second = nearest(one, name, Depth::inside_of_packages);
+    if (answer) break;
+    answer = nearest(one, name, Depth::inside_of_packages);
   }
-  return answer->second;
+  return keep(answers_, {name, folder}, std::move(answer));
 }
 
 std::optional<std::string> PackageSearch::search_upward(const std::string& name,

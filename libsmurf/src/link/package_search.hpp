@@ -2,6 +2,7 @@
 // ROS packages around a file, by the names in their package.xml.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -56,18 +57,39 @@ class PackageSearch {
   bool is_package(const std::string& folder, std::string_view name) {
     return name_in(folder) == name;
   }
+  /// Null if it was not searched before.
+  const Tree* known_tree(const std::string& folder, Depth depth);
   const Tree& tree_of(const std::string& folder, Depth depth);
   void search(const std::string& folder, int level, Depth depth, Tree& found);
-  bool take_known(const std::string& folder, int level, Depth depth, Tree& found) const;
+  bool take_known(const std::string& folder, int level, Depth depth, Tree& found);
   const Folder& look_into(const std::string& folder);
   /// The best of the packages in a folder, without reading all of them where it is near.
   std::optional<std::string> nearest(const std::string& folder, const std::string& name,
                                      Depth depth);
   std::optional<std::string> best(const std::vector<std::string>& folders, const std::string& name);
 
+  struct TreeEntry {
+    std::mutex mutex;  ///< held by the thread that searches; others wait for it
+    std::atomic<bool> is_complete = false;
+    Tree tree;
+  };
+
+  /// Two threads may find the same; what is kept stays where it is.
+  template <class Key, class Value>
+  const Value* find_known(const std::map<Key, Value>& all, const Key& key) const {
+    const std::lock_guard lock(mutex_);
+    const auto known = all.find(key);
+    return known == all.end() ? nullptr : &known->second;
+  }
+  template <class Key, class Value>
+  const Value& keep(std::map<Key, Value>& all, const Key& key, Value value) {
+    const std::lock_guard lock(mutex_);
+    return all.emplace(key, std::move(value)).first->second;
+  }
+
   const FileReader& files_;
-  std::mutex mutex_;
-  std::map<std::pair<std::string, Depth>, Tree> trees_;
+  mutable std::mutex mutex_;  ///< of the maps
+  std::map<std::pair<std::string, Depth>, TreeEntry> trees_;
   std::map<std::string, std::string> names_;
   std::map<std::string, Folder> folders_;
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> answers_;
