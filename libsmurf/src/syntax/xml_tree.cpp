@@ -30,6 +30,20 @@ View View::child(std::string_view name) const {
 
 namespace {
 
+/// Every finding has a path, so long names in it would be kept ten thousand times.
+constexpr std::size_t kLongestStep = 300;
+constexpr std::size_t kLongestPath = 2000;
+
+/// A bit of the number of an element: its name is part of the step.
+constexpr std::uint32_t kNamed = 1U << 31U;
+
+/// Appends a part of a step; of a long one, what can be left after shortening the step.
+void append_part(std::string& step, std::string_view part) {
+  step += part.substr(0, kLongestStep);
+  if (part.size() <= kLongestStep) return;
+  step += part.substr(std::max(kLongestStep, part.size() - kLongestStep));
+}
+
 /// The value by which a step names an element; none if it has no name that can be quoted.
 std::optional<std::string_view> name_in_step(View element) {
   const Attribute* name = element.attribute("name");
@@ -56,23 +70,26 @@ void XPaths::number_children(View parent) {
     Siblings& siblings = same[{child.name(), name}];
     ++siblings.seen;
     if (name) ++same[{child.name(), std::nullopt}].seen;
-    numbers_[static_cast<std::size_t>(child.id())] = siblings.count > 1 ? siblings.seen : kAlone;
+    const std::uint32_t number = siblings.count > 1 ? siblings.seen : kAlone & ~kNamed;
+    numbers_[static_cast<std::size_t>(child.id())] = number | (name ? kNamed : 0);
   }
 }
 
 std::string XPaths::step(View element) {
-  std::string step = "/" + std::string(element.name());
+  std::string step = "/";
+  append_part(step, element.name());
   const View parent = element.parent();
   if (!parent) return step;
-  const std::uint32_t& number = numbers_[static_cast<std::size_t>(element.id())];
-  if (number == kUnknown) number_children(parent);
-  if (const auto name = name_in_step(element)) step += "[@name='" + std::string(*name) + "']";
-  return number == kAlone ? step : step + "[" + std::to_string(number) + "]";
+  std::uint32_t& known = numbers_[static_cast<std::size_t>(element.id())];
+  if (known == kUnknown) number_children(parent);
+  if ((known & kNamed) != 0) {
+    step += "[@name='";
+    append_part(step, element.attribute("name")->value());
+    step += "']";
+  }
+  const std::uint32_t number = known & ~kNamed;
+  return number == (kAlone & ~kNamed) ? step : step + "[" + std::to_string(number) + "]";
 }
-
-/// Every finding has a path, so long names in it would be kept ten thousand times.
-constexpr std::size_t kLongestStep = 300;
-constexpr std::size_t kLongestPath = 2000;
 
 /// The last steps of a path that is too long.
 std::string XPaths::find(ElementId id) {
