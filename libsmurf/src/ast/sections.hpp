@@ -120,17 +120,18 @@ void move_list(std::vector<T>& from, SourceId source, std::vector<T>& to) {
 
 /// The list of a section as a member of Annotations.
 template <auto Member>
-constexpr SectionList list_of{
-    [](const Annotations& annotations) {
-      std::vector<const Annotation*> entries;
-      entries.reserve((annotations.*Member).size());
-      for (const Annotation& entry : annotations.*Member) entries.push_back(&entry);
-      return entries;
-    },
-    [](Annotations& to, Annotations& from) { append_list(to.*Member, from.*Member); },
-    [](Annotations& from, SourceId source, Annotations& to) {
-      move_list(from.*Member, source, to.*Member);
-    }};
+constexpr SectionList list_of() {
+  return {[](const Annotations& annotations) {
+            std::vector<const Annotation*> entries;
+            entries.reserve((annotations.*Member).size());
+            for (const Annotation& entry : annotations.*Member) entries.push_back(&entry);
+            return entries;
+          },
+          [](Annotations& to, Annotations& from) { append_list(to.*Member, from.*Member); },
+          [](Annotations& from, SourceId source, Annotations& to) {
+            move_list(from.*Member, source, to.*Member);
+          }};
+}
 
 /// The keys that describe a node of MARS. Entries of `collision`, `visuals`, `link` and `nodes`
 /// replace them individually.

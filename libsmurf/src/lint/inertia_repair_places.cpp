@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "ast/urdf_attributes.hpp"
 #include "base/text/counted.hpp"
 #include "base/text/edits.hpp"
 #include "base/text/quoted.hpp"

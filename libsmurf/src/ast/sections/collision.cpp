@@ -68,6 +68,6 @@ constinit const SectionSpec collision{
         "`collisions` is read by Phobos 2 only, which writes it",
     .filtered_keys = keys,
     .read = read,
-    .list = list_of<&Annotations::collisions>};
+    .list = list_of<&Annotations::collisions>()};
 
 }  // namespace smurf::sections::collision_file

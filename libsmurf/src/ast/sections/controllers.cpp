@@ -58,6 +58,6 @@ constinit const SectionSpec controllers{
     .read_by = "MARS 1; Phobos 2 stops with an error at this section",
     .filtered_keys = keys,
     .read = read,
-    .list = list_of<&Annotations::controllers>};
+    .list = list_of<&Annotations::controllers>()};
 
 }  // namespace smurf::sections::controllers_file

@@ -58,6 +58,6 @@ constinit const SectionSpec exoskeletons{
     .read_by = "Phobos 2",
     .filtered_keys = keys,
     .read = read,
-    .list = list_of<&Annotations::exoskeletons>};
+    .list = list_of<&Annotations::exoskeletons>()};
 
 }  // namespace smurf::sections::exoskeletons_file

@@ -57,6 +57,6 @@ constinit const SectionSpec graphics{.name = "graphics",
                                      .form = SectionForm::list_or_mapping,
                                      .filtered_keys = keys,
                                      .read = read,
-                                     .list = list_of<&Annotations::graphics>};
+                                     .list = list_of<&Annotations::graphics>()};
 
 }  // namespace smurf::sections::graphics_file

@@ -51,6 +51,6 @@ constinit const SectionSpec interfaces{.name = "interfaces",
                                        .read_by = "Phobos 2",
                                        .filtered_keys = keys,
                                        .read = read,
-                                       .list = list_of<&Annotations::interfaces>};
+                                       .list = list_of<&Annotations::interfaces>()};
 
 }  // namespace smurf::sections::interfaces_file

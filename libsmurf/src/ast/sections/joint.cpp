@@ -287,6 +287,6 @@ constinit const SectionSpec joint{
         "writes it",
     .filtered_keys = keys,
     .read = read,
-    .list = list_of<&Annotations::joints>};
+    .list = list_of<&Annotations::joints>()};
 
 }  // namespace smurf::sections::joint_file

@@ -39,6 +39,6 @@ constinit const SectionSpec joint_tasks{.name = "joint_tasks",
                                         .read_by = "MARS with envire",
                                         .filtered_keys = keys,
                                         .read = read,
-                                        .list = list_of<&Annotations::joint_tasks>};
+                                        .list = list_of<&Annotations::joint_tasks>()};
 
 }  // namespace smurf::sections::joint_tasks_file

@@ -89,6 +89,6 @@ constinit const SectionSpec lights{
     .read_by = "MARS 1; Phobos 2 stops with an error at this section",
     .filtered_keys = keys,
     .read = read,
-    .list = list_of<&Annotations::lights>};
+    .list = list_of<&Annotations::lights>()};
 
 }  // namespace smurf::sections::lights_file

@@ -72,6 +72,6 @@ constinit const SectionSpec link{
         "MARS 1 (matches by the key `name`), MARS 2 (matches by the key `link`), Phobos 2; `links` is read by Phobos 2 only, which writes it",
     .filtered_keys = keys,
     .read = read,
-    .list = list_of<&Annotations::links>};
+    .list = list_of<&Annotations::links>()};
 
 }  // namespace smurf::sections::link_file

@@ -123,6 +123,6 @@ constinit const SectionSpec materials{
                "shininess only",
     .filtered_keys = keys,
     .read = read,
-    .list = list_of<&Annotations::materials>};
+    .list = list_of<&Annotations::materials>()};
 
 }  // namespace smurf::sections::materials_file

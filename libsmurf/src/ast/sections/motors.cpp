@@ -258,6 +258,6 @@ constinit const SectionSpec motors{.name = "motors",
                                    .read_by = "MARS 1, MARS 2, MARS with envire, Phobos 2",
                                    .filtered_keys = keys,
                                    .read = read,
-                                   .list = list_of<&Annotations::motors>};
+                                   .list = list_of<&Annotations::motors>()};
 
 }  // namespace smurf::sections::motors_file

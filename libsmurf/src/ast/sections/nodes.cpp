@@ -53,6 +53,6 @@ constinit const SectionSpec nodes{.name = "nodes",
                                   .read_by = "MARS 1; Phobos 2 stops with an error at this section",
                                   .filtered_keys = keys,
                                   .read = read,
-                                  .list = list_of<&Annotations::nodes>};
+                                  .list = list_of<&Annotations::nodes>()};
 
 }  // namespace smurf::sections::nodes_file

@@ -53,6 +53,6 @@ constinit const SectionSpec poses{.name = "poses",
                                   .read_by = "MARS 1, MARS 2, Phobos 2",
                                   .filtered_keys = keys,
                                   .read = read,
-                                  .list = list_of<&Annotations::poses>};
+                                  .list = list_of<&Annotations::poses>()};
 
 }  // namespace smurf::sections::poses_file

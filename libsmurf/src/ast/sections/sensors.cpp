@@ -280,7 +280,7 @@ constinit const SectionSpec sensors{
         "MARS 1, Phobos 2; MARS 2 and MARS with envire read the types CameraSensor, RaySensor, RotatingRaySensor and Joint6DOF only",
     .filtered_keys = keys,
     .read = read,
-    .list = list_of<&Annotations::sensors>};
+    .list = list_of<&Annotations::sensors>()};
 
 }  // namespace smurf::sections::sensors_file
 

@@ -124,6 +124,6 @@ constinit const SectionSpec submechanisms{.name = "submechanisms",
                                           .read_by = "Phobos 2",
                                           .filtered_keys = keys,
                                           .read = read,
-                                          .list = list_of<&Annotations::submechanisms>};
+                                          .list = list_of<&Annotations::submechanisms>()};
 
 }  // namespace smurf::sections::submechanisms_file

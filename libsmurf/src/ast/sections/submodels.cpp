@@ -39,6 +39,6 @@ constinit const SectionSpec submodels{
     .form = SectionForm::named,
     .filtered_keys = keys,
     .read = read,
-    .list = list_of<&Annotations::submodels>};
+    .list = list_of<&Annotations::submodels>()};
 
 }  // namespace smurf::sections::submodels_file

@@ -51,6 +51,6 @@ constinit const SectionSpec visuals{.name = "visuals",
                                     .read_by = "MARS 1, Phobos 2",
                                     .filtered_keys = keys,
                                     .read = read,
-                                    .list = list_of<&Annotations::visuals>};
+                                    .list = list_of<&Annotations::visuals>()};
 
 }  // namespace smurf::sections::visuals_file
