@@ -64,7 +64,7 @@ struct LoadContext {
   /// Of the xacro files that were loaded, for their findings.
   std::shared_ptr<xacro::Expansions> expansions = std::make_shared<xacro::Expansions>();
   std::vector<CompanionTie> ties = {};
-  /// Packages around the robots. Robots may share it as long as no file changes; made when needed.
+  /// Finds ROS packages. Loads may share it while no file changes; null: made at the first search.
   std::shared_ptr<PackageSearch> package_search = nullptr;
 };
 

@@ -210,7 +210,7 @@ class XPaths {
   std::string find(ElementId id);
 
  private:
-  /// Numbers of elements that another step would name as well.
+  /// Numbers of elements that are not counted among siblings of the same step.
   static constexpr std::uint32_t kUnknown = 0;
   static constexpr std::uint32_t kAlone = static_cast<std::uint32_t>(-1);
 

@@ -27,7 +27,7 @@ struct SectionList {
   /// The entries that were read, in file order.
   std::vector<const Annotation*> (*entries)(const Annotations& annotations);
   void (*append)(Annotations& to, Annotations& from);
-  /// Moves the adjacent entries of one file.
+  /// Moves the entries of one file, which are adjacent.
   void (*move)(Annotations& from, SourceId source, Annotations& to);
 };
 

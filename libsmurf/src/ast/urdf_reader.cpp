@@ -73,7 +73,8 @@ class RobotReader {
     out.span = element.span();
   }
 
-  /// Reads the attributes of a table. Most elements have the order of the table.
+  /// Reads the attributes that a table names. Most elements have them in the order of the table, so
+  /// that few are searched.
   template <class T>
   void attributes(View element, urdf::Rows<T> rows, T& out) {
     const std::span<const xml::Attribute> given = element.attributes();

@@ -13,7 +13,7 @@
 namespace smurf::urdf {
 namespace {
 
-/// The rows of an element without their members, but with the form of each member.
+/// The rows of an element for checks and help: the form is that of the member, which is left out.
 template <const auto& Rows>
 constexpr auto kSpecs = [] {
   std::array<AttributeSpec, std::size(Rows)> specs{};

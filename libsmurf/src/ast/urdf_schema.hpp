@@ -15,7 +15,7 @@ namespace smurf::urdf {
 /// How the value of an attribute is written.
 enum class Form : std::uint8_t { number, three_numbers, four_numbers, text };
 
-/// Whether an attribute must be written: `usual` if its absence is reported by a separate rule.
+/// Whether an attribute must be present; a rule of its own reports an absent `usual` one.
 enum class Need : std::uint8_t { optional, usual, required };
 
 /// The texts are for authors of URDFs; `values`, if any, are the only allowed values.
@@ -33,7 +33,7 @@ struct AttributeSpec {
   bool is_last = false;  ///< in the canonical form, after the attributes of other rows
 
   constexpr bool is_required() const { return need == Need::required; }
-  /// Its name in the dump and in Python.
+  /// The name of the attribute in the dump and in Python.
   constexpr std::string_view member_name() const { return key.empty() ? name : key; }
 };
 
