@@ -18,9 +18,9 @@ import sysconfig
 import tarfile
 import urllib.request
 
-from .project import ROOT, homepage, version
+from .project import ROOT, VIEWER, homepage, version
 
-PROGRAMS = ("smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff", "smurf-view",
+PROGRAMS = ("smurf", "smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff", "smurf-view",
             "smurf-load-check")
 OPTIONAL = "smurf-load-check"  # needs a physics engine, which is not everywhere
 MAIN = "smurf-lint"  # on Linux the program of most tools, which have links to it (tools/CMakeLists.txt)
@@ -134,7 +134,7 @@ def from_source(work, reason):
     if lacks:
         raise NoPrograms(f"{reason}, and to compile it needs {' and '.join(lacks)}, which {'is' if len(lacks) == 1 else 'are'} "
                          "not here. The top of scripts/setup lists all that it needs; SMURF_PREBUILT=FOLDER takes the programs of a folder")
-    say(f"compiles the programs ({reason}); this takes some minutes")
+    say(f"compiles the programs ({reason}); this takes about ten minutes of processor time")
     build, stage = work / "build", work / "stage"
     has_headers = pathlib.Path(sysconfig.get_path("include"), "Python.h").is_file()
     options = {
@@ -144,6 +144,9 @@ def from_source(work, reason):
     run("cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *(f"-D{key}={value}" for key, value in options.items()))
     run("cmake", "--build", build)
     run("cmake", "--install", build, "--prefix", stage, "--strip")
+    if not VIEWER.is_file() and not (build / "viewer/viewer.html").is_file():
+        say("without the 3D page of smurf-view and --format html, because three.js could not be fetched; "
+            "run scripts/viewer, then install again")
     return from_folder(stage / "bin", stage / "python/smurf")
 
 

@@ -8,7 +8,7 @@ import sysconfig
 import tarfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-PROGRAMS = ("smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff", "smurf-view",
+PROGRAMS = ("smurf", "smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff", "smurf-view",
             "smurf-load-check")
 
 

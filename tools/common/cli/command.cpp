@@ -52,6 +52,18 @@ std::string options_text(std::span<const Option> options, std::string_view group
   return out;
 }
 
+std::string verbs_text(const Command& command) {
+  if (command.verbs.empty()) return {};
+  std::string out = "\nVerbs:\n";
+  for (const VerbName& verb : command.verbs) {
+    constexpr std::size_t kIndent = 14;
+    std::string head = "  " + std::string(verb.name);
+    head.resize(kIndent, ' ');
+    out += head + render::wrap(verb.does, kIndent, kColumns).substr(kIndent);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::span<const Option> standard_options() { return kStandardOptions; }
@@ -91,6 +103,7 @@ std::string help_text(const Command& command) {
   }
   if (!command.details.empty()) out += "\n" + render::wrap(command.details, 0, kColumns);
 
+  out += verbs_text(command);
   const std::vector<Option> options = all_options(command);
   for (const std::string_view group : option_groups(options)) {
     out += options_text(options, group);

@@ -46,6 +46,13 @@ struct Example {
   std::string_view does;
 };
 
+/// The first word of a command line that runs another program.
+struct VerbName {
+  std::string_view name;  ///< "check"
+  std::string_view tool;  ///< "smurf-lint"
+  std::string_view does;
+};
+
 struct Command {
   std::string_view name{};      ///< "smurf-lint"
   std::string_view summary{};   ///< one sentence
@@ -53,6 +60,7 @@ struct Command {
   std::string_view details{};   ///< description of the operands, and details
   std::vector<Option> options{};
   Setter set_operand{};
+  std::vector<VerbName> verbs{};  ///< for completions
   std::vector<Example> examples{};  ///< the two most useful ones first: --help shows two
   std::string_view exit_with_1 = "findings at or above the threshold";
 };

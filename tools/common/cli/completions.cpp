@@ -84,6 +84,67 @@ std::string function_name(const Command& command) {
   return name;
 }
 
+/// The names of the verbs.
+std::string names_of_verbs(const Command& command) {
+  std::vector<std::string_view> names;
+  for (const VerbName& verb : command.verbs) names.push_back(verb.name);
+  return joined(names);
+}
+
+/// Behind a verb, bash asks the completion of the program that the verb runs.
+std::string bash_verbs(const Command& command) {
+  if (command.verbs.empty()) return {};
+  std::string cases;
+  for (const VerbName& verb : command.verbs) {
+    cases.append("      ").append(verb.name).append(") tool=").append(verb.tool).append(" ;;\n");
+  }
+  return "  if ((COMP_CWORD > 1)); then\n"
+         "    local tool=\n"
+         "    case ${COMP_WORDS[1]} in\n" +
+         cases +
+         "    esac\n"
+         "    if [[ -z $tool ]]; then return; fi\n"
+         "    COMP_WORDS=(\"$tool\" \"${COMP_WORDS[@]:2}\")\n"
+         "    COMP_CWORD=$((COMP_CWORD - 1))\n"
+         "    declare -F \"_${tool//-/_}\" >/dev/null || _completion_loader \"$tool\" 2>/dev/null\n"
+         "    if declare -F \"_${tool//-/_}\" >/dev/null; then \"_${tool//-/_}\"; else compopt -o "
+         "default; fi\n"
+         "    return\n"
+         "  fi\n"
+         "  if [[ $word != -* ]]; then\n"
+         "    COMPREPLY=($(compgen -W \"" +
+         names_of_verbs(command) +
+         "\" -- \"$word\"))\n"
+         "    return\n"
+         "  fi\n";
+}
+
+/// Behind a verb, zsh asks the completion of the program that the verb runs.
+std::string zsh_verbs(const Command& command) {
+  std::string out = "  '1:verb:((";
+  for (const VerbName& verb : command.verbs) {
+    out.append(&verb == command.verbs.data() ? "" : " ").append(verb.name).append("\\:\"");
+    out += gist(verb.does, true) + "\"";
+  }
+  out += "))' '*:: :->behind'\nif [[ $state == behind ]]; then\n  case $words[1] in\n";
+  for (const VerbName& verb : command.verbs) {
+    out.append("    ").append(verb.name).append(") words[1]=").append(verb.tool).append(" ;;\n");
+  }
+  return out + "  esac\n  _normal\nfi\n";
+}
+
+std::string fish_verbs(const Command& command) {
+  std::string out;
+  for (const VerbName& verb : command.verbs) {
+    out += "complete -c " + std::string(command.name) + " -n __fish_use_subcommand -f -a " +
+           std::string(verb.name) + " -d " + quoted(gist(verb.does, false), "\\'") + "\n";
+    out += "complete -c " + std::string(command.name) + " -n '__fish_seen_subcommand_from " +
+           std::string(verb.name) + "' -a '(complete -C \"" + std::string(verb.tool) +
+           " \"(commandline -ct))'\n";
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string bash_completion(const Command& command) {
@@ -109,7 +170,7 @@ std::string bash_completion(const Command& command) {
          "() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
          "  COMPREPLY=()\n" +
-         bash_levels(command) +
+         bash_verbs(command) + bash_levels(command) +
          "  if [[ $before == \"=\" ]]; then before=${COMP_WORDS[COMP_CWORD-2]}; fi\n"
          "  if [[ $word == \"=\" ]]; then before=${COMP_WORDS[COMP_CWORD-1]}; word=; fi\n"
          "  case $before in\n" +
@@ -149,11 +210,11 @@ std::string zsh_completion(const Command& command) {
       out += "  " + quoted("*" + name + equals + help + value, "'\\''") + " \\\n";
     }
   }
-  return out + "  '*:path:_files'\n";
+  return out + (command.verbs.empty() ? "  '*:path:_files'\n" : zsh_verbs(command));
 }
 
 std::string fish_completion(const Command& command) {
-  std::string out;
+  std::string out = fish_verbs(command);
   for (const Option& option : all_options(command)) {
     out += "complete -c " + std::string(command.name);
     if (option.letter != 0) out += std::string(" -s ") + option.letter;

@@ -64,6 +64,10 @@ std::string manual_page(const Command& command) {
   if (!command.operands.empty()) out += " " + roff(command.operands);
   out += "\n.SH DESCRIPTION\n" + roff(command.summary) + "\n";
   if (!command.details.empty()) out += ".PP\n" + roff(command.details) + "\n";
+  if (!command.verbs.empty()) out += ".SH VERBS\n";
+  for (const VerbName& verb : command.verbs) {
+    out += ".TP\n" + bold(verb.name) + "\n" + roff(verb.does) + "\n";
+  }
   out += options_section(command);
   out += ".SH \"EXIT STATUS\"\n";
   std::string with_1(command.exit_with_1);
@@ -118,6 +122,10 @@ std::string markdown_page(const Command& command) {
   out += "\n## Options\n\nUsage: `" + std::string(command.name) + " [OPTION]...";
   if (!command.operands.empty()) out.append(" ").append(command.operands);
   out += "`\n\n" + std::string(command.details) + "\n";
+  if (!command.verbs.empty()) out += "\n| verb | does |\n|---|---|\n";
+  for (const VerbName& verb : command.verbs) {
+    out += "| `" + std::string(verb.name) + "` | " + cell(verb.does) + " |\n";
+  }
   const std::vector<Option> options = all_options(command);
   for (const std::string_view group : option_groups(options)) {
     out += "\n### " + std::string(group) + "\n\n| option | meaning |\n|---|---|\n";

@@ -16,6 +16,12 @@ void prepare_process();
 /// The arguments of this process, the name of the program first.
 std::vector<std::string> arguments_of(int argc, const char* const* argv);
 
+/// Runs another of our programs, which lies beside this one; `self` is argv[0] of this one, which
+/// may have been found on the PATH. Returns its exit code, kFailed if it cannot be run; may not
+/// return.
+int run_beside(const std::string& self, const std::string& name,
+               const std::vector<std::string>& arguments);
+
 bool is_terminal(int descriptor);
 /// In columns; none if it is not a terminal.
 std::optional<std::size_t> terminal_width(int descriptor);

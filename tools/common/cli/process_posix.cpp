@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 #include <string_view>
 
@@ -20,6 +21,7 @@
 #endif
 
 #include "common/cli/command.hpp"
+#include "common/files/output.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -77,6 +79,21 @@ void prepare_process() {
 
 std::vector<std::string> arguments_of(int argc, const char* const* argv) {
   return {argv, argv + argc};
+}
+
+int run_beside(const std::string& self, const std::string& name,
+               const std::vector<std::string>& arguments) {
+  const std::size_t slash = self.rfind('/');
+  // Without a slash, the shell has found this program on the PATH, and the other one is there, too.
+  const std::string program = slash == std::string::npos ? name : self.substr(0, slash + 1) + name;
+  std::vector<std::string> words{program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  ::execvp(program.c_str(), pointers.data());
+  complain("smurf", "cannot run '" + program + "': " + std::strerror(errno));
+  return kFailed;
 }
 
 bool is_terminal(int descriptor) { return ::isatty(descriptor) == 1; }

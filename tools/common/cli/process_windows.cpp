@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/files/windows_paths.hpp"
 #include "common/cli/command.hpp"
 #include "common/cli/process.hpp"
 #include "common/files/new_file.hpp"
+#include "common/files/output.hpp"
 // The headers of Windows come last, because they define many macros; the others need the first one.
 #include <windows.h>
 
 #include <fcntl.h>
 #include <io.h>
+#include <process.h>
 #include <shellapi.h>
 
 namespace smurf::tools {
@@ -21,6 +27,18 @@ HANDLE handle_of(int descriptor) {
   return ::GetStdHandle(descriptor == 1   ? STD_OUTPUT_HANDLE
                         : descriptor == 2 ? STD_ERROR_HANDLE
                                           : STD_INPUT_HANDLE);
+}
+
+/// A word as the C library of Windows splits a command line: _wspawnv() joins words by blanks.
+std::wstring quoted(const std::wstring& word) {
+  std::wstring text = L"\"";
+  std::size_t slashes = 0;
+  for (const wchar_t c : word) {
+    if (c == L'"') text.append(slashes + 1, L'\\');
+    slashes = c == L'\\' ? slashes + 1 : 0;
+    text += c;
+  }
+  return text.append(slashes, L'\\') + L"\"";
 }
 
 [[noreturn]] void end_without_memory() {
@@ -51,6 +69,26 @@ std::vector<std::string> arguments_of(int /*argc*/, const char* const* /*argv*/)
   for (int i = 0; i < count; ++i) arguments.push_back(sys::to_utf8(wide[i]));
   ::LocalFree(wide);
   return arguments;
+}
+
+int run_beside(const std::string& /*self*/, const std::string& name,
+               const std::vector<std::string>& arguments) {
+  constexpr DWORD kLongest = 32768;
+  std::wstring program(kLongest, L'\0');
+  program.resize(::GetModuleFileNameW(nullptr, program.data(), kLongest));
+  program.resize(program.find_last_of(L'\\') + 1);
+  program += sys::to_utf16(name).value_or(L"") + L".exe";
+  std::vector<std::wstring> words{quoted(program)};
+  for (const std::string& argument : arguments) {
+    words.push_back(quoted(sys::to_utf16(argument).value_or(L"")));
+  }
+  std::vector<const wchar_t*> pointers;
+  for (const std::wstring& word : words) pointers.push_back(word.c_str());
+  pointers.push_back(nullptr);
+  const std::intptr_t code = ::_wspawnv(_P_WAIT, program.c_str(), pointers.data());
+  if (code >= 0) return static_cast<int>(code);
+  complain("smurf", "cannot run '" + name + ".exe' beside this program");
+  return kFailed;
 }
 
 bool is_terminal(int descriptor) {
