@@ -153,7 +153,7 @@ std::span<const Verb> verbs() {
   return kVerbs;
 }
 
-/// Null if there is none of this name.
+/// Null if no verb has this name.
 const Verb* find_verb(std::string_view name) {
   const auto found = std::find_if(verbs().begin(), verbs().end(),
                                   [&](const Verb& verb) { return verb.name == name; });

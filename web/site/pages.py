@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Lays out the Markdown of the repository as the pages of the web site. usage: pages.py OUTPUT
 
-`docs/` becomes the root, README.md the first page, and every rule a page. A link to a file that is no page leads to the
+`docs/` becomes the root, README.md a page, and every rule a page. The first page is pages/index.md, which lists tasks. A link to a file that is no page leads to the
 repository. Writes OUTPUT/pages, which MkDocs reads.
 """
 import pathlib
@@ -98,7 +98,7 @@ def is_page(name):
 
 def page_of(name):
     if name == "README.md":
-        return "index.md"
+        return "about.md"
     return name.removeprefix("docs/")
 
 
