@@ -7,6 +7,7 @@
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"
 #include "common/cli/shared_options.hpp"
+#include "render/wrap.hpp"
 #include "smurf-lint/rename_all.hpp"
 #include "smurf/format.hpp"
 
@@ -66,7 +67,10 @@ Setter append_targets(std::vector<const Reader*>& targets) {
   return [&targets](std::string_view value) -> std::optional<std::string> {
     for (const std::string_view name : split_items(value)) {
       const Reader* reader = find_target(name);
-      if (reader == nullptr) return none_of(name, target_names());
+      if (reader == nullptr) {
+        return "there is no target '" + std::string(name) + "'" +
+               did_you_mean(name, target_names()) + " (`--target help` lists them)";
+      }
       if (std::find(targets.begin(), targets.end(), reader) == targets.end()) {
         targets.push_back(reader);
       }
@@ -86,6 +90,23 @@ std::string_view target_help() {
            ". Without a release, the oldest supported one is meant. Releases: " + releases + ".";
   }();
   return help;
+}
+
+/// The text of `--target help`: a target and its releases a line.
+std::string targets_page() {
+  std::string page = "Targets, with what they stand for and their releases:\n\n";
+  constexpr std::size_t kIndent = 15;
+  for (const Reader* reader : all_readers()) {
+    if (!reader->is_target) continue;
+    std::string head = "  " + std::string(reader->name);
+    head.resize(kIndent, ' ');
+    std::string text(reader->title);
+    for (const auto& releases : {reader->earlier, reader->releases}) {
+      for (const Reader* release : releases) text += ", " + std::string(release->name);
+    }
+    page += head + render::wrap(text, kIndent, 80).substr(kIndent);
+  }
+  return page + "\nWhat each of them does: " + std::string(kSite) + "/readers/\n";
 }
 
 Setter set_inertia(LintOptions& options) {
@@ -119,6 +140,7 @@ std::vector<Option> rule_options(LintOptions& options) {
        .metavar = "LIST",
        .help = target_help(),
        .suggestions = target_names,
+       .help_page = targets_page,
        .set = append_targets(options.selection.targets)},
       {.group = "Rules",
        .name = "severity",
@@ -344,13 +366,13 @@ Command lint_command(LintOptions& options) {
   Command command;
   command.name = "smurf-lint";
   command.summary =
-      "Finds what programs refuse, misread or silently ignore in SMURF models, scenes and "
-      "URDF files.";
+      "Finds what programs refuse, misread or silently ignore in robots: URDF, xacro, SRDF, "
+      "ros2_control, controllers, MoveIt, SMURF models and scenes.";
   command.operands = "[PATH]... [NAME:=VALUE]...";
   command.details =
-      "A PATH is a .smurf, .smurfs, .smurfa, .urdf or .srdf file, a scene drawn as .svg, an annotation "
-      "file (.yml), a folder to search, or '-' for standard input; without one, the current folder "
-      "is searched. A .urdf or .yml file is checked as part of every nearby model that lists it, "
+      "A PATH is a folder to search, a .urdf, .xacro, .srdf, .smurf, .smurfs or .smurfa file, a scene "
+      "drawn as .svg, a YAML file of a robot (annotations, controllers, MoveIt), or '-' for standard "
+      "input; without one, the current folder is searched. A .urdf or .yml file is checked as part of every nearby model that lists it, "
       "or alone if no model lists it. For a mesh or texture, the nearby models that use it are "
       "checked.";
   for (std::vector<Option>& group : std::vector<std::vector<Option>>{

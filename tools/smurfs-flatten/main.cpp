@@ -146,8 +146,8 @@ Command make_command(Options& options) {
   Command command;
   command.name = kTool;
   command.summary =
-      "Expands a SMURF scene: every entity, those of nested scenes included, with its pose in the "
-      "world.";
+      "Converts a robot or a scene for MuJoCo, Gazebo, Drake, Isaac Sim and others; every entity, "
+      "also of nested scenes, gets its pose in the world.";
   command.operands = "SCENE [NAME:=VALUE]...";
   command.details =
       "SCENE is a .smurfs or .smurfa file, a .zsmurfs archive with a scene, a drawing (.svg) "
@@ -162,6 +162,8 @@ Command make_command(Options& options) {
   add_options(command, options);
   command.set_operand = take_one_operand(options.scene, options.common.xacro);
   command.examples = {
+      {"smurfs-flatten arm.urdf --format mjcf -o arm.xml", "Convert a robot for MuJoCo:"},
+      {"smurfs-flatten scene.smurfs -o scene.sdf", "Convert a scene for Gazebo:"},
       {"smurfs-flatten scene.smurfs -o scene.json", "Expand a scene:"},
       {"smurfs-flatten scene.smurfs --links | jq '.instances[0].links'",
        "Print the poses of all links:"},
