@@ -30,9 +30,18 @@ constexpr std::size_t kMostRobots = 6;        // that are tried for an SRDF
 /// Companions of other robots, and lists of parameters of other programs, are larger.
 constexpr std::uint64_t kMostBytesOfYaml = 1U << 20U;
 
+/// Whether a name ends with this, in any case. Every robot of a folder asks it of every file there.
+bool has_ending(std::string_view name, std::string_view lower) {
+  if (name.size() < lower.size()) return false;
+  const std::string_view end = name.substr(name.size() - lower.size());
+  return std::equal(end.begin(), end.end(), lower.begin(), [](char c, char wanted) {
+    return (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) == wanted;
+  });
+}
+
 bool has_extension(std::string_view name, std::initializer_list<std::string_view> wanted) {
-  const std::string extension = path::to_lower(path::extension(name));
-  return std::find(wanted.begin(), wanted.end(), extension) != wanted.end();
+  return std::any_of(wanted.begin(), wanted.end(),
+                     [&](std::string_view one) { return has_ending(name, one); });
 }
 
 /// Whether a file with this name may be a companion. Others are not opened: they may be anything.
@@ -370,8 +379,7 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
 }  // namespace
 
 bool is_companion_path(std::string_view path) {
-  const std::string lower = path::to_lower(path);
-  return lower.ends_with(".srdf") || lower.ends_with(".srdf.xacro");
+  return has_ending(path, ".srdf") || has_ending(path, ".srdf.xacro");
 }
 
 Companions load_companions(const LinkedModel& model, LoadContext& context) {
