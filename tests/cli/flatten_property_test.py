@@ -8,14 +8,19 @@ import json
 import math
 import pathlib
 import random
+import resource
 import sys
-import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
 
 SCENES = 200
 JOINTS = 6
+
+
+def processor_time():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def identity():
@@ -238,14 +243,15 @@ class Properties(cli.CliTest):
         def seconds(count):
             self.write("many.smurfs", "entities:\n" + "".join(
                 f"- {{name: e{i}, file: r.smurf, position: [{i}, 0, 0]}}\n" for i in range(count)))
-            start = time.perf_counter()
+            start = processor_time()
             flat = json.loads(self.flat("many.smurfs"))
             self.assertEqual((len(flat["models"]), len(flat["instances"])), (1, count))
-            return time.perf_counter() - start
+            return processor_time() - start
 
-        one, many = seconds(1), seconds(1000)
+        one, many = min(seconds(1) for _ in range(5)), min(seconds(1000) for _ in range(3))
         print(f"1 robot: {one * 1e3:.0f} ms; 1,000 robots: {many * 1e3:.0f} ms", file=sys.stderr)
-        self.assertLess(many - one, 2)  # generous, for a loaded machine and an unoptimised build
+        # One robot is read, solved and written in its time, less the start of the program; a thousand are only written.
+        self.assertLess(many, 300 * one)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Counts the instructions of a tool with valgrind."""
+import functools
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
 
 SKIPPED = 77  # to CTest
+SECONDS = 600  # of processor time, after which a run is ended: no clock on the wall may decide
 
 
 def skip_without_valgrind():
@@ -17,9 +20,10 @@ def skip_without_valgrind():
 
 def instructions(tool: pathlib.Path, *arguments, codes=(0, 1), **how) -> int:
     """The instructions of the tool and its child processes. `codes`: allowed exit codes; `how`: arguments of subprocess.run."""
+    limit = functools.partial(resource.setrlimit, resource.RLIMIT_CPU, (SECONDS, SECONDS))
     run = subprocess.run(
         ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--trace-children=yes", str(tool),
-         *map(str, arguments)], capture_output=True, text=True, errors="replace", **{"timeout": 600, **how})
+         *map(str, arguments)], capture_output=True, text=True, errors="replace", check=False, preexec_fn=limit, **how)
     if run.returncode not in codes:
         raise AssertionError(f"ended with {run.returncode}: {run.stderr[-500:]}")
     return sum(int(count) for count in re.findall(r"Collected : (\d+)", run.stderr))

@@ -11,8 +11,8 @@ import sys
 import tempfile
 import unittest
 
+import cost
 import inputs
-from hostile_cli_test import MEGABYTES, Run, cli
 
 TOOLS = None
 HALF = 100_000  # bytes
@@ -43,11 +43,11 @@ class RepeatedNames(unittest.TestCase):
             for path, text in files.items():
                 (folder / path).write_text(text)
             tool = TOOLS / command[0]
-            run = Run([tool, *command[1:], "-o", "out"], folder)
+            run = cost.Run([tool, *command[1:], "-o", "out"], folder)
             said = run.said.decode(errors="replace")
             self.assertIn(run.code, codes, said[-500:])
-            if not cli.is_sanitized(tool):
-                self.assertLess(run.megabytes, MEGABYTES)
+            if not cost.has_sanitizer(tool):
+                self.assertLess(run.megabytes, cost.MEGABYTES)
             out = folder / "out"
             return said, out.read_text() if out.exists() else ""
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A megabyte of one piece, again and again, takes smurf-lint at most two seconds and 300 MB.
+"""A megabyte of one piece, again and again, takes smurf-lint what cost.py allows.
 
 repeated_pieces_test.py FOLDER_OF_TOOLS [WORD...]: with words, only the pieces that hold one of them.
 
@@ -8,12 +8,12 @@ In a piece, @ is its number and ~ that of the piece before.
 """
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 
+import cost
+
 BYTES = 1_000_000
-SECONDS, MEGABYTES = 2.0, 300
 MODEL = "modelname: a\nfiles: [a.urdf]\n"
 URDF = '<robot name="a"><link name="b"/></robot>'
 SECTIONS = ("materials motors sensors controllers collision visuals links nodes joints lights poses submechanisms "
@@ -87,7 +87,7 @@ def cases():
         yield f"schema {schema[:60]}", files, "a.smurf"
 
 
-def fault(tool: pathlib.Path, files: dict, main: str) -> str:
+def fault(tools: pathlib.Path, files: dict, main: str) -> str:
     """An error message; empty if the bounds are kept."""
     with tempfile.TemporaryDirectory() as work:
         folder = pathlib.Path(work)
@@ -95,24 +95,16 @@ def fault(tool: pathlib.Path, files: dict, main: str) -> str:
         for name, text in files.items():
             os.makedirs((folder / name).parent, exist_ok=True)
             (folder / name).write_text(text, encoding="utf-8")
-        with subprocess.Popen([tool, "-q", "--statistics", main], cwd=folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as run:
-            _, status, used = os.wait4(run.pid, 0)
-            run.returncode = os.waitstatus_to_exitcode(status)
-    seconds, megabytes = used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
-    if run.returncode not in (0, 1, 2):
-        return f"ended with {run.returncode}"
-    is_within = seconds <= SECONDS and megabytes <= MEGABYTES
-    return "" if is_within else f"took {seconds:.1f} s and {megabytes:.0f} MB"
+        return ", ".join(cost.faults(tools, lambda: cost.Run([tools / "smurf-lint", "-q", "--statistics", main], folder)))
 
 
 def main() -> int:
-    tool, words = pathlib.Path(sys.argv[1]).resolve() / "smurf-lint", sys.argv[2:]
+    tools, words = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2:]
     failed = passed = 0
     for title, files, name in cases():
         if words and not any(word in title for word in words):
             continue
-        what = fault(tool, files, name)
+        what = fault(tools, files, name)
         failed, passed = failed + bool(what), passed + (not what)
         if what:
             print(f"{title.strip()!r}: {what}", flush=True)

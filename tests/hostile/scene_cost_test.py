@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-from hostile_cli_test import MEGABYTES, SECONDS, Run
+import cost
 from inputs import repeat
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
@@ -181,18 +181,14 @@ def primitives():
     return {"s.smurfs": entities("- {name: e{}, type: primitive, geometry: {type: sphere}, extend: {x: 1}}\n", MEGABYTE)}
 
 
-def faults(tool, files, folder, options):
-    run = Run([str(tool), "-q", "--force", *options, "-o", "out/result", next(iter(files))], folder)
-    if run.code not in (0, 1, 2):
-        yield f"ended with {run.code}"
-    if run.seconds > SECONDS:
-        yield f"took {run.seconds:.1f} s"
-    if run.megabytes > MEGABYTES:
-        yield f"took {run.megabytes:.0f} MB"
+def faults(tools, files, folder, options):
+    command = [tools / "smurfs-flatten", "-q", "--force", *options, "-o", "out/result", next(iter(files))]
+    return cost.faults(tools, lambda: cost.Run(command, folder))
 
 
 def main():
-    tool = pathlib.Path(sys.argv[1]).resolve() / "smurfs-flatten"
+    tools = pathlib.Path(sys.argv[1]).resolve()
+    tool = tools / "smurfs-flatten"
     wanted = sys.argv[2:]
     names = formats.listed(subprocess.run([tool, "--format", "help"], capture_output=True, text=True, check=True).stdout)
     runs = [["--format", name] for name in names] + [["--links"], ["--dialect", "mars"], ["--compare-dialects"]]
@@ -210,7 +206,7 @@ def main():
             for options in runs:
                 count += 1
                 failures += [f"{make.__name__} {' '.join(options)}: {fault}"
-                             for fault in faults(tool, files, folder, options)]
+                             for fault in faults(tools, files, folder, options)]
     print("\n".join(failures))
     print(f"{count} runs, {len(failures)} failures")
     return 1 if failures or not count else 0

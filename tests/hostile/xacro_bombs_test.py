@@ -9,6 +9,7 @@ import shutil
 import sys
 import tempfile
 
+import cost
 import hostile_cli_test
 import inputs
 
@@ -156,9 +157,9 @@ def check(tool, bomb, place):
     for name, text in {"robot.xacro": ROBOT.format(document.replace("@/", f"{place}/")), **files}.items():
         (work / name).parent.mkdir(exist_ok=True)
         (work / name).write_text(text)
-    run = hostile_cli_test.Run([f"TOKEN={SECRET}", str(tool), "robot.xacro"], work)
     case = inputs.Case(title, {}, "robot.xacro", codes=(1,))
-    yield from hostile_cli_test.faults(case, run, work, hostile_cli_test.cli.is_sanitized(tool))
+    found, run = hostile_cli_test.faults(tool.parent, case, lambda: cost.Run([f"TOKEN={SECRET}", tool, "robot.xacro"], work), work)
+    yield from found
     if rule not in run.said:
         yield f"did not report {rule.decode()}, but {run.said[:200]}"
     if SECRET.encode() in run.said:

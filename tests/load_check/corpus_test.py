@@ -16,7 +16,8 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 SUFFIXES = (".smurf", ".smurfs", ".smurfa", ".urdf")
-MOST_SECONDS = 10.5  # s of processor time: 10 for the stages, and some for reading
+MOST_SECONDS = 30  # s of processor time: the tool ends stages after 10, and has to read the files, on any machine
+SLOW = 2  # s of processor time, above which a model is not run again
 MOVING = ("revolute", "continuous", "prismatic", "floating", "planar")
 NO_FIGURES = {"SML6001", "SML6002"}
 # In DROP, these three have no verdict: an assertion of ODE fails in dxLDLTRemove(), and 10 s are not enough.
@@ -34,7 +35,7 @@ def processor_time():
 def check(tool, path):
     begin = processor_time()
     done = subprocess.run([tool, "--format", "json", path.name], cwd=path.parent,
-                          capture_output=True, timeout=600, check=False)
+                          capture_output=True, check=False)
     return done, processor_time() - begin
 
 
@@ -133,7 +134,7 @@ def main(tool, folder):
             continue
         if seconds > MOST_SECONDS:
             failures.append(f"{name}: {seconds:.1f} s of processor time")
-        if check(tool, path)[0].stdout != done.stdout:
+        if seconds < SLOW and check(tool, path)[0].stdout != done.stdout:
             failures.append(f"{name}: two runs differ")
         rules.update({d["id"] for d in report["diagnostics"]})
         verdicts.update(c["verdict"] if c["stages"] else "not run" for c in report["checks"])

@@ -97,7 +97,7 @@ class Client:
         self.send({"jsonrpc": "2.0", "id": self.last_id, "method": method, "params": params})
         return self.last_id
 
-    def answer(self, request, timeout=60):
+    def answer(self, request, timeout=600):
         while request not in self.answers:
             self._take(timeout)
         message = self.answers.pop(request)
@@ -105,7 +105,7 @@ class Client:
             raise RequestError(message["error"])
         return message["result"]
 
-    def request(self, method, params, timeout=60):
+    def request(self, method, params, timeout=600):
         return self.answer(self.begin(method, params), timeout)
 
     def open(self, path, text=None, language="yaml"):
@@ -143,7 +143,7 @@ class Client:
     def of(self, method, path, **more):
         return self.request(method, {"textDocument": {"uri": uri(path)}, **more})
 
-    def published(self, path, timeout=60):
+    def published(self, path, timeout=600):
         """The findings of the current version of a document."""
         path = str(path)
         while self.diagnostics.get(path, {}).get("version") != self.versions[path]:
@@ -154,7 +154,7 @@ class Client:
         self.request("shutdown", None)
         self.notify("exit", None)
         self.process.stdin.close()
-        return self.process.wait(timeout=60)
+        return self.process.wait(timeout=600)
 
     def end(self):
         """Whatever happened before."""

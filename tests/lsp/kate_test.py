@@ -20,7 +20,7 @@ from neovim_test import ROOT, snippet  # noqa: E402
 
 TOOL = None
 PROGRAMS = ["kate", "Xvfb", "xdotool", "dbus-run-session"]
-SECONDS = 60  # s to wait for something
+SECONDS = 600  # s to wait for something, however busy the machine is
 
 
 class Kate(unittest.TestCase):

@@ -81,7 +81,7 @@ class Xacro(unittest.TestCase):
 
     def soon(self, path, codes):
         """Waits for the findings of a file that is not open."""
-        end = time.monotonic() + 30
+        end = time.monotonic() + 300
         while True:
             self.client.of("textDocument/foldingRange", self.root)
             found = self.client.diagnostics.get(str(path), {}).get("diagnostics", [])
