@@ -20,8 +20,8 @@ import urllib.request
 
 from .project import ROOT, VIEWER, homepage, version
 
-PROGRAMS = ("smurf", "smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff", "smurf-view",
-            "smurf-load-check")
+PROGRAMS = ("smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff", "smurf-view",
+            "smurf", "smurf-load-check")
 OPTIONAL = "smurf-load-check"  # needs a physics engine, which is not everywhere
 MAIN = "smurf-lint"  # on Linux the program of most tools, which have links to it (tools/CMakeLists.txt)
 PAGES = ("man/man1/{}.1", "bash-completion/completions/{}", "zsh/vendor-completions/_{}",

@@ -49,7 +49,8 @@ def readme():
 
 
 def metadata(has_module=True):
-    extra = 'Provides-Extra: poses\nRequires-Dist: numpy; extra == "poses"\n' if has_module else ""
+    extra = 'Provides-Extra: mcp\nRequires-Dist: mcp>=2.3; extra == "mcp"\n'
+    extra += 'Provides-Extra: poses\nRequires-Dist: numpy; extra == "poses"\n' if has_module else ""
     return f"""Metadata-Version: 2.1
 Name: {name()}
 Version: {version()}

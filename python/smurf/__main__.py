@@ -9,6 +9,7 @@
     diff        smurf-diff: tells what differs between two versions
     view        smurf-view: shows a robot or a scene in the browser
     load-check  smurf-load-check: builds models and scenes in a physics engine
+    mcp         a server of the Model Context Protocol, for assistants; needs smurf-tools[mcp]
     try-all     runs smurf2urdf or smurfs-flatten on every model or scene, and keeps nothing; for hooks
 """
 import os
@@ -50,9 +51,12 @@ def main(arguments):
         return 0 if arguments else 2
     if arguments[0] == "try-all":
         return try_all(arguments[1:], find_program)
+    if arguments[0] == "mcp":
+        from .mcp_server import main as serve
+        return serve(arguments[1:], find_program)
     name = PROGRAMS.get(arguments[0])
     if name is None:
-        commands = ", ".join([*PROGRAMS, "try-all"])
+        commands = ", ".join([*PROGRAMS, "mcp", "try-all"])
         print(f"smurf: there is no command '{arguments[0]}'; the commands are {commands}", file=sys.stderr)
         return 2
     program = find_program(name)

@@ -8,8 +8,8 @@ import sysconfig
 import tarfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-PROGRAMS = ("smurf", "smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff", "smurf-view",
-            "smurf-load-check")
+PROGRAMS = ("smurf-lint", "smurf-lsp", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff", "smurf-view",
+            "smurf", "smurf-load-check")
 
 
 def copy_of_project(folder):
