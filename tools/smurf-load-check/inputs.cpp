@@ -24,9 +24,7 @@ constexpr std::string_view kTool = "smurf-load-check";
 
 /// Rules of file readers, and rules whose faults leave no robot to
 /// build.
-bool is_about_building(const Rule& rule) {
-  return rule.blocks_building || (rule.check_model == nullptr && rule.check_scene == nullptr);
-}
+bool is_about_building(const Rule& rule) { return rule.blocks_building || !rule.has_check(); }
 
 /// Unreadable numbers, broken files and scenes, but not faults of annotations.
 bool is_obstacle(const Diagnostic& diagnostic) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "smurf/file_reader.hpp"
-#include "smurf/lint.hpp"
+#include "smurf/findings.hpp"
 #include "smurf/user_schemas.hpp"
 
 namespace smurf {

@@ -24,6 +24,7 @@
 
 namespace smurf {
 
+struct Companions;
 struct LinkedModel;
 struct LinkedScene;
 class Findings;
@@ -164,9 +165,15 @@ struct Rule {
   std::string_view remedy;     ///< what to do
   std::string_view sources{};  ///< sources of the rule, beyond the evidence of the facts
 
-  /// Checks run by the linter; both null for findings that a reader or writer reports itself.
+  /// Checks that the linter runs, each on its subject. The model of check_companions() has no robot
+  /// if none was found for a companion.
   void (*check_model)(const LinkedModel&, Findings&) = nullptr;
+  void (*check_companions)(const LinkedModel&, const Companions&, Findings&) = nullptr;
   void (*check_scene)(const LinkedScene&, Findings&) = nullptr;
+  /// False for findings that a reader or writer reports itself.
+  constexpr bool has_check() const {
+    return check_model != nullptr || check_companions != nullptr || check_scene != nullptr;
+  }
 
   /// Only run for targets that have a fact about the rule: others are not affected.
   bool needs_target = false;

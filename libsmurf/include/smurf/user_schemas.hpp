@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "smurf/lint.hpp"
+#include "smurf/findings.hpp"
 #include "smurf/yaml.hpp"
 
 namespace smurf {

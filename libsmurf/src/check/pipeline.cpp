@@ -13,7 +13,6 @@
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
 #include "check/xacro_places.hpp"
-#include "smurf/lint_companions.hpp"
 #include "syntax/yaml_reader.hpp"
 
 namespace smurf {

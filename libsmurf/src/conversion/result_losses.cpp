@@ -17,7 +17,7 @@ namespace {
 /// understood.
 bool is_unread(const Rule& rule) {
   if (&rule == &rules::sml1018_xml_version) return false;  // of the file, not of a value
-  return rule.check_model == nullptr && rule.check_scene == nullptr;
+  return !rule.has_check();
 }
 
 /// Whether the finding only concerns the look of shapes: the result has the first material of a

@@ -12,9 +12,16 @@
 namespace smurf {
 namespace {
 
-bool matches_any(const Rule& rule, const std::vector<std::string>& patterns) {
-  return std::any_of(patterns.begin(), patterns.end(),
-                     [&](const std::string& pattern) { return matches(rule, pattern); });
+/// Runs this check of all rules that have it.
+template <typename Check, typename... Subject>
+void run(Check Rule::*check, const LinkedModel* model, const RuleSelection& selection,
+         DiagnosticSink& sink, const Subject&... subject) {
+  DoubtfulReferences references(model);
+  for (const Rule* rule : all_rules()) {
+    if (rule->*check == nullptr || !selection.is_enabled(*rule)) continue;
+    Findings findings(*rule, selection.tolerance_of(*rule), sink, references);
+    (rule->*check)(subject..., findings);
+  }
 }
 
 /// Diagnostics as people read them: by file, then place, then rule.
@@ -39,44 +46,17 @@ void widen_deletion(Edit& edit, const SourceMap& sources) {
 
 }  // namespace
 
-bool matches(const Rule& rule, std::string_view pattern) {
-  if (pattern == rule.name) return true;
-  return pattern.starts_with("SML") && rule.id.starts_with(pattern);
-}
-
-bool RuleSelection::is_enabled(const Rule& rule) const {
-  if (!select.empty() && !matches_any(rule, select)) return false;
-  if (rule.needs_target && std::none_of(targets.begin(), targets.end(), [&](const Reader* reader) {
-        return has_facts(*reader, rule);
-      })) {
-    return false;
-  }
-  return !matches_any(rule, ignore);
-}
-
-double RuleSelection::tolerance_of(const Rule& rule) const {
-  for (const auto& [name, tolerance] : tolerances) {
-    if (matches(rule, name)) return tolerance;
-  }
-  return rule.tolerance.value;
-}
-
 void lint_model(const LinkedModel& model, const RuleSelection& selection, DiagnosticSink& sink) {
-  DoubtfulReferences references(&model);
-  for (const Rule* rule : all_rules()) {
-    if (rule->check_model == nullptr || !selection.is_enabled(*rule)) continue;
-    Findings findings(*rule, selection.tolerance_of(*rule), sink, references);
-    rule->check_model(model, findings);
-  }
+  run(&Rule::check_model, &model, selection, sink, model);
+}
+
+void lint_companions(const LinkedModel& model, const Companions& companions,
+                     const RuleSelection& selection, DiagnosticSink& sink) {
+  run(&Rule::check_companions, &model, selection, sink, model, companions);
 }
 
 void lint_scene(const LinkedScene& scene, const RuleSelection& selection, DiagnosticSink& sink) {
-  DoubtfulReferences references(nullptr);
-  for (const Rule* rule : all_rules()) {
-    if (rule->check_scene == nullptr || !selection.is_enabled(*rule)) continue;
-    Findings findings(*rule, selection.tolerance_of(*rule), sink, references);
-    rule->check_scene(scene, findings);
-  }
+  run(&Rule::check_scene, nullptr, selection, sink, scene);
 }
 
 void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& sources) {

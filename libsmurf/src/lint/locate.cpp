@@ -11,8 +11,8 @@
 #include "base/findings/cases.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/lint.hpp"
-#include "smurf/lint_companions.hpp"
 #include "smurf/readers.hpp"
 
 namespace smurf {

@@ -22,11 +22,6 @@ constexpr const Rule* kRules[] = {
 #include "base/findings/rules.def"
 #undef SMURF_RULE
 };
-constexpr const Rule* kCompanionRules[] = {
-#define SMURF_RULE(name) &rules::name,
-#include "base/findings/companion_rules.def"
-#undef SMURF_RULE
-};
 
 using Place = std::tuple<SourceId, std::uint32_t, std::uint32_t>;
 using RulesByPlace = std::map<Place, std::vector<const Rule*>>;
@@ -168,18 +163,7 @@ std::uint64_t DiagnosticSink::count_of(const Rule& rule) const {
   return found == counts_.end() ? 0 : found->second;
 }
 
-std::span<const Rule* const> all_rules() {
-  static const auto sorted = [] {
-    // Both tables are in order, which a test of the result checks.
-    std::vector<const Rule*> all;
-    all.reserve(std::size(kRules) + std::size(kCompanionRules));
-    std::merge(std::begin(kRules), std::end(kRules), std::begin(kCompanionRules),
-               std::end(kCompanionRules), std::back_inserter(all),
-               [](const Rule* a, const Rule* b) { return a->id < b->id; });
-    return all;
-  }();
-  return sorted;
-}
+std::span<const Rule* const> all_rules() { return kRules; }
 
 const std::vector<std::string_view>& rule_words() {
   static const std::vector<std::string_view> words = [] {

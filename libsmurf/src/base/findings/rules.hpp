@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Declares every rule of rules.def and companion_rules.def. Each rule is defined beside the code
-// that reports it, in a namespace for its file: a build compiles several rules as one unit, and
-// their helpers may have the same names.
+// Declares every rule of rules.def. Each rule is defined beside the code that reports it, in a
+// namespace for its file: a build compiles several rules as one unit, and their helpers may have
+// the same names.
 #pragma once
 
 #include "smurf/diagnostic.hpp"
@@ -13,7 +13,6 @@ namespace smurf::rules {
     extern const Rule name;                                                                        \
   }                                                                                                \
   using name##_file::name;
-#include "base/findings/companion_rules.def"
 #include "base/findings/rules.def"
 #undef SMURF_RULE
 

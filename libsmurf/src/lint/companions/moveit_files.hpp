@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "lint/companions/check.hpp"
+#include "base/findings/readers.hpp"
+#include "lint/queries.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/ros_parameters.hpp"
 
 namespace smurf {

@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lint/companions/check.hpp"
+#include "base/findings/readers.hpp"
+#include "lint/queries.hpp"
+#include "smurf/companions.hpp"
 
 namespace smurf {
 

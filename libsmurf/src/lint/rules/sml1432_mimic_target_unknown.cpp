@@ -18,7 +18,7 @@ void check_empty(const LinkedModel& model, Findings& findings) {
 void check(const LinkedModel& model, Findings& findings) {
   check_empty(model, findings);
   const auto drake_joints = drake::names_in(drake::own_joints(model), "name");
-  for (const Reference& one : findings.doubtful_references()) {
+  for (const Reference& one : findings.doubtful_references().list()) {
     const xml::View mimic = element_of(model, one);
     if (!mimic || mimic.name() != "mimic") continue;
     const std::string subject = "the mimic of " + subject_of(mimic.parent());

@@ -8,7 +8,7 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   const auto drake_joints = drake::names_in(drake::own_joints(model), "name");
-  for (const Reference& one : findings.doubtful_references()) {
+  for (const Reference& one : findings.doubtful_references().list()) {
     const xml::View joint = element_of(model, one);
     if (!joint || joint.name() != "joint" || joint.parent().name() != "transmission") continue;
     Diagnostic* diagnostic =

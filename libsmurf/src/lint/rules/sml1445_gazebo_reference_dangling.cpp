@@ -31,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
       check_slip(gazebo, findings);
     }
   }
-  for (const Reference& one : findings.doubtful_references()) {
+  for (const Reference& one : findings.doubtful_references().list()) {
     const xml::View gazebo = element_of(model, one);
     if (!gazebo || gazebo.name() != "gazebo" || one.is_known()) continue;
     Diagnostic& diagnostic =

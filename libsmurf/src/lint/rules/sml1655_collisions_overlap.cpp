@@ -212,14 +212,8 @@ extern constinit const Rule sml1655_collisions_overlap{
         "Shrink one of the shapes, or exclude the pair from the contacts of the simulator and, for MoveIt, with "
         "`disable_collisions` in the SRDF.",
     .sources = "Convex hulls of all collisions, placed by forward kinematics.",
+    .check_companions = check,
     .tolerance = {.value = 0.01, .unit = "m", .meaning = "the depth of an overlap"},
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml1655_collisions_overlap_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml1655_collisions_overlap =
-    rules::sml1655_collisions_overlap_file::check;
-
-}  // namespace smurf::companion_checks

@@ -17,7 +17,7 @@ bool is_second_name(const AnnotationPlace& place) {
 
 void check(const LinkedModel& model, Findings& findings) {
   report_unknown(model, NameKind::link, findings, is_second_name);
-  for (const Reference& one : findings.doubtful_references()) {
+  for (const Reference& one : findings.doubtful_references().list()) {
     // The node may belong to another robot of the scene.
     const bool is_node = one.is_vague && one.kinds.contains(NameKind::node);
     if (is_node && !one.is_known() && is_slip(model, NameKind::link, one.name)) {

@@ -7,7 +7,7 @@ namespace smurf::rules::sml3108_misspelt_mechanism_name_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  for (const Reference& one : findings.doubtful_references()) {
+  for (const Reference& one : findings.doubtful_references().list()) {
     const bool is_node = one.kinds.contains(NameKind::node);
     if (!one.is_vague || is_node || !is_slip(model, one.kind, one.name)) continue;
     report_unknown(model, one, findings);

@@ -13,7 +13,7 @@ yaml::View siblings_of(const LinkedModel& model, const Reference& key) {
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!can_judge(model, NameKind::motor)) return;
-  for (const Reference& one : findings.doubtful_references()) {
+  for (const Reference& one : findings.doubtful_references().list()) {
     if (one.is_known()) continue;
     const AnnotationPlace place = annotation_place(model, one);
     if (place.section != "poses") continue;

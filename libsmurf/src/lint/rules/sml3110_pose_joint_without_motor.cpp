@@ -12,7 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
   // A model without motors is not meant to move in MARS.
   if (!can_judge(model, NameKind::motor) || model.annotations.motors.empty()) return;
   std::map<std::string_view, const Motor*> by_joint;
-  for (const Reference& one : findings.doubtful_references()) {
+  for (const Reference& one : findings.doubtful_references().list()) {
     const bool is_joint = one.is_known() && one.kind == NameKind::joint;
     if (!is_joint || annotation_place(model, one).section != "poses") continue;
     if (by_joint.empty()) {

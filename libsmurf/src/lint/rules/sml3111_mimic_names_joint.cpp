@@ -7,7 +7,7 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!can_judge(model, NameKind::motor)) return;
-  for (const Reference& one : findings.doubtful_references()) {
+  for (const Reference& one : findings.doubtful_references().list()) {
     const bool is_joint = one.is_known() && one.kind == NameKind::joint;
     if (!is_joint || annotation_place(model, one).section != "motors") continue;
     Diagnostic& diagnostic =

@@ -34,13 +34,7 @@ extern constinit const Rule sml3500_srdf_without_robot{
     .summary = "No URDF with the robot name of an SRDF was found.",
     .why = "Names of links and joints in the SRDF were not compared with a robot.",
     .remedy = "Check the package of the URDF together with the SRDF.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3500_srdf_without_robot_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3500_srdf_without_robot =
-    rules::sml3500_srdf_without_robot_file::check;
-
-}  // namespace smurf::companion_checks

@@ -188,13 +188,7 @@ extern constinit const Rule sml3501_srdf_unknown_name{
     .severity = Severity::error,
     .summary = "An SRDF names a link, joint or group that does not exist.",
     .remedy = "Correct the name.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3501_srdf_unknown_name_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3501_srdf_unknown_name =
-    rules::sml3501_srdf_unknown_name_file::check;
-
-}  // namespace smurf::companion_checks

@@ -31,13 +31,7 @@ extern constinit const Rule sml3502_srdf_robot_name{
     .severity = Severity::warning,
     .summary = "An SRDF has another robot name than the URDF that it belongs to.",
     .remedy = "Write the name of the URDF.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3502_srdf_robot_name_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3502_srdf_robot_name =
-    rules::sml3502_srdf_robot_name_file::check;
-
-}  // namespace smurf::companion_checks

@@ -56,13 +56,7 @@ extern constinit const Rule sml3503_srdf_attribute_missing{
     .severity = Severity::error,
     .summary = "An element of an SRDF lacks an attribute that it needs, or it is empty.",
     .remedy = "Write the attribute.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3503_srdf_attribute_missing_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3503_srdf_attribute_missing =
-    rules::sml3503_srdf_attribute_missing_file::check;
-
-}  // namespace smurf::companion_checks

@@ -106,13 +106,7 @@ extern constinit const Rule sml3504_srdf_unknown_element{
     .severity = Severity::warning,
     .summary = "An element or attribute of an SRDF is misspelt or at a place where it is not read.",
     .remedy = "Correct the name, or move the element.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3504_srdf_unknown_element_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3504_srdf_unknown_element =
-    rules::sml3504_srdf_unknown_element_file::check;
-
-}  // namespace smurf::companion_checks

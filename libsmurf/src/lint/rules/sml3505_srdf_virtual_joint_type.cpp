@@ -42,13 +42,7 @@ extern constinit const Rule sml3505_srdf_virtual_joint_type{
     .severity = Severity::error,
     .summary = "The type of a virtual joint is not fixed, floating or planar.",
     .remedy = "Write one of these types.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3505_srdf_virtual_joint_type_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3505_srdf_virtual_joint_type =
-    rules::sml3505_srdf_virtual_joint_type_file::check;
-
-}  // namespace smurf::companion_checks

@@ -38,13 +38,7 @@ extern constinit const Rule sml3506_srdf_virtual_joint_child{
     .summary = "A virtual joint attaches a link that is not the root of the robot.",
     .why = "The robot stays fixed to the world, and groups with the joint lack it.",
     .remedy = "Write the root link as `child_link`.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3506_srdf_virtual_joint_child_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3506_srdf_virtual_joint_child =
-    rules::sml3506_srdf_virtual_joint_child_file::check;
-
-}  // namespace smurf::companion_checks

@@ -63,13 +63,7 @@ extern constinit const Rule sml3507_srdf_broken_chain{
     .severity = Severity::error,
     .summary = "The ends of a chain are not connected, or the tip is above the base.",
     .remedy = "Write a base link and a tip link below it.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3507_srdf_broken_chain_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3507_srdf_broken_chain =
-    rules::sml3507_srdf_broken_chain_file::check;
-
-}  // namespace smurf::companion_checks

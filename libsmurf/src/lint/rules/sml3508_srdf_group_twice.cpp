@@ -35,13 +35,7 @@ extern constinit const Rule sml3508_srdf_group_twice{
     .severity = Severity::error,
     .summary = "Two groups of an SRDF have the same name.",
     .remedy = "Rename one of them, or put all members into one group.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3508_srdf_group_twice_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3508_srdf_group_twice =
-    rules::sml3508_srdf_group_twice_file::check;
-
-}  // namespace smurf::companion_checks

@@ -124,13 +124,7 @@ extern constinit const Rule sml3509_srdf_group_cycle{.id = "SML3509",
                                                      .summary =
                                                          "A group of an SRDF contains itself.",
                                                      .remedy = "Remove one of the groups in it.",
+                                                     .check_companions = check,
                                                      .facts = kFacts};
 
 }  // namespace smurf::rules::sml3509_srdf_group_cycle_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3509_srdf_group_cycle =
-    rules::sml3509_srdf_group_cycle_file::check;
-
-}  // namespace smurf::companion_checks

@@ -45,13 +45,7 @@ extern constinit const Rule sml3510_srdf_empty_group{
     .severity = Severity::error,
     .summary = "A group of an SRDF has no joint.",
     .remedy = "Write links, joints, chains or groups into it, or delete it.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3510_srdf_empty_group_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3510_srdf_empty_group =
-    rules::sml3510_srdf_empty_group_file::check;
-
-}  // namespace smurf::companion_checks

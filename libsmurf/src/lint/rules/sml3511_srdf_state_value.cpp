@@ -84,13 +84,7 @@ extern constinit const Rule sml3511_srdf_state_value{
         "The value of a joint in a group state is not a number, or not one for each variable.",
     .why = "The robot moves to another pose than the one that was meant.",
     .remedy = "Write numbers in rad or m: one, or as many as the joint has variables.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3511_srdf_state_value_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3511_srdf_state_value =
-    rules::sml3511_srdf_state_value_file::check;
-
-}  // namespace smurf::companion_checks

@@ -45,13 +45,7 @@ extern constinit const Rule sml3512_srdf_state_outside_group{
     .severity = Severity::error,
     .summary = "A group state sets a joint that is not in its group.",
     .remedy = "Add the joint to the group, or delete it from the state.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3512_srdf_state_outside_group_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3512_srdf_state_outside_group =
-    rules::sml3512_srdf_state_outside_group_file::check;
-
-}  // namespace smurf::companion_checks

@@ -52,14 +52,8 @@ extern constinit const Rule sml3513_srdf_state_beyond_limit{
     .severity = Severity::warning,
     .summary = "A group state sets a joint to a position beyond its limits.",
     .remedy = "Write a value within the limits of the joint.",
+    .check_companions = check,
     .tolerance = {1e-3, "rad or m", "how far the position may be beyond a limit"},
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3513_srdf_state_beyond_limit_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3513_srdf_state_beyond_limit =
-    rules::sml3513_srdf_state_beyond_limit_file::check;
-
-}  // namespace smurf::companion_checks

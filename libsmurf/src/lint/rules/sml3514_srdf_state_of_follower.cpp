@@ -93,13 +93,7 @@ extern constinit const Rule sml3514_srdf_state_of_follower{
     .severity = Severity::warning,
     .summary = "A group state sets a fixed joint, or one that mimics another.",
     .remedy = "Delete the joint from the state.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3514_srdf_state_of_follower_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3514_srdf_state_of_follower =
-    rules::sml3514_srdf_state_of_follower_file::check;
-
-}  // namespace smurf::companion_checks

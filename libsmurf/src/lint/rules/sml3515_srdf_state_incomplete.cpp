@@ -50,13 +50,7 @@ extern constinit const Rule sml3515_srdf_state_incomplete{
     .severity = Severity::info,
     .summary = "A group state does not set all joints of its group.",
     .remedy = "Write a position for each joint of the group.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3515_srdf_state_incomplete_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3515_srdf_state_incomplete =
-    rules::sml3515_srdf_state_incomplete_file::check;
-
-}  // namespace smurf::companion_checks

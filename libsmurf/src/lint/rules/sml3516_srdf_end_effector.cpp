@@ -98,13 +98,7 @@ extern constinit const Rule sml3516_srdf_end_effector{
     .severity = Severity::warning,
     .summary = "The parent link or the parent group of an end effector does not fit its group.",
     .remedy = "Write the link of the arm that carries the end effector, and the group of the arm.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3516_srdf_end_effector_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3516_srdf_end_effector =
-    rules::sml3516_srdf_end_effector_file::check;
-
-}  // namespace smurf::companion_checks

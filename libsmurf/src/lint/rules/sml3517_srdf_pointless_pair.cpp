@@ -92,13 +92,7 @@ extern constinit const Rule sml3517_srdf_pointless_pair{
     .severity = Severity::info,
     .summary = "A pair of links is repeated, or both links are the same.",
     .remedy = "Delete the pair.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3517_srdf_pointless_pair_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3517_srdf_pointless_pair =
-    rules::sml3517_srdf_pointless_pair_file::check;
-
-}  // namespace smurf::companion_checks

@@ -56,13 +56,7 @@ extern constinit const Rule sml3518_srdf_joint_property{
     .summary = "A joint property of an SRDF has an unknown name or value.",
     .remedy =
         "Write motion_model with holonomic or diff_drive, or angular_distance_weight with a number.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3518_srdf_joint_property_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3518_srdf_joint_property =
-    rules::sml3518_srdf_joint_property_file::check;
-
-}  // namespace smurf::companion_checks

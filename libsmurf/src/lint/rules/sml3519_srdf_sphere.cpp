@@ -62,12 +62,7 @@ extern constinit const Rule sml3519_srdf_sphere{
     .summary = "The centre or the radius of a sphere in an SRDF is not a number.",
     .why = "The sphere takes no part in the collision checks of the link.",
     .remedy = "Write three numbers as centre and one as radius, in m.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3519_srdf_sphere_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3519_srdf_sphere = rules::sml3519_srdf_sphere_file::check;
-
-}  // namespace smurf::companion_checks

@@ -82,13 +82,7 @@ extern constinit const Rule sml3520_srdf_pair_missing{
     .severity = Severity::info,
     .summary = "Two links that a joint connects are checked for collisions with each other.",
     .remedy = "Disable the pair, unless the links must not touch.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3520_srdf_pair_missing_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3520_srdf_pair_missing =
-    rules::sml3520_srdf_pair_missing_file::check;
-
-}  // namespace smurf::companion_checks

@@ -104,13 +104,7 @@ extern constinit const Rule sml3601_hardware_incomplete{
     .severity = Severity::error,
     .summary = "An element in `ros2_control` lacks an attribute or a plugin that it needs.",
     .remedy = "Write the attribute or the plugin.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3601_hardware_incomplete_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3601_hardware_incomplete =
-    rules::sml3601_hardware_incomplete_file::check;
-
-}  // namespace smurf::companion_checks

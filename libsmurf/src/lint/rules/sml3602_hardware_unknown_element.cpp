@@ -159,13 +159,7 @@ extern constinit const Rule sml3602_hardware_unknown_element{
     .severity = Severity::error,
     .summary = "An element in `ros2_control` is not one that it reads there.",
     .remedy = "Correct the name of the element, or delete it.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3602_hardware_unknown_element_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3602_hardware_unknown_element =
-    rules::sml3602_hardware_unknown_element_file::check;
-
-}  // namespace smurf::companion_checks

@@ -56,13 +56,7 @@ extern constinit const Rule sml3603_hardware_type{
     .severity = Severity::error,
     .summary = "A `ros2_control` has an unknown type, or the name of another one.",
     .remedy = "Write system, sensor or actuator as type, and give each one its own name.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3603_hardware_type_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3603_hardware_type =
-    rules::sml3603_hardware_type_file::check;
-
-}  // namespace smurf::companion_checks

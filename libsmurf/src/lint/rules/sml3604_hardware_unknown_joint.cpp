@@ -52,13 +52,7 @@ extern constinit const Rule sml3604_hardware_unknown_joint{
     .severity = Severity::error,
     .summary = "A `ros2_control` names a joint that the robot does not have, or that is fixed.",
     .remedy = "Write the name of a movable joint, or delete the joint there.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3604_hardware_unknown_joint_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3604_hardware_unknown_joint =
-    rules::sml3604_hardware_unknown_joint_file::check;
-
-}  // namespace smurf::companion_checks

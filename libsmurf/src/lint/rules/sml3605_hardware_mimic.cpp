@@ -59,13 +59,7 @@ extern constinit const Rule sml3605_hardware_mimic{
     .severity = Severity::error,
     .summary = "A joint that mimics another has a command interface, or lacks the joint it mimics.",
     .remedy = "Delete its command interfaces, and add the joint that it mimics.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3605_hardware_mimic_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3605_hardware_mimic =
-    rules::sml3605_hardware_mimic_file::check;
-
-}  // namespace smurf::companion_checks

@@ -105,13 +105,7 @@ extern constinit const Rule sml3606_hardware_wrong_value{
     .severity = Severity::error,
     .summary = "An attribute in `ros2_control` has a value that the parser refuses.",
     .remedy = "Write true or false, or a positive whole number.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3606_hardware_wrong_value_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3606_hardware_wrong_value =
-    rules::sml3606_hardware_wrong_value_file::check;
-
-}  // namespace smurf::companion_checks

@@ -313,13 +313,7 @@ extern constinit const Rule sml3607_hardware_limit{
     .summary = "A limit or an initial value of an interface is not a number, or does not fit.",
     .why = "Commands are not limited as the file says.",
     .remedy = "Write numbers: `min` below `max`, the initial value between them.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3607_hardware_limit_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3607_hardware_limit =
-    rules::sml3607_hardware_limit_file::check;
-
-}  // namespace smurf::companion_checks

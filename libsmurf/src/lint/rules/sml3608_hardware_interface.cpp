@@ -86,13 +86,7 @@ extern constinit const Rule sml3608_hardware_interface{
     .summary = "An interface of a joint is misspelt, repeated, or a state interface is missing.",
     .why = "Controllers that ask for the interface cannot be activated.",
     .remedy = "Write position, velocity, effort or acceleration, each once.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3608_hardware_interface_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3608_hardware_interface =
-    rules::sml3608_hardware_interface_file::check;
-
-}  // namespace smurf::companion_checks

@@ -54,13 +54,7 @@ extern constinit const Rule sml3609_hardware_transmission{
     .severity = Severity::error,
     .summary = "A transmission in `ros2_control` names a joint that is not in it.",
     .remedy = "Add the joint to the same `ros2_control`, or correct the name.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3609_hardware_transmission_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3609_hardware_transmission =
-    rules::sml3609_hardware_transmission_file::check;
-
-}  // namespace smurf::companion_checks

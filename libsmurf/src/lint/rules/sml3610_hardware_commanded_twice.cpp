@@ -47,13 +47,7 @@ extern constinit const Rule sml3610_hardware_commanded_twice{
     .severity = Severity::warning,
     .summary = "Two elements `ros2_control` command the same interface of a joint.",
     .remedy = "Delete the command interface in one of them.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3610_hardware_commanded_twice_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3610_hardware_commanded_twice =
-    rules::sml3610_hardware_commanded_twice_file::check;
-
-}  // namespace smurf::companion_checks

@@ -89,13 +89,7 @@ extern constinit const Rule sml3611_hardware_misplaced{
     .severity = Severity::warning,
     .summary = "An element `ros2_control` is misspelt, or not directly in `robot`.",
     .remedy = "Correct its name, or move it directly into `robot`.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3611_hardware_misplaced_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3611_hardware_misplaced =
-    rules::sml3611_hardware_misplaced_file::check;
-
-}  // namespace smurf::companion_checks

@@ -29,14 +29,8 @@ extern constinit const Rule sml3612_hardware_properties{
     .severity = Severity::error,
     .summary = "A `ros2_control` has an element `properties`, which Humble does not know.",
     .remedy = "Delete it, or use Jazzy or a later distribution.",
+    .check_companions = check,
     .needs_target = true,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3612_hardware_properties_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3612_hardware_properties =
-    rules::sml3612_hardware_properties_file::check;
-
-}  // namespace smurf::companion_checks

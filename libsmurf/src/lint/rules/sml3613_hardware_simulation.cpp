@@ -167,13 +167,7 @@ extern constinit const Rule sml3613_hardware_simulation{
     .summary = "The hardware of a robot in Gazebo lacks its plugin, its parameters or a sensor.",
     .remedy =
         "Add the plugin of gz_ros2_control, name the file with the controllers, and use the names of the sensors.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3613_hardware_simulation_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3613_hardware_simulation =
-    rules::sml3613_hardware_simulation_file::check;
-
-}  // namespace smurf::companion_checks

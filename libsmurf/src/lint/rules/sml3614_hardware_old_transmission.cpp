@@ -44,13 +44,7 @@ extern constinit const Rule sml3614_hardware_old_transmission{
     .severity = Severity::info,
     .summary = "A robot with `ros2_control` has transmissions of ROS 1, too.",
     .remedy = "Delete the transmissions if the robot is used in ROS 2 only.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3614_hardware_old_transmission_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3614_hardware_old_transmission =
-    rules::sml3614_hardware_old_transmission_file::check;
-
-}  // namespace smurf::companion_checks

@@ -24,14 +24,8 @@ extern constinit const Rule sml3615_hardware_none{
     .severity = Severity::info,
     .summary = "A robot for ros2_control has no element `ros2_control`.",
     .remedy = "Describe the hardware in a `ros2_control`.",
+    .check_companions = check,
     .needs_target = true,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3615_hardware_none_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3615_hardware_none =
-    rules::sml3615_hardware_none_file::check;
-
-}  // namespace smurf::companion_checks

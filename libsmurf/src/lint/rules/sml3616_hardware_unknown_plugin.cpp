@@ -91,13 +91,7 @@ extern constinit const Rule sml3616_hardware_unknown_plugin{
         "A `plugin` is the name of a class in a plugin description of pluginlib. Nothing is reported for packages "
         "that are not beside the robot, unless the name is nearly that of a well-known class.",
     .remedy = "Write the name as the plugin description of the package has it.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3616_hardware_unknown_plugin_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3616_hardware_unknown_plugin =
-    rules::sml3616_hardware_unknown_plugin_file::check;
-
-}  // namespace smurf::companion_checks

@@ -134,13 +134,7 @@ extern constinit const Rule sml3701_controller_unknown_joint{
     .severity = Severity::error,
     .summary = "A controller names a joint that the robot does not have.",
     .remedy = "Correct the name.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3701_controller_unknown_joint_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3701_controller_unknown_joint =
-    rules::sml3701_controller_unknown_joint_file::check;
-
-}  // namespace smurf::companion_checks

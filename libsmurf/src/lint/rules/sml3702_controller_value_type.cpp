@@ -95,13 +95,7 @@ extern constinit const Rule sml3702_controller_value_type{
     .summary = "A parameter of a controller has a value of another type.",
     .why = "ROS 2 does not convert an integer to a double.",
     .remedy = "Write a value of the type of the parameter, such as `50.0` for a double.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3702_controller_value_type_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3702_controller_value_type =
-    rules::sml3702_controller_value_type_file::check;
-
-}  // namespace smurf::companion_checks

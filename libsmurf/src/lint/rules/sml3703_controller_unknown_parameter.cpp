@@ -72,13 +72,7 @@ extern constinit const Rule sml3703_controller_unknown_parameter{
     .summary = "A parameter of a controller is misspelt.",
     .why = "The controller uses its default for the parameter that was meant.",
     .remedy = "Correct the name.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3703_controller_unknown_parameter_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3703_controller_unknown_parameter =
-    rules::sml3703_controller_unknown_parameter_file::check;
-
-}  // namespace smurf::companion_checks

@@ -151,13 +151,7 @@ extern constinit const Rule sml3704_controller_incomplete{
     .severity = Severity::error,
     .summary = "A controller has no type, or lacks a parameter that it needs.",
     .remedy = "Write the type or the parameter.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3704_controller_incomplete_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3704_controller_incomplete =
-    rules::sml3704_controller_incomplete_file::check;
-
-}  // namespace smurf::companion_checks

@@ -184,13 +184,7 @@ extern constinit const Rule sml3705_controller_interface{
     .severity = Severity::error,
     .summary = "A controller needs an interface of a joint that no `ros2_control` offers.",
     .remedy = "Add the interface to the joint in `ros2_control`, or delete it from the controller.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3705_controller_interface_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3705_controller_interface =
-    rules::sml3705_controller_interface_file::check;
-
-}  // namespace smurf::companion_checks

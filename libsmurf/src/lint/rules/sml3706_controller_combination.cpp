@@ -97,13 +97,7 @@ extern constinit const Rule sml3706_controller_combination{
     .severity = Severity::error,
     .summary = "A trajectory controller has interfaces that cannot be used together.",
     .remedy = "Use position alone or with velocity, velocity alone, or effort alone.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3706_controller_combination_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3706_controller_combination =
-    rules::sml3706_controller_combination_file::check;
-
-}  // namespace smurf::companion_checks

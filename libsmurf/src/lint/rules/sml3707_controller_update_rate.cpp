@@ -61,13 +61,7 @@ extern constinit const Rule sml3707_controller_update_rate{
     .severity = Severity::warning,
     .summary = "An update rate is not a positive whole number, or does not fit the manager's rate.",
     .remedy = "Write a positive whole number, for a controller a divisor of the manager's rate.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3707_controller_update_rate_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3707_controller_update_rate =
-    rules::sml3707_controller_update_rate_file::check;
-
-}  // namespace smurf::companion_checks

@@ -106,13 +106,7 @@ extern constinit const Rule sml3708_controller_chain{
     .severity = Severity::error,
     .summary = "A controller commands another one that does not exist or is not chainable.",
     .remedy = "Name a chainable controller, such as a PidController.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3708_controller_chain_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3708_controller_chain =
-    rules::sml3708_controller_chain_file::check;
-
-}  // namespace smurf::companion_checks

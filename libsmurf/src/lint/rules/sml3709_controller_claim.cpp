@@ -61,13 +61,7 @@ extern constinit const Rule sml3709_controller_claim{
     .severity = Severity::info,
     .summary = "Two controllers of a file command the same interface.",
     .remedy = "Activate only one of them at a time.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3709_controller_claim_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3709_controller_claim =
-    rules::sml3709_controller_claim_file::check;
-
-}  // namespace smurf::companion_checks

@@ -135,13 +135,7 @@ extern constinit const Rule sml3710_controller_value{
     .severity = Severity::error,
     .summary = "A parameter of a controller has a value that the controller does not accept.",
     .remedy = "Write a value within the bounds of the parameter.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3710_controller_value_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3710_controller_value =
-    rules::sml3710_controller_value_file::check;
-
-}  // namespace smurf::companion_checks

@@ -120,14 +120,8 @@ extern constinit const Rule sml3711_controller_version{
     .severity = Severity::info,
     .summary = "A controller or one of its parameters is not in every distribution of ROS.",
     .remedy = "Use the controllers and parameters of the distribution.",
+    .check_companions = check,
     .needs_target = true,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3711_controller_version_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3711_controller_version =
-    rules::sml3711_controller_version_file::check;
-
-}  // namespace smurf::companion_checks

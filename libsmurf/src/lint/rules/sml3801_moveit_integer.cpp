@@ -59,13 +59,7 @@ extern constinit const Rule sml3801_moveit_integer{
     .summary = "A number in a parameter file of MoveIt is an integer, but must be a double.",
     .why = "ROS 2 does not convert an integer to a double.",
     .remedy = "Write a decimal point: `1.0`.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3801_moveit_integer_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3801_moveit_integer =
-    rules::sml3801_moveit_integer_file::check;
-
-}  // namespace smurf::companion_checks

@@ -66,13 +66,7 @@ extern constinit const Rule sml3802_moveit_unknown_name{
     .severity = Severity::warning,
     .summary = "A parameter file of MoveIt names a joint or a group that does not exist.",
     .remedy = "Correct the name.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3802_moveit_unknown_name_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3802_moveit_unknown_name =
-    rules::sml3802_moveit_unknown_name_file::check;
-
-}  // namespace smurf::companion_checks

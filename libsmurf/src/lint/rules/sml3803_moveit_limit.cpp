@@ -130,13 +130,7 @@ extern constinit const Rule sml3803_moveit_limit{
     .severity = Severity::warning,
     .summary = "A limit in joint_limits.yaml is missing, or is wider than that of the URDF.",
     .remedy = "Write limits within those of the URDF.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3803_moveit_limit_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3803_moveit_limit =
-    rules::sml3803_moveit_limit_file::check;
-
-}  // namespace smurf::companion_checks

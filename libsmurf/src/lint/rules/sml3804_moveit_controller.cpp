@@ -126,13 +126,7 @@ extern constinit const Rule sml3804_moveit_controller{
     .severity = Severity::error,
     .summary = "A controller in moveit_controllers.yaml has no section, or an incomplete one.",
     .remedy = "Write a section with `type` and `joints` for each controller.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3804_moveit_controller_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3804_moveit_controller =
-    rules::sml3804_moveit_controller_file::check;
-
-}  // namespace smurf::companion_checks

@@ -170,13 +170,7 @@ extern constinit const Rule sml3805_moveit_controller_unknown{
     .summary = "A controller of moveit_controllers.yaml is not one of ros2_control, or has other "
                "joints there.",
     .remedy = "Use the same names and joints in both files.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3805_moveit_controller_unknown_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3805_moveit_controller_unknown =
-    rules::sml3805_moveit_controller_unknown_file::check;
-
-}  // namespace smurf::companion_checks

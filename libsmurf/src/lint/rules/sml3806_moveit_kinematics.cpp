@@ -98,13 +98,7 @@ extern constinit const Rule sml3806_moveit_kinematics{
     .summary =
         "A group of kinematics.yaml is not one chain, which KDL needs, or it has a key of older versions.",
     .remedy = "Choose another solver or another group; delete the old key.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3806_moveit_kinematics_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3806_moveit_kinematics =
-    rules::sml3806_moveit_kinematics_file::check;
-
-}  // namespace smurf::companion_checks

@@ -53,13 +53,7 @@ extern constinit const Rule sml3807_moveit_planner{
     .severity = Severity::warning,
     .summary = "A group in ompl_planning.yaml uses a planner that the file does not define.",
     .remedy = "Correct the name, or define the planner below `planner_configs`.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3807_moveit_planner_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3807_moveit_planner =
-    rules::sml3807_moveit_planner_file::check;
-
-}  // namespace smurf::companion_checks

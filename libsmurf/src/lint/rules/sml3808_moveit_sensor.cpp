@@ -76,13 +76,7 @@ extern constinit const Rule sml3808_moveit_sensor{
     .summary =
         "A sensor in sensors_3d.yaml has no section or no plugin, or is written as in ROS 1.",
     .remedy = "List the names of the sensors, and write a mapping with `sensor_plugin` for each.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3808_moveit_sensor_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3808_moveit_sensor =
-    rules::sml3808_moveit_sensor_file::check;
-
-}  // namespace smurf::companion_checks

@@ -28,13 +28,7 @@ extern constinit const Rule sml3809_moveit_setup_file{
     .severity = Severity::info,
     .summary = "A file that `.setup_assistant` names does not exist.",
     .remedy = "Correct the path.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3809_moveit_setup_file_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3809_moveit_setup_file =
-    rules::sml3809_moveit_setup_file_file::check;
-
-}  // namespace smurf::companion_checks

@@ -53,13 +53,7 @@ extern constinit const Rule sml3810_moveit_value{
     .severity = Severity::warning,
     .summary = "A number in a parameter file of MoveIt is outside of what MoveIt accepts.",
     .remedy = "Write a number within the bounds.",
+    .check_companions = check,
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml3810_moveit_value_file
-
-namespace smurf::companion_checks {
-
-extern constinit const CompanionCheck sml3810_moveit_value =
-    rules::sml3810_moveit_value_file::check;
-
-}  // namespace smurf::companion_checks

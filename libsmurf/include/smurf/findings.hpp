@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which rules run, and what a running rule reports into.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "smurf/diagnostic.hpp"
+
+namespace smurf {
+
+class DoubtfulReferences;
+
+/// Settings for the files that match a pattern.
+struct PathRules {
+  std::function<bool(const std::string& path)> covers;
+  std::vector<std::string> ignore;
+  std::map<std::string, Severity> severities;
+};
+
+/// The rules to run, and their severities. Ids may be ids, names or prefixes ("SML3").
+struct RuleSelection {
+  std::vector<std::string> select;  ///< empty: all
+  std::vector<std::string> ignore;
+  std::map<std::string, Severity> severities;
+  std::vector<const Reader*> targets;        ///< empty: no particular reader
+  std::map<std::string, double> tolerances;  ///< by id or name
+  std::vector<PathRules> paths;              ///< if several match a file, the last one applies
+
+  bool is_enabled(const Rule& rule) const;
+  /// The tolerance from the settings, else that of the rule.
+  double tolerance_of(const Rule& rule) const;
+};
+/// True when `pattern` is the rule's id or name, or a prefix of its id.
+bool matches(const Rule& rule, std::string_view pattern);
+
+/// Reports the findings of one rule.
+class Findings {
+ public:
+  Findings(const Rule& rule, double tolerance, DiagnosticSink& sink, DoubtfulReferences& references)
+      : rule_(rule), tolerance_(tolerance), sink_(sink), references_(references) {}
+  Diagnostic& report(Span span, std::string message) {
+    return sink_.report(rule_, span, std::move(message));
+  }
+  /// Marks the finding of another rule at `place` as a fault of this rule, too.
+  void add_consequence(Span place) { sink_.add_consequence(place, rule_); }
+  /// See DiagnosticSink::suggest().
+  std::optional<std::string_view> suggest(std::string_view name,
+                                          std::span<const std::string_view> known) {
+    return sink_.suggest(name, known);
+  }
+  /// The doubtful references of the checked model; see smurf/lint.hpp.
+  DoubtfulReferences& doubtful_references() { return references_; }
+  /// Rule::tolerance, or the value from the configuration.
+  double tolerance() const { return tolerance_; }
+
+ private:
+  const Rule& rule_;
+  double tolerance_;
+  DiagnosticSink& sink_;
+  DoubtfulReferences& references_;
+};
+
+}  // namespace smurf
