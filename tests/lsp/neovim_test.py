@@ -75,6 +75,12 @@ local ok, problem = pcall(function()
   vim.cmd("edit " .. motors)
   wait("no finding at the end", function() return #vim.diagnostic.get(0) == 0 end)
   result.left = #vim.diagnostic.get(0)
+
+  -- A xacro, by the same lines.
+  vim.cmd("edit " .. xacro)
+  wait("a client at the xacro", function() return #vim.tbl_values(vim.lsp.buf_get_clients(0)) > 0 end)
+  wait("a finding in the xacro", function() return #vim.diagnostic.get(0) > 0 end)
+  result.xacro = {vim.bo.filetype, vim.diagnostic.get(0)[1].code}
 end)
 result.problem = not ok and problem or nil
 local file = io.open(output, "w")
@@ -100,11 +106,15 @@ class Neovim(unittest.TestCase):
         self.motors = self.folder / "arm/smurf/arm_motors.yml"
         text = self.motors.read_text()
         self.motors.write_text(text.replace("joint: joint1_waist", "joint: joynt1_waist"))
+        self.xacro = self.folder / "bot.urdf.xacro"
+        self.xacro.write_text('<robot name="bot" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
+                              '  <xacro:property name="mass" value="1"/>\n  <link name="l${mas}"/>\n</robot>\n')
 
     def test_everything(self):
         output = self.folder / "result.json"
         script = self.folder / "test.lua"
-        script.write_text(f"local motors, output = {json.dumps(str(self.motors))}, {json.dumps(str(output))}\n"
+        script.write_text(f"local motors, output, xacro = {json.dumps(str(self.motors))}, {json.dumps(str(output))}, "
+                          f"{json.dumps(str(self.xacro))}\n"
                           + snippet("lua") + STEPS)
         environment = {**os.environ, "HOME": str(self.folder), "XDG_CONFIG_HOME": str(self.folder / "config"),
                        "PATH": f"{pathlib.Path(TOOL).resolve().parent}:{os.environ['PATH']}"}
@@ -122,6 +132,7 @@ class Neovim(unittest.TestCase):
         self.assertIn('<joint name="joint1_waist"', result["jumped"][1])
         self.assertIn("joint `waist`", result["hover"]["contents"]["value"])
         self.assertEqual(result["left"], 0)
+        self.assertEqual(result["xacro"], ["xml", "SML3301"])
         renamed = [path.name for path in sorted((self.folder / "arm").rglob("*.*"))
                    if path.suffix in (".yml", ".urdf") and re.search(r"\bwaist\b", path.read_text())]
         self.assertGreaterEqual(len(renamed), 3, renamed)
