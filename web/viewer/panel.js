@@ -223,7 +223,7 @@ export class Joints {
     this.isWhole = isWhole;
     this.fill();
     const poses = [
-      element("option", { value: "start" }, "as in the scene"),
+      element("option", { value: "start" }, "Start"),
       element("option", { value: "zero" }, "all at zero"),
     ];
     this.model?.poses.forEach((pose, index) => poses.push(element("option", { value: index }, pose.name)));

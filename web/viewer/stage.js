@@ -16,6 +16,7 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 import { element } from "../common/dom.js";
+import { Corner } from "./corner.js";
 import { Shadow } from "./shadow.js";
 
 const kDragged = 5; // pixels that a click may move
@@ -80,6 +81,7 @@ export class Stage {
       if (this.isHeld) this.fitted = null; // a click alone changes nothing
       this.draw();
     });
+    this.corner = new Corner();
     this.afterDraw = [];
     this.radius = 1;
     new ResizeObserver(() => this.resize()).observe(host);
@@ -105,6 +107,7 @@ export class Stage {
       this.isAsked = false;
       this.drawShadow();
       this.renderer.render(this.scene, this.camera);
+      this.corner.draw(this.renderer, this.camera);
       for (const follow of this.afterDraw) follow();
     });
   }

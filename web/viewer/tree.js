@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shows entities, their links and sensors as an ARIA tree: arrows move and open, Enter selects.
-import { element } from "../common/dom.js";
+import { byId, counted, element } from "../common/dom.js";
 
 const kOpenAtOnce = 60; // rows
 const kDeepest = 60; // groups in groups: browsers do not lay out thousands of them
+const kIndented = 7; // levels: deeper rows would have no room for their names
+const kWhole = 24; // letters of a name that is shown in one piece
+const kEnd = 9; // letters that are always shown of a longer one
+const kMostFound = 100; // rows of a search
+
+/** A name of which, in a narrow row, beginning and end can be read: names of CAD programs differ at their ends. */
+function named(name) {
+  const cut = name.length > kWhole ? name.length - kEnd : name.length;
+  const end = cut < name.length ? element("span", { class: "end" }, name.slice(cut)) : undefined;
+  return element("span", { class: "name" }, element("span", {}, name.slice(0, cut)), end);
+}
 
 export class Tree {
   constructor(host, onSelect) {
@@ -11,6 +22,7 @@ export class Tree {
     this.onSelect = onSelect;
     host.setAttribute("role", "tree");
     host.addEventListener("keydown", (event) => this.onKey(event));
+    byId("tree-search").addEventListener("input", () => this.search(byId("tree-search").value));
   }
 
   show(scene) {
@@ -18,16 +30,53 @@ export class Tree {
     this.scene = scene;
     this.rows = new Map(); // by key
     this.selected = undefined;
-    host.replaceChildren();
-    scene.entities.forEach((entity, index) => host.append(this.entityRow(entity, index)));
+    this.nodes = scene.entities.map((entity, index) => this.entityRow(entity, index));
+    host.replaceChildren(...this.nodes);
+    byId("tree-search").value = "";
     const count = scene.entities.reduce(
       (sum, { model }) => sum + 1 + (model?.links.length ?? 0) + (model?.sensors.length ?? 0),
       0,
     );
+    byId("tree-search").hidden = count <= kOpenAtOnce;
     if (count <= kOpenAtOnce) for (const row of [...host.children]) this.open(row.firstChild, true, true);
     else if (scene.entities.length === 1) this.openWidely(host.firstChild.firstChild);
     const first = host.querySelector("[role=treeitem]");
     if (first) first.tabIndex = 0;
+  }
+
+  /** Shows the entities, links and sensors whose names contain the text, as a list; the tree for no text. */
+  search(text) {
+    const wanted = text.trim().toLowerCase();
+    if (wanted === "") {
+      this.host.replaceChildren(...this.nodes);
+      this.select(this.selected?.entity, this.selected?.link, this.selected?.sensor);
+      return;
+    }
+    const found = [];
+    this.scene.entities.forEach(({ path, type, model }, entity) => {
+      found.push([path || type, { entity }]);
+      model?.links.forEach(({ name }, link) => found.push([name, { entity, link }]));
+      for (const sensor of model?.sensors ?? [])
+        found.push([sensor.name, { entity, link: sensor.link, sensor }]);
+    });
+    const fitting = found.filter(([name]) => name.toLowerCase().includes(wanted));
+    const rows = fitting.slice(0, kMostFound).map(([name, thing]) => {
+      const row = element("div", {
+        role: "treeitem",
+        class: "line",
+        tabindex: "-1",
+        "aria-level": 1,
+        title: name,
+      });
+      row.append(element("span", { class: "arrow", "aria-hidden": "true" }), named(name));
+      row.addEventListener("click", () => this.onSelect(thing.entity, thing.link, thing.sensor));
+      return Object.assign(row, thing, { below: [] });
+    });
+    const more = fitting.length - rows.length;
+    this.host.replaceChildren(...rows);
+    if (rows.length > 0) rows[0].tabIndex = 0;
+    else this.host.append(element("p", { class: "empty" }, "no name contains this"));
+    if (more > 0) this.host.append(element("p", { class: "empty" }, `and ${counted(more, "other")}`));
   }
 
   static key(entity, link, sensor) {
@@ -49,9 +98,16 @@ export class Tree {
   row(name, note, { entity, link, sensor }, below, level) {
     const row = element(
       "div",
-      { role: "treeitem", class: "line", tabindex: "-1", "aria-selected": "false", "aria-level": level },
+      {
+        role: "treeitem",
+        class: "line",
+        tabindex: "-1",
+        "aria-selected": "false",
+        "aria-level": level,
+        title: name,
+      },
       element("span", { class: "arrow", "aria-hidden": "true" }),
-      element("span", { class: "name" }, name),
+      named(name),
     );
     if (note) row.append(element("span", { class: "note" }, note));
     Object.assign(row, { entity, link, sensor, below, level });
@@ -104,7 +160,7 @@ export class Tree {
       return node;
     });
     if (row.level < kDeepest) {
-      row.group = element("div", { role: "group" }, ...nodes);
+      row.group = element("div", { role: "group", class: row.level > kIndented ? "deep" : "" }, ...nodes);
       row.after(row.group);
     } else {
       row.parentElement.after(...nodes);
