@@ -8,6 +8,7 @@
 #include "base/text/utf8.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
+#include "xacro/text_methods.hpp"
 
 namespace smurf::xacro {
 namespace {
@@ -113,7 +114,8 @@ bool positions_of(Evaluator& evaluator, const Slice& slice, std::int64_t size,
   for (std::int64_t i = 0; i < ends->size(); ++i) {
     positions.push_back(static_cast<std::size_t>(ends->begin + i * ends->step));
   }
-  return evaluator.step(positions.size() / 16);
+  evaluator.step(positions.size() / 8);
+  return true;
 }
 
 bool position_of(Evaluator& evaluator, const Value& index, std::size_t size,
@@ -132,14 +134,38 @@ bool position_of(Evaluator& evaluator, const Value& index, std::size_t size,
   return true;
 }
 
+Value subscript_ascii(Evaluator& evaluator, const std::string& text, const Value& index) {
+  if (index.kind != Kind::slice) {
+    std::size_t at = 0;
+    if (!position_of(evaluator, index, text.size(), at)) return Value::failure();
+    return evaluator.text(std::string(1, text[at]));
+  }
+  const auto ends = ends_of(evaluator, *index.slice, static_cast<std::int64_t>(text.size()));
+  if (!ends) return Value::failure();
+  const auto count = static_cast<std::size_t>(ends->size());
+  const auto begin = static_cast<std::size_t>(ends->begin);
+  if (ends->step == 1)
+    return evaluator.text(count == 0 ? std::string() : text.substr(begin, count));
+  evaluator.step(count / 16);
+  std::string result;
+  for (std::int64_t i = 0; i < ends->size(); ++i) {
+    result.push_back(text[static_cast<std::size_t>(ends->begin + i * ends->step)]);
+  }
+  return evaluator.text(std::move(result));
+}
+
 Value subscript_text(Evaluator& evaluator, const std::string& text, const Value& index) {
+  // A text of ASCII has its characters where its bytes are.
+  evaluator.meter().copy(text.size());
+  if (is_ascii(text)) return subscript_ascii(evaluator, text, index);
+  evaluator.step(text.size() / 4);
+  const Borrowed borrowed(evaluator.meter(), 2 * text.size() * sizeof(std::string_view));
   std::vector<std::string_view> characters;
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t size = utf8::decode(rest).size;
     characters.push_back(rest.substr(0, size));
     rest.remove_prefix(size);
   }
-  if (!evaluator.step(text.size() / 16)) return Value::failure();
   std::string result;
   if (index.kind == Kind::slice) {
     std::vector<std::size_t> positions;
@@ -166,6 +192,7 @@ Value subscript_list(Evaluator& evaluator, const Value& value, const Value& inde
   const auto size = static_cast<std::int64_t>(items.size());
   if (!positions_of(evaluator, *index.slice, size, positions)) return Value::failure();
   std::vector<Value> taken;
+  taken.reserve(positions.size());
   for (const std::size_t at : positions) taken.push_back(items[at]);
   const Value result = evaluator.list(std::move(taken), value.kind);
   if (is_wrapped && !result.is_failed()) result.list->is_wrapped = true;
@@ -187,6 +214,7 @@ Value subscript_range(Evaluator& evaluator, const Range& range, const Slice& sli
 }  // namespace
 
 Value attribute_of(Evaluator& evaluator, const Value& value, std::string_view name) {
+  evaluator.meter().scan(name.size());
   if (const Method* method = method_of(value, name)) return bound(evaluator, value, *method);
   if (value.kind == Kind::type && value.type == Type::text) {
     if (const Method* method = text_method(name)) return unbound(evaluator, value, *method);
@@ -242,7 +270,7 @@ Value subscript_of(Evaluator& evaluator, const Value& value, const Value& index)
     return Value::of(value.range->begin + static_cast<std::int64_t>(at) * value.range->step);
   }
   case Kind::dict: {
-    const auto key = hash_key(index);
+    const auto key = hash_key(index, evaluator.meter());
     if (!key) return evaluator.fail(std::string(kind_name(index)) + " cannot be a key");
     const Value* member = value.dict->find(*key);
     if (member == nullptr) {

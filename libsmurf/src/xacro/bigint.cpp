@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "xacro/meter.hpp"
+
 namespace smurf::xacro {
 namespace {
 
@@ -16,6 +18,22 @@ unsigned digit_value(char c) {
   if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
   if (c >= 'a' && c <= 'z') return static_cast<unsigned>(c - 'a') + 10;
   return static_cast<unsigned>(c - 'A') + 10;
+}
+
+constexpr std::uint64_t kLimbsOfStep = 16;  // products of limbs, and divisions by one
+
+/// The largest power of a base that a limb holds, and its exponent.
+struct Chunk {
+  std::uint32_t value = 1;
+  std::size_t digits = 0;
+};
+Chunk chunk_of(unsigned base) {
+  Chunk chunk;
+  while (std::uint64_t{chunk.value} * base <= std::numeric_limits<std::uint32_t>::max()) {
+    chunk.value *= base;
+    ++chunk.digits;
+  }
+  return chunk;
 }
 
 }  // namespace
@@ -28,12 +46,21 @@ BigInt::BigInt(std::int64_t value) : negative_(value < 0) {
   }
 }
 
-BigInt BigInt::from_digits(std::string_view digits, unsigned base) {
+BigInt BigInt::from_digits(std::string_view digits, unsigned base, Meter& meter) {
+  const Chunk chunk = chunk_of(base);
   BigInt result;
-  for (const char c : digits) {
-    std::uint64_t carry = digit_value(c);
+  while (!digits.empty()) {
+    const std::string_view part = digits.substr(0, chunk.digits);
+    digits.remove_prefix(part.size());
+    std::uint64_t carry = 0;
+    std::uint64_t factor = 1;
+    for (const char c : part) {
+      carry = carry * base + digit_value(c);
+      factor *= base;
+    }
+    meter.step(1 + result.limbs_.size() / kLimbsOfStep);
     for (std::uint32_t& limb : result.limbs_) {
-      carry += static_cast<std::uint64_t>(limb) * base;
+      carry += limb * factor;
       limb = static_cast<std::uint32_t>(carry);
       carry >>= kLimbBits;
     }
@@ -91,17 +118,17 @@ std::optional<double> BigInt::to_double() const {
   return negative_ ? -result : result;
 }
 
-std::string BigInt::to_text() const {
+std::string BigInt::to_text(Meter& meter, unsigned base) const {
   if (is_zero()) return "0";
-  constexpr std::uint32_t kChunk = 1'000'000'000;
-  constexpr std::size_t kChunkDigits = 9;
+  const Chunk chunk = chunk_of(base);
   std::string text;
   Limbs rest = limbs_;
   while (!rest.empty()) {
-    std::uint32_t chunk = divide_small(rest, kChunk);
-    for (std::size_t i = 0; i < kChunkDigits && (chunk != 0 || !rest.empty()); ++i) {
-      text.push_back(static_cast<char>('0' + chunk % 10));
-      chunk /= 10;
+    meter.step(1 + rest.size() / kLimbsOfStep);
+    std::uint32_t digits = divide_small(rest, chunk.value);
+    for (std::size_t i = 0; i < chunk.digits && (digits != 0 || !rest.empty()); ++i) {
+      text.push_back("0123456789abcdef"[digits % base]);
+      digits /= base;
     }
   }
   if (negative_) text.push_back('-');
@@ -177,7 +204,8 @@ BigInt BigInt::sum(const BigInt& a, const BigInt& b, bool negate_b) {
 BigInt operator+(const BigInt& a, const BigInt& b) { return BigInt::sum(a, b, false); }
 BigInt operator-(const BigInt& a, const BigInt& b) { return BigInt::sum(a, b, true); }
 
-BigInt operator*(const BigInt& a, const BigInt& b) {
+BigInt BigInt::product(const BigInt& a, const BigInt& b, Meter& meter) {
+  meter.step(1 + a.limbs_.size() * b.limbs_.size() / kLimbsOfStep);
   BigInt result;
   result.limbs_.assign(a.limbs_.size() + b.limbs_.size(), 0);
   for (std::size_t i = 0; i < a.limbs_.size(); ++i) {
@@ -189,7 +217,7 @@ BigInt operator*(const BigInt& a, const BigInt& b) {
     }
     result.limbs_[i + b.limbs_.size()] = static_cast<std::uint32_t>(carry);
   }
-  BigInt::trim(result.limbs_);
+  trim(result.limbs_);
   result.negative_ = a.negative_ != b.negative_ && !result.is_zero();
   return result;
 }
@@ -205,25 +233,82 @@ std::uint32_t BigInt::divide_small(Limbs& limbs, std::uint32_t by) {
   return static_cast<std::uint32_t>(rest);
 }
 
-BigInt::Division BigInt::divide(const BigInt& a, const BigInt& b) {
-  Division result;
-  // Bit by bit: integers have some thousand bits at most.
-  Limbs& rest = result.remainder.limbs_;
-  Limbs& quotient = result.quotient.limbs_;
-  quotient.assign(a.limbs_.size(), 0);
-  for (std::size_t bit = a.bits(); bit-- > 0;) {
-    std::uint32_t carry = a.limbs_[bit / kLimbBits] >> (bit % kLimbBits) & 1U;
-    for (std::uint32_t& limb : rest) {
-      const std::uint32_t high = limb >> (kLimbBits - 1);
-      limb = limb << 1U | carry;
-      carry = high;
-    }
-    if (carry != 0) rest.push_back(carry);
-    if (compare_limbs(rest, b.limbs_) < 0) continue;
-    rest = subtract_limbs(rest, b.limbs_);
-    quotient[bit / kLimbBits] |= 1U << (bit % kLimbBits);
+/// Algorithm D of Knuth, The Art of Computer Programming, volume 2, 4.3.1.
+BigInt::Limbs BigInt::divide_limbs(Limbs& rest, const Limbs& by) {
+  if (compare_limbs(rest, by) < 0) return {};
+  if (by.size() == 1) {
+    Limbs quotient = std::move(rest);
+    const std::uint32_t remainder = divide_small(quotient, by[0]);
+    rest.assign(remainder == 0 ? 0 : 1, remainder);
+    return quotient;
   }
+  // The highest bit of the divisor is set, so that two limbs give a good estimate.
+  const auto shift = static_cast<unsigned>(std::countl_zero(by.back()));
+  const auto shifted = [shift](const Limbs& limbs) {
+    Limbs result(limbs.size() + 1);
+    std::uint64_t carry = 0;
+    for (std::size_t i = 0; i < limbs.size(); ++i) {
+      carry |= static_cast<std::uint64_t>(limbs[i]) << shift;
+      result[i] = static_cast<std::uint32_t>(carry);
+      carry >>= kLimbBits;
+    }
+    result.back() = static_cast<std::uint32_t>(carry);
+    return result;
+  };
+  const Limbs divisor = shifted(by);  // its last limb is 0
+  rest = shifted(rest);
+  const std::size_t n = by.size();
+  const std::uint64_t first = divisor[n - 1];
+  const std::uint64_t second = divisor[n - 2];
+  constexpr std::uint64_t kBase = std::uint64_t{1} << kLimbBits;
+  Limbs quotient(rest.size() - n);
+  for (std::size_t at = quotient.size(); at-- > 0;) {
+    const std::uint64_t top = std::uint64_t{rest[at + n]} << kLimbBits | rest[at + n - 1];
+    std::uint64_t digit = top / first;
+    std::uint64_t left = top % first;
+    while (digit >= kBase || digit * second > (left << kLimbBits | rest[at + n - 2])) {
+      --digit;
+      left += first;
+      if (left >= kBase) break;
+    }
+    std::uint64_t carry = 0;
+    std::int64_t borrow = 0;
+    for (std::size_t i = 0; i <= n; ++i) {
+      carry += digit * divisor[i];
+      borrow += std::int64_t{rest[at + i]} - static_cast<std::uint32_t>(carry);
+      rest[at + i] = static_cast<std::uint32_t>(borrow);
+      borrow >>= kLimbBits;
+      carry >>= kLimbBits;
+    }
+    if (borrow < 0) {  // the estimate was one too large
+      --digit;
+      carry = 0;
+      for (std::size_t i = 0; i <= n; ++i) {
+        carry += std::uint64_t{rest[at + i]} + divisor[i];
+        rest[at + i] = static_cast<std::uint32_t>(carry);
+        carry >>= kLimbBits;
+      }
+    }
+    quotient[at] = static_cast<std::uint32_t>(digit);
+  }
+  rest.resize(n);
+  for (std::size_t i = 0; i < n && shift > 0; ++i) {
+    const std::uint32_t high = i + 1 < n ? rest[i + 1] << (kLimbBits - shift) : 0;
+    rest[i] = rest[i] >> shift | high;
+  }
+  trim(rest);
   trim(quotient);
+  return quotient;
+}
+
+BigInt::Division BigInt::divide(const BigInt& a, const BigInt& b, Meter& meter) {
+  const std::size_t rows =
+      a.limbs_.size() >= b.limbs_.size() ? a.limbs_.size() - b.limbs_.size() + 1 : 1;
+  meter.step(2 + rows * (b.limbs_.size() + 1) / kLimbsOfStep);
+  Division result;
+  Limbs& rest = result.remainder.limbs_;
+  rest = a.limbs_;
+  result.quotient.limbs_ = divide_limbs(rest, b.limbs_);
   const bool is_exact = result.remainder.is_zero();
   if (a.negative_ != b.negative_) {
     if (!is_exact) {
@@ -302,14 +387,14 @@ BigInt BigInt::bitwise(char operation, const BigInt& a, const BigInt& b) {
   return result;
 }
 
-std::optional<double> true_quotient(const BigInt& a, const BigInt& b) {
+std::optional<double> true_quotient(const BigInt& a, const BigInt& b, Meter& meter) {
   constexpr std::size_t kExact = std::numeric_limits<double>::digits;
   if (a.bits() <= kExact && b.bits() <= kExact) return *a.to_double() / *b.to_double();
   constexpr std::size_t kWanted = 66;  // bits of the quotient: a double and enough to round it
   const std::size_t shift = b.bits() + kWanted > a.bits() ? b.bits() + kWanted - a.bits() : 0;
   const BigInt up = a.is_negative() ? a.negated() : a;
   const BigInt down = b.is_negative() ? b.negated() : b;
-  BigInt::Division division = BigInt::divide(up.shifted_left(shift), down);
+  BigInt::Division division = BigInt::divide(up.shifted_left(shift), down, meter);
   BigInt quotient = division.quotient.shifted_left(1);
   if (!division.remainder.is_zero()) quotient = quotient + BigInt(1);
   const auto value = quotient.to_double();

@@ -10,12 +10,15 @@
 
 namespace smurf::xacro {
 
+class Meter;
+
+/// What costs more than its result is large counts its work.
 class BigInt {
  public:
   BigInt() = default;
   explicit BigInt(std::int64_t value);
   /// Digits of a base up to 36, without sign. Precondition: only such digits.
-  static BigInt from_digits(std::string_view digits, unsigned base);
+  static BigInt from_digits(std::string_view digits, unsigned base, Meter& meter);
   /// Without the fraction. Precondition: finite.
   static BigInt from_double(double value);
 
@@ -23,22 +26,24 @@ class BigInt {
   bool is_zero() const { return limbs_.empty(); }
   /// Of the magnitude.
   std::size_t bits() const;
+  std::size_t bytes() const { return limbs_.size() * sizeof(std::uint32_t); }
   std::optional<std::int64_t> to_int64() const;
   /// Rounded to the nearest; none if it is too large.
   std::optional<double> to_double() const;
-  std::string to_text() const;
+  /// In a base up to 16, with the sign.
+  std::string to_text(Meter& meter, unsigned base = 10) const;
 
   BigInt negated() const;
   friend BigInt operator+(const BigInt& a, const BigInt& b);
   friend BigInt operator-(const BigInt& a, const BigInt& b);
-  friend BigInt operator*(const BigInt& a, const BigInt& b);
+  static BigInt product(const BigInt& a, const BigInt& b, Meter& meter);
   friend bool operator==(const BigInt&, const BigInt&) = default;
   /// Negative, 0 or positive.
   static int compare(const BigInt& a, const BigInt& b);
 
   struct Division;
   /// Rounds down, as Python does. Precondition: the divisor is not 0.
-  static Division divide(const BigInt& a, const BigInt& b);
+  static Division divide(const BigInt& a, const BigInt& b, Meter& meter);
   BigInt shifted_left(std::size_t bits) const;
   /// Rounds down.
   BigInt shifted_right(std::size_t bits) const;
@@ -53,6 +58,8 @@ class BigInt {
   static Limbs subtract_limbs(const Limbs& a, const Limbs& b);
   static BigInt sum(const BigInt& a, const BigInt& b, bool negate_b);
   static std::uint32_t divide_small(Limbs& limbs, std::uint32_t by);
+  /// Divides magnitudes; `rest` becomes the remainder. Precondition: the divisor is not 0.
+  static Limbs divide_limbs(Limbs& rest, const Limbs& by);
   static void trim(Limbs& limbs);
   Limbs complement(std::size_t count) const;
 
@@ -67,6 +74,6 @@ struct BigInt::Division {
 
 /// The quotient as a number, rounded to the nearest; none if it is too large. Precondition: the
 /// divisor is not 0.
-std::optional<double> true_quotient(const BigInt& a, const BigInt& b);
+std::optional<double> true_quotient(const BigInt& a, const BigInt& b, Meter& meter);
 
 }  // namespace smurf::xacro

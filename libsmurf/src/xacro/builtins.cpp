@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The functions that expressions know by name, in the global table, `python.` and `xacro.`.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "base/findings/rules.hpp"
-#include "base/text/utf8.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 
@@ -17,6 +15,7 @@ Value len(Call& call) {
   const Value& value = call.values[0];
   switch (value.kind) {
   case Kind::text: {
+    call.evaluator.meter().copy(value.text->size());
     std::int64_t count = 0;
     for (const char c : *value.text) count += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
     return Value::of(count);
@@ -38,6 +37,7 @@ Value extreme(Call& call, int wanted) {
   std::vector<Value> items = call.values;
   Evaluator& evaluator = call.evaluator;
   if (call.count() == 1 && !evaluator.items_of(call.values[0], items)) return Value::failure();
+  const Borrowed borrowed(evaluator.meter(), items.capacity() * sizeof(Value));
   if (items.empty()) {
     if (fallback != nullptr) return *fallback;
     return evaluator.fail("`" + std::string(call.name) + "()` of nothing");
@@ -62,17 +62,20 @@ Value extreme(Call& call, int wanted) {
 Value min(Call& call) { return extreme(call, -1); }
 Value max(Call& call) { return extreme(call, 1); }
 
+constexpr std::uint64_t kStepsOfDecimals = 50;  // hundreds of digits of a number
+
 Value round_integer(Evaluator& evaluator, const Value& value, std::int64_t decimals) {
   if (decimals >= 0) return evaluator.integer(to_big(value));
   if (decimals < -1300) return Value::of(std::int64_t{0});
   BigInt unit(1);
-  for (std::int64_t i = 0; i > decimals; --i) unit = unit * BigInt(10);
+  Meter& meter = evaluator.meter();
+  for (std::int64_t i = 0; i > decimals; --i) unit = BigInt::product(unit, BigInt(10), meter);
   const BigInt whole = to_big(value);
-  BigInt::Division division = BigInt::divide(whole, unit);
+  BigInt::Division division = BigInt::divide(whole, unit, meter);
   const int order = BigInt::compare(division.remainder + division.remainder, unit);
-  const bool is_odd = !(BigInt::divide(division.quotient, BigInt(2)).remainder.is_zero());
+  const bool is_odd = !(BigInt::divide(division.quotient, BigInt(2), meter).remainder.is_zero());
   if (order > 0 || (order == 0 && is_odd)) division.quotient = division.quotient + BigInt(1);
-  return evaluator.integer(division.quotient * unit);
+  return evaluator.integer(BigInt::product(division.quotient, unit, meter));
 }
 
 Value round(Call& call) {
@@ -90,7 +93,10 @@ Value round(Call& call) {
     count = std::clamp<std::int64_t>(*whole, -400, 400);
   }
   if (value.is_integral()) return round_integer(evaluator, value, count);
-  if (has_decimals) return Value::of(rounded(value.real, static_cast<int>(count)));
+  if (has_decimals) {
+    evaluator.step(kStepsOfDecimals);
+    return Value::of(rounded(value.real, static_cast<int>(count)));
+  }
   if (!std::isfinite(value.real))
     return evaluator.fail("there is no integer for " + float_text(value.real));
   const double whole = std::nearbyint(value.real);  // half to even
@@ -132,6 +138,7 @@ Value divmod(Call& call) {
 Value has_type(Call& call, const Value& wanted, Type type) {
   if (wanted.kind == Kind::tuple) {
     for (const Value& one : wanted.list->items) {
+      call.evaluator.step();
       const Value result = has_type(call, one, type);
       if (result.is_failed() || result.boolean) return result;
     }
@@ -202,17 +209,19 @@ Value sorted(Call& call) {
   std::vector<Value> items;
   Evaluator& evaluator = call.evaluator;
   if (!call.has_count(1, 3) || !evaluator.items_of(call.values[0], items)) return Value::failure();
+  const Borrowed borrowed(evaluator.meter(), 5 * items.size() * sizeof(Value));
   std::vector<std::pair<Value, Value>> keyed;
+  keyed.reserve(items.size());
   for (const Value& item : items) {
     keyed.emplace_back(has_key ? evaluator.call(key_function, {item}) : item, item);
     if (keyed.back().first.is_failed()) return Value::failure();
-    const auto order = compare(keyed.front().first, keyed.back().first);
+    const auto order = compare(keyed.front().first, keyed.back().first, evaluator.meter());
     if (!order) return evaluator.fail("`sorted()` cannot order " + std::string(kind_name(item)));
   }
-  if (!evaluator.step(items.size() * 20)) return Value::failure();
   bool can_order = true;
   std::stable_sort(keyed.begin(), keyed.end(), [&](const auto& a, const auto& b) {
-    const auto order = compare(is_reversed ? b.first : a.first, is_reversed ? a.first : b.first);
+    const auto order = compare(is_reversed ? b.first : a.first, is_reversed ? a.first : b.first,
+                               evaluator.meter());
     can_order = can_order && order.has_value();
     return order && *order == -1;
   });
@@ -245,107 +254,14 @@ Value argument(Call& call) {
   return call.evaluator.host().argument(*call.values[0].text);
 }
 
-/// What stands between `[` and `]` of a regular expression: characters, ranges, `^` and classes.
-class Separators {
- public:
-  /// False if it means something else: such a text ends before its end, or is no expression.
-  bool read(std::string_view text) {
-    if (text.starts_with('^')) {
-      is_negated_ = true;
-      text.remove_prefix(1);
-    }
-    if (text.empty()) return false;
-    for (bool is_first = true; !text.empty(); is_first = false) {
-      char32_t from = 0;
-      if (text[0] == ']' && !is_first) return false;
-      if (!take(text, from)) return false;
-      if (from == kClass) continue;
-      char32_t to = from;
-      if (text.size() > 1 && text[0] == '-') {
-        text.remove_prefix(1);
-        if (text[0] == ']' || !take(text, to) || to == kClass || to < from) return false;
-      }
-      ranges_.emplace_back(from, to);
-    }
-    return true;
-  }
-  bool has(char32_t c) const {
-    const bool is_in = std::any_of(ranges_.begin(), ranges_.end(), [&](const auto& range) {
-      return c >= range.first && c <= range.second;
-    });
-    return (is_in || (has_blanks_ && is_python_blank(c))) != is_negated_;
-  }
-
- private:
-  static constexpr char32_t kClass = 0xFFFFFFFF;
-
-  /// The next character; kClass for `\s`, which is kept.
-  bool take(std::string_view& text, char32_t& character) {
-    const utf8::CodePoint point = utf8::decode(text);
-    text.remove_prefix(point.size);
-    character = point.value;
-    if (character != '\\') return true;
-    if (text.empty()) return false;
-    const char escaped = text[0];
-    text.remove_prefix(1);
-    if (escaped == 's') {
-      has_blanks_ = true;
-      character = kClass;
-      return true;
-    }
-    constexpr std::string_view kNames = "tnrfv";
-    constexpr std::string_view kMeanings = "\t\n\r\f\v";
-    const std::size_t name = kNames.find(escaped);
-    character =
-        static_cast<unsigned char>(name != std::string_view::npos ? kMeanings[name] : escaped);
-    const bool is_mark = std::ispunct(static_cast<unsigned char>(escaped)) != 0;
-    return name != std::string_view::npos || is_mark;
-  }
-
-  std::vector<std::pair<char32_t, char32_t>> ranges_;
-  bool has_blanks_ = false;
-  bool is_negated_ = false;
-};
-
-Value tokenize(Call& call) {
-  const Value* separators = call.take(1, "sep");
-  const Value* skip_empty = call.take(2, "skip_empty");
-  const Value* whole = call.take(0, "s");
-  Evaluator& evaluator = call.evaluator;
-  if (whole == nullptr || !whole->is_text() || !call.has_count(1, 3) ||
-      (separators != nullptr && !separators->is_text())) {
-    return evaluator.fail("`tokenize()` needs texts");
-  }
-  Separators marks;
-  if (!marks.read(separators != nullptr ? *separators->text : ",; ")) {
-    return evaluator.fail_unsupported("this list of separators");
-  }
-  const bool keeps_empty = skip_empty != nullptr && !is_true(*skip_empty);
-  std::vector<Value> items;
-  const std::string_view text = *whole->text;
-  if (!evaluator.step(text.size())) return Value::failure();
-  std::size_t begin = 0;
-  const auto add = [&](std::size_t end) {
-    if (end > begin || keeps_empty)
-      items.push_back(evaluator.text(std::string(text.substr(begin, end - begin))));
-  };
-  for (std::size_t at = 0; at < text.size();) {
-    const utf8::CodePoint point = utf8::decode(text.substr(at));
-    if (marks.has(point.value)) {
-      add(at);
-      begin = at + point.size;
-    }
-    at += point.size;
-  }
-  add(text.size());
-  return evaluator.list(std::move(items));
-}
-
 Value say(Call& call) {
   std::string text;
   for (const Value& value : call.values) {
     if (!text.empty()) text += " ";
     text += call.evaluator.string_of(value);
+    if (text.size() > call.evaluator.limits().xacro_text_bytes) {
+      return call.evaluator.text(std::move(text));  // fails
+    }
   }
   if (call.evaluator.has_failed()) return Value::failure();
   if (call.name == "fatal")

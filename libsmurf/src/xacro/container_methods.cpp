@@ -20,6 +20,7 @@ Value pop(Call& call) {
   }
   if (at < 0) at += size;
   if (at < 0 || at >= size) return call.evaluator.fail("`pop()` finds no item there");
+  call.evaluator.step(static_cast<std::uint64_t>(size - at) / 64);
   const auto place = list.items.begin() + at;
   const Value value = *place;
   list.items.erase(place);
@@ -29,9 +30,9 @@ Value pop(Call& call) {
 Value index_of(Call& call) {
   if (!call.has_count(1, 1)) return Value::failure();
   const std::vector<Value>& items = call.self.list->items;
-  if (!may_compare(call.evaluator, call.self, call.values[0])) return Value::failure();
   for (std::size_t i = 0; i < items.size(); ++i) {
-    if (are_equal(items[i], call.values[0])) return Value::of(static_cast<std::int64_t>(i));
+    if (are_equal(items[i], call.values[0], call.evaluator.meter()))
+      return Value::of(static_cast<std::int64_t>(i));
   }
   return call.evaluator.fail("the value is not in the list");
 }
@@ -39,10 +40,9 @@ Value index_of(Call& call) {
 Value count_items(Call& call) {
   if (!call.has_count(1, 1)) return Value::failure();
   const std::vector<Value>& items = call.self.list->items;
-  if (!may_compare(call.evaluator, call.self, call.values[0])) return Value::failure();
   return Value::of(
       static_cast<std::int64_t>(std::count_if(items.begin(), items.end(), [&](const Value& item) {
-        return are_equal(item, call.values[0]);
+        return are_equal(item, call.values[0], call.evaluator.meter());
       })));
 }
 
@@ -53,7 +53,7 @@ Value copy_list(Call& call) {
 
 Value get(Call& call) {
   if (!call.has_count(1, 2)) return Value::failure();
-  const auto key = hash_key(call.values[0]);
+  const auto key = hash_key(call.values[0], call.evaluator.meter());
   if (!key) return call.evaluator.fail(std::string(kind_name(call.values[0])) + " cannot be a key");
   const Value* value = call.self.dict->find(*key);
   if (value != nullptr) return *value;
@@ -63,6 +63,8 @@ Value get(Call& call) {
 Value members(Call& call) {
   if (!call.has_count(0, 0)) return Value::failure();
   std::vector<Value> items;
+  call.evaluator.step(call.self.dict->items.size());
+  items.reserve(call.self.dict->items.size());
   for (const auto& [key, value] : call.self.dict->items) {
     if (call.name == "keys") {
       items.push_back(key);
@@ -97,7 +99,8 @@ bool may_get(Call& call, const std::vector<Value>& items) {
     call.evaluator.list(std::vector<Value>(call.evaluator.limits().xacro_items + 1));
     return false;
   }
-  return call.evaluator.step(items.size());
+  call.evaluator.step(items.size());
+  return true;
 }
 
 /// append(), extend() and insert().
@@ -117,6 +120,7 @@ Value add_items(Call& call) {
     if (!at) return call.evaluator.fail("`insert()` needs an integer and a value");
     const std::int64_t from_begin = *at < 0 ? std::max<std::int64_t>(*at, -size) + size : *at;
     place = items.begin() + std::min(from_begin, size);
+    call.evaluator.step(static_cast<std::uint64_t>(items.end() - place) / 64);
   }
   items.insert(place, added.begin(), added.end());
   return {};
@@ -126,12 +130,14 @@ Value remove_item(Call& call) {
   const Value at = index_of(call);
   if (at.is_failed()) return at;
   std::vector<Value>& items = call.self.list->items;
+  call.evaluator.step(items.size() / 64);
   items.erase(items.begin() + at.integer);
   return {};
 }
 
 Value reverse(Call& call) {
   if (!call.has_count(0, 0)) return Value::failure();
+  call.evaluator.step(call.self.list->items.size() / 16);
   std::reverse(call.self.list->items.begin(), call.self.list->items.end());
   return {};
 }
@@ -167,7 +173,7 @@ Value clear(Call& call) {
 Value take_member(Call& call, std::size_t at) {
   Dict& dict = *call.self.dict;
   const Value value = dict.items[at].second;
-  if (!call.evaluator.step(dict.items.size())) return Value::failure();
+  call.evaluator.step(dict.items.size());
   dict.items.erase(dict.items.begin() + static_cast<std::ptrdiff_t>(at));
   std::erase_if(dict.by_key, [&](const auto& one) { return one.second == at; });
   for (auto& [key, index] : dict.by_key) index -= index > at ? 1 : 0;
@@ -176,7 +182,7 @@ Value take_member(Call& call, std::size_t at) {
 
 Value pop_member(Call& call) {
   if (!call.has_count(1, 2) || !is_changeable(call)) return Value::failure();
-  const auto key = hash_key(call.values[0]);
+  const auto key = hash_key(call.values[0], call.evaluator.meter());
   const auto found = key ? call.self.dict->by_key.find(*key) : call.self.dict->by_key.end();
   if (found != call.self.dict->by_key.end()) return take_member(call, found->second);
   if (key && call.count() == 2) return call.values[1];
@@ -196,10 +202,11 @@ Value set_default(Call& call) {
   if (!call.has_count(1, 2) || !is_changeable(call)) return Value::failure();
   const Value known = get(call);
   if (known.is_failed()) return known;
-  if (call.self.dict->find(*hash_key(call.values[0])) != nullptr) return known;
+  if (call.self.dict->find(*hash_key(call.values[0], call.evaluator.meter())) != nullptr)
+    return known;
   const Value value = call.count() == 2 ? call.values[1] : Value();
   if (!may_get(call, {value})) return Value::failure();
-  insert(*call.self.dict, call.values[0], value);
+  insert(*call.self.dict, call.values[0], value, call.evaluator.meter());
   return value;
 }
 
@@ -210,7 +217,9 @@ Value update(Call& call) {
   std::vector<Value> values;
   for (const auto& [key, value] : added.dict->items) values.push_back(value);
   if (!may_get(call, values)) return Value::failure();
-  for (const auto& [key, value] : added.dict->items) insert(*call.self.dict, key, value);
+  for (const auto& [key, value] : added.dict->items) {
+    insert(*call.self.dict, key, value, call.evaluator.meter());
+  }
   return {};
 }
 

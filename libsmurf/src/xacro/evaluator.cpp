@@ -12,31 +12,6 @@
 
 namespace smurf::xacro {
 
-const Value* Call::take(std::size_t position, std::string_view keyword) {
-  if (position < values.size()) return &values[position];
-  if (keyword.empty()) return nullptr;
-  const auto found = std::find_if(keywords.begin(), keywords.end(),
-                                  [&](const auto& one) { return one.first == keyword; });
-  if (found == keywords.end()) return nullptr;
-  found->first = {};
-  return &found->second;
-}
-
-bool Call::has_count(std::size_t least, std::size_t most) {
-  for (const auto& [keyword, value] : keywords) {
-    if (keyword.empty()) continue;  // taken
-    evaluator.fail("`" + std::string(name) + "()` has no parameter " + quoted(keyword));
-    return false;
-  }
-  const std::size_t given = values.size() + keywords.size();
-  if (given >= least && given <= most) return true;
-  const std::string wanted =
-      least == most ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(most);
-  evaluator.fail("`" + std::string(name) + "()` needs " + wanted + " parameters, and has " +
-                 std::to_string(given));
-  return false;
-}
-
 Value Evaluator::fail(const Rule& rule, std::string message, std::string help) {
   if (failure_.rule == nullptr) {
     failure_.rule = &rule;
@@ -54,18 +29,16 @@ Value Evaluator::fail_unsupported(const std::string& what) {
   return fail(rules::sml3304_xacro_unsupported, what + " is not supported");
 }
 
-bool Evaluator::fail_by_work() {
-  if (steps_ > limits_.xacro_steps) {
-    fail(rules::sml3312_xacro_limit,
-         "the expansion needs more than " + std::to_string(limits_.xacro_steps) + " steps",
-         raise_limit("xacro-steps"));
-  } else {
-    fail(rules::sml3312_xacro_limit,
-         "the values need more than " + std::to_string(limits_.xacro_bytes) +
-             " bytes, or are nested too deeply",
-         raise_limit("xacro-bytes"));
+Value Evaluator::fail_exhausted() {
+  if (meter_.reason() == Meter::Reason::steps) {
+    return fail(rules::sml3312_xacro_limit,
+                "the expansion needs more than " + std::to_string(meter_.most_steps()) + " steps",
+                raise_limit("xacro-steps"));
   }
-  return false;
+  return fail(rules::sml3312_xacro_limit,
+              "the values need more than " + std::to_string(meter_.most_bytes()) +
+                  " bytes, or are nested too deeply",
+              raise_limit("xacro-bytes"));
 }
 
 Value Evaluator::text(std::string text) {
@@ -74,7 +47,7 @@ Value Evaluator::text(std::string text) {
                 "the text has more than " + std::to_string(limits_.xacro_text_bytes) + " bytes",
                 raise_limit("xacro-text-bytes"));
   }
-  step(text.size() / 64);
+  meter_.copy(text.size());
   return heap_.text(std::move(text));
 }
 
@@ -84,7 +57,6 @@ Value Evaluator::list(std::vector<Value> items, Kind kind) {
                 "the list has more than " + std::to_string(limits_.xacro_items) + " items",
                 raise_limit("xacro-items"));
   }
-  step(items.size() / 16);
   return heap_.list(std::move(items), kind);
 }
 
@@ -94,17 +66,20 @@ Value Evaluator::integer(BigInt value) {
                 "the integer has more than " + std::to_string(limits_.xacro_integer_bits) + " bits",
                 raise_limit("xacro-integer-bits"));
   }
+  meter_.copy(value.bytes());
   return heap_.integer(std::move(value));
 }
 
 std::string Evaluator::string_of(const Value& value) {
-  return value.is_text() ? *value.text : written(value, text_of);
+  if (!value.is_text()) return written(value, text_of);
+  meter_.copy(value.text->size());
+  return *value.text;
 }
 
 std::string Evaluator::repr(const Value& value) { return written(value, repr_of); }
 
 std::string Evaluator::written(const Value& value, std::string (*write)(const Value&, NoText&)) {
-  NoText problem{{}, limits_.xacro_text_bytes};
+  NoText problem{meter_, {}, limits_.xacro_text_bytes};
   std::string result = write(value, problem);
   if (result.size() > problem.most) {
     text(std::move(result));  // fails
@@ -127,16 +102,21 @@ Value Evaluator::wrapped(const Value& value) {
 }
 
 bool Evaluator::items_of(const Value& value, std::vector<Value>& items) {
+  meter_.step(value.kind == Kind::text   ? value.text->size()
+              : value.kind == Kind::dict ? value.dict->items.size()
+                                         : 0);
   switch (value.kind) {
   case Kind::list:
   case Kind::tuple:
   case Kind::set:
+    meter_.step(value.list->items.size());
     items = value.list->items;
     if (value.list->is_wrapped) {
       for (Value& item : items) item = wrapped(item);
     }
     break;
   case Kind::iterator:
+    meter_.step(value.list->items.size() - value.list->next);
     items.assign(value.list->items.begin() + static_cast<std::ptrdiff_t>(value.list->next),
                  value.list->items.end());
     value.list->next = value.list->items.size();
@@ -156,16 +136,26 @@ bool Evaluator::items_of(const Value& value, std::vector<Value>& items) {
       list(std::vector<Value>(limits_.xacro_items + 1));
       return false;
     }
+    meter_.step(static_cast<std::uint64_t>(value.range->size()));
     for (std::int64_t i = 0; i < value.range->size(); ++i) {
       items.push_back(Value::of(value.range->begin + i * value.range->step));
     }
     break;
   default: fail(std::string(kind_name(value)) + " has no items to visit"); return false;
   }
-  return step(items.size());
+  return true;
 }
 
 Value Evaluator::evaluate(std::string_view text, Table& table) {
+  try {
+    return evaluate_text(text, table);
+  } catch (const Exhausted&) {
+    return fail_exhausted();
+  }
+}
+
+Value Evaluator::evaluate_text(std::string_view text, Table& table) {
+  meter_.copy(text.size());
   const Expression& expression = expressions_.parse(text);
   if (expression.root == nullptr) {
     const SyntaxFault& fault = *expression.fault;
@@ -183,11 +173,13 @@ Value Evaluator::evaluate(std::string_view text, Table& table) {
 
 Value Evaluator::name(const Syntax& syntax, const Scope& scope) {
   const std::string_view name = syntax.text;
+  meter_.scan(name.size());
   if (scope.locals != nullptr) {
-    if (const Value* local = scope.locals->find(name)) return *local;
+    if (const Value* local = scope.locals->find(name, meter_)) return *local;
   }
   if (name.starts_with("__")) return fail("names that begin with `__` are not allowed");
   if (const Table::Found found = scope.table->find(name)) {
+    meter_.step(found.levels / 8);
     Value value = found.entry->value;
     if (found.entry->is_unevaluated) value = host_.resolve(*found.table, *found.entry, name);
     if (value.origin != kComputed && !value.is_failed()) use(name, value.origin);
@@ -225,89 +217,6 @@ Value Evaluator::compare_chain(const Syntax& syntax, const Scope& scope) {
   return result;
 }
 
-Value Evaluator::call(const Value& function, std::vector<Value> values,
-                      std::vector<std::pair<std::string_view, Value>> keywords) {
-  if (!step(10)) return Value::failure();
-  if (function.kind == Kind::type) {
-    Call call{*this, name_of(function.type), {}, std::move(values), std::move(keywords)};
-    return call_type(*this, function.type, call);
-  }
-  if (function.kind != Kind::function) {
-    return fail(std::string(kind_name(function)) + " cannot be called");
-  }
-  const Function& called = *function.function;
-  Call call{*this, called.name, called.self, std::move(values), std::move(keywords)};
-  return called.lambda != nullptr ? call_lambda(called, call) : called.call(call);
-}
-
-Locals& Evaluator::kept_locals() {
-  heap_.charge(sizeof(Locals) + 4 * sizeof(Value));
-  return captured_.emplace_back();
-}
-
-Value Evaluator::call_lambda(const Function& function, const Call& call) {
-  const Syntax& lambda = *function.lambda;
-  const std::size_t count = lambda.names.size();
-  const std::size_t needed = count - (lambda.parts.size() - 1);
-  Locals own;
-  Locals& locals = lambda.parts[0]->has_lambda ? kept_locals() : own;
-  locals.outer = function.captured;
-  std::size_t named = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string_view name = lambda.names[i];
-    const auto keyword = std::find_if(call.keywords.begin(), call.keywords.end(),
-                                      [&](const auto& one) { return one.first == name; });
-    const bool has_keyword = keyword != call.keywords.end();
-    const bool has_value = i < call.count();
-    if (has_keyword == has_value && (has_value || i < needed)) {
-      return fail("the lambda needs " + quoted(name) + " once");
-    }
-    named += has_keyword ? 1 : 0;
-    locals.names.emplace_back(name, has_value     ? call.values[i]
-                                    : has_keyword ? keyword->second
-                                                  : function.captured->defaults[i - needed]);
-  }
-  if (call.count() > count || named != call.keywords.size()) {
-    return fail("the lambda needs " + std::to_string(count) + " parameters");
-  }
-  // It may be written in another expression.
-  const std::optional<Span> outer = std::exchange(code_place_, std::nullopt);
-  const Value value = evaluate(*lambda.parts[0], {function.self.table, &locals});
-  code_place_ = outer;
-  return value;
-}
-
-Value Evaluator::call_syntax(const Syntax& syntax, const Scope& scope) {
-  const Value function = evaluate(*syntax.parts[0], scope);
-  if (function.is_failed()) return function;
-  std::vector<Value> values;
-  std::vector<std::pair<std::string_view, Value>> keywords;
-  for (std::size_t i = 0; i < syntax.names.size(); ++i) {
-    const Value value = evaluate(*syntax.parts[i + 1], scope);
-    if (value.is_failed()) return value;
-    if (syntax.names[i].empty()) {
-      values.push_back(value);
-    } else if (syntax.names[i] == "*") {
-      std::vector<Value> items;
-      if (!items_of(value, items)) return Value::failure();
-      values.insert(values.end(), items.begin(), items.end());
-    } else if (syntax.names[i] == "**") {
-      if (value.kind != Kind::dict) return fail("`**` needs a dictionary");
-      for (const auto& [key, member] : value.dict->items) {
-        const std::string_view text = key.is_text() ? *key.text : std::string_view();
-        const auto is_same = [&](const auto& one) { return one.first == text; };
-        if (text.empty() || std::any_of(keywords.begin(), keywords.end(), is_same))
-          return fail("`**` needs keys that are texts, and each of them once");
-        keywords.emplace_back(text, member);
-      }
-    } else {
-      keywords.emplace_back(syntax.names[i], value);
-    }
-  }
-  remark_on_call(syntax);
-  return call(function, std::move(values), std::move(keywords));
-}
-
 bool Evaluator::bind(const Syntax& target, const Value& value, Locals& locals) {
   if (target.kind == SyntaxKind::name) {
     locals.names.emplace_back(target.text, value);
@@ -330,6 +239,7 @@ bool Evaluator::run_clauses(const Syntax& syntax, std::size_t index, const Scope
                             Locals& locals, std::vector<Value>& items) {
   if (index == syntax.clauses.size()) {
     items.push_back(evaluate(*syntax.parts[0], {scope.table, &locals}));
+    meter_.step();
     if (items.back().is_failed()) return false;
     if (items.size() > limits_.xacro_items) list(items);
     return !has_failed();
@@ -340,6 +250,7 @@ bool Evaluator::run_clauses(const Syntax& syntax, std::size_t index, const Scope
   const Value all = evaluate(*clause.iterable, outside);
   std::vector<Value> values;
   if (all.is_failed() || !items_of(all, values)) return false;
+  const Borrowed borrowed(meter_, values.capacity() * sizeof(Value));
   const std::size_t before = locals.names.size();
   for (const Value& value : values) {
     locals.names.resize(before);
@@ -375,7 +286,8 @@ struct FailurePlace {
   bool had_failed;
   ~FailurePlace() {
     Failure& failure = evaluator.failure();
-    if (had_failed || failure.rule == nullptr || failure.end != 0 || !failure.span.empty()) return;
+    const bool fails = failure.rule != nullptr || evaluator.meter().is_exhausted();
+    if (had_failed || !fails || failure.end != 0 || !failure.span.empty()) return;
     failure.begin = syntax.begin;
     failure.end = syntax.end;
   }
@@ -386,7 +298,7 @@ struct FailurePlace {
 Value Evaluator::evaluate(const Syntax& syntax, const Scope& scope) {
   constexpr int kDeepest = 3000;
   const FailurePlace place{*this, syntax, has_failed()};
-  if (!step()) return Value::failure();
+  meter_.step();
   struct Level {
     int& depth;
     ~Level() { --depth; }

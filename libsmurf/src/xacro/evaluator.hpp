@@ -78,7 +78,11 @@ struct Call {
 class Evaluator {
  public:
   Evaluator(Heap& heap, Expressions& expressions, const Limits& limits, Host& host)
-      : heap_(heap), expressions_(expressions), limits_(limits), host_(host) {}
+      : heap_(heap),
+        meter_(heap.meter()),
+        expressions_(expressions),
+        limits_(limits),
+        host_(host) {}
 
   /// Where the text of the expression that is being computed begins; none if it is not written
   /// in one place.
@@ -90,7 +94,8 @@ class Evaluator {
     const Locals* locals = nullptr;  ///< in a lambda or a comprehension
   };
 
-  /// The value of an expression; fails with the fault of its syntax.
+  /// The value of an expression; fails with the fault of its syntax, and when an expansion has used
+  /// up what it may: nothing is thrown beyond this.
   Value evaluate(std::string_view text, Table& table);
   Value evaluate(const Syntax& syntax, const Scope& scope);
   Value call(const Value& function, std::vector<Value> values,
@@ -105,12 +110,10 @@ class Evaluator {
   bool has_failed() const { return failure_.rule != nullptr; }
   Failure take_failure() { return std::exchange(failure_, {}); }
 
-  /// Counts work; false once there is too much.
-  bool step(std::uint64_t count = 1) {
-    steps_ += count;
-    return (steps_ <= limits_.xacro_steps && !heap_.is_exhausted()) || fail_by_work();
-  }
-  std::uint64_t steps() const { return steps_; }
+  /// Counts work that is not done by a primitive.
+  void step(std::uint64_t count = 1) { meter_.step(count); }
+  /// The failure of an expansion that has used up what it may.
+  Value fail_exhausted();
 
   /// The items of anything that a loop may visit.
   bool items_of(const Value& value, std::vector<Value>& items);
@@ -139,11 +142,12 @@ class Evaluator {
   std::vector<Remark>& remarks() { return remarks_; }
 
   Heap& heap() { return heap_; }
+  Meter& meter() { return meter_; }
   Host& host() { return host_; }
   const Limits& limits() const { return limits_; }
 
  private:
-  bool fail_by_work();
+  Value evaluate_text(std::string_view text, Table& table);
   std::string written(const Value& value, std::string (*write)(const Value&, NoText&));
   Value name(const Syntax& syntax, const Scope& scope);
   void remark_on(const Syntax& comparison, std::size_t index, const Value& left,
@@ -164,12 +168,12 @@ class Evaluator {
   bool check_names(const Syntax& syntax);
 
   Heap& heap_;
+  Meter& meter_;
   Expressions& expressions_;
   const Limits& limits_;
   Host& host_;
   std::optional<Span> code_place_;
   Failure failure_;
-  std::uint64_t steps_ = 0;
   int depth_ = 0;
   std::deque<Locals> captured_;
   std::vector<std::pair<std::string_view, OriginId>> used_;
@@ -180,8 +184,6 @@ class Evaluator {
 // operators.cpp
 Value compute(Evaluator& evaluator, Operation operation, const Value& a, const Value& b);
 Value compute(Evaluator& evaluator, Operation operation, const Value& a);
-/// Counts the work of a comparison; false, with a failure, if it is too much.
-bool may_compare(Evaluator& evaluator, const Value& a, const Value& b);
 /// True or false, or a failure.
 Value compare_values(Evaluator& evaluator, Operation operation, const Value& a, const Value& b);
 // attributes.cpp
@@ -193,8 +195,9 @@ bool is_subtype(Type type, Type of);
 // format_strings.cpp
 Value percent_format(Evaluator& evaluator, const std::string& format, const Value& values);
 Value brace_format(Call& call);
-// builtins.cpp, math_functions.cpp
+// builtins.cpp, tokenize.cpp, math_functions.cpp
 Value sorted(Call& call);
+Value tokenize(Call& call);
 /// Fills the table of functions.
 void add_functions(Table& root, Heap& heap, std::deque<Table>& tables);
 /// Fills the table of `$(eval ...)`.

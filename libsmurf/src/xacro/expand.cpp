@@ -33,17 +33,30 @@ std::string usual_help(const Rule& rule) {
 Expander::Expander(SourceId root, const Settings& settings, Context& context)
     : settings_(settings),
       context_(context),
-      heap_(context.limits.xacro_bytes),
+      meter_(context.limits),
+      heap_(meter_),
       expressions_(heap_),
       evaluator_(heap_, expressions_, context.limits, *this) {
   result_.root = root;
-  functions_ = &tables_.emplace_back(heap_.arena());
-  add_functions(*functions_, heap_, tables_);
   for (const auto& [name, value] : settings.arguments) arguments_[name] = {value, kComputed};
 }
 
+template <class Work>
+bool Expander::guarded(Span place, const Work& work) {
+  try {
+    return work();
+  } catch (const Exhausted&) {
+    evaluator_.fail_exhausted();
+    if (evaluator_.failure().span.empty()) evaluator_.failure().span = place;
+    return report();
+  }
+}
+
 Expansion Expander::run() {
-  expand_root();
+  guarded({result_.root, 0, 0}, [&] {
+    expand_root();
+    return true;
+  });
   result_.documents.reserve(files_.size());
   for (auto& [path, file] : files_) {
     if (file->document) result_.documents.push_back(*std::move(file->document));
@@ -52,6 +65,8 @@ Expansion Expander::run() {
 }
 
 void Expander::expand_root() {
+  functions_ = &tables_.emplace_back(heap_.arena());
+  add_functions(*functions_, heap_, tables_);
   const std::string path = context_.sources.path(result_.root);
   File& file = *files_.emplace(path, std::make_unique<File>()).first->second;
   file.source = result_.root;
@@ -124,6 +139,7 @@ bool Expander::has_room() {
 
 Node& Expander::new_node(NodeKind kind) {
   heap_.charge(sizeof(Node));
+  evaluator_.step();
   Node& node = nodes_.make<Node>(nodes_);
   node.kind = kind;
   node.frame = frame_;
@@ -200,6 +216,8 @@ bool Expander::evaluate_attributes(const Node& in, Node& out, Table& symbols) {
   heap_.charge(in.attributes.size() * sizeof(NodeAttribute));
   for (const NodeAttribute& one : in.attributes) {
     if (one.name.starts_with(kPrefix)) continue;
+    heap_.charge(one.text.value.size());
+    meter_.copy(one.text.value.size());
     NodeAttribute& result = out.attributes.emplace_back(one);
     if (!one.text.is_plain) {
       check_braces(one.text, symbols);
@@ -223,7 +241,11 @@ bool Expander::evaluate_text_node(const Node& in, Node& out, Table& symbols) {
 }
 
 bool Expander::evaluate_children(const Node& in, Node& out, Scope scope) {
-  out.children.reserve(out.children.size() + in.children.size());
+  // The vectors in the arena are not given back when they grow.
+  constexpr std::size_t kBytesOfChild = 4 * sizeof(Node*);
+  heap_.charge(in.children.size() * kBytesOfChild);
+  evaluator_.step(in.children.size() / 4);
+  if (out.children.empty()) out.children.reserve(in.children.size());
   bool evaluates_comments = false;
   for (Node* const child : in.children) {
     switch (child->kind) {
@@ -241,10 +263,14 @@ bool Expander::evaluate_children(const Node& in, Node& out, Scope scope) {
         out.children.push_back(child);
         break;
       }
+      heap_.charge(child->text.value.size());
       if (!evaluate_text_node(*child, out, scope.symbols)) return false;
       if (!has_only_blanks(out.children.back()->text)) evaluates_comments = false;
       break;
     case NodeKind::comment:
+      // It is written again wherever it is copied to.
+      heap_.charge(child->text.value.size());
+      meter_.copy(child->text.value.size());
       if (child->text.value.find("xacro:eval-comments") != std::string_view::npos) {
         evaluates_comments =
             child->text.value.find("xacro:eval-comments:off") == std::string_view::npos;
@@ -254,7 +280,10 @@ bool Expander::evaluate_children(const Node& in, Node& out, Scope scope) {
         out.children.push_back(child);
       }
       break;
-    default: out.children.push_back(child); break;
+    default:
+      heap_.charge(child->text.value.size());
+      out.children.push_back(child);
+      break;
     }
   }
   return true;
@@ -262,7 +291,8 @@ bool Expander::evaluate_children(const Node& in, Node& out, Scope scope) {
 
 bool Expander::copy_element(const Node& in, Node& out, Scope scope) {
   Node& element = new_node(NodeKind::element);
-  if (!has_room() || !evaluator_.step(5)) {
+  evaluator_.step(5);
+  if (!has_room()) {
     evaluator_.failure().span = in.name_span;
     return report();
   }
@@ -286,12 +316,13 @@ bool Expander::copy_element(const Node& in, Node& out, Scope scope) {
 }
 
 bool Expander::evaluate_element(const Node& in, Node& out, Scope scope) {
+  return guarded(in.name_span, [&] { return run_element(in, out, scope); });
+}
+
+bool Expander::run_element(const Node& in, Node& out, Scope scope) {
   if (!in.name.starts_with(kPrefix)) return copy_element(in, out, scope);
   const std::string_view name = in.name.substr(kPrefix.size());
-  if (!evaluator_.step(5)) {
-    evaluator_.failure().span = in.name_span;
-    return report();
-  }
+  evaluator_.step(5);
   if (name == "insert_block") return insert_block(in, out, scope);
   if (name == "include") return include(in, out, scope);
   if (name == "property") return define_property(in, out, scope.symbols);

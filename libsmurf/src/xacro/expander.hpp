@@ -84,11 +84,16 @@ class Expander final : public Host {
   };
 
   void expand_root();
+  /// Does something that returns false after a failure; an expansion that has used up what it may
+  /// is one. Nothing is thrown beyond this.
+  template <class Work>
+  bool guarded(Span place, const Work& work);
   // expand.cpp. All return false after a failure.
   bool evaluate(const Node& in, Node& out, Scope scope);
   bool evaluate_attributes(const Node& in, Node& out, Table& symbols);
   bool evaluate_children(const Node& in, Node& out, Scope scope);
   bool evaluate_element(const Node& in, Node& out, Scope scope);
+  bool run_element(const Node& in, Node& out, Scope scope);
   bool evaluate_text_node(const Node& in, Node& out, Table& symbols);
   bool copy_element(const Node& in, Node& out, Scope scope);
   bool insert_block(const Node& in, Node& out, Scope scope);
@@ -202,6 +207,7 @@ class Expander final : public Host {
 
   const Settings& settings_;
   Context& context_;
+  Meter meter_;
   Heap heap_;
   Expressions expressions_;
   Evaluator evaluator_;

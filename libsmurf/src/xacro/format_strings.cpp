@@ -75,27 +75,14 @@ std::string real_digits(double value, const Spec& spec) {
   return is_upper ? upper_text(text) : text;
 }
 
-std::string in_base(BigInt value, unsigned base) {
-  if (value.is_zero()) return "0";
-  std::string text;
-  while (!value.is_zero()) {
-    BigInt::Division division = BigInt::divide(value, BigInt(base));
-    const auto digit = static_cast<std::size_t>(division.remainder.to_int64().value_or(0));
-    text.push_back("0123456789abcdef"[digit]);
-    value = std::move(division.quotient);
-  }
-  std::reverse(text.begin(), text.end());
-  return text;
-}
-
-std::string integer_digits(const BigInt& value, const Spec& spec) {
+std::string integer_digits(const BigInt& value, const Spec& spec, Meter& meter) {
   const BigInt magnitude = value.is_negative() ? value.negated() : value;
   switch (spec.type) {
-  case 'x': return (spec.is_alternate ? "0x" : "") + in_base(magnitude, 16);
-  case 'X': return (spec.is_alternate ? "0X" : "") + upper_text(in_base(magnitude, 16));
-  case 'o': return (spec.is_alternate ? "0o" : "") + in_base(magnitude, 8);
-  case 'b': return (spec.is_alternate ? "0b" : "") + in_base(magnitude, 2);
-  default: return magnitude.to_text();
+  case 'x': return (spec.is_alternate ? "0x" : "") + magnitude.to_text(meter, 16);
+  case 'X': return (spec.is_alternate ? "0X" : "") + upper_text(magnitude.to_text(meter, 16));
+  case 'o': return (spec.is_alternate ? "0o" : "") + magnitude.to_text(meter, 8);
+  case 'b': return (spec.is_alternate ? "0b" : "") + magnitude.to_text(meter, 2);
+  default: return magnitude.to_text(meter);
   }
 }
 
@@ -134,9 +121,12 @@ bool is_real_type(char type) {
 
 /// A value in the form of a spec of format(); `problem` says why there is none.
 std::string formatted(Evaluator& evaluator, const Value& value, const Spec& spec) {
+  constexpr std::uint64_t kStepsOfNumber = 50;  // hundreds of digits
+  evaluator.step(value.is_number() ? kStepsOfNumber : 2);
   if (value.is_number() && value.kind != Kind::boolean) {
     if (value.is_integral() && !is_real_type(spec.type)) {
-      return number_text(integer_digits(to_big(value), spec), to_big(value).is_negative(), spec);
+      return number_text(integer_digits(to_big(value), spec, evaluator.meter()),
+                         to_big(value).is_negative(), spec);
     }
     const auto real = to_real(value);
     if (!real) {
@@ -200,6 +190,7 @@ class PercentFormatter {
   PercentFormatter(Evaluator& evaluator, const std::string& format, const Value& values)
       : evaluator_(evaluator), format_(format), mapping_(values) {
     if (values.kind == Kind::tuple) {
+      evaluator.step(values.list->items.size());
       values_ = values.list->items;
     } else {
       values_ = {values};
@@ -208,7 +199,10 @@ class PercentFormatter {
   }
 
   Value run() {
+    evaluator_.step(format_.size() / 8);
+    const std::uint64_t most = evaluator_.limits().xacro_text_bytes;
     for (std::size_t at = 0; at < format_.size() && !evaluator_.has_failed();) {
+      if (result_.size() > most) break;  // reported below
       if (format_[at] != '%') {
         result_.push_back(format_[at++]);
       } else {
@@ -216,7 +210,8 @@ class PercentFormatter {
         item(at);
       }
     }
-    if (!evaluator_.has_failed() && next_ < values_.size() && !may_stay_) {
+    if (!evaluator_.has_failed() && result_.size() <= most && next_ < values_.size() &&
+        !may_stay_) {
       evaluator_.fail("the format does not use all values");
     }
     return evaluator_.has_failed() ? Value::failure() : evaluator_.text(std::move(result_));
@@ -324,6 +319,7 @@ class PercentFormatter {
 
   Value member_of(const std::string& key) {
     if (mapping_.kind != Kind::dict) return evaluator_.fail("the format needs a dictionary");
+    evaluator_.step(1 + key.size() / 8);
     const Value* value = mapping_.dict->find("t" + key);
     return value != nullptr ? *value : evaluator_.fail("the dictionary has no key " + quoted(key));
   }
@@ -384,6 +380,7 @@ Value field_of(Call& call, const std::string& name, std::size_t& next) {
   } else if (name.find_first_of(".[") != std::string::npos) {
     return evaluator.fail_unsupported("`.` or `[` in a format");
   } else {
+    evaluator.step(1 + call.keywords.size() / 8);
     for (const auto& [keyword, value] : call.keywords) {
       if (keyword == name) return value;
     }
@@ -402,9 +399,11 @@ Value percent_format(Evaluator& evaluator, const std::string& format, const Valu
 Value brace_format(Call& call) {
   const std::string& format = *call.self.text;
   Evaluator& evaluator = call.evaluator;
+  evaluator.step(format.size() / 8);
   std::string result;
   std::size_t next = 0;
   for (std::size_t at = 0; at < format.size(); ++at) {
+    if (result.size() > evaluator.limits().xacro_text_bytes) break;  // reported below
     const char c = format[at];
     if (c != '{' && c != '}') {
       result.push_back(c);

@@ -238,11 +238,12 @@ bool Expander::call_macro(const Node& in, std::string_view name, Node& out, Scop
                 raise_limit("xacro-depth"));
   }
   constexpr std::uint64_t kStepsOfCall = 50;
-  if (!evaluator_.step(kStepsOfCall)) {
-    evaluator_.failure().span = in.name_span;
-    return report();
-  }
-  heap_.charge(sizeof(Table) + sizeof(MacroTable) + sizeof(Frame));
+  evaluator_.step(kStepsOfCall + resolved.macro->parameters.size());
+  // The table has a slot of about as many bytes for each parameter.
+  constexpr std::size_t kBytesOfParameter = 160;
+  constexpr std::size_t kBytesOfFrame = 2 * sizeof(Frame) + 100;  // with its parameters as a text
+  heap_.charge(sizeof(Table) + sizeof(MacroTable) + kBytesOfFrame +
+               resolved.macro->parameters.size() * kBytesOfParameter);
   ++depth_;
   const FrameId outer = frame_;
   const bool is_done = run_macro(in, resolved, out, scope);
@@ -255,6 +256,7 @@ bool Expander::pass_parameters(const Node& in, const Macro& macro, Table& inner,
                                std::vector<const Macro::Parameter*>& left, std::string& shown) {
   constexpr std::size_t kMostShown = 80;  // characters
   for (const NodeAttribute& attribute : in.attributes) {
+    evaluator_.step(left.size() / 4);
     const auto found = std::find_if(left.begin(), left.end(), [&](const Macro::Parameter* one) {
       return one->name == attribute.name;
     });
@@ -276,7 +278,7 @@ bool Expander::pass_parameters(const Node& in, const Macro& macro, Table& inner,
     if (functions_->own(attribute.name) != nullptr)
       set(inner, attribute.name, value, false, attribute.name_span);
     if (shown.size() < kMostShown) {
-      NoText problem{{}, kMostShown};
+      NoText problem{meter_, {}, kMostShown};
       const std::string made = value.is_text() ? std::string() : text_of(value, problem);
       const std::string_view text = value.is_text() ? std::string_view(*value.text) : made;
       if (!shown.empty()) shown += " ";

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The public names of Python's module math.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "base/findings/rules.hpp"
 #include "base/numbers/exact_math.hpp"
@@ -171,17 +173,17 @@ Value factorial(Call& call) {
   if (!count || *count < 0) return domain_fault(call);
   BigInt product(1);
   for (std::int64_t i = 2; i <= *count; ++i) {
-    product = product * BigInt(i);
+    product = BigInt::product(product, BigInt(i), call.evaluator.meter());
     if (product.bits() > call.evaluator.limits().xacro_integer_bits) break;
   }
   return call.evaluator.integer(std::move(product));
 }
 
-BigInt common_divisor(BigInt a, BigInt b) {
+BigInt common_divisor(BigInt a, BigInt b, Meter& meter) {
   if (a.is_negative()) a = a.negated();
   if (b.is_negative()) b = b.negated();
   while (!b.is_zero()) {
-    BigInt rest = BigInt::divide(a, b).remainder;
+    BigInt rest = BigInt::divide(a, b, meter).remainder;
     a = std::move(b);
     b = std::move(rest);
   }
@@ -191,7 +193,9 @@ BigInt common_divisor(BigInt a, BigInt b) {
 Value gcd(Call& call) {
   if (!call.keywords.empty() || !are_integers(call)) return Value::failure();
   BigInt divisor;
-  for (const Value& value : call.values) divisor = common_divisor(divisor, to_big(value));
+  for (const Value& value : call.values) {
+    divisor = common_divisor(divisor, to_big(value), call.evaluator.meter());
+  }
   return call.evaluator.integer(std::move(divisor));
 }
 
@@ -201,7 +205,9 @@ Value lcm(Call& call) {
   for (const Value& value : call.values) {
     const BigInt other = to_big(value);
     if (other.is_zero()) return Value::of(std::int64_t{0});
-    multiple = BigInt::divide(multiple, common_divisor(multiple, other)).quotient * other;
+    Meter& meter = call.evaluator.meter();
+    const BigInt divisor = common_divisor(multiple, other, meter);
+    multiple = BigInt::product(BigInt::divide(multiple, divisor, meter).quotient, other, meter);
     if (multiple.is_negative()) multiple = multiple.negated();
     const Value checked = call.evaluator.integer(multiple);
     if (checked.is_failed()) return checked;
@@ -221,8 +227,9 @@ Value choices(Call& call) {
   BigInt result(1);
   const std::int64_t count = is_perm ? *k : std::min(*k, *n - *k);
   for (std::int64_t i = 0; i < count; ++i) {
-    result = result * BigInt(*n - i);
-    if (!is_perm) result = BigInt::divide(result, BigInt(i + 1)).quotient;
+    Meter& meter = call.evaluator.meter();
+    result = BigInt::product(result, BigInt(*n - i), meter);
+    if (!is_perm) result = BigInt::divide(result, BigInt(i + 1), meter).quotient;
     if (result.bits() > call.evaluator.limits().xacro_integer_bits) break;
   }
   return call.evaluator.integer(std::move(result));
@@ -235,7 +242,8 @@ Value isqrt(Call& call) {
   if (square.is_zero()) return Value::of(std::int64_t{0});
   BigInt root = BigInt(1).shifted_left(square.bits() / 2 + 1);
   for (;;) {
-    BigInt next = (root + BigInt::divide(square, root).quotient).shifted_right(1);
+    BigInt next =
+        (root + BigInt::divide(square, root, call.evaluator.meter()).quotient).shifted_right(1);
     if (BigInt::compare(next, root) >= 0) return call.evaluator.integer(std::move(root));
     root = std::move(next);
   }
@@ -271,6 +279,7 @@ Value isclose(Call& call) {
 
 /// All numbers of the parameters or of the one list.
 bool all_numbers(Call& call, const std::vector<Value>& items, std::vector<double>& numbers) {
+  call.evaluator.step(items.size());
   for (const Value& item : items) {
     const auto real = to_real(item);
     if (!real) {
@@ -317,7 +326,15 @@ Value fsum(Call& call) {
       !all_numbers(call, items, numbers)) {
     return Value::failure();
   }
+  const double plain = std::accumulate(numbers.begin(), numbers.end(), 0.0);
+  const auto is_finite = [](double one) { return std::isfinite(one); };
+  if (!std::all_of(numbers.begin(), numbers.end(), is_finite)) {
+    const auto is_nan = [](double one) { return std::isnan(one); };
+    const bool has_nan = std::any_of(numbers.begin(), numbers.end(), is_nan);
+    return std::isnan(plain) && !has_nan ? domain_fault(call) : Value::of(plain);
+  }
   for (double x : numbers) {
+    call.evaluator.step(1 + partials.size() / 4);
     std::size_t kept = 0;
     for (double y : partials) {
       if (std::fabs(x) < std::fabs(y)) std::swap(x, y);
@@ -326,6 +343,7 @@ Value fsum(Call& call) {
       if (low != 0) partials[kept++] = low;
       x = high;
     }
+    if (!std::isfinite(x)) return call.evaluator.fail("the sum is too large for a number");
     partials.resize(kept);
     partials.push_back(x);
   }

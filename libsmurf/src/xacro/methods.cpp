@@ -11,6 +11,7 @@
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
 #include "xacro/text_methods.hpp"
+#include "xacro/text_search.hpp"
 
 namespace smurf::xacro {
 namespace {
@@ -18,10 +19,12 @@ namespace {
 /// Changes of case are known for ASCII only.
 Value with_case(Call& call, std::string (*change)(std::string)) {
   if (!call.has_count(0, 0)) return Value::failure();
+  call.evaluator.meter().copy(self_of(call).size());
   if (!is_ascii(self_of(call))) {
     return call.evaluator.fail_unsupported("`" + std::string(call.name) +
                                            "()` of other letters than ASCII");
   }
+  call.evaluator.meter().scan(self_of(call).size());
   return call.evaluator.text(change(self_of(call)));
 }
 
@@ -77,9 +80,14 @@ Value strip(Call& call) {
     characters.push_back(point.value);
     rest.remove_prefix(point.size);
   }
+  call.evaluator.meter().scan(text.size());
+  if (set != nullptr) call.evaluator.step(set->size());
+  std::sort(characters.begin(), characters.end());
+  characters.erase(std::unique(characters.begin(), characters.end()), characters.end());
+  if (characters.size() > 256) call.evaluator.meter().scan(text.size());
   const auto goes = [&](char32_t c) {
     if (set == nullptr) return is_python_blank(c);
-    return std::find(characters.begin(), characters.end(), c) != characters.end();
+    return std::binary_search(characters.begin(), characters.end(), c);
   };
   while (at_begin && !text.empty()) {
     const utf8::CodePoint point = utf8::decode(text);
@@ -129,12 +137,12 @@ std::vector<std::string_view> words_of(std::string_view text, std::int64_t most,
 }
 
 std::vector<std::string_view> cut(std::string_view text, std::string_view at, std::int64_t most,
-                                  bool from_end) {
+                                  bool from_end, Meter& meter) {
+  using Direction = TextSearch::Direction;
+  const TextSearch search(at, meter, from_end ? Direction::backwards : Direction::forwards);
   std::vector<std::string_view> parts;
   for (;;) {
-    const std::size_t found = most-- == 0 ? std::string_view::npos
-                              : from_end  ? text.rfind(at)
-                                          : text.find(at);
+    const std::size_t found = most-- == 0 ? std::string_view::npos : search.find(text);
     if (found == std::string_view::npos) break;
     parts.push_back(from_end ? text.substr(found + at.size()) : text.substr(0, found));
     text = from_end ? text.substr(0, found) : text.substr(found + at.size());
@@ -150,15 +158,16 @@ Value split(Call& call) {
   const std::int64_t count = most != nullptr && most->kind == Kind::integer ? most->integer : -1;
   std::vector<std::string_view> parts;
   if (separator == nullptr || separator->kind == Kind::none) {
+    call.evaluator.meter().scan(self_of(call).size());
     parts = words_of(self_of(call), count, from_end);
   } else {
     if (!separator->is_text() || separator->text->empty()) {
       return call.evaluator.fail("the separator of `split()` is no text, or is empty");
     }
-    parts = cut(self_of(call), *separator->text, count, from_end);
+    parts = cut(self_of(call), *separator->text, count, from_end, call.evaluator.meter());
   }
   if (from_end) std::reverse(parts.begin(), parts.end());
-  if (!call.evaluator.step(parts.size())) return Value::failure();
+  call.evaluator.step(parts.size());
   std::vector<Value> items;
   for (const std::string_view part : parts) items.push_back(call.evaluator.text(std::string(part)));
   return call.evaluator.list(std::move(items));
@@ -168,7 +177,9 @@ Value splitlines(Call& call) {
   if (!call.has_count(0, 0)) return Value::failure();
   std::vector<Value> items;
   std::string_view rest = self_of(call);
+  call.evaluator.meter().scan(rest.size());
   while (!rest.empty()) {
+    call.evaluator.step();
     const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
     items.push_back(call.evaluator.text(std::string(rest.substr(0, end))));
     const bool is_pair = rest.substr(end).starts_with("\r\n");
@@ -183,7 +194,10 @@ Value partition(Call& call) {
   if (separator->empty()) return call.evaluator.fail("the separator is empty");
   const std::string& text = self_of(call);
   const bool from_end = call.name == "rpartition";
-  const std::size_t at = from_end ? text.rfind(*separator) : text.find(*separator);
+  using Direction = TextSearch::Direction;
+  const std::size_t at = TextSearch(*separator, call.evaluator.meter(),
+                                    from_end ? Direction::backwards : Direction::forwards)
+                             .find(text);
   std::string parts[3] = {text, "", ""};
   if (at != std::string::npos) {
     parts[0] = text.substr(0, at);
@@ -209,6 +223,7 @@ Value join(Call& call) {
     }
     if (i > 0) text += self_of(call);
     text += *items[i].text;
+    call.evaluator.meter().copy(self_of(call).size() + items[i].text->size());
     if (text.size() > call.evaluator.limits().xacro_text_bytes) break;
   }
   return call.evaluator.text(std::move(text));
@@ -225,6 +240,7 @@ Value replace(Call& call) {
   std::size_t begin = 0;
   if (old->empty()) {
     // The new text comes before each character, and at the end.
+    call.evaluator.step(text.size());
     for (; left != 0 && begin <= text.size(); --left) {
       result += *with;
       if (begin == text.size()) break;
@@ -236,8 +252,9 @@ Value replace(Call& call) {
     result.append(text, begin);
     return call.evaluator.text(std::move(result));
   }
+  const TextSearch search(*old, call.evaluator.meter());
   for (; left != 0; --left) {
-    const std::size_t at = text.find(*old, begin);
+    const std::size_t at = search.find(text, begin);
     if (at == std::string::npos) break;
     result.append(text, begin, at - begin);
     result += *with;
@@ -251,6 +268,7 @@ Value replace(Call& call) {
 Value remove_end(Call& call) {
   const std::string* end = text_at(call, 0);
   if (end == nullptr) return Value::failure();
+  call.evaluator.meter().copy(self_of(call).size());
   std::string text = self_of(call);
   if (call.name == "removeprefix") {
     if (text.starts_with(*end)) text.erase(0, end->size());
@@ -268,6 +286,7 @@ Value fill(Call& call) {
   const bool has_fill = call.count() == 2;
   const std::string* filler = has_fill ? text_at(call, 1) : nullptr;
   if (has_fill && filler == nullptr) return Value::failure();
+  call.evaluator.meter().scan(self_of(call).size());
   std::string text = self_of(call);
   const auto size = static_cast<std::int64_t>(utf8::count_code_points(text));
   const auto most = static_cast<std::int64_t>(call.evaluator.limits().xacro_text_bytes) + size;
@@ -276,6 +295,7 @@ Value fill(Call& call) {
   const auto times = [&](std::int64_t count) {
     const std::string one = filler != nullptr ? *filler : " ";
     std::string result;
+    call.evaluator.meter().scan(static_cast<std::size_t>(count));
     for (std::int64_t i = 0; i < count; ++i) result += one;
     return result;
   };
@@ -304,6 +324,7 @@ Value expand_tabs(Call& call) {
   const std::size_t size = *given <= 0 ? 0 : std::min(static_cast<std::uint64_t>(*given), most + 1);
   std::string result;
   std::size_t column = 0;
+  call.evaluator.meter().scan(self_of(call).size());
   for (const char c : self_of(call)) {
     if (c == '\t' && size > 0) {
       const std::size_t blanks = size - column % size;

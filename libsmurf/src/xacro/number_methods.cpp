@@ -37,8 +37,8 @@ Value ratio(Call& call) {
     double fraction = std::frexp(call.self.real, &exponent);
     for (; fraction != std::trunc(fraction); --exponent) fraction *= 2;
     above = BigInt::from_double(fraction);
-    for (; exponent > 0; --exponent) above = above + above;
-    for (; exponent < 0; ++exponent) below = below + below;
+    above = above.shifted_left(static_cast<std::size_t>(std::max(exponent, 0)));
+    below = below.shifted_left(static_cast<std::size_t>(std::max(-exponent, 0)));
   } else {
     above = to_big(call.self);
   }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
 #include "base/numbers/exact_math.hpp"
 #include "xacro/evaluator.hpp"
 #include "xacro/python_text.hpp"
+#include "xacro/text_search.hpp"
 
 namespace smurf::xacro {
 namespace {
@@ -138,9 +138,12 @@ Value power_of_integers(Evaluator& evaluator, const BigInt& base, const Value& e
   BigInt result(1);
   BigInt square = base;
   for (std::int64_t left = power; left > 0; left >>= 1) {
-    if ((left & 1) != 0) result = result * square;
-    if (result.bits() > most || square.bits() > 2 * most) return evaluator.integer(square * result);
-    if (left > 1) square = square * square;
+    Meter& meter = evaluator.meter();
+    if ((left & 1) != 0) result = BigInt::product(result, square, meter);
+    if (result.bits() > most || square.bits() > 2 * most) {
+      return evaluator.integer(BigInt::product(square, result, meter));
+    }
+    if (left > 1) square = BigInt::product(square, square, meter);
   }
   return evaluator.integer(std::move(result));
 }
@@ -166,11 +169,11 @@ Value divide_integers(Evaluator& evaluator, Operation operation, const Value& a,
   const BigInt divisor = to_big(b);
   if (divisor.is_zero()) return evaluator.fail("this divides by 0");
   if (operation == Operation::divide) {
-    const auto quotient = true_quotient(to_big(a), divisor);
+    const auto quotient = true_quotient(to_big(a), divisor, evaluator.meter());
     if (!quotient) return evaluator.fail("the quotient is too large for a number");
     return Value::of(*quotient);
   }
-  const BigInt::Division division = BigInt::divide(to_big(a), divisor);
+  const BigInt::Division division = BigInt::divide(to_big(a), divisor, evaluator.meter());
   return evaluator.integer(operation == Operation::modulo ? division.remainder : division.quotient);
 }
 
@@ -199,7 +202,8 @@ Value compute_integers(Evaluator& evaluator, Operation operation, const Value& a
   switch (operation) {
   case Operation::add: return evaluator.integer(to_big(a) + to_big(b));
   case Operation::subtract: return evaluator.integer(to_big(a) - to_big(b));
-  case Operation::multiply: return evaluator.integer(to_big(a) * to_big(b));
+  case Operation::multiply:
+    return evaluator.integer(BigInt::product(to_big(a), to_big(b), evaluator.meter()));
   case Operation::divide:
   case Operation::floor_divide:
   case Operation::modulo: return divide_integers(evaluator, operation, a, b);
@@ -252,33 +256,32 @@ Value repeat(Evaluator& evaluator, const Value& value, const Value& times) {
   const std::uint64_t wanted = size == 0 ? 0 : repeats > most / size ? most + 1 : size * repeats;
   if (is_list) {
     std::vector<Value> items;
+    evaluator.step(wanted / 16);
     items.reserve(wanted);
     for (std::uint64_t i = 0; i < wanted; ++i) items.push_back(value.list->items[i % size]);
     return evaluator.list(std::move(items), value.kind);
   }
   std::string text;
-  text.reserve(wanted);
-  while (text.size() < wanted) text += *value.text;
+  text.reserve(wanted + size);
+  evaluator.step(wanted / 64);
+  while (text.size() < wanted) text.append(*value.text);
   const Value result = evaluator.text(std::move(text));
   if (value.kind != Kind::bytes || result.is_failed()) return result;
   return evaluator.heap().bytes(*result.text);
 }
 
 Value set_operation(Evaluator& evaluator, Operation operation, const Value& a, const Value& b) {
-  const auto contains = [](const Value& set, const Value& item) {
-    return std::any_of(set.list->items.begin(), set.list->items.end(),
-                       [&](const Value& one) { return are_equal(one, item); });
-  };
-  std::vector<Value> items;
-  if (!evaluator.step(a.list->items.size() * (b.list->items.size() + 1))) return Value::failure();
+  const KeySet in_a(a.list->items, evaluator.meter());
+  const KeySet in_b(b.list->items, evaluator.meter());
   const bool keeps_common = operation == Operation::bit_and;
   const bool keeps_all = operation == Operation::bit_or;
+  std::vector<Value> items;
   for (const Value& item : a.list->items) {
-    if (keeps_all || contains(b, item) == keeps_common) items.push_back(item);
+    if (keeps_all || in_b.has(item) == keeps_common) items.push_back(item);
   }
   if (keeps_all || operation == Operation::bit_xor) {
     for (const Value& item : b.list->items) {
-      if (!contains(a, item)) items.push_back(item);
+      if (!in_a.has(item)) items.push_back(item);
     }
   }
   return evaluator.list(std::move(items), Kind::set);
@@ -309,7 +312,10 @@ Value compute(Evaluator& evaluator, Operation operation, const Value& a, const V
   if (operation == Operation::add && a.kind == b.kind) {
     if (a.is_text()) return evaluator.text(*a.text + *b.text);
     if (a.is_sequence()) {
-      std::vector<Value> items = a.list->items;
+      std::vector<Value> items;
+      evaluator.step((a.list->items.size() + b.list->items.size()) / 16);
+      items.reserve(a.list->items.size() + b.list->items.size());
+      items.insert(items.end(), a.list->items.begin(), a.list->items.end());
       items.insert(items.end(), b.list->items.begin(), b.list->items.end());
       return evaluator.list(std::move(items), a.kind);
     }
@@ -321,10 +327,10 @@ Value compute(Evaluator& evaluator, Operation operation, const Value& a, const V
     if (is_known) return set_operation(evaluator, operation, a, b);
   }
   if (operation == Operation::bit_or && a.kind == Kind::dict && b.kind == Kind::dict) {
+    evaluator.step(a.dict->items.size());
     Dict both = *a.dict;
-    for (const auto& [key, value] : b.dict->items) insert(both, key, value);
-    return evaluator.step(both.items.size()) ? evaluator.heap().dict(std::move(both))
-                                             : Value::failure();
+    for (const auto& [key, value] : b.dict->items) insert(both, key, value, evaluator.meter());
+    return evaluator.heap().dict(std::move(both));
   }
   const Value fault = type_fault(evaluator, operation, a, b);
   const bool has_text = operation == Operation::add && (a.is_text() || b.is_text());
@@ -359,11 +365,10 @@ Value contains(Evaluator& evaluator, const Value& a, const Value& b) {
   if (b.is_text()) {
     if (!a.is_text())
       return evaluator.fail("`in` a text needs a text, not " + std::string(kind_name(a)));
-    evaluator.step(b.text->size() / 64);
-    return Value::of(b.text->find(*a.text) != std::string::npos);
+    return Value::of(TextSearch(*a.text, evaluator.meter()).find(*b.text) != std::string::npos);
   }
   if (b.kind == Kind::dict) {
-    const auto key = hash_key(a);
+    const auto key = hash_key(a, evaluator.meter());
     if (!key) return evaluator.fail(std::string(kind_name(a)) + " cannot be a key");
     return Value::of(b.dict->find(*key) != nullptr);
   }
@@ -381,8 +386,9 @@ Value contains(Evaluator& evaluator, const Value& a, const Value& b) {
   }
   std::vector<Value> items;
   if (!evaluator.items_of(b, items)) return Value::failure();
-  return Value::of(std::any_of(items.begin(), items.end(),
-                               [&](const Value& item) { return are_equal(item, a); }));
+  return Value::of(std::any_of(items.begin(), items.end(), [&](const Value& item) {
+    return are_equal(item, a, evaluator.meter());
+  }));
 }
 
 bool are_identical(const Value& a, const Value& b) {
@@ -411,16 +417,11 @@ bool may_be_identical(const Value& a, const Value& b) {
   }
 }
 
-/// Whether every item of a is in b.
-bool is_subset(const Value& a, const Value& b) {
-  const auto& items = b.list->items;
-  return std::all_of(a.list->items.begin(), a.list->items.end(), [&](const Value& item) {
-    return std::any_of(items.begin(), items.end(),
-                       [&](const Value& one) { return are_equal(one, item); });
-  });
-}
-
-Value compare_sets(Operation operation, const Value& a, const Value& b) {
+Value compare_sets(Operation operation, const Value& a, const Value& b, Meter& meter) {
+  /// Whether every item of one is in the other.
+  const auto is_subset = [&](const Value& one, const Value& other) {
+    return KeySet(other.list->items, meter).has_all(one.list->items);
+  };
   const bool is_larger = operation == Operation::greater || operation == Operation::greater_equal;
   const bool is_strict = operation == Operation::less || operation == Operation::greater;
   const bool holds = is_larger ? is_subset(b, a) : is_subset(a, b);
@@ -429,23 +430,14 @@ Value compare_sets(Operation operation, const Value& a, const Value& b) {
 
 }  // namespace
 
-bool may_compare(Evaluator& evaluator, const Value& a, const Value& b) {
-  const std::size_t most = evaluator.limits().xacro_items * 10;
-  const std::size_t parts = std::min(count_parts(a, most), count_parts(b, most));
-  if (parts <= most) return evaluator.step(parts / 4);
-  evaluator.fail(rules::sml3312_xacro_limit,
-                 "the values to compare have more than " + std::to_string(most) + " parts",
-                 raise_limit("xacro-items"));
-  return false;
-}
-
 Value compare_values(Evaluator& evaluator, Operation operation, const Value& a, const Value& b) {
-  if (!may_compare(evaluator, a, b)) return Value::failure();
+  Meter& meter = evaluator.meter();
   switch (operation) {
-  case Operation::equal: return Value::of(are_equal(a, b));
-  case Operation::not_equal: return Value::of(!are_equal(a, b));
+  case Operation::equal: return Value::of(are_equal(a, b, meter));
+  case Operation::not_equal: return Value::of(!are_equal(a, b, meter));
   case Operation::is:
   case Operation::is_not:
+    if (a.is_text() && b.is_text()) meter.copy(a.text->size());
     if (may_be_identical(a, b)) {
       return evaluator.fail_unsupported("`is` between equal texts or numbers (write `==`), which");
     }
@@ -457,8 +449,8 @@ Value compare_values(Evaluator& evaluator, Operation operation, const Value& a, 
   }
   default: break;
   }
-  if (a.kind == Kind::set && b.kind == Kind::set) return compare_sets(operation, a, b);
-  const auto order = compare(a, b);
+  if (a.kind == Kind::set && b.kind == Kind::set) return compare_sets(operation, a, b, meter);
+  const auto order = compare(a, b, meter);
   if (!order) return type_fault(evaluator, operation, a, b);
   if (*order == 2) return Value::of(false);
   switch (operation) {

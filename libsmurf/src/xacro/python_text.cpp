@@ -284,7 +284,7 @@ std::optional<Value> read_integer(std::string_view written, Heap& heap, unsigned
   }
   constexpr std::size_t kMostDigits = 1300;  // 4,096 bits
   if (text->size() > kMostDigits) return std::nullopt;
-  const BigInt magnitude = BigInt::from_digits(*text, base);
+  const BigInt magnitude = BigInt::from_digits(*text, base, heap.meter());
   return heap.integer(is_negative ? magnitude.negated() : magnitude);
 }
 

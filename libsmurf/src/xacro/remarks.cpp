@@ -206,7 +206,7 @@ void Expander::check_branches(const Node& in, const Node& out, Table& symbols) {
   const Table::Found found = symbols.find(common[0]);
   if (!found || found.entry->is_unevaluated) return;
   const Value& value = found.entry->value;
-  NoText problem;
+  NoText problem{meter_, {}};
   const std::string shown = value.is_text() ? "'" + *value.text + "'" : text_of(value, problem);
   Diagnostic& diagnostic = context_.sink.report(
       rules::sml3410_xacro_no_branch, in.name_span,

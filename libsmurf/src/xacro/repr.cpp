@@ -75,12 +75,14 @@ std::string bytes_text(std::string_view bytes) { return "b" + quoted_text(bytes)
 
 }  // namespace
 
-std::string repr_of(const Value& value, NoText& problem) {
+namespace {
+
+std::string written(const Value& value, NoText& problem) {
   switch (value.kind) {
   case Kind::none: return "None";
   case Kind::boolean: return value.boolean ? "True" : "False";
   case Kind::integer: return std::to_string(value.integer);
-  case Kind::big: return value.big->to_text();
+  case Kind::big: return value.big->to_text(problem.meter);
   case Kind::real: return float_text(value.real);
   case Kind::complex: return complex_text(*value.complex);
   case Kind::text: return quoted_text(*value.text);
@@ -110,6 +112,16 @@ std::string repr_of(const Value& value, NoText& problem) {
   }
   problem.reason = "Python prints an address for it, which differs from run to run";
   return {};
+}
+
+}  // namespace
+
+std::string repr_of(const Value& value, NoText& problem) {
+  constexpr std::uint64_t kStepsOfValue = 5;
+  problem.meter.step(kStepsOfValue);
+  std::string text = written(value, problem);
+  problem.meter.scan(text.size());  // for each level of lists around it, too
+  return text;
 }
 
 std::string text_of(const Value& value, NoText& problem) {

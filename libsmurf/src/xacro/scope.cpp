@@ -7,8 +7,9 @@
 
 namespace smurf::xacro {
 
-const Value* Locals::find(std::string_view name) const {
+const Value* Locals::find(std::string_view name, Meter& meter) const {
   for (const Locals* at = this; at != nullptr; at = at->outer) {
+    meter.step((at->names.size() + 7) / 8);
     for (auto one = at->names.rbegin(); one != at->names.rend(); ++one) {
       if (one->first == name) return &one->second;
     }
@@ -43,8 +44,9 @@ Table::Entry* Table::own(std::string_view name, std::size_t hash) {
 
 Table::Found Table::find(std::string_view name) {
   const std::size_t hash = hash_of(name);
-  for (Table* at = this; at != nullptr; at = at->parent_) {
-    if (Entry* entry = at->own(name, hash)) return {entry, at};
+  std::uint32_t levels = 0;
+  for (Table* at = this; at != nullptr; at = at->parent_, ++levels) {
+    if (Entry* entry = at->own(name, hash)) return {entry, at, levels};
   }
   return {};
 }

@@ -18,7 +18,7 @@ struct Locals {
   std::vector<std::pair<std::string_view, Value>> names;
   std::vector<Value> defaults;  ///< of the last parameters of a lambda
 
-  const Value* find(std::string_view name) const;
+  const Value* find(std::string_view name, Meter& meter) const;
 };
 
 class Table {
@@ -45,6 +45,7 @@ class Table {
   struct Found {
     Entry* entry = nullptr;
     Table* table = nullptr;
+    std::uint32_t levels = 0;  ///< tables that were searched
     explicit operator bool() const { return entry != nullptr; }
   };
   Found find(std::string_view name);

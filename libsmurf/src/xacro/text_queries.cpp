@@ -8,6 +8,7 @@
 #include "base/text/utf8.hpp"
 #include "xacro/python_text.hpp"
 #include "xacro/text_methods.hpp"
+#include "xacro/text_search.hpp"
 
 namespace smurf::xacro {
 
@@ -36,6 +37,7 @@ std::optional<Part> part_of(Call& call) {
   if (!call.has_count(1, 3) || call.count() == 1) {
     return call.evaluator.has_failed() ? std::nullopt : std::optional(part);
   }
+  call.evaluator.meter().scan(part.text.size());
   const auto size = static_cast<std::int64_t>(utf8::count_code_points(part.text));
   std::int64_t ends[2] = {0, size};
   for (std::size_t i = 1; i < call.count(); ++i) {
@@ -77,10 +79,15 @@ Value has_end(Call& call) {
   const auto part = part_of(call);
   if (call.evaluator.has_failed()) return Value::failure();
   std::vector<Value> ends{call.values[0]};
-  if (call.values[0].kind == Kind::tuple) ends = call.values[0].list->items;
+  if (call.values[0].kind == Kind::tuple) {
+    call.evaluator.step(call.values[0].list->items.size());
+    ends = call.values[0].list->items;
+  }
   for (const Value& end : ends) {
     if (!end.is_text())
       return call.evaluator.fail("`" + std::string(call.name) + "()` needs a text");
+    call.evaluator.step();
+    call.evaluator.meter().copy(end.text->size());
     if (!part) continue;
     const std::string_view text = part->text;
     if (at_begin ? text.starts_with(*end.text) : text.ends_with(*end.text)) return Value::of(true);
@@ -95,8 +102,12 @@ Value find_text(Call& call) {
   if (call.evaluator.has_failed()) return Value::failure();
   const std::string_view text = part ? part->text : std::string_view();
   const bool from_end = call.name == "rfind" || call.name == "rindex";
-  const std::size_t at = from_end ? text.rfind(*wanted) : text.find(*wanted);
+  Meter& meter = call.evaluator.meter();
+  using Direction = TextSearch::Direction;
+  const TextSearch search(*wanted, meter, from_end ? Direction::backwards : Direction::forwards);
+  const std::size_t at = search.find(text);
   if (part && at != std::string::npos) {
+    meter.scan(at);
     const std::size_t count = utf8::count_code_points(text.substr(0, at));
     return Value::of(part->begin + static_cast<std::int64_t>(count));
   }
@@ -112,11 +123,14 @@ Value count_text(Call& call) {
   if (!part) return Value::of(std::int64_t{0});
   const std::string_view text = part->text;
   if (wanted->empty()) {
+    call.evaluator.meter().scan(text.size());
     return Value::of(static_cast<std::int64_t>(utf8::count_code_points(text)) + 1);
   }
   std::int64_t count = 0;
-  for (std::size_t at = text.find(*wanted); at != std::string::npos;
-       at = text.find(*wanted, at + wanted->size())) {
+  const TextSearch search(*wanted, call.evaluator.meter());
+  for (std::size_t at = search.find(text); at != std::string::npos;
+       at = search.find(text, at + wanted->size())) {
+    call.evaluator.step();
     ++count;
   }
   return Value::of(count);
@@ -125,6 +139,7 @@ Value count_text(Call& call) {
 Value is_class(Call& call) {
   if (!call.has_count(0, 0)) return Value::failure();
   const std::string& text = self_of(call);
+  call.evaluator.meter().scan(text.size());
   if (call.name == "isascii") return Value::of(is_ascii(text));
   if (!is_ascii(text)) {
     return call.evaluator.fail_unsupported("`" + std::string(call.name) +

@@ -192,11 +192,9 @@ Value Expander::evaluate_code(std::string_view written, Table& symbols, Piece& p
 Value Expander::evaluate_text(std::string_view text, const Piece& place, Table& symbols,
                               std::vector<Piece>* pieces) {
   Joined joined;
+  meter_.scan(text.size());
   for (std::size_t at = 0; at < text.size();) {
-    if (!evaluator_.step(2)) {
-      place_failure(place, 0);
-      return Value::failure();
-    }
+    evaluator_.step(2);
     const TextToken token = next_token(text, at);
     at = token.end;
     const bool is_only = joined.parts == 0 && at == text.size();
@@ -317,6 +315,7 @@ bool Expander::trace(const TracedText& in, Table& symbols, TracedText& out) {
 Value Expander::literal(const Value& value) {
   if (!value.is_text()) return value;
   const std::string& text = *value.text;
+  meter_.copy(text.size());
   if (text.size() >= 2 && text.front() == '\'' && text.back() == '\'') {
     Place place = heap_.place(value.origin);
     if (place.is_exact) {

@@ -51,6 +51,7 @@ Value to_integer(Evaluator& evaluator, Call& call) {
     if (radix < 2 || radix > 36) {
       return evaluator.fail("the base of `int()` is no integer from 2 to 36, or 0");
     }
+    evaluator.meter().scan(value.text->size());
     const auto read = read_integer(*value.text, evaluator.heap(), static_cast<unsigned>(radix));
     if (read) return *read;
     return evaluator.fail("the text " + quoted(*value.text) + " is no integer");
@@ -67,6 +68,7 @@ Value to_float(Evaluator& evaluator, Call& call) {
     return real ? Value::of(*real) : evaluator.fail("the integer is too large for a number");
   }
   if (value.is_text()) {
+    evaluator.meter().scan(value.text->size());
     if (const auto read = read_float(*value.text)) return Value::of(*read);
     return evaluator.fail("the text " + quoted(*value.text) + " is no number");
   }
@@ -91,6 +93,7 @@ Value to_dict(Evaluator& evaluator, Call& call) {
   Dict dict;
   if (call.count() > 1) return evaluator.fail("`dict()` needs one value at most");
   if (call.count() == 1 && call.values[0].kind == Kind::dict) {
+    evaluator.step(call.values[0].dict->items.size());
     dict = *call.values[0].dict;
   } else if (call.count() == 1) {
     std::vector<Value> pairs;
@@ -99,13 +102,13 @@ Value to_dict(Evaluator& evaluator, Call& call) {
       std::vector<Value> two;
       if (!evaluator.items_of(pair, two)) return Value::failure();
       if (two.size() != 2) return evaluator.fail("`dict()` needs pairs");
-      if (!hash_key(two[0]))
+      if (!hash_key(two[0], evaluator.meter()))
         return evaluator.fail(std::string(kind_name(two[0])) + " cannot be a key");
-      insert(dict, two[0], two[1]);
+      insert(dict, two[0], two[1], evaluator.meter());
     }
   }
   for (const auto& [key, value] : call.keywords) {
-    insert(dict, evaluator.text(std::string(key)), value);
+    insert(dict, evaluator.text(std::string(key)), value, evaluator.meter());
   }
   return evaluator.heap().dict(std::move(dict));
 }
@@ -118,7 +121,7 @@ Value to_list(Evaluator& evaluator, Call& call, Kind kind, Type type) {
     std::map<std::string, bool> known;
     std::vector<Value> unique;
     for (const Value& item : items) {
-      const auto key = hash_key(item);
+      const auto key = hash_key(item, evaluator.meter());
       if (!key) return evaluator.fail(std::string(kind_name(item)) + " cannot be in a set");
       if (known.emplace(*key, true).second) unique.push_back(item);
     }
@@ -154,6 +157,7 @@ Value to_map(Evaluator& evaluator, Call& call) {
     if (!evaluator.items_of(call.values[i + 1], lists[i])) return Value::failure();
     shortest = std::min(shortest, lists[i].size());
   }
+  const Borrowed borrowed(evaluator.meter(), (lists.size() + 2) * shortest * sizeof(Value));
   std::vector<Value> results;
   for (std::size_t at = 0; at < shortest; ++at) {
     std::vector<Value> values;
@@ -168,6 +172,7 @@ Value to_filter(Evaluator& evaluator, Call& call) {
   if (!call.has_count(2, 2)) return Value::failure();
   std::vector<Value> items;
   if (!evaluator.items_of(call.values[1], items)) return Value::failure();
+  const Borrowed borrowed(evaluator.meter(), 2 * items.capacity() * sizeof(Value));
   std::vector<Value> kept;
   for (const Value& item : items) {
     const bool has_function = call.values[0].kind != Kind::none;
@@ -188,6 +193,8 @@ Value to_zip(Evaluator& evaluator, Call& call) {
   std::vector<Value> rows;
   for (std::size_t at = 0; at < shortest; ++at) {
     std::vector<Value> row;
+    evaluator.step(lists.size());
+    row.reserve(lists.size());
     for (const std::vector<Value>& list : lists) row.push_back(list[at]);
     rows.push_back(evaluator.list(std::move(row), Kind::tuple));
   }

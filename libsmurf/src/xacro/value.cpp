@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "xacro/python_text.hpp"
+
 namespace smurf::xacro {
 
 std::int64_t Range::size() const {
@@ -11,13 +13,8 @@ std::int64_t Range::size() const {
   return begin > end ? (begin - end - 1) / -step + 1 : 0;
 }
 
-bool Heap::charge(std::size_t bytes) {
-  used_ += bytes;
-  return used_ <= most_bytes_;
-}
-
 Value Heap::text(std::string text) {
-  charge(sizeof(std::string) + text.size());
+  charge(sizeof(std::string) + text.capacity());
   Value value;
   value.kind = Kind::text;
   value.text = &texts_.emplace_back(std::move(text));
@@ -70,12 +67,13 @@ std::uint16_t Heap::depth_of(const Items& items, const Get& get) {
     if (is_list(value)) value.list->is_part = true;
     if (value.kind == Kind::dict) value.dict->is_part = true;
   }
-  is_too_deep_ = is_too_deep_ || depth > kMost;
+  if (depth > kMost) meter_.stop(Meter::Reason::depth);
   return depth;
 }
 
 Value Heap::list(std::vector<Value> items, Kind kind) {
-  charge(sizeof(List) + items.size() * sizeof(Value));
+  charge(sizeof(List) + items.capacity() * sizeof(Value));
+  meter_.step(items.size() / 16);
   Value value;
   value.kind = kind;
   value.list = &lists_.emplace_back();
@@ -94,6 +92,7 @@ Value Heap::iterator(std::vector<Value> items, Type type) {
 Value Heap::dict(Dict dict) {
   constexpr std::size_t kMemberBytes = 150;  // with its key in the tree
   charge(sizeof(Dict) + dict.items.size() * kMemberBytes);
+  meter_.step(dict.items.size());
   Value value;
   value.kind = Kind::dict;
   value.dict = &dicts_.emplace_back(std::move(dict));
@@ -110,7 +109,8 @@ bool Heap::adopt(const Value& owner, std::span<const Value> items) {
   }
   depth = std::max(depth, depth_of(items, [](const Value& item) { return item; }));
   constexpr std::size_t kMemberBytes = 150;  // of a dictionary, with its key in the tree
-  charge(items.size() * (is_dict ? kMemberBytes : sizeof(Value)));
+  // A vector that grows has room for twice its items.
+  charge(items.size() * (is_dict ? kMemberBytes : 2 * sizeof(Value)));
   return true;
 }
 
@@ -244,7 +244,7 @@ bool is_true(const Value& value) {
 
 namespace {
 
-bool are_equal_numbers(const Value& a, const Value& b) {
+bool are_equal_numbers(const Value& a, const Value& b, Meter& meter) {
   if (a.kind == Kind::complex || b.kind == Kind::complex) {
     const auto whole = [](const Value& value) -> std::optional<std::complex<double>> {
       if (value.kind == Kind::complex) return *value.complex;
@@ -255,27 +255,32 @@ bool are_equal_numbers(const Value& a, const Value& b) {
     const auto right = whole(b);
     return left && right && *left == *right;
   }
-  return compare(a, b) == 0;
+  return compare(a, b, meter) == 0;
 }
 
-bool are_equal_lists(const List& a, const List& b) {
+bool are_equal_texts(const std::string& a, const std::string& b, Meter& meter) {
+  if (a.size() != b.size()) return false;
+  meter.copy(a.size());
+  return a == b;
+}
+
+bool are_equal_lists(const List& a, const List& b, Meter& meter) {
   return a.items.size() == b.items.size() &&
-         std::equal(a.items.begin(), a.items.end(), b.items.begin(), are_equal);
+         std::equal(a.items.begin(), a.items.end(), b.items.begin(),
+                    [&](const Value& x, const Value& y) { return are_equal(x, y, meter); });
 }
 
-bool are_equal_sets(const List& a, const List& b) {
-  return a.items.size() == b.items.size() &&
-         std::all_of(a.items.begin(), a.items.end(), [&](const Value& item) {
-           return std::any_of(b.items.begin(), b.items.end(),
-                              [&](const Value& other) { return are_equal(item, other); });
-         });
+bool are_equal_sets(const List& a, const List& b, Meter& meter) {
+  return a.items.size() == b.items.size() && KeySet(b.items, meter).has_all(a.items);
 }
 
-bool are_equal_dicts(const Dict& a, const Dict& b) {
+bool are_equal_dicts(const Dict& a, const Dict& b, Meter& meter) {
   if (a.items.size() != b.items.size()) return false;
   for (const auto& [key, index] : a.by_key) {
+    meter.step();
+    meter.scan(key.size());
     const Value* other = b.find(key);
-    if (other == nullptr || !are_equal(a.items[index].second, *other)) return false;
+    if (other == nullptr || !are_equal(a.items[index].second, *other, meter)) return false;
   }
   return true;
 }
@@ -283,7 +288,7 @@ bool are_equal_dicts(const Dict& a, const Dict& b) {
 bool is_numeric(const Value& value) { return value.is_number() || value.kind == Kind::complex; }
 
 /// Exact, also for integers that no double can hold.
-std::optional<int> compare_numbers(const Value& a, const Value& b) {
+std::optional<int> compare_numbers(const Value& a, const Value& b, Meter& meter) {
   const auto order = [](auto left, auto right) { return left < right ? -1 : left > right ? 1 : 0; };
   if (a.is_integral() && b.is_integral()) {
     if (a.kind != Kind::big && b.kind != Kind::big) {
@@ -292,7 +297,10 @@ std::optional<int> compare_numbers(const Value& a, const Value& b) {
       };
       return order(whole(a), whole(b));
     }
-    return BigInt::compare(to_big(a), to_big(b));
+    const BigInt left = to_big(a);
+    const BigInt right = to_big(b);
+    meter.scan(left.bytes() + right.bytes());
+    return BigInt::compare(left, right);
   }
   if (a.kind == Kind::real && b.kind == Kind::real) {
     if (std::isnan(a.real) || std::isnan(b.real)) return 2;
@@ -306,6 +314,8 @@ std::optional<int> compare_numbers(const Value& a, const Value& b) {
     result = real > 0 ? 1 : -1;
   } else {
     const BigInt other = to_big(is_swapped ? a : b);
+    constexpr std::uint64_t kStepsOfReal = 4;
+    meter.step(kStepsOfReal + other.bytes() / 16);
     result = BigInt::compare(BigInt::from_double(real), other);
     const double fraction = real - std::trunc(real);
     if (result == 0 && fraction != 0) result = fraction > 0 ? 1 : -1;
@@ -315,34 +325,19 @@ std::optional<int> compare_numbers(const Value& a, const Value& b) {
 
 }  // namespace
 
-std::size_t count_parts(const Value& value, std::size_t most) {
-  std::size_t count = 1;
-  if (is_list(value)) {
-    for (const Value& item : value.list->items) {
-      if (count > most) break;
-      count += count_parts(item, most - count);
-    }
-  } else if (value.kind == Kind::dict) {
-    for (const auto& [key, item] : value.dict->items) {
-      if (count > most) break;
-      count += count_parts(item, most - count);
-    }
-  }
-  return count;
-}
-
-bool are_equal(const Value& a, const Value& b) {
-  if (is_numeric(a) && is_numeric(b)) return are_equal_numbers(a, b);
+bool are_equal(const Value& a, const Value& b, Meter& meter) {
+  meter.step();
+  if (is_numeric(a) && is_numeric(b)) return are_equal_numbers(a, b, meter);
   if (a.kind != b.kind) return false;
   switch (a.kind) {
   case Kind::none: return true;
   case Kind::text:
   case Kind::bytes:
-  case Kind::date: return *a.text == *b.text;
+  case Kind::date: return are_equal_texts(*a.text, *b.text, meter);
   case Kind::list:
-  case Kind::tuple: return are_equal_lists(*a.list, *b.list);
-  case Kind::set: return are_equal_sets(*a.list, *b.list);
-  case Kind::dict: return are_equal_dicts(*a.dict, *b.dict);
+  case Kind::tuple: return are_equal_lists(*a.list, *b.list, meter);
+  case Kind::set: return are_equal_sets(*a.list, *b.list, meter);
+  case Kind::dict: return are_equal_dicts(*a.dict, *b.dict, meter);
   case Kind::range: {
     const std::int64_t size = a.range->size();
     if (size != b.range->size()) return false;
@@ -354,10 +349,12 @@ bool are_equal(const Value& a, const Value& b) {
   }
 }
 
-std::optional<int> compare(const Value& a, const Value& b) {
-  if (a.is_number() && b.is_number()) return compare_numbers(a, b);
+std::optional<int> compare(const Value& a, const Value& b, Meter& meter) {
+  meter.step();
+  if (a.is_number() && b.is_number()) return compare_numbers(a, b, meter);
   if (a.kind != b.kind) return std::nullopt;
   if (a.kind == Kind::text || a.kind == Kind::bytes) {
+    meter.copy(std::min(a.text->size(), b.text->size()));
     const int order = a.text->compare(*b.text);  // UTF-8 has the order of its code points
     return order < 0 ? -1 : order > 0 ? 1 : 0;
   }
@@ -365,31 +362,32 @@ std::optional<int> compare(const Value& a, const Value& b) {
   const std::vector<Value>& left = a.list->items;
   const std::vector<Value>& right = b.list->items;
   for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
-    if (!are_equal(left[i], right[i])) return compare(left[i], right[i]);
+    if (!are_equal(left[i], right[i], meter)) return compare(left[i], right[i], meter);
   }
   return left.size() < right.size() ? -1 : left.size() > right.size() ? 1 : 0;
 }
 
-std::optional<std::string> hash_key(const Value& value) {
+namespace {
+
+std::optional<std::string> key_of(const Value& value, Meter& meter) {
   switch (value.kind) {
   case Kind::none: return "N";
   case Kind::boolean: return value.boolean ? "i1" : "i0";
   case Kind::integer: return "i" + std::to_string(value.integer);
-  case Kind::big: return "i" + value.big->to_text();
+  case Kind::big: return "i" + value.big->to_text(meter);
   case Kind::real: {
     if (!std::isfinite(value.real))
       return std::isnan(value.real) ? "nan" : value.real > 0 ? "inf" : "-inf";
     if (value.real == std::trunc(value.real))
-      return "i" + BigInt::from_double(value.real).to_text();
-    NoText problem;
-    return "f" + text_of(value, problem);
+      return "i" + BigInt::from_double(value.real).to_text(meter);
+    return "f" + float_text(value.real);
   }
   case Kind::text: return "t" + *value.text;
   case Kind::bytes: return "b" + *value.text;
   case Kind::tuple: {
     std::string all = "(";
     for (const Value& item : value.list->items) {
-      const auto key = hash_key(item);
+      const auto key = hash_key(item, meter);
       if (!key) return std::nullopt;
       all += std::to_string(key->size()) + ":" + *key;
       constexpr std::size_t kMost = 1'000'000;
@@ -402,15 +400,43 @@ std::optional<std::string> hash_key(const Value& value) {
   }
 }
 
-void insert(Dict& dict, const Value& key, const Value& value) {
-  auto hashed = hash_key(key);
+}  // namespace
+
+std::optional<std::string> hash_key(const Value& value, Meter& meter) {
+  constexpr std::uint64_t kStepsOfKey = 2;
+  meter.step(kStepsOfKey);
+  auto key = key_of(value, meter);
+  // It is copied, and compared with those of a tree.
+  if (key) meter.step(key->size() / 8);
+  return key;
+}
+
+void insert(Dict& dict, const Value& key, const Value& value, Meter& meter) {
+  auto hashed = hash_key(key, meter);
   if (!hashed) return;
+  const std::size_t bytes = hashed->size();
   const auto [place, is_new] = dict.by_key.try_emplace(*std::move(hashed), dict.items.size());
   if (is_new) {
+    meter.keep(bytes);
     dict.items.emplace_back(key, value);
   } else {
     dict.items[place->second].second = value;
   }
+}
+
+KeySet::KeySet(const std::vector<Value>& items, Meter& meter) : meter_(meter) {
+  for (const Value& item : items) {
+    if (auto key = hash_key(item, meter)) keys_.insert(*std::move(key));
+  }
+}
+
+bool KeySet::has(const Value& item) const {
+  const auto key = hash_key(item, meter_);
+  return key && keys_.contains(*key);
+}
+
+bool KeySet::has_all(const std::vector<Value>& items) const {
+  return std::all_of(items.begin(), items.end(), [&](const Value& item) { return has(item); });
 }
 
 }  // namespace smurf::xacro

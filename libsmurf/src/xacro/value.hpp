@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include "smurf/source.hpp"
 #include "xacro/arena.hpp"
 #include "xacro/bigint.hpp"
+#include "xacro/meter.hpp"
 
 namespace smurf::xacro {
 
@@ -208,7 +210,7 @@ struct Place {
 /// Owns all values of an expansion, and counts their bytes.
 class Heap {
  public:
-  explicit Heap(std::uint64_t most_bytes) : most_bytes_(most_bytes) {}
+  explicit Heap(Meter& meter) : meter_(meter) {}
 
   Value text(std::string text);
   Value bytes(std::string text);
@@ -231,10 +233,9 @@ class Heap {
   OriginId add(Place place);
   const Place& place(OriginId id) const { return places_[static_cast<std::size_t>(id)]; }
 
-  /// False once more bytes were needed than allowed.
-  bool charge(std::size_t bytes);
-  /// Whether more bytes were needed than allowed, or lists are nested too deeply.
-  bool is_exhausted() const { return used_ > most_bytes_ || is_too_deep_; }
+  /// Counts memory that something else takes.
+  void charge(std::size_t bytes) { meter_.keep(bytes); }
+  Meter& meter() { return meter_; }
 
  private:
   /// One more than the deepest of the items.
@@ -242,10 +243,8 @@ class Heap {
   std::uint16_t depth_of(const Items& items, const Get& get);
   static int depth_of(const Value& value);
 
-  std::uint64_t most_bytes_;
-  std::uint64_t used_ = 0;
+  Meter& meter_;
   Arena arena_;
-  bool is_too_deep_ = false;
   std::deque<std::string> texts_;
   std::deque<BigInt> integers_;
   std::deque<std::complex<double>> complexes_;
@@ -267,17 +266,28 @@ std::string_view name_of(Type type);
 std::string_view kind_name(const Value& value);
 
 bool is_true(const Value& value);
-bool are_equal(const Value& a, const Value& b);
-/// The values in a value, with those that it has twice counted twice; not counted beyond `most`.
-std::size_t count_parts(const Value& value, std::size_t most);
+bool are_equal(const Value& a, const Value& b, Meter& meter);
 /// Negative, 0 or positive; 2 if one is not a number (NaN); none if the two cannot be ordered.
-std::optional<int> compare(const Value& a, const Value& b);
+std::optional<int> compare(const Value& a, const Value& b, Meter& meter);
 /// Equal for keys that are equal; none for values that cannot be keys.
-std::optional<std::string> hash_key(const Value& value);
-void insert(Dict& dict, const Value& key, const Value& value);
+std::optional<std::string> hash_key(const Value& value, Meter& meter);
+void insert(Dict& dict, const Value& key, const Value& value, Meter& meter);
+
+/// The items of a set by their keys.
+class KeySet {
+ public:
+  KeySet(const std::vector<Value>& items, Meter& meter);
+  bool has(const Value& item) const;
+  bool has_all(const std::vector<Value>& items) const;
+
+ private:
+  Meter& meter_;
+  std::set<std::string> keys_;
+};
 
 /// Why a value has no text.
 struct NoText {
+  Meter& meter;
   std::string reason;
   std::uint64_t most = ~std::uint64_t{0};  ///< bytes; longer texts have a reason and are incomplete
 };

@@ -366,7 +366,7 @@ Value Expander::yaml_mapping(yaml::View view, std::string_view source) {
     const Value inner = yaml_value(*one, source);
     if (inner.is_failed()) return inner;
     if (inner.kind != Kind::dict) return evaluator_.fail("`<<` needs a mapping");
-    for (const auto& [key, value] : inner.dict->items) insert(dict, key, value);
+    for (const auto& [key, value] : inner.dict->items) insert(dict, key, value, meter_);
   }
   for (const yaml::View member : view) {
     const char first = source[member.key_span().begin];
@@ -381,15 +381,15 @@ Value Expander::yaml_mapping(yaml::View view, std::string_view source) {
     if (key.is_failed()) return key;
     const Value value = yaml_value(member, source);
     if (value.is_failed()) return value;
-    insert(dict, key, value);
-    if (!evaluator_.step(2)) return Value::failure();
+    insert(dict, key, value, meter_);
+    evaluator_.step(2);
   }
   return heap_.dict(std::move(dict));
 }
 
 Value Expander::yaml_value(yaml::View view, std::string_view source) {
   if (!view) return {};
-  if (!evaluator_.step(2)) return Value::failure();
+  evaluator_.step(2);
   const yaml::Node& node = view.document().nodes[static_cast<std::size_t>(view.id())];
   if (node.is_alias()) return yaml_value(yaml::View(view.document(), node.target()), source);
   if (has_yaml_tags_ && (view.is_mapping() || view.is_sequence())) {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What an expansion has used: work and memory. Each primitive counts here what it does, so that no
+// caller can forget it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "smurf/limits.hpp"
+
+namespace smurf::xacro {
+
+/// The only exception of this room: an expansion has used up what it may. Thrown by Meter alone, in
+/// whatever loop, and caught at two borders, Evaluator::evaluate() and Expander::guarded(), which
+/// make a failure of it.
+struct Exhausted {};
+
+class Meter {
+ public:
+  enum class Reason : std::uint8_t { none, steps, bytes, depth };
+
+  explicit Meter(const Limits& limits)
+      : most_steps_(limits.xacro_steps), most_bytes_(limits.xacro_bytes) {}
+  Meter(const Meter&) = delete;
+  Meter& operator=(const Meter&) = delete;
+
+  /// Work: a step takes at most some 0.2 us.
+  void step(std::uint64_t count = 1) {
+    steps_ += count;
+    if (steps_ > most_steps_) stop(Reason::steps);
+  }
+  /// Bytes that are copied or compared.
+  void copy(std::size_t bytes) { step(bytes / 64); }
+  /// Bytes that are searched, decoded or hashed.
+  void scan(std::size_t bytes) { step(bytes / 16); }
+
+  /// Memory that is kept until the expansion ends.
+  void keep(std::size_t bytes) {
+    bytes_ += bytes;
+    if (bytes_ > most_bytes_) stop(Reason::bytes);
+  }
+  void give_back(std::size_t bytes) { bytes_ -= std::min<std::uint64_t>(bytes, bytes_); }
+
+  [[noreturn]] void stop(Reason reason) {
+    reason_ = reason;
+    throw Exhausted{};
+  }
+  Reason reason() const { return reason_; }
+  bool is_exhausted() const { return reason_ != Reason::none; }
+  std::uint64_t steps() const { return steps_; }
+  std::uint64_t most_steps() const { return most_steps_; }
+  std::uint64_t most_bytes() const { return most_bytes_; }
+
+ private:
+  std::uint64_t most_steps_, most_bytes_;
+  std::uint64_t steps_ = 0;
+  std::uint64_t bytes_ = 0;
+  Reason reason_ = Reason::none;
+};
+
+/// Memory for as long as a function runs.
+class Borrowed {
+ public:
+  Borrowed(Meter& meter, std::size_t bytes) : meter_(meter), bytes_(bytes) { meter.keep(bytes); }
+  ~Borrowed() { meter_.give_back(bytes_); }
+  Borrowed(const Borrowed&) = delete;
+  Borrowed& operator=(const Borrowed&) = delete;
+
+ private:
+  Meter& meter_;
+  std::size_t bytes_;
+};
+
+}  // namespace smurf::xacro
