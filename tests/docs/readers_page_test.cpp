@@ -159,7 +159,7 @@ void write_reader(std::ostream& page, const Reader& reader) {
       if (fact.reader == &reader) write_fact(page, rule->id, fact);
     }
   }
-  for (const auto& [family, fact] : reader.families) write_fact(page, family, fact);
+  for (const auto& [family, fact] : reader.families) write_fact(page, family.id(), fact);
   for (const Fact& fact : reader.unread) write_fact(page, "SML1", fact);
 }
 

@@ -15,9 +15,26 @@ namespace smurf {
 
 std::string_view to_string(Effect effect);
 
-/// A fact about all rules whose ids have a common beginning, such as rules about numbers.
+/// One rule, or all rules whose ids have a common beginning, such as those about numbers: "SML18".
+class RuleFamily {
+ public:
+  constexpr RuleFamily() = default;
+  constexpr RuleFamily(const Rule& rule) : rule_(&rule) {}
+  constexpr RuleFamily(const char* beginning) : beginning_(beginning) {}
+  bool covers(const Rule& rule) const {
+    return rule_ != nullptr ? &rule == rule_ : rule.id.starts_with(beginning_);
+  }
+  /// "SML1508", "SML18"
+  std::string_view id() const { return rule_ != nullptr ? rule_->id : beginning_; }
+
+ private:
+  const Rule* rule_ = nullptr;
+  std::string_view beginning_;
+};
+
+/// A fact of a reader about a family.
 struct FamilyFact {
-  std::string_view family;  ///< "SML18"
+  RuleFamily family;
   Fact fact;
 };
 

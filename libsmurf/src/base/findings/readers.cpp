@@ -160,7 +160,7 @@ const Fact* find_fact(const Reader& reader, const Rule& rule, const Finding& fin
       if (fact.reader == known && finding.fits(fact)) return &fact;
     }
     for (const auto& [family, fact] : known->families) {
-      if (rule.id.starts_with(family) && finding.fits(fact)) return &fact;
+      if (family.covers(rule) && finding.fits(fact)) return &fact;
     }
   }
   if (is_about_companions(rule)) return &kNoCompanions;
@@ -323,9 +323,8 @@ bool has_facts(const Reader& reader, const Rule& rule) {
   for (const Reader* known = &reader; known != nullptr; known = known->like) {
     const bool is_in_row = std::any_of(rule.facts.begin(), rule.facts.end(),
                                        [&](const Fact& fact) { return fact.reader == known; });
-    if (is_in_row ||
-        std::any_of(known->families.begin(), known->families.end(),
-                    [&](const FamilyFact& one) { return rule.id.starts_with(one.family); })) {
+    if (is_in_row || std::any_of(known->families.begin(), known->families.end(),
+                                 [&](const FamilyFact& one) { return one.family.covers(rule); })) {
       return true;
     }
   }
@@ -348,7 +347,7 @@ std::vector<const Fact*> facts_about(const Rule& rule) {
       is_complete = is_complete || fact.where == Where{};
     }
     for (const auto& [family, fact] : reader->families) {
-      if (!is_complete && rule.id.starts_with(family)) known.push_back(&fact);
+      if (!is_complete && family.covers(rule)) known.push_back(&fact);
     }
   }
   return known;
