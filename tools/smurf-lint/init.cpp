@@ -12,6 +12,7 @@
 #include "base/text/counted.hpp"
 #include "common/files/input.hpp"
 #include "common/files/output.hpp"
+#include "plan/xacro_files.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/launch_hints.hpp"
 #include "smurf/check.hpp"
@@ -20,7 +21,6 @@
 #include "smurf/file_reader.hpp"
 #include "smurf/found_inputs.hpp"
 #include "smurf/readers.hpp"
-#include "smurf/xacro_files.hpp"
 
 namespace smurf::tools {
 namespace {

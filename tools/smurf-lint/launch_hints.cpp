@@ -7,8 +7,8 @@
 
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
+#include "plan/xacro_text.hpp"
 #include "smurf/file_reader.hpp"
-#include "smurf/xacro_text.hpp"
 
 namespace smurf::tools {
 namespace {

@@ -10,9 +10,9 @@
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "common/files/input.hpp"
+#include "plan/xacro_files.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/confine.hpp"
-#include "smurf/xacro_files.hpp"
 
 namespace smurf::tools {
 namespace {

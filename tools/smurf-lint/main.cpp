@@ -18,6 +18,7 @@
 #include "common/cli/process.hpp"
 #include "common/cli/progress.hpp"
 #include "common/files/input.hpp"
+#include "lint/suppress.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/dump.hpp"
 #include "smurf-lint/explain.hpp"
@@ -33,7 +34,6 @@
 #include "smurf-lint/watch.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
-#include "smurf/suppress.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;

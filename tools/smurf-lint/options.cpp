@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <set>
 
+#include "ast/format.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"
 #include "common/cli/shared_options.hpp"
 #include "render/wrap.hpp"
 #include "smurf-lint/rename_all.hpp"
-#include "smurf/format.hpp"
 
 namespace smurf::tools {
 namespace {

@@ -12,10 +12,10 @@
 #include "common/files/output.hpp"
 #include "common/rename/planned_rename.hpp"
 #include "common/rename/xacro_rename.hpp"
+#include "plan/xacro_files.hpp"
 #include "smurf-lint/left_names.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/names.hpp"
-#include "smurf/xacro_files.hpp"
 
 namespace smurf::tools {
 

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "base/numbers/numbers.hpp"
+#include "link/describe.hpp"
 #include "smurf-lsp/capabilities.hpp"
-#include "smurf/describe.hpp"
 #include "smurf/key_help.hpp"
 
 namespace smurf::lsp {

@@ -9,12 +9,12 @@
 #include "base/files/path.hpp"
 #include "common/files/input.hpp"
 #include "common/rename/planned_rename.hpp"
+#include "plan/models_around.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf-lsp/edited_text.hpp"
 #include "smurf-lsp/uri.hpp"
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
-#include "smurf/models_around.hpp"
 
 namespace smurf::lsp {
 namespace {

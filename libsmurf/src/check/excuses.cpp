@@ -5,7 +5,7 @@
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
 #include "lint/targets.hpp"
-#include "smurf/xacro_cases.hpp"
+#include "xacro/xacro_cases.hpp"
 
 namespace smurf {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "check/group.hpp"
+#include "lint/suppress.hpp"
 #include "smurf/companions.hpp"
-#include "smurf/suppress.hpp"
 
 namespace smurf {
 

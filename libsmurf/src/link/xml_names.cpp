@@ -6,8 +6,8 @@
 #include "ast/urdf_schema.hpp"
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
+#include "link/extension_names.hpp"
 #include "link/reference_finder.hpp"
-#include "smurf/extension_names.hpp"
 
 namespace smurf {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/inertia_repair.hpp"
+#include "lint/inertia_repair.hpp"
 
 #include <algorithm>
 #include <array>

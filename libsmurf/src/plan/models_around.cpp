@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/models_around.hpp"
+#include "plan/models_around.hpp"
 
 #include <algorithm>
 #include <set>

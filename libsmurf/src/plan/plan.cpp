@@ -9,20 +9,20 @@
 #include <optional>
 #include <set>
 
+#include "ast/format.hpp"
 #include "base/files/canonical_paths.hpp"
 #include "base/files/path.hpp"
 #include "base/files/path_patterns.hpp"
 #include "base/files/places.hpp"
 #include "base/findings/limits.hpp"
 #include "plan/ignore_files.hpp"
+#include "plan/models_around.hpp"
 #include "plan/paths.hpp"
+#include "plan/xacro_files.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
-#include "smurf/format.hpp"
 #include "smurf/found_inputs.hpp"
-#include "smurf/models_around.hpp"
-#include "smurf/xacro_files.hpp"
 
 namespace smurf {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/xacro_files.hpp"
+#include "plan/xacro_files.hpp"
 
 #include <algorithm>
 #include <map>
@@ -9,8 +9,8 @@
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "plan/paths.hpp"
+#include "plan/xacro_text.hpp"
 #include "smurf/confine.hpp"
-#include "smurf/xacro_text.hpp"
 
 namespace smurf {
 namespace {

@@ -8,9 +8,9 @@
 #include "base/text/quoted.hpp"
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
-#include "smurf/xacro_cases.hpp"
 #include "syntax/xml_reader.hpp"
 #include "xacro/expander.hpp"
+#include "xacro/xacro_cases.hpp"
 
 namespace smurf::xacro {
 namespace {

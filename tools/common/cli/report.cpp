@@ -6,7 +6,7 @@
 
 #include "base/files/system.hpp"
 #include "base/text/counted.hpp"
-#include "smurf/repository.hpp"
+#include "plan/repository.hpp"
 
 namespace smurf::tools {
 namespace {

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "ast/ros_parameters.hpp"
 #include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 #include "smurf/companions.hpp"
-#include "smurf/ros_parameters.hpp"
 
 namespace smurf {
 
