@@ -356,7 +356,7 @@ void compare_robots(const std::string& text, Broken& broken) {
   LoadContext context{sources, files, sink, {}, {}};
   const LinkedModel model = load_model("r.urdf", context);
   lint_model(model, {}, sink);
-  const auto findings = finish(sink.take(), sources, {});
+  const auto findings = apply_selection(sink.take(), sources, {});
   if (!model.robot || !std::ranges::all_of(findings, is_compared)) return;
   const RefereeVerdict verdict = ask_urdfdom(text);
   if (!verdict.was_asked) return;

@@ -75,7 +75,7 @@ Severity severity_for(const Diagnostic& diagnostic, std::vector<std::string_view
   SourceMap sources;
   Diagnostic placed = diagnostic;
   placed.span.source = sources.add("robot.urdf", "");
-  const std::vector<Diagnostic> finished = finish({placed}, sources, selection);
+  const std::vector<Diagnostic> finished = apply_selection({placed}, sources, selection);
   REQUIRE(finished.size() == 1);
   return finished[0].severity;
 }
@@ -208,7 +208,7 @@ TEST_CASE("what is written for a later release is nothing to report where only i
     SourceMap sources;
     Diagnostic placed = found("SML1104", "/robot/@version", {case_of("SML1104", "1.2")});
     placed.span.source = sources.add("robot.urdf", "");
-    return finish({placed}, sources, selection).size();
+    return apply_selection({placed}, sources, selection).size();
   };
   CHECK(count_for("ros:rolling") == 0);
   CHECK(count_for("ros:jazzy") == 1);
@@ -299,7 +299,7 @@ TEST_CASE("--severity has the last word") {
   SourceMap sources;
   Diagnostic finding = found("SML1404", "/robot/joint/limit");
   finding.span.source = sources.add("robot.urdf", "");
-  CHECK(finish({finding}, sources, selection)[0].severity == Severity::info);
+  CHECK(apply_selection({finding}, sources, selection)[0].severity == Severity::info);
 }
 
 TEST_CASE("notes say what the targets make of it, equal ones once") {
@@ -308,7 +308,7 @@ TEST_CASE("notes say what the targets make of it, equal ones once") {
   SourceMap sources;
   Diagnostic finding = found("SML1404", "/robot/joint/limit", {case_of("SML1404", "effort")});
   finding.span.source = sources.add("robot.urdf", "");
-  CHECK(finish({finding}, sources, selection)[0].notes ==
+  CHECK(apply_selection({finding}, sources, selection)[0].notes ==
         std::vector<std::string>{"ros, dart: refuses the file",
                                  "pybullet: reads 0: the joint has no force"});
 }
@@ -381,7 +381,7 @@ TEST_CASE("what is written for a reader is nothing to report where no other matt
     Diagnostic placed =
         found("SML1201", "/robot/joint/parent/@link", {case_of("SML1201", "world of Drake")});
     placed.span.source = sources.add("robot.urdf", "");
-    return finish({placed}, sources, selection).size();
+    return apply_selection({placed}, sources, selection).size();
   };
   CHECK(count_for({}) == 1);
   CHECK(count_for({"drake"}) == 0);

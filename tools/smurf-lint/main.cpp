@@ -363,7 +363,7 @@ bool keeps_inputs(const LintOptions& options, const Report& found,
 
 ExitCode list_files(const LintOptions& options, const LintPlan& plan, const InputFiles& inputs) {
   std::vector<std::string> paths;
-  for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
+  for (const auto* planned : {&plan.scenes, &plan.models, &plan.others}) {
     for (const PlannedFile& file : *planned) paths.push_back(file.path);
   }
   std::sort(paths.begin(), paths.end());

@@ -55,7 +55,7 @@ std::string rename_one(const XacroRename& rename, const LintPlan& plan, const Li
   std::string missing = "no xacro file was named";
   bool is_done = false;
   std::vector<PlannedFile> all = plan.models;
-  all.insert(all.end(), plan.strays.begin(), plan.strays.end());
+  all.insert(all.end(), plan.others.begin(), plan.others.end());
   for (const PlannedFile& planned : all) {
     if (!xacro::is_xacro_file(planned.path)) continue;
     const XacroFiles files = xacro_files_around(planned.path, session.files(), options.limits);

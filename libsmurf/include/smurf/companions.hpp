@@ -90,7 +90,7 @@ struct Companions {
   std::vector<PluginFile> plugin_files;
   /// Of the packages that the hardware and the controllers name, if they are around the robot.
   std::vector<ExportedClass> classes;
-  bool is_alone = false;  ///< the robot was loaded only to check the first of the files
+  bool checks_first_only = false;  ///< the robot was loaded to check the first of the files
 };
 
 /// A robot of xacro with other arguments, and the companions that are meant for it.

@@ -38,7 +38,7 @@ struct PlannedFile {
 struct Plan {
   std::vector<PlannedFile> scenes;
   std::vector<PlannedFile> models;
-  std::vector<PlannedFile> strays;    ///< .urdf and .yml files: alone, unless a model reads them
+  std::vector<PlannedFile> others;    ///< alone, unless a model reads them: .urdf, .yml, companions
   std::vector<std::string> configs;   ///< files; "": none. The first is that of the first path.
   std::vector<std::string> problems;  ///< "cannot read 'arm.smurf': No such file or directory"
 };

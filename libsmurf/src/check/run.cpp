@@ -323,7 +323,7 @@ class Run {
       for (const Variant& one : robot.variants) {
         take_companions(one.companions, one.model, outcome);
       }
-      if (!robot.companions.is_alone) take_files(std::move(model), outcome);
+      if (!robot.companions.checks_first_only) take_files(std::move(model), outcome);
     }
   }
 
@@ -334,7 +334,7 @@ class Run {
       if (model.robot) outcome.companions.emplace(file, fit_of(one, model));
       outcome.read.insert(file);
     }
-    if (!companions.is_alone) return;
+    if (!companions.checks_first_only) return;
     outcome.robots_of_srdfs.insert(model.robot ? model.path : "");
     // The robot with which it was compared was not asked for.
     std::erase_if(outcome.judged.diagnostics, [&](const Diagnostic& one) {
@@ -394,7 +394,7 @@ class Run {
     if (targets_.empty()) return;
     const RuleSelection& selection = memory_.groups[planned.config].selection;
     const std::vector<Diagnostic> found =
-        smurf::finish(std::vector(outcome.judged.diagnostics), sources_, selection);
+        apply_selection(std::vector(outcome.judged.diagnostics), sources_, selection);
     for (const Reader* target : targets_) {
       robot.answers.push_back(judge_target(*target, found).answer());
     }
@@ -472,8 +472,8 @@ Report run_check(const Plan& plan, const CheckSettings& settings, const RunConte
                  SourceMap& sources) {
   Run run(settings, context, sources);
   run.configure(plan.configs);
-  run.expect(plan.scenes.size() + plan.models.size() + plan.strays.size());
-  std::vector<PlannedFile> others = plan.strays;
+  run.expect(plan.scenes.size() + plan.models.size() + plan.others.size());
+  std::vector<PlannedFile> others = plan.others;
   const auto first_companion =
       std::stable_partition(others.begin(), others.end(),
                             [](const PlannedFile& one) { return !is_companion_path(one.path); });

@@ -120,7 +120,7 @@ SceneCheck convert_checked(Session& session, LoadedScene& loaded, bool force,
   if (losses != nullptr) {
     const auto& found = loaded.found.diagnostics();
     std::copy_if(found.begin(), found.end(), std::back_inserter(*losses), is_loss);
-    *losses = session.finish(loaded, std::move(*losses));
+    *losses = session.settle(loaded, std::move(*losses));
   }
   loaded.found = std::move(before);
   check.refusal = refusal_for(check.report.diagnostics, force, [&](const Diagnostic& finding) {

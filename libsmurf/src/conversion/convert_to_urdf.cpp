@@ -186,7 +186,7 @@ UrdfResult convert_to_urdf(Session& session, LoadedModel& loaded, const UrdfRequ
   result.text = export_urdf(model, *loaded.sources, wanted, losses);
   result.refusal = prove(model, *loaded.sources, wanted, request, session.limits(),
                          may_ask_urdfdom(found), result);
-  result.losses = session.finish(loaded, losses.take());
+  result.losses = session.settle(loaded, losses.take());
   return result;
 }
 

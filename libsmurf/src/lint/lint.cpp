@@ -70,8 +70,8 @@ void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& source
   diagnostics.erase(std::unique(diagnostics.begin(), diagnostics.end(), same), diagnostics.end());
 }
 
-std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
-                               const RuleSelection& selection) {
+std::vector<Diagnostic> apply_selection(std::vector<Diagnostic> diagnostics,
+                                        const SourceMap& sources, const RuleSelection& selection) {
   std::map<std::string_view, FileSelection> files;  // by path
   const auto file_of = [&](const Diagnostic& one) -> FileSelection& {
     const std::string& path = sources.path(one.span.source);

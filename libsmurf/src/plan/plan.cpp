@@ -238,7 +238,7 @@ class Planner {
       switch (input_kind(file)) {
       case InputKind::scene: add(plan_.scenes, file); break;
       case InputKind::urdf:
-      case InputKind::other: add(plan_.strays, file); break;  // others are companions
+      case InputKind::other: add(plan_.others, file); break;  // others are companions
       default: add(plan_.models, file); break;
       }
     }
@@ -248,9 +248,9 @@ class Planner {
   /// A xacro file that no user named.
   void add_part_of_robot(const std::string& path) {
     if (is_companion_path(path)) return;  // read with its robot
-    const std::size_t before = plan_.strays.size();
-    add(plan_.strays, path);
-    if (plan_.strays.size() > before) plan_.strays.back().may_be_part = true;
+    const std::size_t before = plan_.others.size();
+    add(plan_.others, path);
+    if (plan_.others.size() > before) plan_.others.back().may_be_part = true;
   }
 
   /// A file that others include is judged in their robots.
@@ -265,9 +265,9 @@ class Planner {
     }
     const std::vector<std::string> roots = known->second->roots_of(path);
     for (const std::string& root : roots) {
-      is_companion_path(root) ? add(plan_.strays, root) : add_part_of_robot(root);
+      is_companion_path(root) ? add(plan_.others, root) : add_part_of_robot(root);
     }
-    if (roots.empty()) add(plan_.strays, path);
+    if (roots.empty()) add(plan_.others, path);
   }
 
   void add_named(const std::string& path) {
@@ -290,7 +290,7 @@ class Planner {
     case InputKind::resource: add_resource(path); return;
     case InputKind::other: break;
     }
-    if (is_companion_path(path)) return add(plan_.strays, path);
+    if (is_companion_path(path)) return add(plan_.others, path);
     fail(
         "cannot check '" + path +
         "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .srdf or .yml file; to check a URDF of "
@@ -326,7 +326,7 @@ class Planner {
       return fail("cannot check '" + path +
                   "': it has no section of SMURF, such as `motors`, and no model lists it");
     }
-    add(plan_.strays, path);
+    add(plan_.others, path);
   }
 
   void add_resource(const std::string& path) {

@@ -320,7 +320,7 @@ bool Conversion::write_losses(std::span<const Diagnostic> losses, const std::str
 }
 
 Diagnostic Conversion::placed(const LoadedScene& loaded, const Diagnostic& found) const {
-  std::vector<Diagnostic> finished = session_.finish(loaded, {found});
+  std::vector<Diagnostic> finished = session_.settle(loaded, {found});
   return finished.empty() ? found : std::move(finished.front());
 }
 

@@ -352,7 +352,7 @@ std::vector<std::string> tied_robots_of(const std::string& path, const LoadConte
 Accompanied load_companion(const std::string& path, LoadContext& context) {
   Accompanied loaded;
   loaded.model.path = path::normalize(path);
-  loaded.companions.is_alone = true;
+  loaded.companions.checks_first_only = true;
   auto companion = Loader(context).read(path, spec_of(CompanionKind::srdf));
   if (!companion) {
     loaded.model.is_complete = false;
