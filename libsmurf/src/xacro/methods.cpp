@@ -396,6 +396,6 @@ const Method* find_method(std::span<const Method> rows, std::string_view name) {
   return found == rows.end() ? nullptr : &*found;
 }
 
-const Method* text_method(std::string_view name) { return find_method(kText, name); }
+std::span<const Method> text_methods() { return kText; }
 
 }  // namespace smurf::xacro
