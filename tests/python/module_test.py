@@ -351,6 +351,17 @@ if __name__ == "__main__":
 """
 
 
+def test_objects_that_cannot_be_pickled_or_made_say_so(tmp_path):
+    (tmp_path / "a.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    report = smurf.check(str(tmp_path / "a.urdf"))
+    for one in (report, smurf.Session()):
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            with pytest.raises(TypeError):
+                pickle.dumps(one, protocol)
+        with pytest.raises(TypeError):
+            type(one).__mro__[1]()
+
+
 def test_pickles(tmp_path, monkeypatch):
     """What was loaded by path or from a text is loaded again elsewhere."""
     monkeypatch.chdir(tmp_path)
