@@ -177,8 +177,7 @@ struct Session {
 
   Limits limits = [] {
     Limits all;
-    all.xacro_steps = 40'000'000;  // of the operands, too
-    all.xacro_bytes = 250'000'000;
+    all.xacro_bytes = 400'000'000;
     return all;
   }();
   NoHost host;
@@ -203,7 +202,8 @@ double pace() {
   for (int round = 0; round < 200; ++round) {
     for (std::uint64_t& value : values) sum += value = value * 6364136223846793005U + sum;
   }
-  CHECK(sum != 0);
+  const volatile std::uint64_t kept = sum;  // so that it is computed
+  static_cast<void>(kept);
   return std::max(1.0, (processor_seconds() - begin) / kUsual);
 }
 
@@ -226,16 +226,15 @@ class Judge {
 
  private:
   std::string run(const std::string& code, int attempt) {
-    constexpr std::uint64_t kMostSteps = 15'000'000;
-    constexpr std::uint64_t kMostBytes = 150'000'000;
-    const bool is_worn = session_ == nullptr || session_->meter.is_exhausted() ||
-                         session_->meter.steps() > kMostSteps ||
-                         session_->meter.bytes() > kMostBytes;
+    constexpr std::uint64_t kMostSteps = 2'000'000;  // of a call
+    constexpr std::uint64_t kMostBytes = 300'000'000;
+    const bool is_worn = session_ == nullptr || session_->meter.bytes() > kMostBytes;
     if (is_worn || attempt > 0) {
       session_.reset();
       session_ = std::make_unique<Session>();
     }
     Evaluator& evaluator = session_->evaluator;
+    session_->meter.renew(kMostSteps);
     const Meter& meter = session_->meter;
     const std::uint64_t steps = meter.steps();
     const std::uint64_t bytes = meter.bytes();
@@ -271,6 +270,8 @@ void judge_calls(Judge& judge, const std::string& called) {
   judge.judge(called + "()");
   for (const auto& [first, code] : kOperands) {
     judge.judge(called + "(" + std::string(first) + ")");
+  }
+  for (const std::string_view first : kSecond) {
     for (const std::string_view second : kSecond) {
       judge.judge(called + "(" + std::string(first) + ", " + std::string(second) + ")");
     }
@@ -307,7 +308,7 @@ TEST_CASE("functions and types count what they do") {
   Judge judge;
   for (const std::string& name : functions()) judge_calls(judge, name);
   MESSAGE(judge.count() << " calls");
-  CHECK(judge.count() > 30'000);
+  CHECK(judge.count() > 15'000);
   CHECK(judge.faults() == 0);
 }
 
@@ -325,7 +326,9 @@ TEST_CASE("methods count what they do") {
     for (const Method& row : rows) {
       for (const std::string& value : values) {
         const std::string called = value + "." + std::string(row.name);
-        judge.renew();
+        if (value.ends_with("list") || value == "numbers" || value == "same_texts" ||
+            value == "dict_value")
+          judge.renew();
         judge.judge(called + "()");
         for (const std::string_view second : kSecond)
           judge.judge(called + "(" + std::string(second) + ")");

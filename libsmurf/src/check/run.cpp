@@ -14,6 +14,7 @@
 #include "base/findings/rules.hpp"
 #include "check/excuses.hpp"
 #include "check/parallel.hpp"
+#include "check/xacro_share.hpp"
 #include "link/package_search.hpp"
 
 namespace smurf {
@@ -85,6 +86,7 @@ class Run {
       }
     }
     if (is_over_ || is_cancelled_) return;
+    steps_of_each_ = xacro_steps_of_each(left, context_.check.limits);
     std::vector<Outcome> outcomes(left.size());
     for_each_in_order(
         left.size(), jobs_,
@@ -290,6 +292,7 @@ class Run {
     } else {
       context.package_search = shared_search_;
     }
+    context.limits.xacro_steps = steps_of_each_;
     context.xacro = group.settings.xacro;
     context.ties = group.ties;
     if (!planned.arguments.empty()) context.xacro.arguments = planned.arguments;
@@ -455,6 +458,7 @@ class Run {
   std::set<std::string> sources_read_;               ///< by identity
   std::uint64_t rechecked_ = 0;                      ///< bytes of files that were read before
   std::uint64_t count_found_ = 0;                    ///< before settings and comments are applied
+  std::uint64_t steps_of_each_ = 0;                  ///< of each expansion of xacro
   bool is_over_ = false;                             ///< the remaining files are not checked
   std::set<std::string> used_;                       ///< paths of the outcomes used here
   std::size_t parsed_bytes_ = 0;                     ///< of the texts whose trees are kept

@@ -49,6 +49,11 @@ class Meter {
     reason_ = reason;
     throw Exhausted{};
   }
+  /// Begins again with these steps, for several expressions with one heap.
+  void renew(std::uint64_t steps) {
+    most_steps_ = steps_ + steps;
+    reason_ = Reason::none;
+  }
   Reason reason() const { return reason_; }
   bool is_exhausted() const { return reason_ != Reason::none; }
   std::uint64_t steps() const { return steps_; }

@@ -2,6 +2,9 @@
 #include "xacro/seen_arguments.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <set>
+#include <span>
 
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
@@ -13,6 +16,8 @@ namespace {
 constexpr std::size_t kMostFiles = 100;              // of a package
 constexpr std::uint64_t kMostBytes = 256ULL << 10U;  // of a file
 constexpr int kMostLevels = 6;                       // from a file up to its package.xml
+constexpr std::size_t kMostNames = 20;               // of arguments
+constexpr std::size_t kMostValues = 100;             // of all arguments
 constexpr std::size_t kMostValue = 60;               // characters
 
 /// The folder of the nearest package.xml; that of the file without one.
@@ -97,10 +102,12 @@ std::vector<SeenArgument> seen_arguments(const std::string& root,
                                          const std::vector<std::string>& names,
                                          const FileReader& files) {
   std::vector<SeenArgument> seen;
+  // More are not shown, and each is searched in each file.
+  const std::span<const std::string> first(names.data(), std::min(names.size(), kMostNames));
   for (const std::string& file : launch_files(package_of(root, files), files)) {
     const FileContent content = files.read(file, kMostBytes);
     const std::string_view text = content.text;
-    for (const std::string& name : names) {
+    for (const std::string& name : first) {
       for (std::size_t at = text.find(name); at != std::string_view::npos;
            at = text.find(name, at + name.size())) {
         const std::size_t end = at + name.size();
@@ -108,6 +115,7 @@ std::vector<SeenArgument> seen_arguments(const std::string& root,
         const bool is_known = std::any_of(seen.begin(), seen.end(), [&](const SeenArgument& one) {
           return one.name == name && one.value == value;
         });
+        if (seen.size() >= kMostValues) return seen;
         if (!value.empty() && !is_known) seen.push_back({name, value, file});
       }
     }
@@ -117,24 +125,31 @@ std::vector<SeenArgument> seen_arguments(const std::string& root,
 
 std::vector<std::string> undeclared_arguments(std::string_view text) {
   std::vector<std::string> names;
+  std::set<std::string, std::less<>> known;
   constexpr std::string_view kUse = "$(arg ";
   for (std::size_t at = text.find(kUse); at != std::string_view::npos;
        at = text.find(kUse, at + 1)) {
     const std::size_t end = text.find(')', at);
     if (end == std::string_view::npos) break;
-    const std::string name(trimmed(text.substr(at + kUse.size(), end - at - kUse.size())));
+    const std::string_view name = trimmed(text.substr(at + kUse.size(), end - at - kUse.size()));
     if (name.empty() || !std::all_of(name.begin(), name.end(), is_of_name)) continue;
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (known.emplace(name).second) names.emplace_back(name);
   }
+  std::set<std::string, std::less<>> declared;
   constexpr std::string_view kTag = "<xacro:arg";
   for (std::size_t at = text.find(kTag); at != std::string_view::npos;
        at = text.find(kTag, at + 1)) {
-    const std::string_view tag = text.substr(at, text.find('>', at) - at);
-    std::erase_if(names, [&](const std::string& name) {
-      return tag.find("\"" + name + "\"") != std::string_view::npos ||
-             tag.find("'" + name + "'") != std::string_view::npos;
-    });
+    std::string_view tag =
+        text.substr(at, std::min(text.find_first_of("<>", at + 1), text.size()) - at);
+    for (std::size_t quote = tag.find_first_of("\"'"); quote != std::string_view::npos;
+         quote = tag.find_first_of("\"'")) {
+      const std::size_t end = tag.find(tag[quote], quote + 1);
+      if (end == std::string_view::npos) break;
+      declared.emplace(tag.substr(quote + 1, end - quote - 1));
+      tag.remove_prefix(end + 1);
+    }
   }
+  std::erase_if(names, [&](const std::string& name) { return declared.contains(name); });
   return names;
 }
 

@@ -130,6 +130,7 @@ class Loader {
                       context_.limits,  context_.packages, context_.package_folders,
                       context_.meshes,  context_.schemas,  context_.read,
                       context_.parsed,  context_.xacro,    context_.expansions};
+    quiet.limits.xacro_steps = steps_of_trial(context_.limits);
     // Launch files often pass the name of the robot.
     if (robot != nullptr) quiet.xacro.arguments.emplace("name", robot->robot->name.value_or(""));
     xacro::Expansion expansion = expand_xacro(root, robot != nullptr ? quiet : context_);

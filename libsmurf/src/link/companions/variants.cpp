@@ -15,6 +15,7 @@
 #include "base/text/words.hpp"
 #include "link/companions/companion_names.hpp"
 #include "link/companions/places.hpp"
+#include "link/xacro_model.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/xacro.hpp"
 #include "xacro/seen_arguments.hpp"
@@ -27,6 +28,7 @@ constexpr std::size_t kMostTrials = 24;           // expansions for one SRDF
 constexpr std::size_t kMostValuesOfArgument = 6;  // of one
 constexpr std::size_t kMostFilesOfXacro = 400;    // of xacro, around the robot
 constexpr std::uint64_t kMostBytesOfXacro = 1U << 20U;
+constexpr std::uint64_t kMostBytesOfNames = 1U << 30U;  // that are searched for one SRDF, by name
 
 using Values = std::map<std::string, std::vector<std::string>>;
 using Arguments = std::map<std::string, std::string>;
@@ -95,6 +97,7 @@ std::vector<ArgumentValue> declared_arguments(const xacro::Expansion& expansion,
 LoadContext quiet_context(const LoadContext& context, SourceMap& sources, DiagnosticSink& sink) {
   LoadContext quiet{sources,          context.files,           sink,    context.limits,
                     context.packages, context.package_folders, nullptr, context.schemas};
+  quiet.limits.xacro_steps = steps_of_trial(context.limits);
   quiet.xacro = context.xacro;
   return quiet;
 }
@@ -236,6 +239,7 @@ void note_written(const LinkedModel& model, Companion& companion, LoadContext& c
     if (is_part && !one.is_vague && !one.is_known()) unknown.emplace(one.name);
   }
   std::size_t count = 0;
+  std::uint64_t left = kMostBytesOfNames;
   const std::string folder(path::parent(model.urdf_path));
   for (const std::string& place : companion_places(folder, context.files).folders) {
     for (const std::string& name : context.files.list(place)) {
@@ -243,6 +247,9 @@ void note_written(const LinkedModel& model, Companion& companion, LoadContext& c
       if (++count > kMostFilesOfXacro || unknown.empty()) return;
       const FileContent content = context.files.read(path::join(place, name), kMostBytesOfXacro);
       if (content.status != ReadStatus::ok) continue;
+      const std::uint64_t work = content.text.size() * unknown.size();
+      if (work > left) return;
+      left -= work;
       for (auto one = unknown.begin(); one != unknown.end();) {
         const bool is_written = writes_name(content.text, *one);
         if (is_written) companion.of_variants.insert(*one);
