@@ -40,7 +40,9 @@ std::optional<std::string> why_unreadable(const std::string& path, const FileRea
   // The same for what is missing and for what lies outside, whose existence is nobody's concern.
   const bool is_hidden =
       content.status == ReadStatus::denied || content.status == ReadStatus::not_found;
-  if (places::is_link(path) && is_hidden) return "is a link that leads to no file of the project";
+  if (places::is_link(path) && is_hidden) {
+    return "is a link to a file that is missing, or lies outside of the project";
+  }
   return content.reason;
 }
 
