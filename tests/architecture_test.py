@@ -43,7 +43,7 @@ HEADERS = {
     "archive": "archive_files",
     "syntax": "xml yaml",
     "xacro": "xacro",
-    "ast": "model scene srdf urdf",
+    "ast": "model scene srdf surroundings urdf",
     "mesh": "mesh mesh_triangles",
     "schema": "user_schemas",
     "link": "companions linked load old_scene references rename",

@@ -16,6 +16,7 @@
 #include "smurf/load.hpp"
 #include "smurf/references.hpp"
 #include "smurf/srdf.hpp"
+#include "smurf/surroundings.hpp"
 #include "smurf/yaml.hpp"
 
 namespace smurf {
@@ -91,6 +92,7 @@ struct Companions {
   /// Of the packages that the hardware and the controllers name, if they are around the robot.
   std::vector<ExportedClass> classes;
   bool checks_first_only = false;  ///< the robot was loaded to check the first of the files
+  Surroundings surroundings;
 };
 
 /// A robot of xacro with other arguments, and the companions that are meant for it.

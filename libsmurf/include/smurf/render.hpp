@@ -92,8 +92,14 @@ std::string render_statistics(std::span<const Diagnostic> diagnostics, const Tex
 /// Options of a report for people.
 struct OverviewOptions {
   Severity least = Severity::warning;
-  bool shows_all = false;  ///< all findings, however many
+  bool shows_all = false;      ///< all findings, however many
+  bool shows_answers = false;  ///< infos about xacro and the files of ROS, in a short report
 };
+/// Whether a report for people shows a finding.
+bool is_shown(const Diagnostic& diagnostic, const OverviewOptions& options);
+/// The options for these findings: in a short report, infos of the rules about xacro and about what
+/// surrounds a robot are shown, because they are often the answer.
+OverviewOptions show_answers(OverviewOptions options, std::span<const Diagnostic> diagnostics);
 /// Findings for people: errors first, then by file. Shows three findings per rule and file. Shows
 /// repeated messages only in the first file. After about 150 lines, it only names the other files.
 /// Counts the omitted findings. `diagnostics` are sorted by file.

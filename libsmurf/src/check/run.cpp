@@ -14,8 +14,10 @@
 #include "base/findings/rules.hpp"
 #include "check/excuses.hpp"
 #include "check/parallel.hpp"
+#include "check/told_findings.hpp"
 #include "check/xacro_share.hpp"
 #include "link/package_search.hpp"
+#include "link/surroundings/load_surroundings.hpp"
 
 namespace smurf {
 namespace {
@@ -197,6 +199,7 @@ class Run {
     copy.judged = kept.judged;
     copy.models = kept.models;
     copy.companions = kept.companions;
+    copy.surroundings = kept.surroundings;
     copy.scenes = kept.scenes;
     copy.read = kept.read;
     return copy;
@@ -310,11 +313,12 @@ class Run {
       Accompanied robot =
           load_robot(planned.path, planned.may_be_part, group.config.xacro, context);
       LinkedModel& model = robot.model;
-      const bool is_xacro = xacro::is_xacro_file(planned.path);
-      if (is_xacro && is_part(model, outcome.sources, planned.may_be_part)) {
+      if (xacro::is_xacro_file(planned.path) &&
+          is_part(model, outcome.sources, planned.may_be_part)) {
         outcome.read.insert(identity_of(model.path));
         return;
       }
+      add_surroundings(robot, context);
       outcome.parsed.end_loading(outcome.sources, sink);
       outcome.judged = judge(robot, outcome.sources, group.selection, sink, *context.expansions);
       if (planned.may_be_part) excuse_arguments(outcome.judged.diagnostics);
@@ -337,6 +341,8 @@ class Run {
       if (model.robot) outcome.companions.emplace(file, fit_of(one, model));
       outcome.read.insert(file);
     }
+    for (const SourceId one : companions.surroundings.sources)
+      outcome.surroundings.insert(identity_of(outcome.sources.path(one)));
     if (!companions.checks_first_only) return;
     outcome.robots_of_srdfs.insert(model.robot ? model.path : "");
     // The robot with which it was compared was not asked for.
@@ -346,8 +352,7 @@ class Run {
   }
 
   void take_files(LinkedModel&& model, Outcome& outcome) const {
-    outcome.models.insert(identity_of(model.path));
-    outcome.read.insert(identity_of(model.path));
+    outcome.read.insert(*outcome.models.insert(identity_of(model.path)).first);
     for (const ModelFile& file : model.files) {
       outcome.read.insert(identity_of(outcome.sources.path(file.source)));
     }
@@ -436,6 +441,7 @@ class Run {
       shared_.take(whole, planned.config, file_of, none);
     }
     shared_.take(outcome.companions, planned.config, file_of, outcome.judged.diagnostics);
+    told_.leave_new(outcome.surroundings, file_of, outcome.judged.diagnostics);
     append(std::move(outcome.judged.diagnostics), found_[planned.config].diagnostics);
     found_[planned.config].comments.take(std::move(outcome.judged.comments), by);
     models_.merge(outcome.models);
@@ -454,6 +460,7 @@ class Run {
   std::set<std::string> models_, scenes_, read_;     ///< by identity
   std::map<std::string, CompanionKind> companions_;  ///< by identity
   std::set<std::string> robots_of_srdfs_;            ///< see Summary
+  ToldFindings told_;                                ///< in the surroundings of robots
   SharedCompanions shared_;                          ///< findings in them
   std::set<std::string> sources_read_;               ///< by identity
   std::uint64_t rechecked_ = 0;                      ///< bytes of files that were read before

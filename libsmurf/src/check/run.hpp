@@ -27,6 +27,7 @@ struct Outcome {
   std::set<std::string> models, scenes, read;           ///< by identity
   std::map<std::string, CompanionFit> companions = {};  ///< of robots, by identity
   std::set<std::string> robots_of_srdfs = {};           ///< see Summary
+  std::set<std::string> surroundings = {};              ///< of robots, by identity
   MeshLibrary meshes;                                   ///< opened for it
   ParsedFiles parsed;
   Recorder::Answers answers;  ///< queries on which the result depends

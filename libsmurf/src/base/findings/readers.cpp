@@ -51,9 +51,10 @@ constexpr Fact kNoAnnotations{.makes = "reads no annotations",
 
 constexpr Fact kNoCompanions{.makes = "does not read it", .evidence = "it opens the URDF only"};
 
-/// SRDFs, elements `ros2_control`, and parameter files of ROS.
+/// SRDFs, elements `ros2_control` and `gazebo`, and the files of ROS around a robot.
 bool is_about_companions(const Rule& rule) {
-  for (const std::string_view family : {"SML35", "SML36", "SML37", "SML38"}) {
+  for (const std::string_view family :
+       {"SML35", "SML36", "SML37", "SML38", "SML39", "SML42", "SML44", "SML45"}) {
     if (rule.id.starts_with(family)) return true;
   }
   return false;
