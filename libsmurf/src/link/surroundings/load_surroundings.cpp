@@ -411,8 +411,13 @@ class Loader {
       if (!mesh.filename.starts_with(kScheme)) continue;
       const std::string rest = mesh.filename.substr(kScheme.size());
       const std::size_t slash = rest.find('/');
-      if (slash != std::string::npos)
-        judge(rest.substr(0, slash), rest.substr(slash + 1), "the robot");
+      if (slash == std::string::npos) continue;
+      const std::string package = rest.substr(0, slash), file = rest.substr(slash + 1);
+      judge(package, file, "the robot");
+      const std::string installed = mesh.exists ? std::string() : installed_source(package, file);
+      if (installed.empty()) continue;
+      const auto index = static_cast<std::size_t>(&mesh - model_.meshes.data());
+      found_.installed_meshes.emplace(index, installed);
     }
     for (const LaunchFile& launch : found_.launch_files) {
       for (const LaunchPath& one : launch.paths) judge_path(one, judge);

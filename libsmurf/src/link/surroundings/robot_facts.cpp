@@ -39,6 +39,7 @@ class RobotFacts {
   void read_source_text() {
     const FileContent content = context_.files.read(model_.urdf_path, context_.limits.file_bytes);
     if (content.status != ReadStatus::ok) return;
+    note_uses(content.text);
     constexpr std::string_view kTag = "<xacro:arg";
     for (std::size_t at = content.text.find(kTag); at != std::string::npos;
          at = content.text.find(kTag, at + 1)) {
@@ -60,16 +61,29 @@ class RobotFacts {
                                     element.attribute("default") != nullptr});
       }
       for (const xml::Attribute& attribute : element.attributes()) {
+        note_uses(attribute.value());
         note_calls(attribute.value(), attribute.value_span());
       }
     }
     for (const xml::Element& one : document.elements) {
       const xml::View element(
           document, xml::ElementId{static_cast<std::uint32_t>(&one - document.elements.data())});
+      note_uses(element.text());
       found_.may_choose_hardware =
           found_.may_choose_hardware ||
           element.text().find("GazeboSimSystem") != std::string_view::npos ||
           element.text().find("IgnitionSystem") != std::string_view::npos;
+    }
+  }
+
+  /// Arguments that are used: one that is not declared has no default.
+  void note_uses(std::string_view text) {
+    constexpr std::string_view kUse = "$(arg ";
+    for (std::size_t at = text.find(kUse); at != std::string_view::npos;
+         at = text.find(kUse, at + 1)) {
+      const std::string_view rest = text.substr(at + kUse.size());
+      const std::string name(trimmed(rest.substr(0, rest.find(')'))));
+      if (!name.empty()) found_.arguments.push_back({name, false});
     }
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,7 @@ void check_one(const LaunchDescription& one, const std::vector<XacroArgument>& k
     }
   }
   if (one.has_unknown_words) return;
+  std::set<std::string_view> told;
   for (const XacroArgument& argument : known) {
     const bool is_given =
         argument.has_default ||
@@ -36,7 +38,7 @@ void check_one(const LaunchDescription& one, const std::vector<XacroArgument>& k
         std::any_of(known.begin(), known.end(), [&](const XacroArgument& other) {
           return other.name == argument.name && other.has_default;
         });
-    if (is_given || is_declared_again) continue;
+    if (is_given || is_declared_again || !told.insert(argument.name).second) continue;
     Diagnostic& found =
         findings.report(one.span, "the xacro needs the argument " + quoted(argument.name) +
                                       ", which has no default");
