@@ -74,7 +74,6 @@ extern constinit const Rule sml3812_moveit_unknown_parameter{
     .name = "moveit-unknown-parameter",
     .severity = Severity::warning,
     .summary = "A parameter of MoveIt is misspelt.",
-    .why = "MoveIt uses its default for the parameter that was meant.",
     .remedy = "Correct the name.",
     .check_companions = check,
     .facts = kFacts};

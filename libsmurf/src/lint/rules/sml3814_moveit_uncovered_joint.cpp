@@ -139,7 +139,6 @@ extern constinit const Rule sml3814_moveit_uncovered_joint{
     .name = "moveit-uncovered-joint",
     .severity = Severity::warning,
     .summary = "No controller of MoveIt has a joint of a group that the controllers drive.",
-    .why = "MoveIt executes a plan only if its controllers have all joints of the group.",
     .remedy = "Add the joint to a controller, or declare it passive in the SRDF.",
     .check_companions = check,
     .facts = kFacts};

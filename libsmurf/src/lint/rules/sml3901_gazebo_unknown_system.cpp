@@ -103,7 +103,6 @@ extern constinit const Rule sml3901_gazebo_unknown_system{
     .name = "gazebo-unknown-system",
     .severity = Severity::warning,
     .summary = "A plugin names a system of Gazebo that does not exist.",
-    .why = "The robot appears in Gazebo and does not move, or sends no data.",
     .remedy = "Write the name of the library and the class that it has.",
     .sources = "gz-sim, branches ign-gazebo6 to gz-sim10: src/systems, SystemLoader.cc.",
     .check_companions = check,

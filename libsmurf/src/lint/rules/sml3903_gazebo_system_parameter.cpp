@@ -37,6 +37,35 @@ class Check {
     }
   }
 
+  /// The same joint on both sides, or each side with the name of the other.
+  void sides() {
+    const auto left = all("left_joint"), right = all("right_joint");
+    for (const xml::View a : left) {
+      for (const xml::View b : right) {
+        if (text_in(a).empty() || text_in(a) != text_in(b)) continue;
+        findings_
+            .report(place_in(b),
+                    "`right_joint` is " + quoted(text_in(b)) + ", which is `left_joint`, too")
+            .label(place_in(a), "it is the left joint here")
+            .help("name the joint of the right side")
+            .when(kSides);
+        return;
+      }
+    }
+    const auto holds = [](xml::View one, std::string_view word, std::string_view other) {
+      return text_in(one).find(word) != std::string_view::npos &&
+             text_in(one).find(other) == std::string_view::npos;
+    };
+    if (left.size() != 1 || right.size() != 1) return;
+    if (!holds(left.front(), "right", "left") || !holds(right.front(), "left", "right")) return;
+    findings_
+        .report(place_in(left.front()),
+                "left and right are exchanged: `left_joint` is " + quoted(text_in(left.front())))
+        .label(place_in(right.front()), "and `right_joint` is " + quoted(text_in(right.front())))
+        .help("exchange the two names")
+        .when(kSides);
+  }
+
  private:
   void old_word(const gazebo::OldWord& word) {
     const xml::View written = plugin_.element.child(word.word);
@@ -84,35 +113,6 @@ class Check {
     return found;
   }
 
-  /// The same joint on both sides, or each side with the name of the other.
-  void sides() {
-    const auto left = all("left_joint"), right = all("right_joint");
-    for (const xml::View a : left) {
-      for (const xml::View b : right) {
-        if (text_in(a).empty() || text_in(a) != text_in(b)) continue;
-        findings_
-            .report(place_in(b),
-                    "`right_joint` is " + quoted(text_in(b)) + ", which is `left_joint`, too")
-            .label(place_in(a), "it is the left joint here")
-            .help("name the joint of the right side")
-            .when(kSides);
-        return;
-      }
-    }
-    const auto holds = [](xml::View one, std::string_view word, std::string_view other) {
-      return text_in(one).find(word) != std::string_view::npos &&
-             text_in(one).find(other) == std::string_view::npos;
-    };
-    if (left.size() != 1 || right.size() != 1) return;
-    if (!holds(left.front(), "right", "left") || !holds(right.front(), "left", "right")) return;
-    findings_
-        .report(place_in(left.front()),
-                "left and right are exchanged: `left_joint` is " + quoted(text_in(left.front())))
-        .label(place_in(right.front()), "and `right_joint` is " + quoted(text_in(right.front())))
-        .help("exchange the two names")
-        .when(kSides);
-  }
-
   void check_base(xml::View frame) {
     Diagnostic* found =
         check_frame(model_, text_in(frame), place_in(frame),
@@ -131,7 +131,11 @@ class Check {
 
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
   for (const GazeboPlugin& plugin : gazebo_plugins(model)) {
-    if (plugin.system != nullptr) Check(model, plugin, findings).run();
+    if (plugin.system != nullptr) {
+      Check(model, plugin, findings).run();
+    } else if (plugin.file == "libgazebo_ros_diff_drive.so") {
+      Check(model, plugin, findings).sides();
+    }
   }
 }
 

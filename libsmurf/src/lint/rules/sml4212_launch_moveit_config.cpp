@@ -67,7 +67,7 @@ extern constinit const Rule sml4212_launch_moveit_config{
     .name = "launch-moveit-config",
     .severity = Severity::error,
     .summary = "MoveItConfigsBuilder gets the name of a robot without a package.",
-    .why = "`MoveItConfigsBuilder(\"arm\")` reads the package `arm_moveit_config`.",
+    .why = "The name is that of the package without `_moveit_config`.",
     .remedy = "Write the name of the robot, or add `package_name=`.",
     .check_companions = check,
     .facts = kFacts};
