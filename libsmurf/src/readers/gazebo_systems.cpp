@@ -98,7 +98,7 @@ constexpr Needs kNeeds[] = {
     {"joint-controller", "joint_name"},
     {"touchplugin", "target time namespace"},
     {"detachable-joint", "parent_link child_link"},
-    {"multicopter-motor-model", "jointName linkName motorNumber"},
+    {"multicopter-motor-model", "jointName linkName"},
     {"lift-drag", "link_name"},
     {"thruster", "joint_name"},
     {"linearbatteryplugin", "battery_name voltage"},
