@@ -60,6 +60,7 @@ struct LaunchDescription {
   bool is_of_robot = false;         ///< the file is that of the robot
 };
 
+/// A node that a launch file starts.
 struct LaunchNode {
   Span span;
   LaunchText package, executable, name, name_space;
@@ -73,6 +74,7 @@ struct LaunchNode {
   std::vector<LaunchDescription> descriptions;
 };
 
+/// A launch file, as far as it is known.
 struct LaunchFile {
   SourceId source{};
   std::string path, package;
@@ -96,13 +98,14 @@ struct InstallFault {
     glob_folder,    ///< glob('x/*') matches a folder
     glob_empty,     ///< glob('x/*.y') matches nothing
     wrong_package,  ///< share/OTHER
-    project_name,   ///< project() differs from <name>
+    project_name,   ///< project() differs from the name in package.xml
   };
   Kind kind{};
   Span span;
   std::string what, other;
 };
 
+/// A package around a robot, and what is wrong in its build file.
 struct SurroundingPackage {
   std::string name, folder;
   SourceId manifest{};
