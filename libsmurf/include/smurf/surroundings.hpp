@@ -49,6 +49,7 @@ struct LaunchDescription {
   bool tolerates_errors = false;  ///< a second argument of Command
   LaunchText program;             ///< "xacro"
   std::optional<LaunchPath> file;
+  /// `NAME:=VALUE`.
   struct Argument {
     std::string name;
     LaunchText value;
