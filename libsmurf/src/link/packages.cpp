@@ -39,6 +39,19 @@ Packages::Packages(LoadContext& context, const std::string& urdf_path, FileIndex
   }
 }
 
+std::string Packages::address_of(const std::string& path) {
+  // PACKAGE/urdf/ROBOT/robot.urdf; a package.xml still farther above is that of something else.
+  constexpr std::size_t kLevels = 4;
+  for (std::size_t i = 0; i < kLevels; ++i) {
+    const std::string& folder = folders_[i];
+    const std::string& name = package_name(folder);
+    if (name.empty()) continue;
+    const std::string rest = path::relative(path, folder);
+    return rest.empty() || rest.starts_with("..") ? "" : "package://" + name + "/" + rest;
+  }
+  return {};
+}
+
 Packages::Place Packages::find(const std::string& name_and_rest) {
   Place place = search(name_and_rest);
   place.is_elsewhere = !place.path.empty() && lies_elsewhere(place, name_and_rest);

@@ -39,6 +39,9 @@ class Packages {
   /// folder NAME.
   Place find(const std::string& name_and_rest);
 
+  /// package://NAME/REST of a file below the nearest package.xml above the URDF; "" for others.
+  std::string address_of(const std::string& path);
+
  private:
   Place search(const std::string& name_and_rest);
   bool lies_elsewhere(const Place& place, const std::string& name_and_rest);

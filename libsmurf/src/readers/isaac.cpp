@@ -130,7 +130,6 @@ constexpr FamilyFact kFamilies[] = {
     {sml1606_mesh_backslash, isaac_without_mesh()},
     {sml1607_mesh_absolute,
      {&isaac, loses, "where the file is missing, builds the link without the shape", kRun}},
-    {sml1609_mesh_package_malformed, isaac_without_mesh()},
     {sml1627_scale_zero, {&isaac, changes, "keeps a shape without volume", kRun}},
     {sml1628_scale_negative, {&isaac, changes, "mirrors the mesh", kRun}},
     {sml1643_mesh_lfs_pointer, isaac_without_mesh()},
@@ -163,6 +162,22 @@ constexpr Fact kUnread[] = {
     {&isaac, ignores, kCustom, kRun, at("gazebo").unless(kPrefixed)},
 };
 
+// The importer of Isaac Sim 6 is urdf-usd-converter; before, it was one in C++.
+constexpr ReaderVersion kIn5[] = {{&isaac, {5, 0}}};
+constexpr ReaderVersion kIn6[] = {{&isaac, {6, 0}}};
+constexpr Reader kIsaac5{.name = "isaac:5",
+                         .title = "Isaac Sim 5",
+                         .basis = "its importer was not run; names from PathUtils.cpp",
+                         .like = &isaac,
+                         .parts = kIn5};
+constexpr Reader kIsaac6{.name = "isaac:6",
+                         .title = "Isaac Sim 6",
+                         .basis = "urdf-usd-converter 0.3.4, executed",
+                         .like = &isaac,
+                         .parts = kIn6};
+constexpr const Reader* kEarlier[] = {&kIsaac5};
+constexpr const Reader* kReleases[] = {&kIsaac6};
+
 }  // namespace
 
 extern constinit const Reader isaac{
@@ -173,6 +188,9 @@ extern constinit const Reader isaac{
     .like = &urdf,
     .version = "urdf-usd-converter 0.3.4",
     .families = kFamilies,
-    .unread = kUnread};
+    .unread = kUnread,
+    .number = {6, 0},
+    .releases = kReleases,
+    .earlier = kEarlier};
 
 }  // namespace smurf::readers::isaac_file

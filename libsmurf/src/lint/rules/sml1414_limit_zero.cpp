@@ -24,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
     found->note("in MuJoCo, 0 means no limit; in Gazebo and Bullet, no force");
   }
   if (Diagnostic* found = velocities.report("such limits", findings)) {
-    found->note("in MoveIt, 0 means no limit; in Drake and Bullet, the joint cannot move");
+    found->note("in MoveIt, 0 means no limit; Drake and Bullet do not enforce it");
   }
 }
 

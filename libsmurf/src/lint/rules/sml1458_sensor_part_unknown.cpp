@@ -67,10 +67,28 @@ class Check {
             .help("delete it, or correct the type");
       }
     }
+    plugin_parts(sensor, type);
     children(sensor, *sdf::find("sensor"));
   }
 
  private:
+  /// The part that describes such a sensor, in a plugin: the sensor itself then has the defaults.
+  void plugin_parts(xml::View sensor, const std::string& type) {
+    for (const auto& [part, types] : kOwnParts) {
+      const bool is_own = (" " + std::string(types)).find(" " + type) != std::string::npos;
+      if (!is_own || type == " " || sensor.child(part)) continue;
+      for (const xml::View child : sensor) {
+        const xml::View inner = child.name() == "plugin" ? child.child(part) : xml::View{};
+        if (!inner || inner.begin() == inner.end()) continue;
+        findings_
+            .report(inner.name_span(),
+                    "the sensor does not read " + quoted(part) + " in a `plugin`")
+            .help("move it from the `plugin` into the `sensor`");
+        return;
+      }
+    }
+  }
+
   // The recursion is as deep as the file, whose depth is limited.
   void children(xml::View parent, const sdf::Element& row) {
     for (const xml::View child : parent) {

@@ -8,6 +8,7 @@ namespace smurf::rules::sml1610_mesh_uri_scheme_file {
 namespace {
 
 constexpr Circumstance kModel{"model"};
+constexpr Circumstance kNetwork{"of the network"};
 constexpr Circumstance kFound{"found"};
 constexpr Circumstance kAbsolute{"absolute"};  ///< `file:///...`
 
@@ -18,11 +19,14 @@ bool has_foreign_scheme(std::string_view path) {
 /// The paths of a file that have a foreign scheme: one finding, because exporters write all alike.
 struct Paths {
   Habit habit;
-  bool has_model_scheme = false, are_found = true, are_absolute = true;
+  bool is_of_network = false, has_model_scheme = false, are_found = true, may_exist = true,
+       are_absolute = true;
 
   void add(const MeshReference& reference) {
+    is_of_network = is_of_network || reference.filename.starts_with("http");
     has_model_scheme = has_model_scheme || reference.filename.starts_with("model://");
-    are_found = are_found && reference.exists;
+    are_found = are_found && reference.exists && !lies_outside(reference);
+    may_exist = may_exist && reference.exists;
     are_absolute = are_absolute && reference.filename.starts_with("file:///");
     const std::string scheme = reference.filename.substr(0, reference.filename.find("://") + 3);
     // Not the whole path: that of `$(find PACKAGE)` is absolute.
@@ -36,18 +40,24 @@ struct Paths {
     Diagnostic* diagnostic = habit.report("such paths", findings);
     if (diagnostic == nullptr) return;
     if (has_model_scheme) diagnostic->when(kModel);
+    if (is_of_network) diagnostic->when(kNetwork);
     if (are_found) diagnostic->when(kFound);
     if (are_absolute) diagnostic->when(kAbsolute);
+    if (!may_exist || !are_absolute) return;
     // Where `$(find PACKAGE)` stands behind it in a xacro, only these two readers mind.
-    if (are_found && are_absolute) diagnostic->severity = Severity::info;
+    diagnostic->severity = are_found ? Severity::info : Severity::warning;
+    if (are_found) return;
+    diagnostic->note("it lies outside of the project, and was not looked up");
+    diagnostic->note("absolute paths lead to nothing on other machines");
+    diagnostic->help("write `package://NAME/PATH`, or a path relative to the URDF");
   }
 };
 
 void check(const LinkedModel& model, Findings& findings) {
   Paths meshes, textures;  // apart: readers that need a mesh do without a texture
-  for (const MeshReference& reference : model.meshes) {
-    if (!has_foreign_scheme(reference.filename)) continue;
-    (reference.is_texture ? textures : meshes).add(reference);
+  for (const MeshReference* reference : collisions_first(model)) {  // some readers drop visuals
+    if (!has_foreign_scheme(reference->filename)) continue;
+    (reference->is_texture ? textures : meshes).add(*reference);
   }
   meshes.report(findings);
   textures.report(findings);
@@ -57,11 +67,16 @@ constexpr Where kOpened = when(kAbsolute, kFound);
 
 constexpr Fact kFacts[] = {
     {&readers::drake, Effect::takes, "opens the file", kRun, kOpened},
+    {&readers::drake, Effect::takes, "looks for it as for a package", kRun, when(kModel, kFound)},
+    {&readers::pybullet, Effect::takes, "does without a texture", kRun, at("texture")},
+    {&readers::pinocchio, Effect::takes, "does not look at textures", kRun,
+     at("texture").unless(kNetwork)},
     {&readers::dart, Effect::takes, "opens the file", kRun, kOpened},
     {&readers::ros, Effect::takes, "opens the file", "resource_retriever", kOpened},
     {&readers::gazebo, Effect::takes, "opens the file", "sdformat keeps the address, run", kOpened},
-    {&readers::isaac, Effect::takes, "opens the file", kRun, kOpened},
-    {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, when(kModel)},
+    {&readers::isaac, Effect::takes, "opens the file", kRun, when(kFound).unless(kModel)},
+    {&readers::isaac, Effect::refuses, "refuses the address of a texture", kRun,
+     at("texture").unless(kAbsolute)},
     {&readers::pybullet, Effect::takes, "opens the file", kRun, when(kFound)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun},
     {&readers::drake, Effect::refuses, "refuses the file", kRun},
@@ -80,7 +95,9 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::loses, "does not look for the file, and may leave the shape out",
      "sdformat parser_urdf.cc:2416-2431"},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
-    {&readers::pinocchio, Effect::takes, "opens the file", kRun, when(kFound)},
+    {&readers::pinocchio, Effect::takes, "opens the file", kRun, kOpened},
+    {&readers::pinocchio, Effect::takes, "looks in the folders of packages that it was given", kRun,
+     when(kModel, kFound)},
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
     newton_without_mesh(when(kModel)),
     {&readers::newton, Effect::takes, "opens the file", kRun, kOpened},

@@ -21,12 +21,17 @@ void check(const LinkedModel& model, Findings& findings) {
   habit.report("such scales", findings);
 }
 
+constexpr Where kCollisionMesh = at("collision");
+
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks,
      "stops loading here, so all later objects, the pose and the anchor are missing",
      "MARS NodePhysics.cpp:626-634"},
     {&readers::pybullet, Effect::changes, "mirrors the mesh and leaves its faces inside out", kRun},
     {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun, before({6, 20})},
+    {&readers::gazebo, Effect::loses,
+     "loads it; DART 6.12, the default engine, ends the simulator at such a collision",
+     "DART 6.12.1, run; gz-physics dartsim, read", kCollisionMesh},
     {&readers::mujoco, Effect::takes, "turns the faces with the mesh", kRun},
 };
 

@@ -9,10 +9,12 @@
 
 #include "base/findings/readers.hpp"
 #include "base/numbers/numbers.hpp"
+#include "base/ranges.hpp"
 #include "base/text/counted.hpp"
 #include "link/shape_hulls.hpp"
+#include "lint/body.hpp"
 #include "lint/companions/srdf_queries.hpp"
-#include "lint/geometry_queries.hpp"
+#include "lint/rigid_shapes.hpp"
 
 namespace smurf::rules::sml1655_collisions_overlap_file {
 namespace {
@@ -38,18 +40,6 @@ struct Placed {
     return hull ? &*hull : nullptr;
   }
 };
-
-/// By link: the topmost link to which fixed joints connect it. Such links are one body.
-std::vector<std::size_t> bodies_of(const LinkedModel& model) {
-  std::vector<std::size_t> body(model.robot->links.size());
-  for (std::size_t i = 0; i < body.size(); ++i) body[i] = i;
-  for (const LinkIndex link : model.tree.order) {
-    const auto joint = model.tree.parent_joint[to_size(link)];
-    if (!joint || model.joint(*joint).type != urdf::JointType::fixed) continue;
-    body[to_size(link)] = body[to_size(*model.tree.joint_parent[to_size(*joint)])];
-  }
-  return body;
-}
 
 /// The body that carries another one; the body itself for a root.
 std::size_t carrier_of(const LinkedModel& model, const std::vector<std::size_t>& body,
@@ -83,7 +73,7 @@ std::vector<Placed> placed_collisions(const LinkedModel& model) {
     if (!poses[i]) continue;
     for (const urdf::Collision& collision : model.robot->links[i].collisions) {
       const std::optional<Box> box = bounding_box(model, collision.geometry);
-      if (!box) continue;
+      if (!box || diagonal_of(*box) > kFarthestOrigin) continue;  // in millimetres: SML1520
       const Pose X_RC = *poses[i] * urdf::to_pose(collision.origin);
       all.push_back({&collision, i, X_RC, *box, moved(*box, X_RC)});
     }
@@ -113,9 +103,29 @@ struct Overlap {
   double depth;
 };
 
+double thickness_of(const Placed& shape) {
+  const Vector3 size = shape.own.size();
+  return std::min({size[0], size[1], size[2]});
+}
+
+/// The depth that counts for two shapes: a part of the thinner one, if it is small.
+double least_of(const Placed& a, const Placed& b, double most) {
+  constexpr double kPart = 0.2;
+  constexpr double kLeast = 0.0005;  // m
+  return std::min(most, std::max(kLeast, kPart * std::min(thickness_of(a), thickness_of(b))));
+}
+
+/// Whether the shape is its own hull, in every reader.
+bool is_convex(const LinkedModel& model, const Placed& shape) {
+  constexpr double kSame = 1.02;
+  if (!std::holds_alternative<urdf::Mesh>(shape.collision->geometry.shape)) return true;
+  const double ratio = hull_ratio(model, shape.collision->geometry);
+  return ratio > 0 && ratio < kSame;
+}
+
 /// The deepest overlap of each pair of links that are no neighbours.
-std::vector<Overlap> overlaps_of(const LinkedModel& model, std::vector<Placed>& all, double least) {
-  const std::vector<std::size_t> body = bodies_of(model);
+std::vector<Overlap> overlaps_of(const LinkedModel& model, std::vector<Placed>& all, double most) {
+  const std::vector<std::size_t> body = rigid_bodies(model);
   std::map<std::pair<std::size_t, std::size_t>, Overlap> deepest;
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -123,6 +133,7 @@ std::vector<Overlap> overlaps_of(const LinkedModel& model, std::vector<Placed>& 
       const std::size_t a = body[all[i].link];
       const std::size_t b = body[all[k].link];
       if (a == b || carrier_of(model, body, a) == b || carrier_of(model, body, b) == a) continue;
+      const double least = least_of(all[i], all[k], most);
       if (!have_room(all[i].box, all[k].box, least)) continue;
       if (++pairs > kMostPairs) return {};
       if (!are_near(all[i], all[k], least)) continue;
@@ -177,12 +188,19 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
   const Overlap& worst =
       *std::max_element(overlaps.begin(), overlaps.end(),
                         [](const Overlap& a, const Overlap& b) { return a.depth < b.depth; });
+  // Of concave meshes, only the hulls may overlap.
+  constexpr double kDeep = 0.4;  // of the thinner shape
+  const bool is_sure = ranges::any_of(overlaps, [&](const Overlap& one) {
+    return one.depth > kDeep * std::min(thickness_of(*one.one), thickness_of(*one.other)) &&
+           is_convex(model, *one.one) && is_convex(model, *one.other);
+  });
   Diagnostic& diagnostic = findings.report(
       tag_name(model, worst.other->collision->element),
       "the collisions of " + title(model.robot->links[worst.one->link]) + " and " +
           title(model.robot->links[worst.other->link]) + " overlap by " +
           format_rounded(1000 * worst.depth, 3) + " mm while all joints are at zero");
   diagnostic.label(tag_name(model, worst.one->collision->element), "the other collision");
+  if (is_sure) diagnostic.severity = Severity::warning;
   diagnostic.note(
       "no joint connects the two links; a simulator that lets them touch, such as MuJoCo, pushes "
       "them apart");
@@ -192,7 +210,7 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mujoco, Effect::takes, "pushes the links apart at the start", kRun},
+    {&readers::mujoco, Effect::changes, "pushes the links apart at the start", kRun},
     {&readers::gazebo, Effect::takes,
      "ignores contacts within a robot, unless `self_collide` is set", "sdformat 12.7.2 link.sdf"},
     {&readers::pybullet, Effect::takes,
@@ -213,7 +231,10 @@ extern constinit const Rule sml1655_collisions_overlap{
         "`disable_collisions` in the SRDF.",
     .sources = "Convex hulls of all collisions, placed by forward kinematics.",
     .check_companions = check,
-    .tolerance = {.value = 0.01, .unit = "m", .meaning = "the depth of an overlap"},
+    .tolerance = {.value = 0.01,
+                  .unit = "m",
+                  .meaning =
+                      "the depth of an overlap; a fifth of the thinner shape, if that is less"},
     .facts = kFacts};
 
 }  // namespace smurf::rules::sml1655_collisions_overlap_file

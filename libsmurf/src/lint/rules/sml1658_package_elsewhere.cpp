@@ -44,6 +44,8 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::refuses,
      "looks for the name of the package in the folders above the URDF, and refuses the robot", kRun,
      at("mesh")},
+    {&readers::pinocchio, Effect::refuses,
+     "looks for a folder of the name of the package, and refuses the shapes", kRun, at("mesh")},
     newton_without_mesh(at("mesh")),
     isaac_without_mesh(at("mesh").when(kOutside)),
 };
