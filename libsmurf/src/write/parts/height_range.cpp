@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "base/numbers/inflate.hpp"
+#include "archive/inflate.hpp"
 
 namespace smurf {
 namespace {
