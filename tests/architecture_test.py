@@ -294,8 +294,9 @@ def check_stages_of_headers():
 
 
 def check_maps():
-    """The README.md of each room names files that exist."""
-    for page in [*(SOURCE / stage / "README.md" for stage in STAGES), *(ROOT / room / "README.md" for room in ROOMS)]:
+    """The README.md of each room, and the map of all, name files that exist."""
+    rooms = [*(SOURCE / stage / "README.md" for stage in STAGES), *(ROOT / room / "README.md" for room in ROOMS)]
+    for page in [*rooms, ROOT / "docs" / "architecture.md"]:
         if not page.exists():
             yield page, 1, "this room has no README.md"
             continue
