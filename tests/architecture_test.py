@@ -50,7 +50,7 @@ HEADERS = {
     "readers": "",
     "render": "render",
     "lint": "lint",
-    "config": "config key_help",
+    "config": "config",
     "plan": "confine found_inputs plan",
     "check": "check",
     "flatten": "dialect flatten",
@@ -108,6 +108,7 @@ PIPELINE_FOLDERS = [SOURCE / "check", SOURCE / "lint"]
 PRIVATE_HEADERS_OF_TOOLS = {
     "ast/format.hpp",
     "config/companion_help.hpp",
+    "config/key_help.hpp",
     "link/describe.hpp",
     "link/extension_names.hpp",
     "lint/inertia_repair.hpp",
