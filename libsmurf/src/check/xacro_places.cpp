@@ -10,6 +10,7 @@
 
 #include "base/text/counted.hpp"
 #include "base/text/quoted.hpp"
+#include "mjcf/mjcf.hpp"
 
 namespace smurf {
 namespace {
@@ -113,6 +114,10 @@ void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& source
       kept.push_back(std::move(diagnostic));
       continue;
     }
+    // A part that only a URDF needs is nobody's, and no rule on masses or on writing is meant for
+    // it.
+    const bool is_made = mjcf::is_made(expansion->second, diagnostic.span);
+    if (is_made && diagnostic.severity != Severity::error) continue;
     const Span call = move_to_xacro(expansion->second, diagnostic);
     const Span span = diagnostic.span;
     const auto [place, is_new] =

@@ -29,6 +29,8 @@ namespace {
 bool is_sought(std::string_view path) {
   const InputKind kind = input_kind(path);
   if (xacro::is_xacro_file(path)) return false;
+  // Most of these are no robots.
+  if (path::to_lower(path::extension(path)) == ".xml") return is_companion_path(path);
   return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf ||
          is_companion_path(path);
 }

@@ -15,6 +15,7 @@
 #include "base/files/path_patterns.hpp"
 #include "base/files/places.hpp"
 #include "base/findings/limits.hpp"
+#include "mjcf/mjcf.hpp"
 #include "plan/ignore_files.hpp"
 #include "plan/models_around.hpp"
 #include "plan/paths.hpp"
@@ -23,6 +24,7 @@
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/found_inputs.hpp"
+#include "smurf/xacro.hpp"
 
 namespace smurf {
 namespace {
@@ -280,7 +282,15 @@ class Planner {
     }
   }
 
+  /// A .xml of another language.
+  bool is_other_xml(const std::string& path) const {
+    if (path::to_lower(path::extension(path)) != ".xml") return false;
+    const FileContent content = files_.read(path, settings_.limits.file_bytes);
+    return content.status == ReadStatus::ok && !mjcf::is_mjcf(content.text);
+  }
+
   void add_file(const std::string& path) {
+    if (is_other_xml(path)) return add_other(path);
     switch (input_kind(path)) {
     case InputKind::scene:
     case InputKind::drawing: add(plan_.scenes, path); return;
@@ -290,10 +300,14 @@ class Planner {
     case InputKind::resource: add_resource(path); return;
     case InputKind::other: break;
     }
+    add_other(path);
+  }
+
+  void add_other(const std::string& path) {
     if (is_companion_path(path)) return add(plan_.others, path);
     fail(
         "cannot check '" + path +
-        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .srdf or .yml file; to check a URDF of "
+        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .mjcf, .srdf or .yml file; to check a URDF of "
         "another name: smurf-lint --stdin-filename NAME.urdf - < FILE");
   }
 
