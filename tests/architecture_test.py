@@ -24,22 +24,24 @@ STAGES = {
     "mesh": {"base", "syntax"},
     "schema": {"base", "syntax", "ast"},
     "link": {"base", "archive", "syntax", "xacro", "ast", "mesh"},
+    "verdict": {"base"},
     "readers": {"base", "ast", "link"},
-    "lint": {"base", "ast", "link", "readers"},
+    "lint": {"base", "verdict", "ast", "link", "readers"},
     "config": {"base", "syntax", "ast"},
     "plan": {"base", "syntax", "xacro", "ast", "link", "config"},
-    "check": {"base", "syntax", "xacro", "link", "lint", "config", "plan"},
+    "check": {"base", "verdict", "syntax", "xacro", "link", "lint", "config", "plan"},
     "flatten": {"base", "syntax", "ast", "link"},
     "convert": {"base", "syntax", "ast", "link"},
     "write": {"base", "syntax", "ast", "mesh", "link", "lint", "flatten", "convert"},
-    "conversion": {"base", "syntax", "mesh", "link", "lint", "check", "flatten", "convert", "write", "render"},
-    "render": {"base"},
+    "conversion": {"base", "verdict", "syntax", "mesh", "link", "lint", "check", "flatten", "convert", "write", "render"},
+    "render": {"base", "verdict"},
     "diff": {"base", "syntax", "ast", "link", "write", "render"},
 }
 
 # The stage of each public header.
 HEADERS = {
     "base": "diagnostic file_reader findings fix flat_shape limits names new_model pose readers source",
+    "verdict": "verdict",
     "archive": "archive_files",
     "syntax": "xml yaml",
     "xacro": "xacro",
@@ -102,7 +104,7 @@ LONGEST_FILE = 500
 
 # Rules are run, places named and comments applied in one place, so that all tools judge a model in the same way.
 PIPELINE = re.compile(r"\b(lint_model|lint_scene|locate|apply_targets)\s*\(|\b(Suppressions|Baseline)\b")
-PIPELINE_FOLDERS = [SOURCE / "check", SOURCE / "lint"]
+PIPELINE_FOLDERS = [SOURCE / "check", SOURCE / "lint", SOURCE / "verdict"]
 # Private headers that tools include, and users of the library do not need. The list should get shorter.
 PRIVATE_HEADERS_OF_TOOLS = {
     "ast/format.hpp",

@@ -10,8 +10,8 @@
 #include "render/advice.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/uri.hpp"
-#include "smurf/readers.hpp"
 #include "smurf/render.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf::lsp {
 namespace {

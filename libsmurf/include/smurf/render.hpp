@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
-#include "smurf/readers.hpp"
 #include "smurf/source.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf {
 

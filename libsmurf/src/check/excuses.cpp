@@ -4,7 +4,7 @@
 #include "base/findings/rules.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
-#include "lint/targets.hpp"
+#include "verdict/targets.hpp"
 #include "xacro/xacro_cases.hpp"
 
 namespace smurf {

@@ -24,6 +24,8 @@ constexpr std::size_t kMostParsed = 16U << 20U;  // bytes of texts; trees need f
 
 void shift(Diagnostic& diagnostic, const SourceShift& by) {
   diagnostic.span = by(diagnostic.span);
+  diagnostic.call = by(diagnostic.call);
+  if (diagnostic.expanded) diagnostic.expanded = by(*diagnostic.expanded);
   for (Label& label : diagnostic.labels) label.span = by(label.span);
   for (Fix& fix : diagnostic.fixes) {
     for (Edit& edit : fix.edits) edit.span = by(edit.span);

@@ -9,6 +9,7 @@
 #include "base/findings/rules.hpp"
 #include "base/text/words.hpp"
 #include "smurf/check.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf {
 namespace {

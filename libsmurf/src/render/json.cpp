@@ -55,6 +55,9 @@ Json to_json(const TargetVerdict& target, const SourceMap& sources) {
   for (const TargetVerdict& later : target.newer) {
     json["later_releases"][std::string(later.reader->name)] = text(to_string(later.answer()));
   }
+  for (const TargetVerdict& one : target.earlier) {
+    json["earlier_releases"][std::string(one.reader->name)] = text(to_string(one.answer()));
+  }
   if (target.fact == nullptr) return json;
   Json first = {{"id", text(target.rule->id)},
                 {"effect", text(to_string(target.fact->effect))},

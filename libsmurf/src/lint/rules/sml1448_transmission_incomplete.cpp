@@ -62,6 +62,7 @@ extern constinit const Rule sml1448_transmission_incomplete{
     .remedy = "Write `<type>`, `<joint name=\"...\">` and `<actuator name=\"...\">`.",
     .sources = "ros2_control transmission_parser.cpp.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1448_transmission_incomplete_file

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 
@@ -15,42 +14,29 @@ bool has_foreign_scheme(std::string_view path) {
   return path.find("://") != std::string_view::npos && !path.starts_with("package://");
 }
 
-/// The paths of a file that have a foreign scheme: one finding, because exporters write all alike.
-struct Paths {
-  Habit habit;
-  bool has_model_scheme = false, are_found = true, are_absolute = true;
-
-  void add(const MeshReference& reference) {
-    has_model_scheme = has_model_scheme || reference.filename.starts_with("model://");
-    are_found = are_found && reference.exists;
-    are_absolute = are_absolute && reference.filename.starts_with("file:///");
-    const std::string scheme = reference.filename.substr(0, reference.filename.find("://") + 3);
-    // Not the whole path: that of `$(find PACKAGE)` is absolute.
-    habit.add(reference.span,
-              reference.is_texture
-                  ? "some readers find no texture by a path that begins with " + quoted(scheme)
-                  : "MuJoCo and MARS refuse paths of meshes that begin with " + quoted(scheme));
-  }
-
-  void report(Findings& findings) {
-    Diagnostic* diagnostic = habit.report("such paths", findings);
-    if (diagnostic == nullptr) return;
-    if (has_model_scheme) diagnostic->when(kModel);
-    if (are_found) diagnostic->when(kFound);
-    if (are_absolute) diagnostic->when(kAbsolute);
-    // Where `$(find PACKAGE)` stands behind it in a xacro, only these two readers mind.
-    if (are_found && are_absolute) diagnostic->severity = Severity::info;
-  }
-};
+/// One finding for meshes, because exporters write all alike, and one for textures, which readers
+/// can do without.
+void report(const MeshReference& reference, Findings& findings) {
+  const bool is_absolute = reference.filename.starts_with("file:///");
+  const std::string scheme = reference.filename.substr(0, reference.filename.find("://") + 3);
+  // Not the whole path: that of `$(find PACKAGE)` is absolute.
+  Diagnostic& finding = findings.report_habit(
+      reference.span,
+      reference.is_texture
+          ? "some readers find no texture by a path that begins with " + quoted(scheme)
+          : "MuJoCo and MARS refuse paths of meshes that begin with " + quoted(scheme),
+      "such paths", reference.is_texture ? 1 : 0);
+  if (reference.filename.starts_with("model://")) finding.when(kModel);
+  if (reference.exists) finding.when(kFound);
+  if (is_absolute) finding.when(kAbsolute);
+  // Where `$(find PACKAGE)` stands behind it in a xacro, only these two readers mind.
+  if (reference.exists && is_absolute) finding.severity = Severity::info;
+}
 
 void check(const LinkedModel& model, Findings& findings) {
-  Paths meshes, textures;  // apart: readers that need a mesh do without a texture
   for (const MeshReference& reference : model.meshes) {
-    if (!has_foreign_scheme(reference.filename)) continue;
-    (reference.is_texture ? textures : meshes).add(reference);
+    if (has_foreign_scheme(reference.filename)) report(reference, findings);
   }
-  meshes.report(findings);
-  textures.report(findings);
 }
 
 constexpr Where kOpened = when(kAbsolute, kFound);

@@ -214,6 +214,7 @@ extern constinit const Rule sml1655_collisions_overlap{
     .sources = "Convex hulls of all collisions, placed by forward kinematics.",
     .check_companions = check,
     .tolerance = {.value = 0.01, .unit = "m", .meaning = "the depth of an overlap"},
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1655_collisions_overlap_file
