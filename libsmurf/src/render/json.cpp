@@ -101,6 +101,15 @@ Json report_json(const SourceMap& sources, const Summary& summary, const ToolNam
   for (const auto& [title, count] : summary.companions) {
     report["summary"]["companions"][std::string(title)] = count;
   }
+  for (const std::string& one : summary.assumptions) {
+    report["summary"]["assumptions"].push_back(one);
+  }
+  for (const NotCompared& one : summary.not_compared) {
+    report["summary"]["not_compared"].push_back({{"path", one.path},
+                                                 {"kind", std::string(one.kind)},
+                                                 {"reason", one.reason},
+                                                 {"next", one.next}});
+  }
   report["diagnostics"] = Json::array();
   for (const TargetVerdict& target : targets) {
     report["targets"][std::string(target.reader->name)] = to_json(target, sources);
