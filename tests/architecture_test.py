@@ -130,18 +130,21 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/files/system.hpp",
     "base/files/uri.hpp",
     "base/text/utf8.hpp",
+    "base/text/words.hpp",
     "base/files/windows_paths.hpp",
     "convert/mass_properties.hpp",
     "flatten/scene_shapes.hpp",
     "link/kinematics.hpp",
     "lint/annotation_queries.hpp",
     "link/inertia.hpp",
+    "link/package_manifest.hpp",
     "lint/queries.hpp",
     "render/advice.hpp",
     "render/json_text.hpp",
     "render/printable.hpp",
     "render/wrap.hpp",
     "write/text/json_text.hpp",
+    "xacro/seen_arguments.hpp",
 }
 
 
