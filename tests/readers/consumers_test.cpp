@@ -22,6 +22,7 @@
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
 #include "smurf/render.hpp"
+#include "smurf/verdict.hpp"
 
 namespace fs = std::filesystem;
 using namespace smurf;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of readers, and the effect of targets on findings.
-#include "smurf/readers.hpp"
+#include "smurf/verdict.hpp"
 
 #include <doctest/doctest.h>
 
@@ -273,7 +273,7 @@ TEST_CASE("the severity is that of the worst target") {
   const Diagnostic bounds_equal = found("SML1408", "/robot/joint/limit/@upper");
   CHECK(severity_for(bounds_equal, {}) == Severity::warning);
   CHECK(severity_for(bounds_equal, {"mujoco"}) == Severity::warning);
-  CHECK(severity_for(bounds_equal, {"ros"}) == Severity::info);
+  CHECK(severity_for(bounds_equal, {"ros"}) == Severity::warning);  // nobody means such a joint
   const Diagnostic effort_missing =
       found("SML1404", "/robot/joint/limit", {case_of("SML1404", "effort")});
   CHECK(severity_for(effort_missing, {"ros"}) == Severity::error);
@@ -283,7 +283,7 @@ TEST_CASE("the severity is that of the worst target") {
   const Diagnostic too_large = found("SML0002", "/robot");
   CHECK(severity_for(too_large, {"mujoco"}) == Severity::error);  // the target may refuse it
   CHECK(severity_for(found("SML1407", "/robot/joint/limit"), {"drake"}) == Severity::error);
-  CHECK(severity_for(found("SML1407", "/robot/joint/limit"), {"mars"}) == Severity::info);
+  CHECK(severity_for(found("SML1407", "/robot/joint/limit"), {"mars"}) == Severity::error);
 }
 
 TEST_CASE("what no body can be stays an error, and what nobody knows stays as it is") {

@@ -19,7 +19,7 @@ std::vector<std::string> searched_or_named(const LintOptions& options) {
 }
 
 void append_planned(const LintPlan& plan, std::vector<std::string>& paths) {
-  for (const auto* planned : {&plan.scenes, &plan.models, &plan.others}) {
+  for (const auto* planned : {&plan.scenes, &plan.models, &plan.others, &plan.companions}) {
     for (const PlannedFile& file : *planned) paths.push_back(file.path);
   }
 }

@@ -6,6 +6,7 @@
 #include "base/files/path.hpp"
 #include "base/text/edits.hpp"
 #include "config/companion_help.hpp"
+#include "config/key_help.hpp"
 #include "link/extension_names.hpp"
 #include "render/printable.hpp"
 #include "smurf-lsp/capabilities.hpp"
@@ -14,7 +15,6 @@
 #include "smurf-lsp/yaml_context.hpp"
 #include "smurf/check.hpp"
 #include "smurf/companions.hpp"
-#include "smurf/key_help.hpp"
 
 namespace smurf::lsp {
 namespace {

@@ -12,10 +12,18 @@
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
-#include "smurf/readers.hpp"
 #include "smurf/source.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf {
+
+/// A companion of robots ("controllers.yaml") that was seen, and not compared with a robot.
+struct NotCompared {
+  std::string path;
+  std::string_view kind;
+  std::string reason;  ///< "none of its 6 joints is known here; nearest: `joint_1`"
+  std::string next;    ///< what to do: "name its robot as well"
+};
 
 /// Counts for the summary line and the reports.
 struct Summary {
@@ -30,6 +38,9 @@ struct Summary {
   std::vector<std::pair<std::string_view, std::size_t>> companions = {};
   /// The robots with which SRDFs were compared that a user named without them; "" for none.
   std::set<std::string> robots_of_srdfs = {};
+  std::vector<NotCompared> not_compared = {};
+  /// Values that nobody gave: "`r.urdf.xacro` with `model:=mk3`, from `launch/d.launch.py`".
+  std::set<std::string> assumptions = {};
   std::size_t links = 0;  ///< symbolic links that lead out of a folder, which were not followed
 };
 /// Counts findings by severity; the caller sets the other counts.

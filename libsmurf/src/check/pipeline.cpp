@@ -211,7 +211,6 @@ Report make_report(std::vector<Judged>&& found, const CheckGroups& groups,
     append(settle(std::move(judged), group, sources, suppressed, report.targets), all);
   }
   report_path_checks(groups, context, sources, all);
-  join_roots(sources, all);
   sort_findings(all, sources);
   if (suppressed > 0) note_passed(all, &TargetVerdict::ignored, report.targets);
   report.settings = report_settings_of(first);

@@ -16,6 +16,7 @@
 #include "check/snapshot.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/confine.hpp"
 
 namespace smurf {
@@ -28,6 +29,13 @@ std::string text_of(const struct timespec& time) {
 bool is_readable(const std::string& path, const FileReader& files) {
   const ReadStatus status = files.read(path, 0).status;  // without content
   return status == ReadStatus::ok || status == ReadStatus::too_large;
+}
+
+/// Whether a YAML file belongs to a robot of ROS.
+bool is_companion(const std::string& path, const FileReader& files) {
+  constexpr std::uint64_t kMostBytes = 1U << 20U;
+  const FileContent content = files.read(path, kMostBytes);
+  return content.status == ReadStatus::ok && find_companion_kind(path, content.text) != nullptr;
 }
 
 /// The configuration of a file. A configuration that cannot be read is ignored.
@@ -216,7 +224,7 @@ void Session::clear_text(const std::string& path) {
 
 Report Session::check(const Plan& plan, const CheckSettings& settings) {
   std::vector<std::string> inputs = plan.configs;
-  for (const auto* files : {&plan.scenes, &plan.models, &plan.others}) {
+  for (const auto* files : {&plan.scenes, &plan.models, &plan.others, &plan.companions}) {
     for (const PlannedFile& file : *files) inputs.push_back(file.path);
   }
   state_->open(inputs, settings);
@@ -236,8 +244,11 @@ Report Session::check(const std::string& path, const CheckSettings& settings) {
     plan.problems = std::move(found.problems);  // and a finding, which nobody overlooks
   }
   state_->open(std::span(&path, 1), settings);
-  plan.configs.push_back(config_for(path, settings, *state_->files));
   const InputKind kind = input_kind(path);
+  if (kind == InputKind::annotation && is_companion(path, *state_->files)) {
+    return check(state_->plan(std::span(&path, 1), settings), settings);
+  }
+  plan.configs.push_back(config_for(path, settings, *state_->files));
   const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;
   (is_scene ? plan.scenes : plan.models).push_back({path, 0});
   return state_->run(plan, settings);

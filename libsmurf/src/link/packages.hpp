@@ -13,11 +13,6 @@
 
 namespace smurf {
 
-/// The name in a package.xml; empty if there is none.
-std::string package_name_in(std::string_view package_xml);
-/// The text without its comments.
-std::string without_comments(std::string_view xml);
-
 class Packages {
  public:
   Packages(LoadContext& context, const std::string& urdf_path, FileIndex& index);

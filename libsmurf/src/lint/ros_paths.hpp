@@ -4,7 +4,6 @@
 
 #include <string_view>
 
-#include "lint/habit.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf {
@@ -19,7 +18,7 @@ inline constexpr std::string_view kRetriever =
 /// The path of a mesh or texture that readers of files find and programs of ROS do not.
 bool is_lost_to_ros(const MeshReference& reference);
 
-/// Reports the first of the paths for which `is_meant` is true, with the address to write.
-Diagnostic* report_lost_to_ros(const LinkedModel& model, bool in_package, Findings& findings);
+/// Reports the paths, with the address to write if their package is known (`in_package`).
+void report_lost_to_ros(const LinkedModel& model, bool in_package, Findings& findings);
 
 }  // namespace smurf

@@ -15,6 +15,7 @@
 #include "base/files/path_patterns.hpp"
 #include "base/files/places.hpp"
 #include "base/findings/limits.hpp"
+#include "mjcf/mjcf.hpp"
 #include "plan/ignore_files.hpp"
 #include "plan/models_around.hpp"
 #include "plan/paths.hpp"
@@ -23,9 +24,12 @@
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/found_inputs.hpp"
+#include "smurf/xacro.hpp"
 
 namespace smurf {
 namespace {
+
+constexpr std::uint64_t kMostBytesOfCompanion = 1U << 20U;
 
 /// The files that a configuration excludes, and its own sections.
 struct Exclusions {
@@ -229,7 +233,8 @@ class Planner {
     for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
     const std::vector<std::string> roots =
         XacroFiles(found.xacro, files_, settings_.limits).roots();
-    const bool is_found = !found.files.empty() || !roots.empty();
+    for (const std::string& file : found.yaml) add(plan_.companions, file);
+    const bool is_found = !found.files.empty() || !roots.empty() || has_companion(found.yaml);
     if (!is_found && found.unreadable.empty() && !ignore_files_.is_exhausted()) {
       fail(why_nothing(found, folder));
     }
@@ -247,7 +252,7 @@ class Planner {
 
   /// A xacro file that no user named.
   void add_part_of_robot(const std::string& path) {
-    if (is_companion_path(path)) return;  // read with its robot
+    if (is_companion_path(path)) return add(plan_.companions, path);  // read with its robot
     const std::size_t before = plan_.others.size();
     add(plan_.others, path);
     if (plan_.others.size() > before) plan_.others.back().may_be_part = true;
@@ -277,10 +282,36 @@ class Planner {
       config_of_entry(path);  // every run checks the configurations that it reads
     } else if (!is_left_out_by_force(path)) {
       add_file(path);
+      mark_named(path);
     }
   }
 
+  /// A .xml of another language.
+  bool is_other_xml(const std::string& path) const {
+    if (path::to_lower(path::extension(path)) != ".xml") return false;
+    const FileContent content = files_.read(path, settings_.limits.file_bytes);
+    return content.status == ReadStatus::ok && !mjcf::is_mjcf(content.text);
+  }
+
+  void mark_named(const std::string& path) {
+    for (auto* files : {&plan_.models, &plan_.others, &plan_.companions}) {
+      if (!files->empty() && files->back().path == path) files->back().is_named = true;
+    }
+  }
+
+  /// Whether one of these files is a companion of a robot, which may be elsewhere.
+  bool has_companion(const std::vector<std::string>& paths) const {
+    return std::any_of(paths.begin(), paths.end(),
+                       [&](const std::string& path) { return is_companion(path); });
+  }
+
+  bool is_companion(const std::string& path) const {
+    const FileContent content = files_.read(path, kMostBytesOfCompanion);
+    return content.status == ReadStatus::ok && find_companion_kind(path, content.text) != nullptr;
+  }
+
   void add_file(const std::string& path) {
+    if (is_other_xml(path)) return add_other(path);
     switch (input_kind(path)) {
     case InputKind::scene:
     case InputKind::drawing: add(plan_.scenes, path); return;
@@ -290,10 +321,14 @@ class Planner {
     case InputKind::resource: add_resource(path); return;
     case InputKind::other: break;
     }
+    add_other(path);
+  }
+
+  void add_other(const std::string& path) {
     if (is_companion_path(path)) return add(plan_.others, path);
     fail(
         "cannot check '" + path +
-        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .srdf or .yml file; to check a URDF of "
+        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .mjcf, .srdf or .yml file; to check a URDF of "
         "another name: smurf-lint --stdin-filename NAME.urdf - < FILE");
   }
 
@@ -319,6 +354,9 @@ class Planner {
     if (settings_.stands_for_users && xacro::is_xacro_file(path)) return add_xacro(path);
     const std::vector<std::string> models = models_.listing(path);
     for (const std::string& model : models) add(plan_.models, model);
+    if (models.empty() && input_kind(path) == InputKind::annotation && is_companion(path)) {
+      return add(plan_.companions, path);
+    }
     const bool is_passed_over =
         settings_.stands_for_users && input_kind(path) == InputKind::annotation;
     if (!models.empty() || is_passed_over) return;

@@ -17,8 +17,8 @@
 #include "render/paint.hpp"
 #include "render/printable.hpp"
 #include "render/wrap.hpp"
-#include "smurf/readers.hpp"
 #include "smurf/render.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf {
 namespace {
@@ -181,8 +181,9 @@ class Overview {
 
   std::vector<Kind> kinds_of(const Section& section) {
     std::vector<Kind> kinds;
-    // Notes may say what is special about a finding, such as the variant of its robot.
-    using Text = std::tuple<const Rule*, std::string, std::string_view, std::vector<std::string>>;
+    // Notes may say what is special about a finding, such as the variant of its robot. Advice of
+    // several kinds for one fault would exclude each other: that of the first is shown.
+    using Text = std::tuple<const Rule*, std::string, std::vector<std::string>>;
     std::map<Text, std::size_t> index;
     for (const Diagnostic* one : section.findings) {
       if (options_.shows_all) {
@@ -192,8 +193,7 @@ class Overview {
       const Repeated& repeated = repeated_[{one->rule, one->message}];
       if (repeated.first != path_of(section.file) || is_of_another_robot(*one)) continue;
       const auto [kind, is_new] = index.try_emplace(
-          {one->rule, without_numbers(without_names(one->message)), one->help_text, one->notes},
-          kinds.size());
+          {one->rule, without_numbers(without_names(one->message)), one->notes}, kinds.size());
       if (is_new) kinds.emplace_back();
       kinds[kind->second].findings.push_back(one);
     }

@@ -259,8 +259,8 @@ void note_written(const LinkedModel& model, Companion& companion, LoadContext& c
   }
 }
 
-/// Moves the files in a folder to a variant of the robot with these arguments.
-void move_to_variant(Accompanied& robot, const std::string& folder, const Arguments& arguments,
+/// Moves a file to a variant of the robot with these arguments; an SRDF with all files beside it.
+void move_to_variant(Accompanied& robot, std::size_t index, const Arguments& arguments,
                      LoadContext& context) {
   DiagnosticSink ignored(context.limits);
   LoadContext inner = quiet_context(context, context.sources, ignored);
@@ -270,13 +270,17 @@ void move_to_variant(Accompanied& robot, const std::string& folder, const Argume
   variant.model = load_model(robot.model.path, inner);
   variant.arguments = shown_arguments(arguments);
   std::vector<Companion>& files = robot.companions.files;
-  const auto moved = std::stable_partition(
-      files.begin(), files.end(), [&](const Companion& one) { return one.folder != folder; });
+  const std::string folder = files[index].folder;
+  const SourceId source = files[index].source;
+  const bool moves_all = files[index].srdf.has_value();
+  const auto moved = std::stable_partition(files.begin(), files.end(), [&](const Companion& one) {
+    return moves_all ? one.folder != folder : one.source != source;
+  });
   std::move(moved, files.end(), std::back_inserter(variant.companions.files));
   files.erase(moved, files.end());
   for (Companion& one : variant.companions.files) {
     count_names(variant.model, one);
-    if (one.srdf && one.known_names < one.names) note_written(variant.model, one, context);
+    if (one.known_names < one.names) note_written(variant.model, one, context);
   }
 }
 
@@ -290,15 +294,16 @@ void split_variants(Accompanied& robot, LoadContext& context,
   std::vector<Companion>& files = robot.companions.files;
   for (std::size_t i = 0; i < files.size();) {
     Companion& one = files[i];
-    const bool lacks = one.srdf && one.known_names < one.names && !one.is_compared;
-    if (!lacks) {
+    // A misspelt name is one with all arguments.
+    const std::size_t known = one.known_names + (one.srdf ? 0 : one.near_names.size());
+    if (known >= one.names || one.is_compared) {
       ++i;
       continue;
     }
     one.is_compared = true;
     if (!search) search.emplace(robot.model, values, context);
     if (const auto best = search->best_for(one)) {
-      move_to_variant(robot, std::string(one.folder), *best, context);
+      move_to_variant(robot, i, *best, context);
       i = 0;
     } else {
       note_written(robot.model, one, context);

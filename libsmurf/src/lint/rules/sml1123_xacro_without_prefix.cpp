@@ -3,7 +3,6 @@
 
 #include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1123_xacro_without_prefix_file {
@@ -22,27 +21,27 @@ bool is_of_xacro(xml::View element) {
 }
 
 // The recursion is as deep as the file, whose depth is limited.
-void search(xml::View element, Habit& habit) {
+void search(xml::View element, Findings& findings) {
   for (const xml::View child : element) {
     const std::string_view name = child.name();
     if (is_of_xacro(child)) {
-      habit.add(child.name_span(),
-                quoted(name) + " is an element of xacro only as `xacro:" + std::string(name) + "`");
+      findings
+          .report_habit(child.name_span(),
+                        quoted(name) +
+                            " is an element of xacro only as `xacro:" + std::string(name) + "`",
+                        "such elements")
+          .help("write the prefix `xacro:` in front; xacro copies other elements unchanged");
       continue;
     }
     const bool is_foreign = name == "gazebo" || name == "ros2_control" || name == "transmission" ||
                             name.find(':') != std::string_view::npos;
-    if (!is_foreign) search(child, habit);
+    if (!is_foreign) search(child, findings);
   }
 }
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
-  Habit habit;
-  search(xml::View(model.robot->document, model.robot->document.root), habit);
-  if (Diagnostic* found = habit.report("such elements", findings)) {
-    found->help("write the prefix `xacro:` in front; xacro copies other elements unchanged");
-  }
+  search(xml::View(model.robot->document, model.robot->document.root), findings);
 }
 
 constexpr Fact kFacts[] = {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
 #include "base/text/utf8.hpp"
-#include "lint/habit.hpp"
 #include "lint/name_queries.hpp"
 
 namespace smurf::rules::sml1310_not_an_identifier_file {
@@ -20,32 +19,28 @@ std::string as_name_of_isaac(std::string_view name) {
 void check(const LinkedModel& model, Findings& findings) {
   // SML1311 reports names that become equal.
   if (!name_collisions(model, as_identifier).empty()) return;
-  Habit with_blank, others;
-  std::string renamed, of_isaac;
+  enum Habit { with_blank, others };
   for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
     if (name_fault(*name) != NameFault::irregular) return;
     // SML0004 reports control characters.
     if (!utf8::is_printable(*name)) return;
     if (name->find(' ') != std::string::npos) {
-      with_blank.add(name.span, "the name " + quoted(*name) + " contains a space");
+      findings
+          .report_habit(name.span, "the name " + quoted(*name) + " contains a space", "such names",
+                        with_blank)
+          .when(kSpace)
+          .note("Gazebo derives names of topics from it, which must not contain spaces")
+          .severity = Severity::warning;
       return;
     }
-    if (others.is_first()) {
-      renamed = as_identifier(*name);
-      of_isaac = as_name_of_isaac(*name);
-    }
-    others.add(name.span, "the name " + quoted(*name) +
-                              " has characters other than letters, digits and underscores");
+    findings
+        .report_habit(name.span,
+                      "the name " + quoted(*name) +
+                          " has characters other than letters, digits and underscores",
+                      "such names", others)
+        .note("Isaac Sim up to 5 renames it to " + quoted(as_identifier(*name)) +
+              ", Isaac Sim 6 to " + quoted(as_name_of_isaac(*name)));
   });
-  if (Diagnostic* diagnostic = with_blank.report("such names", findings)) {
-    diagnostic->severity = Severity::warning;
-    diagnostic->when(kSpace);
-    diagnostic->note("Gazebo derives names of topics from it, which must not contain spaces");
-  }
-  if (Diagnostic* diagnostic = others.report("such names", findings)) {
-    diagnostic->note("Isaac Sim up to 5 renames it to " + quoted(renamed) + ", Isaac Sim 6 to " +
-                     quoted(of_isaac));
-  }
 }
 
 constexpr Fact kFacts[] = {

@@ -39,6 +39,7 @@ extern constinit const Rule sml1429_safety_soft_limits_missing{
     .summary = "A safety controller has no soft limits.",
     .remedy = "Write soft_lower_limit and soft_upper_limit.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1429_safety_soft_limits_missing_file

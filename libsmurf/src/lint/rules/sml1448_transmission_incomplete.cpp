@@ -2,7 +2,6 @@
 #include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
 #include "base/text/words.hpp"
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1448_transmission_incomplete_file {
@@ -56,7 +55,6 @@ bool is_for_ros_control(const LinkedModel& model) {
 
 void check_interfaces(const LinkedModel& model, Findings& findings) {
   if (!model.robot || has_ros2_control(model) || !is_for_ros_control(model)) return;
-  Habit habit;
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View transmission(model.robot->document, id);
     if (transmission.name() != "transmission" || transmission.attribute("type") != nullptr)
@@ -65,13 +63,12 @@ void check_interfaces(const LinkedModel& model, Findings& findings) {
         lacks(transmission, "actuator") || !lacks_interface(transmission)) {
       continue;
     }
-    habit.add(transmission.child("joint").name_span(),
-              "the joint of this transmission has no `hardwareInterface`");
-  }
-  if (Diagnostic* found = habit.report("such joints", findings)) {
-    found->when(kNoInterface);
-    found->help("add `<hardwareInterface>hardware_interface/EffortJointInterface"
-                "</hardwareInterface>`, or that of another interface, to the joint");
+    findings
+        .report_habit(transmission.child("joint").name_span(),
+                      "the joint of this transmission has no `hardwareInterface`", "such joints")
+        .when(kNoInterface)
+        .help("add `<hardwareInterface>hardware_interface/EffortJointInterface"
+              "</hardwareInterface>`, or that of another interface, to the joint");
   }
 }
 
@@ -123,6 +120,7 @@ extern constinit const Rule sml1448_transmission_incomplete{
     .remedy = "Write `<type>`, `<joint name=\"...\">` and `<actuator name=\"...\">`.",
     .sources = "ros2_control transmission_parser.cpp.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1448_transmission_incomplete_file

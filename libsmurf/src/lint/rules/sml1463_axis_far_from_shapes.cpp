@@ -4,7 +4,6 @@
 
 #include "base/numbers/numbers.hpp"
 #include "base/numbers/vectors.hpp"
-#include "lint/habit.hpp"
 #include "lint/rigid_shapes.hpp"
 
 namespace smurf::rules::sml1463_axis_far_from_shapes_file {
@@ -30,7 +29,7 @@ bool is_at_joint_above(const LinkedModel& model, const std::vector<std::optional
 void check_joint(const LinkedModel& model, std::size_t joint,
                  const std::vector<std::optional<Pose>>& poses,
                  const std::vector<std::size_t>& body, const std::vector<RigidShape>& shapes,
-                 Habit& habit) {
+                 Findings& findings) {
   const urdf::Joint& one = model.robot->joints[joint];
   const auto parent = model.tree.joint_parent[joint];
   const auto child = model.tree.joint_child[joint];
@@ -53,10 +52,15 @@ void check_joint(const LinkedModel& model, std::size_t joint,
       is_shared ? to_parent > kFarOfParent * diagonal_of(*fixed.box)
                 : std::min(to_child, to_parent) > std::max(kLeastAlone, kFarAlone * sizes);
   if (!is_far) return;
-  habit.add(name_place(model, one),
-            "the axis of " + title(one) + " passes " + format_rounded(to_child, 2) + " m from " +
-                title(model.link(*child)) + ", which it turns, and " +
-                format_rounded(to_parent, 2) + " m from " + title(model.link(*parent)));
+  findings
+      .report_habit(name_place(model, one),
+                    "the axis of " + title(one) + " passes " + format_rounded(to_child, 2) +
+                        " m from " + title(model.link(*child)) + ", which it turns, and " +
+                        format_rounded(to_parent, 2) + " m from " + title(model.link(*parent)),
+                    "such axes")
+      .help(
+          "write the place of the axis into the `origin` of the joint, and move the shapes and the "
+          "inertial of the child back by it");
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -69,14 +73,8 @@ void check(const LinkedModel& model, Findings& findings) {
   const std::vector<std::size_t> body = rigid_bodies(model);
   const std::vector<RigidShape> shapes = rigid_shapes(model, poses, body);
   if (shapes.empty()) return;
-  Habit habit;
   for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
-    if (turns(model.robot->joints[i])) check_joint(model, i, poses, body, shapes, habit);
-  }
-  if (Diagnostic* found = habit.report("such axes", findings)) {
-    found->help(
-        "write the place of the axis into the `origin` of the joint, and move the shapes and the "
-        "inertial of the child back by it");
+    if (turns(model.robot->joints[i])) check_joint(model, i, poses, body, shapes, findings);
   }
 }
 
@@ -93,6 +91,7 @@ extern constinit const Rule sml1463_axis_far_from_shapes{
     .remedy = "Write the place of the axis into the origin of the joint.",
     .sources = "Boxes around all shapes, placed by forward kinematics; fusion2urdf issues 45 and "
                "50, solidworks_urdf_exporter issues 73 and 130.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1463_axis_far_from_shapes_file

@@ -109,6 +109,7 @@ extern constinit const Rule sml1464_wheels_exchanged{
     .remedy = "Name the joints of the left side as left ones, and give both sides the same axis.",
     .sources = "create_robot issue 77, ros2_controllers issue 597. By the words for sides in the "
                "names of the elements and joints.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1464_wheels_exchanged_file

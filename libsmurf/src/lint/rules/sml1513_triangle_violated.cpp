@@ -69,6 +69,6 @@ extern constinit const Rule sml1513_triangle_violated{
     .sources = "62 links of the Tola/Corke dataset, all above 1 %.",
     .check_model = check,
     .facts = kFacts,
-    .is_impossible = true};
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1513_triangle_violated_file

@@ -88,6 +88,7 @@ extern constinit const Rule sml1518_inertia_too_large_for_geometry{
     .remedy = "Compute the inertia from the geometry and the mass, in kg m2.",
     .sources = "Bhatia-Davis inequality; MuJoCo documentation on URDF; 48 of 322 files of the "
                "Tola/Corke dataset.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1518_inertia_too_large_for_geometry_file

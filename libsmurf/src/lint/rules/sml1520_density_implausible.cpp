@@ -202,6 +202,7 @@ extern constinit const Rule sml1520_density_implausible{
         "No material is heavier than 22600 kg/m3 (osmium), and a part is rarely lighter than air. A mass in grams, or shapes in the wrong unit, make simulated forces wrong by a factor of a thousand.",
     .remedy = "Check the unit of the mass (kg) and of the shapes (m).",
     .sources = "Density of osmium; median of 322 files of the Tola/Corke dataset: 821 kg/m3.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1520_density_implausible_file

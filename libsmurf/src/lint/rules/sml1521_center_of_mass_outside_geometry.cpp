@@ -148,9 +148,10 @@ extern constinit const Rule sml1521_center_of_mass_outside_geometry{
     .remedy = "Write the origin of the inertial in metres, in the frame of the link.",
     .sources = "24 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .tolerance = {
-        .value = 0.1,
-        .meaning =
-            "how far outside the centre of mass may lie, as a fraction of the longest edge"}};
+    .tolerance =
+        {.value = 0.1,
+         .meaning =
+             "how far outside the centre of mass may lie, as a fraction of the longest edge"},
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1521_center_of_mass_outside_geometry_file

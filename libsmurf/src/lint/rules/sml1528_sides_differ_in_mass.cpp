@@ -180,6 +180,7 @@ extern constinit const Rule sml1528_sides_differ_in_mass{
     .remedy = "Compare the two inertials, and copy the newer one to the other side, mirrored.",
     .sources = "Of 991 public URDFs, 16 differ in mass by more than 5 %, and 18 in inertia.",
     .check_model = check,
-    .tolerance = {.value = 0.05, .meaning = "how much the two sides may differ, as a fraction"}};
+    .tolerance = {.value = 0.05, .meaning = "how much the two sides may differ, as a fraction"},
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1528_sides_differ_in_mass_file

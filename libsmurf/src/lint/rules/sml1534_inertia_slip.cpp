@@ -35,6 +35,7 @@ extern constinit const Rule sml1534_inertia_slip{
     .sources =
         "Reported where the tensor is more than 10 % off and less than 3 % after the change; "
         "none of 367 links with a closed mesh of public robots.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1534_inertia_slip_file

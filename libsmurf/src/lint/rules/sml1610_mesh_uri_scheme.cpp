@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 
@@ -16,51 +15,36 @@ bool has_foreign_scheme(std::string_view path) {
   return path.find("://") != std::string_view::npos && !path.starts_with("package://");
 }
 
-/// The paths of a file that have a foreign scheme: one finding, because exporters write all alike.
-struct Paths {
-  Habit habit;
-  bool is_of_network = false, has_model_scheme = false, are_found = true, may_exist = true,
-       are_absolute = true;
-
-  void add(const MeshReference& reference) {
-    is_of_network = is_of_network || reference.filename.starts_with("http");
-    has_model_scheme = has_model_scheme || reference.filename.starts_with("model://");
-    are_found = are_found && reference.exists && !lies_outside(reference);
-    may_exist = may_exist && reference.exists;
-    are_absolute = are_absolute && reference.filename.starts_with("file:///");
-    const std::string scheme = reference.filename.substr(0, reference.filename.find("://") + 3);
-    // Not the whole path: that of `$(find PACKAGE)` is absolute.
-    habit.add(reference.span,
-              reference.is_texture
-                  ? "some readers find no texture by a path that begins with " + quoted(scheme)
-                  : "MuJoCo and MARS refuse paths of meshes that begin with " + quoted(scheme));
-  }
-
-  void report(Findings& findings) {
-    Diagnostic* diagnostic = habit.report("such paths", findings);
-    if (diagnostic == nullptr) return;
-    if (has_model_scheme) diagnostic->when(kModel);
-    if (is_of_network) diagnostic->when(kNetwork);
-    if (are_found) diagnostic->when(kFound);
-    if (are_absolute) diagnostic->when(kAbsolute);
-    if (!may_exist || !are_absolute) return;
-    // Where `$(find PACKAGE)` stands behind it in a xacro, only these two readers mind.
-    diagnostic->severity = are_found ? Severity::info : Severity::warning;
-    if (are_found) return;
-    diagnostic->note("it lies outside of the project, and was not looked up");
-    diagnostic->note("absolute paths lead to nothing on other machines");
-    diagnostic->help("write `package://NAME/PATH`, or a path relative to the URDF");
-  }
-};
+/// One finding for meshes, because exporters write all alike, and one for textures, which readers
+/// can do without.
+void report(const MeshReference& reference, Findings& findings) {
+  const bool is_absolute = reference.filename.starts_with("file:///");
+  const std::string scheme = reference.filename.substr(0, reference.filename.find("://") + 3);
+  // Not the whole path: that of `$(find PACKAGE)` is absolute.
+  Diagnostic& finding = findings.report_habit(
+      reference.span,
+      reference.is_texture
+          ? "some readers find no texture by a path that begins with " + quoted(scheme)
+          : "MuJoCo and MARS refuse paths of meshes that begin with " + quoted(scheme),
+      "such paths", reference.is_texture ? 1 : 0);
+  const bool is_found = reference.exists && !lies_outside(reference);
+  if (reference.filename.starts_with("model://")) finding.when(kModel);
+  if (reference.filename.starts_with("http")) finding.when(kNetwork);
+  if (is_found) finding.when(kFound);
+  if (is_absolute) finding.when(kAbsolute);
+  if (!reference.exists || !is_absolute) return;
+  // Where `$(find PACKAGE)` stands behind it in a xacro, only these two readers mind.
+  finding.severity = is_found ? Severity::info : Severity::warning;
+  if (is_found) return;
+  finding.note("it lies outside of the project, and was not looked up")
+      .note("absolute paths lead to nothing on other machines")
+      .help("write `package://NAME/PATH`, or a path relative to the URDF");
+}
 
 void check(const LinkedModel& model, Findings& findings) {
-  Paths meshes, textures;  // apart: readers that need a mesh do without a texture
-  for (const MeshReference* reference : collisions_first(model)) {  // some readers drop visuals
-    if (!has_foreign_scheme(reference->filename)) continue;
-    (reference->is_texture ? textures : meshes).add(*reference);
+  for (const MeshReference& reference : model.meshes) {
+    if (has_foreign_scheme(reference.filename)) report(reference, findings);
   }
-  meshes.report(findings);
-  textures.report(findings);
 }
 
 constexpr Where kOpened = when(kAbsolute, kFound);

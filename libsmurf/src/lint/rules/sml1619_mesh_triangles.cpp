@@ -79,6 +79,7 @@ extern constinit const Rule sml1619_mesh_triangles{
     .sources = "957 collision meshes of 322 public URDFs: median 854, 95 % below 8540; 733 visual "
                "meshes: 95 % below 34850, at most 82075.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1619_mesh_triangles_file

@@ -3,22 +3,20 @@
 
 #include "base/findings/readers.hpp"
 #include "lint/geometry_queries.hpp"
-#include "lint/habit.hpp"
 
 namespace smurf::rules::sml1628_scale_negative_file {
 namespace {
 
 /// One finding per file, because authors mirror all parts of the left side to make the right one.
 void check(const LinkedModel& model, Findings& findings) {
-  Habit habit;
   for_each_geometry(model, [&](const GeometryUse& use) {
     const urdf::Mesh* mesh = use.mesh();
     if (mesh == nullptr || !mesh->scale) return;
     if (std::any_of(mesh->scale->begin(), mesh->scale->end(), [](double x) { return x < 0; })) {
-      habit.add(mesh->scale.span, "the mesh is mirrored by a negative scale");
+      findings.report_habit(mesh->scale.span, "the mesh is mirrored by a negative scale",
+                            "such scales");
     }
   });
-  habit.report("such scales", findings);
 }
 
 constexpr Where kCollisionMesh = at("collision");
@@ -44,6 +42,7 @@ extern constinit const Rule sml1628_scale_negative{.id = "SML1628",
                                                    .why = "It mirrors the mesh.",
                                                    .remedy = "Mirror the mesh file.",
                                                    .check_model = check,
-                                                   .facts = kFacts};
+                                                   .facts = kFacts,
+                                                   .about = About::robot};
 
 }  // namespace smurf::rules::sml1628_scale_negative_file

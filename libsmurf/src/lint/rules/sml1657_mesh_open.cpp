@@ -65,6 +65,7 @@ extern constinit const Rule sml1657_mesh_open{
     .remedy = "Close the holes and make all normals face outward in a mesh editor, or use a "
               "primitive shape.",
     .sources = "Sums over the edges of the triangles.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1657_mesh_open_file

@@ -31,6 +31,7 @@ extern constinit const Rule sml1662_mesh_doubled{
            "twice, and coinciding faces flicker.",
     .remedy = "Remove the duplicates in a mesh editor.",
     .sources = "Sums over the triangles. Triangles that face both ways are no duplicates.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1662_mesh_doubled_file

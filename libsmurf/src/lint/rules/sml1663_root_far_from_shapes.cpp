@@ -47,6 +47,7 @@ extern constinit const Rule sml1663_root_far_from_shapes{
         "beside it. The assembly did not stand at the origin of the drawing.",
     .remedy = "Move the assembly to the origin, and export it again.",
     .sources = "Bounding boxes of all shapes; PingTi-Arm issue 6.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1663_root_far_from_shapes_file

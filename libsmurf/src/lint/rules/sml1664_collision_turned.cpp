@@ -4,7 +4,6 @@
 #include <variant>
 
 #include "lint/geometry_queries.hpp"
-#include "lint/habit.hpp"
 #include "lint/rigid_shapes.hpp"
 
 namespace smurf::rules::sml1664_collision_turned_file {
@@ -57,19 +56,18 @@ bool is_turned(const LinkedModel& model, const urdf::Visual& visual,
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  Habit habit;
   for_each_link(model, [&](const urdf::Link& link) {
     if (link.visuals.size() != 1 || link.collisions.size() != 1) return;
     const urdf::Collision& collision = link.collisions.front();
     if (!is_turned(model, link.visuals.front(), collision)) return;
     const Field<Vector3>& rpy = collision.origin.rpy;
-    habit.add(rpy ? rpy.span : tag_name(model, collision.element),
-              "the collision of " + title(link) +
-                  " has the shape and size of its visual, but is turned");
+    findings
+        .report_habit(rpy ? rpy.span : tag_name(model, collision.element),
+                      "the collision of " + title(link) +
+                          " has the shape and size of its visual, but is turned",
+                      "such collisions")
+        .help("write the `origin` of the visual into the collision, too");
   });
-  if (Diagnostic* found = habit.report("such collisions", findings)) {
-    found->help("write the `origin` of the visual into the collision, too");
-  }
 }
 
 }  // namespace
@@ -84,6 +82,7 @@ extern constinit const Rule sml1664_collision_turned{
         "touches the ground with its rim's edge, and sinks in or hops.",
     .remedy = "Write the origin of the visual into the collision.",
     .sources = "mir_robot issue 25. Links with one visual and one collision.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1664_collision_turned_file

@@ -5,7 +5,6 @@
 #include "base/files/path.hpp"
 #include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
-#include "lint/habit.hpp"
 #include "lint/rigid_shapes.hpp"
 
 namespace smurf::rules::sml1665_support_without_collision_file {
@@ -30,7 +29,6 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const auto& parent : model.tree.joint_parent) {
     if (parent) has_child[to_size(*parent)] = true;
   }
-  Habit habit;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const urdf::Link& link = model.robot->links[i];
     if (!is_support(link) || link.visuals.empty() || !link.collisions.empty() || has_child[i]) {
@@ -39,10 +37,10 @@ void check(const LinkedModel& model, Findings& findings) {
     // A part that is fixed to another one that moves by itself may stand on it.
     const bool is_carried = body[i] != i && model.tree.parent_joint[body[i]];
     if (is_carried && shapes[body[i]].has_collision) continue;
-    habit.add(name_place(model, link), title(link) + " has a visual, but no collision");
-  }
-  if (Diagnostic* found = habit.report("such links", findings)) {
-    found->help("add a `collision`, or the part goes through the ground in simulators");
+    findings
+        .report_habit(name_place(model, link), title(link) + " has a visual, but no collision",
+                      "such links")
+        .help("add a `collision`, or the part goes through the ground in simulators");
   }
 }
 
@@ -63,6 +61,7 @@ extern constinit const Rule sml1665_support_without_collision{
     .remedy = "Add a collision.",
     .sources = "ArloBot issue 155. By the name of the link.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1665_support_without_collision_file

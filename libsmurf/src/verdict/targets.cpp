@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/targets.hpp"
+#include "verdict/targets.hpp"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/findings/uncertain.hpp"
-#include "smurf/lint.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf {
 namespace {
@@ -41,9 +41,13 @@ struct Judgement {
 Judgement judge(const Diagnostic& diagnostic, std::span<const Reader* const> targets) {
   Judgement judgement;
   for (const Reader* reader : targets) {
-    const Fact* fact = find_fact(*reader, diagnostic);
-    judgement.is_known = judgement.is_known && fact != nullptr;
-    judgement.is_meant = judgement.is_meant && fact != nullptr && is_meant(*fact);
+    const Fact* fact = nullptr;  // the worst
+    for_each_place(diagnostic, [&](const PlaceView& place) {
+      const Fact* known = find_fact(*reader, diagnostic, place);
+      judgement.is_known = judgement.is_known && known != nullptr;
+      judgement.is_meant = judgement.is_meant && known != nullptr && is_meant(*known);
+      if (known != nullptr && (fact == nullptr || known->effect > fact->effect)) fact = known;
+    });
     if (fact == nullptr || fact->effect == Effect::takes) continue;
     auto& stumbles = judgement.stumbles;
     const auto known = std::find_if(stumbles.begin(), stumbles.end(), [&](const auto& stumble) {
@@ -65,12 +69,11 @@ Severity severity_for(const Diagnostic& diagnostic, const Judgement& judgement) 
   for (const auto& [fact, names] : judgement.stumbles) {
     severity = std::max(severity, severity_of(*fact));
   }
-  // An error stays an error as long as a target may refuse the file.
-  const bool is_open = !judgement.is_known && diagnostic.severity == Severity::error;
-  if (diagnostic.rule->is_impossible || (is_open && !diagnostic.rule->needs_target)) {
-    return std::max(severity, diagnostic.severity);
-  }
-  const bool is_fine = diagnostic.rule->needs_target;  // unless one of the targets fails
+  const Rule& rule = *diagnostic.rule;
+  // What nobody meant, no reader makes right. What nobody knows about a target stays as it is.
+  const bool is_open = !judgement.is_known && !rule.needs_target;
+  if (rule.about == About::robot || is_open) return std::max(severity, diagnostic.severity);
+  const bool is_fine = rule.needs_target;  // unless one of the targets fails
   return judgement.stumbles.empty() && !is_fine ? milder(diagnostic.severity) : severity;
 }
 
