@@ -179,11 +179,8 @@ def test_objects_without_a_value():
             for make in (object.__new__, cls.__new__, cls.__base__.__new__):
                 with pytest.raises(TypeError):
                     make(cls)
-    session = smurf.Session.__new__(smurf.Session)
-    for use in (lambda: session.check("a"), lambda: session.set_text("a", "b"), lambda: session.clear_text("a"),
-                lambda: session.load_model("a")):
-        with pytest.raises((TypeError, RuntimeError)):
-            use()
+    with pytest.raises(TypeError):
+        smurf.Session.__new__(smurf.Session)
 
 
 def test_messages_are_plain(tmp_path):

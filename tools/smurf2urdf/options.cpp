@@ -300,10 +300,10 @@ std::string problem_of(ExportOptions& options) {
     return "--srdf needs a separate file";
   }
   wanted.has_srdf = !options.srdf.empty();
-  if (options.reader == nullptr && wanted.adds_mujoco_settings) {
-    options.reader = find_target("mujoco");
+  if (wanted.adds_mujoco_settings) {
+    options.common.targets = {find_target("mujoco")};
+    if (options.reader == nullptr) options.reader = find_target("mujoco");
   }
-  if (options.reader != nullptr) options.common.targets = {options.reader};
   const bool to_stdout = output.empty() || output == "-";
   // Standard output counts as the current folder.
   wanted.output_folder = to_stdout ? "." : std::string(path::parent(output));

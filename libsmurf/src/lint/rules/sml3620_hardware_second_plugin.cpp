@@ -9,8 +9,9 @@ namespace {
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
   for (const Hardware& hardware : hardware_of(model)) {
     const xml::View part = hardware.element.child("hardware");
+    if (!part) continue;
     xml::View first;
-    for (const xml::View child : part ? part : xml::View()) {
+    for (const xml::View child : part) {
       if (child.name() != "plugin") continue;
       if (!first) {
         first = child;
