@@ -119,9 +119,9 @@ def picture_of(programs, path, arguments):
 
 
 def make_server(folder, find):
-    from mcp.server import MCPServer
-    from mcp.server.mcpserver import Image
-    from mcp.server.mcpserver.exceptions import ToolError
+    from mcp.server import MCPServer  # type: ignore[import]
+    from mcp.server.mcpserver import Image  # type: ignore[import]
+    from mcp.server.mcpserver.exceptions import ToolError  # type: ignore[import]
 
     programs = Programs(folder, find)
     server = MCPServer("smurf", instructions=INSTRUCTIONS)

@@ -383,9 +383,9 @@ class Refusal(ExportTest):
         self.assertIn("urdfdom                     accepts", done.stderr)
         done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf", "--report", "concise")
         self.assertIn("SML1407", done.stderr)
-        self.write("arm/urdf/arm.xml", self.source())
+        self.write("arm/urdf/arm.xml", self.source())  # smurf-lint needs the name of a URDF
         done = self.run_with_messages(0, "arm/urdf/arm.xml", "-o", "arm/urdf/o.urdf")
-        self.assertIn(": see smurf-lint arm/urdf/arm.xml\n", done.stderr)
+        self.assertIn(": see smurf-lint --stdin-filename arm/urdf/arm.urdf - < arm/urdf/arm.xml\n", done.stderr)
         done = self.run_with_messages(1, "arm/smurf/arm.smurf", "--fail-on", "error")
         self.assertIn("has findings that reach --fail-on; see --force; nothing was written", done.stderr)
 
