@@ -126,6 +126,7 @@ void keep_last_keys(yaml::Document& document, bool joins) {
     at(last).next_sibling = at(to).first_child();
     at(to).set_children(at(from).first_child(), at(from).child_count() + at(to).child_count());
     at(from).set_children(yaml::kNoNode, 0);
+    at(to).span.begin = std::min(at(from).span.begin, at(to).span.begin);
   };
   // Parents come before their children, and so do those that get children here.
   for (std::size_t i = 0; i < document.nodes.size(); ++i) {

@@ -57,7 +57,7 @@ std::vector<std::string> candidates(const std::vector<std::string>& folders,
     for (const std::string& name : context.files.list(place)) {
       const bool is_companion =
           wants_companions && (is_companion_path(name) || may_be_parameters(name));
-      const bool is_hidden = name.starts_with('.') && path::extension(name).empty() == false;
+      const bool is_hidden = name.starts_with('.') && name.rfind('.') != 0;  // .setup_assistant
       if (is_hidden || (!is_companion && !has_extension(name, extensions))) continue;
       std::string path = path::join(place, name);
       if (!seen.insert(context.files.identity(path)).second) continue;

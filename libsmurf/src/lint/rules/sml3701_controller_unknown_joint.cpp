@@ -48,14 +48,15 @@ struct Section {
   }
 };
 
-/// A joint that the section does not list and that is one edit away, also in a digit: `joint3` for
-/// `joint33`. A joint of a larger robot has none, because the section lists all of this one.
+/// A movable joint that the section does not list and that is one edit away, also in a digit:
+/// `joint3` for `joint33`. A joint of a larger robot has none, because the section lists all of
+/// this one.
 std::optional<std::string_view> numbered_joint(const LinkedModel& model, const Section& section,
                                                std::string_view name) {
   std::vector<std::string_view> unused;
-  for (const std::string_view one : model.joint_names.names()) {
-    if (!section.listed_joints.contains(one) && edit_distance(one, name, 1) <= 1)
-      unused.push_back(one);
+  for (const urdf::Joint& one : model.robot->joints) {
+    if (!one.name || !one.is_movable() || section.listed_joints.contains(*one.name)) continue;
+    if (edit_distance(*one.name, name, 1) <= 1) unused.push_back(*one.name);
   }
   return unused.size() == 1 ? std::optional(unused.front()) : std::nullopt;
 }
@@ -73,12 +74,15 @@ std::vector<Section> sections_of(const LinkedModel& model, const ControllerFile&
     sections.emplace_back(model, one);
   }
   for (const Reference& one : references) {
+    // The nearest section around it: one that is written in two parts lies around others.
     auto after = by_begin.upper_bound({one.span.source, one.span.begin});
-    if (after == by_begin.begin()) continue;
-    Section& section = sections[(--after)->second];
-    const Span span = section.controller->section.span();
-    if (span.source == one.span.source && one.span.end <= span.end) {
+    while (after != by_begin.begin()) {
+      Section& section = sections[(--after)->second];
+      const Span span = section.controller->section.span();
+      if (span.source != one.span.source) break;
+      if (one.span.end > span.end) continue;
       section.references.push_back(&one);
+      break;
     }
   }
   return sections;

@@ -41,6 +41,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
   for_each_moveit_value(companions, [&](const Companion& file, const RosParameter& parameter,
                                         yaml::View value, const std::string& path) {
     if (!file.is_ros2 || is_of_release(parameter.path)) return;  // ROS 1 converts some of them
+    if (value.key() == "controller_names") return;               // SML3804 reports it
     const bool is_list = std::isupper(static_cast<unsigned char>(parameter.type)) != 0;
     if (value.is_scalar() && !is_list) {
       check_scalar(file, value, path, parameter.type, findings);

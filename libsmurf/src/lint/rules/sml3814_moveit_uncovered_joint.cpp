@@ -67,10 +67,10 @@ void check_group(const std::set<std::string_view>& joints, const std::string& gr
   std::vector<std::string_view> missing;
   std::set_difference(joints.begin(), joints.end(), lists.covered.begin(), lists.covered.end(),
                       std::back_inserter(missing));
-  const std::size_t settled =
-      std::erase_if(missing, [&](std::string_view one) { return told.contains(one); });
   // A group of an arm and of a hand that nothing drives is meant so.
-  if (missing.empty() || missing.size() * 2 > joints.size() - settled) return;
+  if (missing.size() * 2 > joints.size()) return;
+  std::erase_if(missing, [&](std::string_view one) { return told.contains(one); });
+  if (missing.empty()) return;
   const Lists::One* best = nullptr;
   for (const Lists::One& one : lists.all) {
     const bool is_inside =
