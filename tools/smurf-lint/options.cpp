@@ -87,7 +87,8 @@ std::string_view target_help() {
       list.append(list.empty() ? "" : ", ").append(name);
     }
     return "Judge the files for these readers, and report whether each loads them: " + names +
-           ". Without a release, the oldest one that its developers support is meant, and a line says where others differ. Releases: " + releases + ".";
+           ". Without a release, the oldest one that its developers support is meant, and a line says where others differ. Releases: " +
+           releases + ".";
   }();
   return help;
 }

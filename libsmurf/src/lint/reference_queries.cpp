@@ -102,7 +102,8 @@ Guess guess_name(std::string_view name, std::span<const std::string_view> all,
     return meanings.is_impossible && meanings.is_impossible(*near) ? std::string_view() : *near;
   };
   const std::string_view nearest = among(all);
-  if (!meanings.unused || findings.doubtful_references().list().size() > kMostSlips) return {nearest, {}};
+  if (!meanings.unused || findings.doubtful_references().list().size() > kMostSlips)
+    return {nearest, {}};
   const UnusedNames likely = meanings.unused();
   std::string_view meant = among(likely.names);
   if (meant.empty() && ranges::contains(likely.names, likely.own)) meant = likely.own;

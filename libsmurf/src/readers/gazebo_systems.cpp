@@ -243,7 +243,8 @@ std::optional<Library> library_of(std::string_view filename) {
     if (!filename.starts_with(begin)) continue;
     library.is_old = begin.front() == 'i';
     filename.remove_prefix(begin.size());
-    while (!filename.empty() && filename.front() >= '0' && filename.front() <= '9') filename.remove_prefix(1);
+    while (!filename.empty() && filename.front() >= '0' && filename.front() <= '9')
+      filename.remove_prefix(1);
     if (!filename.starts_with('-') || !filename.ends_with("-system")) return std::nullopt;
     filename.remove_prefix(1);
     if (filename.size() <= 7) return std::nullopt;

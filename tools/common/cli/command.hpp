@@ -60,7 +60,7 @@ struct Command {
   std::string_view details{};   ///< description of the operands, and details
   std::vector<Option> options{};
   Setter set_operand{};
-  std::vector<VerbName> verbs{};  ///< for completions
+  std::vector<VerbName> verbs{};    ///< for completions
   std::vector<Example> examples{};  ///< the two most useful ones first: --help shows two
   std::string_view exit_with_1 = "findings at or above the threshold";
 };
