@@ -147,7 +147,7 @@ struct Fact {
 enum class About : std::uint8_t {
   readers,  ///< what programs make of the file: the facts decide
   robot,    ///< whether the robot is as it was meant: no target makes a finding milder
-  format,   ///< whether the file follows its format; programs may read it all the same
+  format,   ///< whether the file follows its format; programs may read it anyway
 };
 
 /// Which tool reports the findings of a rule.
