@@ -22,7 +22,6 @@
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
 #include "smurf/render.hpp"
-#include "smurf/verdict.hpp"
 
 namespace fs = std::filesystem;
 using namespace smurf;
@@ -136,7 +135,7 @@ Checked check_for(const fs::path& path, const Reader& target) {
   lint_model(model, selection, sink);
   std::vector<Diagnostic> diagnostics = sink.take();
   locate(model, diagnostics);
-  diagnostics = apply_selection(std::move(diagnostics), sources, selection);
+  diagnostics = finish(std::move(diagnostics), sources, selection);
   const TargetVerdict verdict = judge_target(target, diagnostics);
   const std::string text = render_targets({&verdict, 1}, sources, {});
   const std::string line = text.substr(0, text.find('\n'));
