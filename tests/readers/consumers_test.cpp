@@ -22,6 +22,7 @@
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
 #include "smurf/render.hpp"
+#include "smurf/verdict.hpp"
 
 namespace fs = std::filesystem;
 using namespace smurf;
@@ -135,7 +136,7 @@ Checked check_for(const fs::path& path, const Reader& target) {
   lint_model(model, selection, sink);
   std::vector<Diagnostic> diagnostics = sink.take();
   locate(model, diagnostics);
-  diagnostics = finish(std::move(diagnostics), sources, selection);
+  diagnostics = apply_selection(std::move(diagnostics), sources, selection);
   const TargetVerdict verdict = judge_target(target, diagnostics);
   const std::string text = render_targets({&verdict, 1}, sources, {});
   const std::string line = text.substr(0, text.find('\n'));

@@ -6,12 +6,11 @@
 #include <tuple>
 
 #include "base/files/path.hpp"
-#include "link/packages.hpp"
+#include "link/package_manifest.hpp"
 
 namespace smurf {
 namespace {
 
-constexpr std::string_view kPackageFile = "package.xml";
 constexpr int kLevels = 12;  // of folders, upward and downward
 constexpr std::uint64_t kMostEntries = 200'000;
 
@@ -147,9 +146,7 @@ const PackageSearch::Tree& PackageSearch::tree_of(const std::string& folder, Dep
 
 const std::string& PackageSearch::name_in(const std::string& folder) {
   if (const std::string* known = find_known(names_, folder)) return *known;
-  constexpr std::uint64_t kMostBytes = 1U << 20U;
-  const std::string path = path::join(folder, std::string(kPackageFile));
-  return keep(names_, folder, package_name_in(files_.read(path, kMostBytes).text));
+  return keep(names_, folder, manifest_in(folder, files_).name);
 }
 
 std::string PackageSearch::package_around(std::string folder) {
@@ -203,14 +200,18 @@ std::optional<std::string> PackageSearch::search_around(const std::string& name,
   return search_upward(name, near, own, Depth::inside_of_packages);
 }
 
+PackageSearch& search_of(LoadContext& context) {
+  if (!context.package_search) {
+    context.package_search = std::make_shared<PackageSearch>(context.files);
+  }
+  return *context.package_search;
+}
+
 std::optional<std::string> find_package(const std::string& name, const std::string& near,
                                         LoadContext& context) {
   const auto given = context.packages.find(name);
   if (given != context.packages.end()) return given->second;
-  if (!context.package_search) {
-    context.package_search = std::make_shared<PackageSearch>(context.files);
-  }
-  return context.package_search->find(name, near, context.package_folders);
+  return search_of(context).find(name, near, context.package_folders);
 }
 
 }  // namespace smurf

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "link/companions/library.hpp"
 #include "smurf/load.hpp"
 
 namespace smurf {
@@ -20,7 +22,11 @@ namespace smurf {
 /// Several threads may use it. What it finds does not depend on what was asked before.
 class PackageSearch {
  public:
-  explicit PackageSearch(const FileReader& files) : files_(files) {}
+  explicit PackageSearch(const FileReader& files)
+      : companions(std::make_shared<CompanionLibrary>()), files_(files) {}
+
+  /// What the companions in these packages contain.
+  const std::shared_ptr<CompanionLibrary> companions;
 
   /// The folder of a package: that of the file at `near`; then the one nearest to it, as far as
   /// files may be read; then one in the folders that contain packages. Of several in one folder,
@@ -95,7 +101,9 @@ class PackageSearch {
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> answers_;
 };
 
-/// The same, but a folder that the user gave for the package comes first.
+/// That of the context, made at the first search.
+PackageSearch& search_of(LoadContext& context);
+/// The same as find(), but a folder that the user gave for the package comes first.
 std::optional<std::string> find_package(const std::string& name, const std::string& near,
                                         LoadContext& context);
 

@@ -13,11 +13,6 @@
 
 namespace smurf {
 
-/// The name in a package.xml; empty if there is none.
-std::string package_name_in(std::string_view package_xml);
-/// The text without its comments.
-std::string without_comments(std::string_view xml);
-
 class Packages {
  public:
   Packages(LoadContext& context, const std::string& urdf_path, FileIndex& index);
@@ -38,6 +33,9 @@ class Packages {
   /// up in the packages beside it. If it is nowhere, the place where the folder of REST is in a
   /// folder NAME.
   Place find(const std::string& name_and_rest);
+
+  /// package://NAME/REST of a file below the nearest package.xml above the URDF; "" for others.
+  std::string address_of(const std::string& path);
 
  private:
   Place search(const std::string& name_and_rest);

@@ -4,20 +4,19 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
+#include "link/package_manifest.hpp"
 
 namespace smurf {
 namespace {
 
-constexpr int kLevels = 8;                       // from a description up to its package
-constexpr std::size_t kMostFolders = 300;        // in which files are looked for
-constexpr std::size_t kMostNeighbours = 400;     // folders that may be packages
-constexpr std::uint64_t kMostBytes = 1U << 20U;  // of a package.xml
+constexpr int kLevels = 8;                    // from a description up to its package
+constexpr std::size_t kMostFolders = 300;     // in which files are looked for
+constexpr std::size_t kMostNeighbours = 400;  // folders that may be packages
 
 /// Folders of a package without companions.
 bool is_skipped(std::string_view name) {
@@ -42,21 +41,21 @@ class Search {
     add_usual(folder);
     if (level < kLevels) {
       add_package(package);
+      own_ = places_.size();
       add_related(package);
+    } else {
+      own_ = places_.size();
     }
-    return {std::move(places_), std::move(packages_)};
+    return {std::move(places_), own_, std::move(packages_)};
   }
 
  private:
-  bool is_package(const std::string& folder) { return manifest_of(folder).has_value(); }
+  bool is_package(const std::string& folder) { return manifest_of(folder).exists; }
 
-  /// The text of the package.xml in a folder. Hundreds of folders are asked, some of them twice.
-  const std::optional<std::string>& manifest_of(const std::string& folder) {
+  /// Hundreds of folders are asked, some of them twice.
+  const PackageManifest& manifest_of(const std::string& folder) {
     const auto [known, is_new] = manifests_.try_emplace(folder);
-    if (is_new) {
-      FileContent content = files_.read(path::join(folder, "package.xml"), kMostBytes);
-      if (content.status == ReadStatus::ok) known->second = std::move(content.text);
-    }
+    if (is_new) known->second = manifest_in(folder, files_);
     return known->second;
   }
 
@@ -90,18 +89,6 @@ class Search {
     }
   }
 
-  static std::string_view name_in(std::string_view manifest) {
-    const std::size_t begin = manifest.find("<name>");
-    const std::size_t end = manifest.find("</name>", begin);
-    if (begin == std::string_view::npos || end == std::string_view::npos) return {};
-    return trimmed(manifest.substr(begin + 6, end - begin - 6));
-  }
-
-  static bool names(std::string_view manifest, std::string_view package) {
-    return !package.empty() &&
-           manifest.find(">" + std::string(package) + "<") != std::string_view::npos;
-  }
-
   /// The packages beside a package, and those one level above and below.
   std::vector<std::string> neighbours(const std::string& package) {
     std::vector<std::string> found;
@@ -125,23 +112,25 @@ class Search {
   }
 
   void add_related(const std::string& package) {
-    const std::string_view own = *manifest_of(package);
-    const std::string_view name = name_in(own);
-    packages_.push_back({std::string(name), package});
+    const PackageManifest& own = manifest_of(package);
+    packages_.push_back({own.name, package});
     for (const std::string& other : neighbours(package)) {
       if (seen_.contains(other)) continue;
-      const std::string_view manifest = *manifest_of(other);
-      if (name_in(manifest) == name) continue;  // a copy
-      packages_.push_back({std::string(name_in(manifest)), other});
-      if (names(manifest, name) || names(own, name_in(manifest))) add_package(other);
+      const PackageManifest& manifest = manifest_of(other);
+      if (manifest.name.empty() || manifest.name == own.name) continue;  // a copy
+      packages_.push_back({manifest.name, other});
+      const bool is_related =
+          manifest.dependencies.contains(own.name) || own.dependencies.contains(manifest.name);
+      if (is_related) add_package(other);
     }
   }
 
   const FileReader& files_;
   std::vector<std::string> places_;
+  std::size_t own_ = 0;  ///< places of the package itself
   std::vector<NearPackage> packages_;
   std::set<std::string> seen_;
-  std::map<std::string, std::optional<std::string>> manifests_;  ///< by folder
+  std::map<std::string, PackageManifest> manifests_;  ///< by folder
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // The folders in which the companions of a robot are looked for.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ struct NearPackage {
 /// Where companions may be.
 struct CompanionPlaces {
   std::vector<std::string> folders;
+  std::size_t own = 0;                ///< the first of them are in the package of the robot
   std::vector<NearPackage> packages;  ///< that of the robot, and those beside it
 };
 
