@@ -58,7 +58,8 @@ constexpr std::string_view kLinkExtensions[] = {"contact",      "collision_check
                                                 "kinematic",    "selfCollide",
                                                 "gravity",      "inertia_from_file",
                                                 "bullet",       "self_filter",
-                                                "drake_ignore", "fem"};
+                                                "drake_ignore", "fem",
+                                                "plugin"};
 
 constexpr ChildSpec kInertialChildren[] = {
     {"origin", true}, {"mass", true, true}, {"inertia", true, true}};
@@ -84,7 +85,7 @@ constexpr ChildSpec kJointChildren[] = {
     {"limit", true},  {"mimic", true},        {"safety_controller", true}};
 constexpr std::string_view kJointExtensions[] = {
     "dont_collapse", "joint_properties", "hardwareInterface", "gearbox", "sensor",
-    "motor",         "actuator",         "drake_ignore"};
+    "motor",         "actuator",         "drake_ignore",      "plugin"};
 constexpr std::string_view kDynamicsExtensions[] = {"spring_stiffness", "spring_reference"};
 
 constexpr ElementSpec kElements[] = {

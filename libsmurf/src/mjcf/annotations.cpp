@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "base/findings/import_rules.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
 #include "mjcf/robot.hpp"

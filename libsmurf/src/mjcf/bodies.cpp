@@ -5,7 +5,7 @@
 #include <map>
 
 #include "base/files/path.hpp"
-#include "base/findings/import_rules.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/findings/import_rules.hpp"
+#include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "mjcf/robot.hpp"
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/files/path.hpp"
-#include "base/findings/import_rules.hpp"
+#include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "syntax/xml_reader.hpp"
 

@@ -2,8 +2,9 @@
 // Shapes with their poses, sizes and masses.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "base/findings/import_rules.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/vectors.hpp"
 #include "base/text/quoted.hpp"
 #include "mjcf/meshes.hpp"
@@ -191,7 +192,10 @@ std::optional<Geom> read_geom(View element, const Surroundings& around, Meshes& 
       return std::nullopt;
     }
     if (is_fitted && geom.shape != Shape::plane && geom.shape != Shape::hfield) {
-      if (!mesh->properties) return geom;  // the shape is not known either
+      if (!mesh->properties) {
+        geom.size.fill(std::numeric_limits<double>::quiet_NaN());  // so no shape is written
+        return geom;
+      }
       fit(*mesh, s.number("fitscale", 1, reporter), file.compiler().fitaabb, geom);
     }
   } else if (is_meshed) {

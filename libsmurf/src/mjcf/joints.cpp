@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/findings/import_rules.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/vectors.hpp"
 #include "base/text/quoted.hpp"
 #include "mjcf/model.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/files/path.hpp"
-#include "base/findings/import_rules.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/little_endian.hpp"
 #include "base/numbers/vectors.hpp"
 #include "base/text/quoted.hpp"

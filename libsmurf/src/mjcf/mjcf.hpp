@@ -32,9 +32,9 @@ Imported expand(SourceId root, Context& context);
 
 /// The mark of a leaf that nobody wrote, as its `first_input`: it belongs to an element that is
 /// needed to say in a URDF what the file says otherwise, such as the link between two joints of a
-/// body.
+/// body; or it is a value that a URDF must have, such as the velocity of a joint without a limit.
 inline constexpr std::uint32_t kMade = 0xffffffffU;
-/// Whether a part of a result belongs to such an element.
+/// Whether a part of a result is such a leaf.
 bool is_made(const xacro::Expansion& result, Span part);
 
 /// Whether the root element of a text is one of MJCF. Reads the beginning only.

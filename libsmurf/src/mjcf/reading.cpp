@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "base/findings/import_rules.hpp"
 #include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/floating.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"

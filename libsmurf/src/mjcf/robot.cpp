@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/files/path.hpp"
-#include "base/findings/import_rules.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "mjcf/shapes.hpp"
 #include "mjcf/traced_xml.hpp"
@@ -324,14 +324,15 @@ class RobotWriter {
     } else if (actuated != facts_.efforts.end()) {
       xml_.number("effort", actuated->second.first, actuated->second.second);
     } else {
-      xml_.number("effort", kUnlimited, tag);
+      xml_.number("effort", kUnlimited, tag, true);
     }
     const Place range = settings_place(joint, {"range"});
     if (joint.is_limited || is_slide) {
-      xml_.number("lower", joint.is_limited ? joint.range[0] : -kUnlimited, range);
-      xml_.number("upper", joint.is_limited ? joint.range[1] : kUnlimited, range);
+      const bool is_made = !joint.is_limited;
+      xml_.number("lower", is_made ? -kUnlimited : joint.range[0], range, is_made);
+      xml_.number("upper", is_made ? kUnlimited : joint.range[1], range, is_made);
     }
-    xml_.number("velocity", kUnlimited, tag);
+    xml_.number("velocity", kUnlimited, tag, true);
     xml_.close();
   }
 

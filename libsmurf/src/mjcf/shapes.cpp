@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/files/path.hpp"
-#include "base/findings/import_rules.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
 

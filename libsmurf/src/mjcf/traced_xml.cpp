@@ -8,7 +8,7 @@ namespace smurf::mjcf {
 
 using xacro::Leaf;
 
-Leaf& TracedXml::leaf(Leaf::Kind kind, std::size_t begin, const Place& place) {
+Leaf& TracedXml::leaf(Leaf::Kind kind, std::size_t begin, const Place& place, bool is_made) {
   Leaf& leaf = leaves_.emplace_back();
   leaf.kind = kind;
   leaf.begin = static_cast<std::uint32_t>(begin);
@@ -16,9 +16,9 @@ Leaf& TracedXml::leaf(Leaf::Kind kind, std::size_t begin, const Place& place) {
   leaf.frame = place.frame;
   leaf.origin = place.origin;
   leaf.use = place.use;
-  const bool is_made = !open_.empty() && open_.back().is_made;
   leaf.whole = place.use;
-  if (is_made) leaf.first_input = kMade;
+  const bool is_in_made = !open_.empty() && open_.back().is_made;
+  if (is_made || is_in_made) leaf.first_input = kMade;
   return leaf;
 }
 
@@ -39,11 +39,12 @@ void TracedXml::open(std::string_view name, const Place& place, bool is_made) {
   leaf(Leaf::Kind::tag, begin, place);
 }
 
-void TracedXml::attribute(std::string_view name, std::string_view value, const Place& place) {
+void TracedXml::attribute(std::string_view name, std::string_view value, const Place& place,
+                          bool is_made) {
   text_ += " ";
   const std::size_t name_begin = text_.size();
   text_ += name;
-  leaf(Leaf::Kind::attribute, name_begin, place);
+  leaf(Leaf::Kind::attribute, name_begin, place, is_made);
   text_ += "=\"";
   const std::size_t begin = text_.size();
   for (const char c : value) {
@@ -58,14 +59,14 @@ void TracedXml::attribute(std::string_view name, std::string_view value, const P
     default: text_.push_back(c);
     }
   }
-  Leaf& made = leaf(Leaf::Kind::value, begin, place);
+  Leaf& made = leaf(Leaf::Kind::value, begin, place, is_made);
   made.is_exact = place.is_exact && text_.size() - begin == value.size() &&
                   place.origin.end - place.origin.begin == value.size();
   text_ += "\"";
 }
 
-void TracedXml::number(std::string_view name, double value, const Place& place) {
-  attribute(name, format_number(value), place);
+void TracedXml::number(std::string_view name, double value, const Place& place, bool is_made) {
+  attribute(name, format_number(value), place, is_made);
 }
 
 void TracedXml::close() {

@@ -26,10 +26,11 @@ class TracedXml {
     text_ = "<?xml version=\"1.0\" ?>\n";
   }
 
-  /// An element that stands for one of the file; `is_made`: nobody wrote it.
+  /// An element that stands for one of the file; `is_made`: nobody wrote it, or the value.
   void open(std::string_view name, const Place& place, bool is_made = false);
-  void attribute(std::string_view name, std::string_view value, const Place& place);
-  void number(std::string_view name, double value, const Place& place);
+  void attribute(std::string_view name, std::string_view value, const Place& place,
+                 bool is_made = false);
+  void number(std::string_view name, double value, const Place& place, bool is_made = false);
   void close();
   std::string take() { return std::move(text_); }
 
@@ -40,7 +41,8 @@ class TracedXml {
     bool is_made = false;
     bool is_empty = true;
   };
-  xacro::Leaf& leaf(xacro::Leaf::Kind kind, std::size_t begin, const Place& place);
+  xacro::Leaf& leaf(xacro::Leaf::Kind kind, std::size_t begin, const Place& place,
+                    bool is_made = false);
   void end_tag_head();
 
   std::vector<xacro::Leaf>& leaves_;

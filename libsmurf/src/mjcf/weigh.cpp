@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "base/findings/import_rules.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/vectors.hpp"
 #include "base/text/quoted.hpp"
 #include "mjcf/model.hpp"

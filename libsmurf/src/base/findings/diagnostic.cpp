@@ -6,7 +6,6 @@
 #include <iterator>
 #include <tuple>
 
-#include "base/findings/import_rules.hpp"
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
@@ -21,9 +20,6 @@ constexpr std::size_t kMostMessage = 4000;  // bytes; shorter than several quote
 constexpr const Rule* kRules[] = {
 #define SMURF_RULE(name) &rules::name,
 #include "base/findings/rules.def"
-#undef SMURF_RULE
-#define SMURF_RULE(name) &rules::name,
-#include "base/findings/import_rules.def"
 #undef SMURF_RULE
 };
 

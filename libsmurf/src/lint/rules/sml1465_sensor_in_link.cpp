@@ -52,7 +52,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::loses, "drops the sensor", kRun},
-    {&readers::urdf, Effect::ignores, "does not read it", kRun},
+    {&readers::urdf, Effect::ignores, "does not read it", "urdfdom link.cpp parseLink"},
 };
 
 }  // namespace
@@ -62,8 +62,7 @@ extern constinit const Rule sml1465_sensor_in_link{
     .name = "sensor-in-link",
     .severity = Severity::warning,
     .summary = "A sensor for Gazebo stands in a link of the URDF.",
-    .why =
-        "sdformat reads visuals, collisions and inertials of a link only; the sensor is missing.",
+    .why = "The simulation lacks the sensor.",
     .remedy = "Write it in `<gazebo reference=\"LINK\">`.",
     .sources = "gazebo_ros_pkgs issue 1181.",
     .check_model = check,

@@ -59,7 +59,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::takes, "loads it", kRun, when(kStl)},
+    {&readers::urdf, Effect::takes, "loads it", "Bullet, DART, Newton and Pinocchio, run",
+     when(kStl)},
     {&readers::mujoco, Effect::refuses, "refuses an STL of more than 200000 triangles",
      "MuJoCo stl_decoder.cc:70; 4.0.0, run", when(kStl)},
 };

@@ -104,7 +104,7 @@ constexpr Fact kFacts[] = {
      when(kFewCorners)},
     {&readers::mujoco, Effect::refuses, "can make no convex hull of it, and refuses the model",
      kRun},
-    {&readers::urdf, Effect::takes, "loads it", kRun},
+    {&readers::urdf, Effect::takes, "loads it", "Bullet, DART, Newton and Pinocchio, run"},
 };
 
 }  // namespace

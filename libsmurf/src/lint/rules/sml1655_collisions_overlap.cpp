@@ -13,6 +13,7 @@
 #include "link/link_overlaps.hpp"
 #include "lint/body.hpp"
 #include "lint/companions/srdf_queries.hpp"
+#include "lint/geometry_queries.hpp"
 #include "lint/rigid_shapes.hpp"
 
 namespace smurf::rules::sml1655_collisions_overlap_file {
@@ -50,6 +51,12 @@ bool is_convex(const LinkedModel& model, const urdf::Collision& collision) {
   return ratio > 0 && ratio < kSame;
 }
 
+/// SML1520 reports it.
+bool is_in_millimetres(const LinkedModel& model, const urdf::Collision& collision) {
+  const std::optional<Box> box = bounding_box(model, collision.geometry);
+  return box && diagonal_of(*box) > kFarthestOrigin;
+}
+
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
   if (!model.robot) return;
   std::vector<LinkOverlap> overlaps =
@@ -57,7 +64,10 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
   if (overlaps.empty()) return;
   const KnownPairs known(companions);
   std::erase_if(overlaps, [&](const LinkOverlap& overlap) {
-    if (overlap.thickness > kFarthestOrigin) return true;  // in millimetres: SML1520
+    if (is_in_millimetres(model, *overlap.collision) ||
+        is_in_millimetres(model, *overlap.other_collision)) {
+      return true;
+    }
     return known.contains(model.robot->links[overlap.link], model.robot->links[overlap.other]);
   });
   if (overlaps.empty()) return;

@@ -11,7 +11,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::takes, "opens the file", kRun},
+    {&readers::urdf, Effect::takes, "opens the file",
+     "Bullet, DART, Drake, Newton and Pinocchio, run"},
     {&readers::ros, Effect::loses, kOpensAddressesOnly, kRetriever},
     {&readers::moveit, Effect::loses, kOpensAddressesOnly, kRetriever},
 };

@@ -12,15 +12,14 @@ namespace {
 constexpr Circumstance kInLink{"in a link"};
 constexpr Circumstance kInPlugin{"in a plugin"};
 
+/// Sensors in links are SML1465.
 void check_parts(const LinkedModel& model, Findings& findings) {
   for (const xml::View part : model.robot->document.view()) {
     if (!is_one_of(part.name(), {"link", "joint"})) continue;
     for (const xml::View child : part) {
-      const bool is_sensor = child.name() == "sensor" && child.attribute("type") != nullptr;
-      const bool is_known =
-          is_sensor && !gazebo::system_of_sensor(attribute_text(child, "type")).empty();
-      const bool is_plugin = child.name() == "plugin" && child.attribute("filename") != nullptr;
-      if (!is_known && !is_plugin) continue;
+      const bool is_known = child.name() == "sensor" && part.name() == "joint" &&
+                            !gazebo::system_of_sensor(attribute_text(child, "type")).empty();
+      if (!is_known && child.name() != "plugin") continue;
       findings
           .report(child.name_span(), "a " + quoted(child.name()) + " in a " + quoted(part.name()) +
                                          " of a URDF is not read")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Robots that are made from files of other languages.
-#include "base/findings/import_rules.hpp"
+#include "base/findings/rules.hpp"
 
 namespace smurf::rules {
 
@@ -9,7 +9,7 @@ extern constinit const Rule sml9301_mujoco_refuses{
     .name = "mujoco-refuses",
     .severity = Severity::error,
     .summary = "MuJoCo refuses the MJCF file.",
-    .why = "MuJoCo does not compile the model, so there is no robot.",
+    .why = "The model does not compile, so there is no robot.",
     .remedy = "Correct the value or the element, as the message says.",
     .sources = "MuJoCo 4.0.0, run; its schema by mj_printSchema().",
     .blocks_building = true};
@@ -19,7 +19,7 @@ extern constinit const Rule sml9302_mjcf_file_missing{
     .name = "mjcf-file-missing",
     .severity = Severity::error,
     .summary = "A mesh that gives an MJCF body its mass cannot be read.",
-    .why = "MuJoCo refuses the model without the file. Here, the mass of the body stays unknown.",
+    .why = "The model does not compile without the file. Here, the mass of the body stays unknown.",
     .remedy = "Correct the path of the file, or write the mass into `<inertial>`.",
     .sources = "MuJoCo 4.0.0, run."};
 
@@ -50,7 +50,7 @@ extern constinit const Rule sml9305_range_without_limit{
     .severity = Severity::warning,
     .summary = "A range of an MJCF file begins above its end, so it is no limit.",
     .why =
-        "MuJoCo limits a joint only if the first number is smaller, and tells nobody about other ranges.",
+        "A range limits a joint only if its first number is smaller, and nothing tells of another one.",
     .remedy = "Write the smaller number first.",
     .sources = "MuJoCo 4.0.0, run."};
 
@@ -59,9 +59,8 @@ extern constinit const Rule sml9306_ignored_by_mujoco{
     .name = "ignored-by-mujoco",
     .severity = Severity::warning,
     .summary = "MuJoCo ignores an attribute of an MJCF file without telling.",
-    .why =
-        "Inside of `<frame>` and `<replicate>`, MuJoCo does not compare attributes with those it "
-        "knows, so a misspelt one has no effect.",
+    .why = "Inside of `<frame>` and `<replicate>`, attributes are not compared with those that are "
+           "known, so a misspelt one has no effect.",
     .remedy = "Correct the name of the attribute, or delete it.",
     .sources = "MuJoCo 4.0.0, run."};
 
