@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "base/files/path.hpp"
-#include "link/package_manifest.hpp"
 
 namespace smurf {
 namespace {
@@ -144,9 +143,9 @@ const PackageSearch::Tree& PackageSearch::tree_of(const std::string& folder, Dep
   return entry.tree;
 }
 
-const std::string& PackageSearch::name_in(const std::string& folder) {
-  if (const std::string* known = find_known(names_, folder)) return *known;
-  return keep(names_, folder, manifest_in(folder, files_).name);
+const PackageManifest& PackageSearch::manifest(const std::string& folder) {
+  if (const PackageManifest* known = find_known(manifests_, folder)) return *known;
+  return keep(manifests_, folder, manifest_in(folder, files_));
 }
 
 std::string PackageSearch::package_around(std::string folder) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "link/companions/library.hpp"
+#include "link/package_manifest.hpp"
 #include "smurf/load.hpp"
 
 namespace smurf {
@@ -33,6 +34,9 @@ class PackageSearch {
   /// the one that is nested least; of these, one in a folder of the name of the package.
   std::optional<std::string> find(const std::string& name, const std::string& near,
                                   const std::vector<std::string>& package_folders);
+
+  /// The package.xml of a folder, which is read once.
+  const PackageManifest& manifest(const std::string& folder);
 
  private:
   /// Packages in packages are seldom, and are not built by colcon: they are asked last.
@@ -59,7 +63,7 @@ class PackageSearch {
   /// The nearest folder with a package.xml, from `folder` upward; "" if there is none.
   std::string package_around(std::string folder);
   /// The name in the package.xml of a folder; "" if there is none.
-  const std::string& name_in(const std::string& folder);
+  const std::string& name_in(const std::string& folder) { return manifest(folder).name; }
   bool is_package(const std::string& folder, std::string_view name) {
     return name_in(folder) == name;
   }
@@ -96,7 +100,7 @@ class PackageSearch {
   const FileReader& files_;
   mutable std::mutex mutex_;  ///< of the maps
   std::map<std::pair<std::string, Depth>, TreeEntry> trees_;
-  std::map<std::string, std::string> names_;
+  std::map<std::string, PackageManifest> manifests_;  ///< by folder
   std::map<std::string, Folder> folders_;
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> answers_;
 };

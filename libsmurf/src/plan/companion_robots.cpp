@@ -19,11 +19,12 @@ constexpr std::size_t kMostRobots = 6;
 constexpr std::uint64_t kMostBytesOfText = 1U << 20U;
 
 /// The robots in the package of a file, and in those beside it.
-FoundInputs inputs_beside(const std::string& path, const FileReader& files) {
+FoundInputs inputs_beside(const std::string& path, const FileReader& files,
+                          PackageSearch& packages) {
   FoundInputs found;
   const std::string_view parent = path::parent(path);
   for (const std::string& folder :
-       companion_places(std::string(parent.empty() ? "." : parent), files).folders) {
+       companion_places(std::string(parent.empty() ? "." : parent), files, packages).folders) {
     for (const std::string& name : files.list(folder)) {
       const std::string file = path::join(folder, name);
       if (xacro::is_xacro_file(file)) {
@@ -48,7 +49,7 @@ const CompanionRobots::Project& CompanionRobots::project_of(const std::string& p
   Project& project = place->second;
   if (!is_new) return project;
   FoundInputs found = inputs_around(path, limits_);
-  if (project_folder.empty()) found = inputs_beside(path, files_);
+  if (project_folder.empty()) found = inputs_beside(path, files_, packages_);
   for (const std::string& file : found.files) {
     if (input_kind(file) == InputKind::urdf) project.robots.push_back(file);
   }
@@ -91,7 +92,7 @@ std::vector<std::string> CompanionRobots::of(const std::string& path, const Seen
   const Project& project = project_of(path);
   const std::string_view folder = path::parent(path);
   const CompanionPlaces places =
-      companion_places(std::string(folder.empty() ? "." : folder), files_);
+      companion_places(std::string(folder.empty() ? "." : folder), files_, packages_);
   std::map<std::string, std::size_t> ranks;  // of folders, by identity
   for (std::size_t i = 0; i < places.folders.size(); ++i) {
     ranks.emplace(files_.identity(places.folders[i]), i < places.own ? 0 : 1);

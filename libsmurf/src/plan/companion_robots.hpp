@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "link/companions/library.hpp"
+#include "link/package_search.hpp"
 #include "plan/xacro_files.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/load.hpp"
@@ -19,7 +20,8 @@ namespace smurf {
 /// Looks into each project once.
 class CompanionRobots {
  public:
-  CompanionRobots(const FileReader& files, const Limits& limits) : files_(files), limits_(limits) {}
+  CompanionRobots(const FileReader& files, const Limits& limits)
+      : files_(files), limits_(limits), packages_(files) {}
 
   /// The robots of the configuration; else, of the robots of the project, the likeliest first, at
   /// most six: those in the package of the file, in packages that it depends on or that depend on
@@ -37,6 +39,7 @@ class CompanionRobots {
 
   const FileReader& files_;
   const Limits& limits_;
+  PackageSearch packages_;
   std::map<std::string, Project> projects_;
   std::map<std::string, std::string> texts_;  ///< of robots, with what they include
 };

@@ -85,14 +85,11 @@ class DatedRules {
   bool is_unread_dated_ = false;
 };
 
-/// Whether a reader of which no fact is known may not load the file. That is so for every error,
-/// and for what the rule asks of readers.
+/// Whether a reader of which no fact is known may not load the file: so for every error. A warning
+/// does not keep a reader from loading unless a fact says so.
 bool is_open(const Diagnostic& finding) {
-  const Rule& rule = *finding.rule;
-  if (rule.needs_target) return false;
-  const Severity severity = finding.untargeted.value_or(finding.severity);
-  const bool is_about_readers = rule.about == About::readers && has_facts(rule);
-  return severity == Severity::error || (severity == Severity::warning && is_about_readers);
+  if (finding.rule->needs_target) return false;
+  return finding.untargeted.value_or(finding.severity) == Severity::error;
 }
 
 void add(const Diagnostic& finding, const PlaceView& place, TargetVerdict& verdict) {
@@ -124,6 +121,23 @@ TargetVerdict judge_release(const Reader& reader, std::span<const Diagnostic> di
     for_each_place(finding, [&](const PlaceView& place) { add(finding, place, verdict); });
   }
   return verdict;
+}
+
+bool are_same(const TargetVerdict& one, const TargetVerdict& other) {
+  return one.refusals == other.refusals && one.unknown == other.unknown &&
+         one.losses == other.losses && one.unknown_rules == other.unknown_rules &&
+         one.fact == other.fact && one.rule == other.rule;
+}
+
+/// The verdicts of releases; none if they are all that of the reader.
+std::vector<TargetVerdict> judge_releases(Releases releases, const TargetVerdict& verdict,
+                                          std::span<const Diagnostic> diagnostics) {
+  std::vector<TargetVerdict> judged;
+  for (const Reader* release : releases) judged.push_back(judge_release(*release, diagnostics));
+  const bool has_other = std::any_of(judged.begin(), judged.end(), [&](const TargetVerdict& one) {
+    return !are_same(one, verdict);
+  });
+  return has_other ? std::move(judged) : std::vector<TargetVerdict>();
 }
 
 }  // namespace
@@ -189,10 +203,8 @@ TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> dia
       std::any_of(diagnostics.begin(), diagnostics.end(),
                   [&](const Diagnostic& finding) { return dated.contain(finding); });
   if (!is_dated) return verdict;
-  for (const Reader* release : later) verdict.newer.push_back(judge_release(*release, diagnostics));
-  for (const Reader* release : reader.earlier) {
-    verdict.earlier.push_back(judge_release(*release, diagnostics));
-  }
+  verdict.newer = judge_releases(later, verdict, diagnostics);
+  verdict.earlier = judge_releases(reader.earlier, verdict, diagnostics);
   return verdict;
 }
 

@@ -76,6 +76,7 @@ void LoadedNames::load_scene(const std::string& path) {
 void LoadedNames::load_model(const std::string& path) {
   LoadedModel& loaded = models_.emplace_back(session_.load_model(path, settings_));
   LoadContext context = session_.context_of(loaded);
+  context.package_search = search_;
   Companions& companions = companions_.emplace_back();
   if (is_companion_path(path)) {
     Accompanied alone = load_accompanied(path, context);
@@ -84,6 +85,7 @@ void LoadedNames::load_model(const std::string& path) {
   } else {
     companions = load_companions(loaded.model, context);
   }
+  search_ = context.package_search;
   Part& part = parts_.emplace_back(
       Part{.model = &loaded, .companions = &companions, .expansions = context.expansions});
   note(loaded.model, part);

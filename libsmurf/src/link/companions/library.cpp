@@ -10,6 +10,7 @@
 #include "base/text/suggest.hpp"
 #include "link/companions/companion_names.hpp"
 #include "link/companions/places.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/xacro.hpp"
 #include "syntax/xml_reader.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -105,6 +106,22 @@ std::string common_prefix(const std::vector<const CompanionName*>& unknown,
   return {};
 }
 
+NamesInFolder names_of(std::vector<std::string> all) {
+  NamesInFolder found;
+  for (std::string& name : all) {
+    if (name.starts_with('.') && name.rfind('.') != 0) continue;  // hidden, not .setup_assistant
+    const std::string lower = path::to_lower(name);
+    const auto ends = [&](std::string_view ending) { return lower.ends_with(ending); };
+    if (ends(".urdf")) found.urdfs.push_back(name);
+    if (ends(".xacro")) found.xacros.push_back(name);
+    if (ends(".srdf") || ends(".yaml") || ends(".yml") || is_companion_path(name) ||
+        may_be_parameters(name)) {
+      found.companions.push_back(std::move(name));
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 void keep_last_keys(yaml::Document& document, bool joins) {
@@ -163,6 +180,18 @@ const SeenCompanion& CompanionLibrary::look_at(const std::string& path, const Fi
   auto seen = std::make_unique<SeenCompanion>(read(key, files));
   const std::lock_guard lock(mutex_);
   return *seen_.emplace(key, std::move(seen)).first->second;
+}
+
+const NamesInFolder& CompanionLibrary::names_in(const std::string& folder,
+                                                const FileReader& files) {
+  const std::string key = path::normalize(folder);
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = folders_.find(key); known != folders_.end()) return known->second;
+  }
+  NamesInFolder found = names_of(files.list(folder));
+  const std::lock_guard lock(mutex_);
+  return folders_.emplace(key, std::move(found)).first->second;
 }
 
 NameScore score_of(const std::vector<CompanionName>& names, const LinkedModel& model) {

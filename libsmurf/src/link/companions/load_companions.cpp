@@ -31,38 +31,23 @@ namespace {
 constexpr std::size_t kMostCandidates = 400;  // files that may be companions
 constexpr std::size_t kMostRobots = 6;        // that are tried for an SRDF
 
-/// Whether a name ends with this, in any case. Every robot of a folder asks it of every file there.
-bool has_ending(std::string_view name, std::string_view lower) {
-  if (name.size() < lower.size()) return false;
-  const std::string_view end = name.substr(name.size() - lower.size());
-  return std::equal(end.begin(), end.end(), lower.begin(), [](char c, char wanted) {
-    return (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) == wanted;
-  });
-}
+using NameLists = std::initializer_list<std::vector<std::string> NamesInFolder::*>;
 
-bool has_extension(std::string_view name, std::initializer_list<std::string_view> wanted) {
-  return std::any_of(wanted.begin(), wanted.end(),
-                     [&](std::string_view one) { return has_ending(name, one); });
-}
-
-/// Files with these extensions in these folders, each once; of companions, also those without one.
-std::vector<std::string> candidates(const std::vector<std::string>& folders,
-                                    std::initializer_list<std::string_view> extensions,
-                                    const LoadContext& context) {
-  const bool wants_companions =
-      std::find(extensions.begin(), extensions.end(), ".srdf") != extensions.end();
+/// Files of these kinds in these folders, each once.
+std::vector<std::string> candidates(const std::vector<std::string>& folders, NameLists wanted,
+                                    LoadContext& context) {
+  CompanionLibrary& library = *search_of(context).companions;
   std::vector<std::string> found;
   std::set<std::string> seen;
   for (const std::string& place : folders) {
-    for (const std::string& name : context.files.list(place)) {
-      const bool is_companion =
-          wants_companions && (is_companion_path(name) || may_be_parameters(name));
-      const bool is_hidden = name.starts_with('.') && name.rfind('.') != 0;  // .setup_assistant
-      if (is_hidden || (!is_companion && !has_extension(name, extensions))) continue;
-      std::string path = path::join(place, name);
-      if (!seen.insert(context.files.identity(path)).second) continue;
-      found.push_back(std::move(path));
-      if (found.size() >= kMostCandidates) return found;
+    const NamesInFolder& inside = library.names_in(place, context.files);
+    for (const auto kind : wanted) {
+      for (const std::string& name : inside.*kind) {
+        std::string path = path::join(place, name);
+        if (!seen.insert(context.files.identity(path)).second) continue;
+        found.push_back(std::move(path));
+        if (found.size() >= kMostCandidates) return found;
+      }
     }
   }
   std::sort(found.begin(), found.end());
@@ -227,7 +212,8 @@ class Finder {
     for (const NearCompanion& one : library_.near) {
       if (is_named && one.is_named) look_at(one.path, Evidence::command_line);
     }
-    places_ = companion_places(std::string(path::parent(model_.urdf_path)), context_.files);
+    places_ = companion_places(std::string(path::parent(model_.urdf_path)), context_.files,
+                               search_of(context_));
     look_in(0, places_.own, Evidence::package);
     look_in(places_.own, places_.folders.size(), Evidence::dependency);
     for (const NearCompanion& one : library_.near) look_at(one.path, Evidence::below);
@@ -266,7 +252,7 @@ class Finder {
     const std::vector<std::string> folders(
         places_.folders.begin() + static_cast<std::ptrdiff_t>(begin),
         places_.folders.begin() + static_cast<std::ptrdiff_t>(end));
-    for (const std::string& path : candidates(folders, {".srdf", ".yaml", ".yml"}, context_)) {
+    for (const std::string& path : candidates(folders, {&NamesInFolder::companions}, context_)) {
       look_at(path, evidence);
     }
   }
@@ -334,13 +320,17 @@ class Finder {
   /// robot is the only one around.
   bool may_be_for(std::string_view name) {
     if (model_.robot->name && is_same_word(name, *model_.robot->name)) return true;
-    const auto is_urdf = [](const std::string& path) { return has_extension(path, {".urdf"}); };
+    const auto is_urdf = [](const std::string& path) {
+      return path::to_lower(path::extension(path)) == ".urdf";
+    };
     const std::vector<std::string>& all = robots();
     return std::count_if(all.begin(), all.end(), is_urdf) == 1 && !has_robot(all, name, context_);
   }
 
   const std::vector<std::string>& robots() {
-    if (!robots_) robots_ = candidates(places_.folders, {".urdf", ".xacro"}, context_);
+    if (!robots_)
+      robots_ =
+          candidates(places_.folders, {&NamesInFolder::urdfs, &NamesInFolder::xacros}, context_);
     return *robots_;
   }
 
@@ -378,13 +368,14 @@ class Finder {
 };
 
 /// The robots around an SRDF with its robot name, URDFs before xacro files; else the only URDF.
-std::vector<std::string> robots_of(const Companion& companion, const LoadContext& context) {
+std::vector<std::string> robots_of(const Companion& companion, LoadContext& context) {
   const srdf::Text& name = companion.srdf->name;
   const std::string folder(path::parent(context.sources.path(companion.source)));
-  const std::vector<std::string> folders = companion_places(folder, context.files).folders;
-  const std::vector<std::string> urdfs = candidates(folders, {".urdf"}, context);
+  const std::vector<std::string> folders =
+      companion_places(folder, context.files, search_of(context)).folders;
+  const std::vector<std::string> urdfs = candidates(folders, {&NamesInFolder::urdfs}, context);
   std::vector<std::string> found;
-  for (const auto& all : {urdfs, candidates(folders, {".xacro"}, context)}) {
+  for (const auto& all : {urdfs, candidates(folders, {&NamesInFolder::xacros}, context)}) {
     for (const std::string& path : all) {
       if (!name || is_companion_path(path) || found.size() >= kMostRobots) continue;
       if (has_robot({path}, *name, context)) found.push_back(path);
@@ -441,7 +432,8 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
 }  // namespace
 
 bool is_companion_path(std::string_view path) {
-  return has_ending(path, ".srdf") || has_ending(path, ".srdf.xacro");
+  const std::string name = path::to_lower(path::file_name(path));
+  return name.ends_with(".srdf") || name.ends_with(".srdf.xacro");
 }
 
 Companions load_companions(const LinkedModel& model, LoadContext& context) {

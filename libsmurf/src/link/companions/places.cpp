@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
-#include "link/package_manifest.hpp"
+#include "link/package_search.hpp"
 
 namespace smurf {
 namespace {
@@ -27,7 +26,7 @@ bool is_skipped(std::string_view name) {
 
 class Search {
  public:
-  explicit Search(const FileReader& files) : files_(files) {}
+  Search(const FileReader& files, PackageSearch& packages) : files_(files), search_(packages) {}
 
   CompanionPlaces run(const std::string& start) {
     const std::string folder = path::normalize(start.empty() ? "." : start);
@@ -52,12 +51,7 @@ class Search {
  private:
   bool is_package(const std::string& folder) { return manifest_of(folder).exists; }
 
-  /// Hundreds of folders are asked, some of them twice.
-  const PackageManifest& manifest_of(const std::string& folder) {
-    const auto [known, is_new] = manifests_.try_emplace(folder);
-    if (is_new) known->second = manifest_in(folder, files_);
-    return known->second;
-  }
+  const PackageManifest& manifest_of(const std::string& folder) { return search_.manifest(folder); }
 
   bool is_full() const { return places_.size() >= kMostFolders; }
 
@@ -126,17 +120,18 @@ class Search {
   }
 
   const FileReader& files_;
+  PackageSearch& search_;
   std::vector<std::string> places_;
   std::size_t own_ = 0;  ///< places of the package itself
   std::vector<NearPackage> packages_;
   std::set<std::string> seen_;
-  std::map<std::string, PackageManifest> manifests_;  ///< by folder
 };
 
 }  // namespace
 
-CompanionPlaces companion_places(const std::string& folder, const FileReader& files) {
-  return Search(files).run(folder);
+CompanionPlaces companion_places(const std::string& folder, const FileReader& files,
+                                 PackageSearch& packages) {
+  return Search(files, packages).run(folder);
 }
 
 std::string_view robot_name_in(std::string_view text) {

@@ -11,6 +11,8 @@
 
 namespace smurf {
 
+class PackageSearch;
+
 /// A ROS package around a robot.
 struct NearPackage {
   std::string name, folder;
@@ -26,7 +28,8 @@ struct CompanionPlaces {
 /// The folders of the ROS package around `folder`, and those of packages in the same repository
 /// that depend on it or that it depends on. Without a package: the folder, and the folders beside
 /// it that robots usually have.
-CompanionPlaces companion_places(const std::string& folder, const FileReader& files);
+CompanionPlaces companion_places(const std::string& folder, const FileReader& files,
+                                 PackageSearch& packages);
 
 /// The `name` of the element `robot`, without parsing the text; "" if there is none.
 std::string_view robot_name_in(std::string_view text);

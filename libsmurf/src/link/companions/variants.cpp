@@ -15,6 +15,7 @@
 #include "base/text/words.hpp"
 #include "link/companions/companion_names.hpp"
 #include "link/companions/places.hpp"
+#include "link/package_search.hpp"
 #include "link/xacro_model.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/xacro.hpp"
@@ -241,7 +242,8 @@ void note_written(const LinkedModel& model, Companion& companion, LoadContext& c
   std::size_t count = 0;
   std::uint64_t left = kMostBytesOfNames;
   const std::string folder(path::parent(model.urdf_path));
-  for (const std::string& place : companion_places(folder, context.files).folders) {
+  for (const std::string& place :
+       companion_places(folder, context.files, search_of(context)).folders) {
     for (const std::string& name : context.files.list(place)) {
       if (path::extension(name) != ".xacro" || is_companion_path(name)) continue;
       if (++count > kMostFilesOfXacro || unknown.empty()) return;

@@ -11,6 +11,7 @@
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 #include "link/companions/places.hpp"
+#include "link/package_search.hpp"
 #include "link/surroundings/installation.hpp"
 #include "link/surroundings/launch_reader.hpp"
 #include "link/surroundings/robot_facts.hpp"
@@ -73,8 +74,8 @@ class Loader {
     found_.robot_path = model_.urdf_path;
     found_.is_xacro = xacro::is_xacro_file(model_.urdf_path);
     found_.is_expanded = model_.robot.has_value();
-    const CompanionPlaces places =
-        companion_places(std::string(path::parent(model_.urdf_path)), context_.files);
+    const CompanionPlaces places = companion_places(std::string(path::parent(model_.urdf_path)),
+                                                    context_.files, search_of(context_));
     if (places.packages.empty()) return {};
     // The package of the robot is the first.
     const NearPackage own = places.packages.front();
@@ -84,7 +85,8 @@ class Loader {
     if (!add_package(own.name, own.folder)) return {};
     for (const NearPackage& one : places.packages) {
       if (found_.packages.size() >= kMostPackages) break;
-      if (one.folder == own.folder || !names_package(one.folder, own.name)) continue;
+      if (one.folder == own.folder) continue;
+      if (!search_of(context_).manifest(one.folder).dependencies.contains(own.name)) continue;
       add_package(one.name, one.folder);
     }
     const std::string file_name(path::file_name(model_.urdf_path));
@@ -114,12 +116,6 @@ class Loader {
   }
 
  private:
-  bool names_package(const std::string& folder, const std::string& name) const {
-    const FileContent content = context_.files.read(path::join(folder, "package.xml"), kMostBytes);
-    return content.status == ReadStatus::ok &&
-           content.text.find(">" + name + "<") != std::string::npos;
-  }
-
   std::optional<SourceId> source_of(const std::string& path) {
     FileContent content = context_.files.read(path, kMostBytes);
     if (content.status != ReadStatus::ok) return std::nullopt;

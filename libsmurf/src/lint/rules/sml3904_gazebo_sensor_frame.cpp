@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/text/words.hpp"
 #include "lint/companions/frames.hpp"
@@ -13,8 +14,8 @@ namespace {
 constexpr Circumstance kNoFrame{"no frame"};
 
 /// Whether ros2_control sends the data, in the frame of its broadcaster.
-bool is_controlled(const LinkedModel& model, std::string_view sensor) {
-  for (const Hardware& hardware : hardware_of(model)) {
+bool is_controlled(const std::vector<Hardware>& all, std::string_view sensor) {
+  for (const Hardware& hardware : all) {
     for (const HardwarePart& part : hardware.parts) {
       if (part.name == sensor && part.element.name() == "sensor") return true;
     }
@@ -22,7 +23,8 @@ bool is_controlled(const LinkedModel& model, std::string_view sensor) {
   return false;
 }
 
-void check_sensor(const LinkedModel& model, const GazeboSensor& sensor, Findings& findings) {
+void check_sensor(const LinkedModel& model, const GazeboSensor& sensor,
+                  const std::vector<Hardware>& hardware, bool is_gazebo, Findings& findings) {
   bool has_frame = false;
   const auto look_at = [&](xml::View element) {
     has_frame = true;
@@ -43,8 +45,7 @@ void check_sensor(const LinkedModel& model, const GazeboSensor& sensor, Findings
   }
   const bool sends_data = !gazebo::system_of_sensor(sensor.type).empty() &&
                           !is_one_of(sensor.type, {"contact", "logical_camera", "force_torque"});
-  if (has_frame || !sends_data || !is_for_gazebo(model) || is_controlled(model, sensor.name))
-    return;
+  if (has_frame || !sends_data || !is_gazebo || is_controlled(hardware, sensor.name)) return;
   const std::string_view link = attribute_text(sensor.gazebo, "reference");
   if (link.empty()) return;
   const std::string robot = model.robot->name.value_or("ROBOT");
@@ -61,7 +62,13 @@ void check_sensor(const LinkedModel& model, const GazeboSensor& sensor, Findings
 
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
   if (!model.robot || !model.is_complete) return;
-  for (const GazeboSensor& sensor : gazebo_sensors(model)) check_sensor(model, sensor, findings);
+  const std::vector<GazeboSensor> sensors = gazebo_sensors(model);
+  if (sensors.empty()) return;
+  const std::vector<Hardware> hardware = hardware_of(model);
+  const bool is_gazebo = is_for_gazebo(model);
+  for (const GazeboSensor& sensor : sensors) {
+    check_sensor(model, sensor, hardware, is_gazebo, findings);
+  }
 }
 
 constexpr Fact kFacts[] = {
