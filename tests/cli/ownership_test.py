@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Which robot a companion is compared with: for reasons, whichever way it is named; and what is not compared is said.
 
-ownership_test.py SMURF-LINT SHARED-FOLDER: without that folder, public repositories are not tried, and the test is skipped.
+ownership_test.py SMURF-LINT [SHARED-FOLDER]: with that folder, companions of public repositories are tried, too.
 """
 import collections
 import json
@@ -143,20 +143,24 @@ class Corpus(cli.CliTest):
     def test_a_misspelt_joint(self):
         shown = collections.Counter()
         for repository in sorted((SHARED / "xacro/corpus").iterdir()):
-            copy = self.folder / "r"
-            shutil.copytree(repository, copy, symlinks=True)
-            robots = "".join(path.read_text(errors="replace") for path in copy.rglob("*") if path.suffix in (".urdf", ".xacro") and path.is_file())
-            tried = 0
-            for path in sorted(copy.rglob("*.yaml")):
-                text = path.read_text(errors="surrogateescape")
+            files = [path for path in sorted(repository.rglob("*")) if path.is_file()]
+            robots = "".join(path.read_text(errors="replace") for path in files if path.suffix in (".urdf", ".xacro"))
+            tried = []
+            for path in files:
+                text = path.read_text(errors="surrogateescape") if path.suffix == ".yaml" else ""
                 names = re.search(r"^ *joints:\s*\n\s*- *\"?([A-Za-z]\w{3,})", text, re.M)
                 is_companion = "ros__parameters" in text and "command_interfaces" in text or "controller_names" in text
-                if tried == 2 or not is_companion or not names or not re.search(r"[}\"']" + names[1] + r"[\"'$]", robots):
-                    continue
-                tried += 1
-                before = sum(self.lint(copy)["summary"].get("companions", {}).values())
-                wrong = names[1][:-1] + ("qx" if names[1].endswith("q") else "q")
-                path.write_text(re.sub(r"(?<!\w)" + names[1] + r"(?!\w)", wrong, text), errors="surrogateescape")
+                if is_companion and names and re.search(r"[}\"']" + names[1] + r"[\"'$]", robots):
+                    tried.append((path.relative_to(repository), text, names[1]))
+            if not tried:
+                continue
+            copy = self.folder / "r"
+            shutil.copytree(repository, copy, symlinks=True)
+            before = sum(self.lint(copy)["summary"].get("companions", {}).values())
+            for name, text, joint in tried[:2]:
+                wrong = joint[:-1] + ("qx" if joint.endswith("q") else "q")
+                path = copy / name
+                path.write_text(re.sub(r"(?<!\w)" + joint + r"(?!\w)", wrong, text), errors="surrogateescape")
                 report = self.lint(copy)
                 path.write_text(text, errors="surrogateescape")
                 shown["files"] += 1
@@ -164,7 +168,7 @@ class Corpus(cli.CliTest):
                 left = {one["path"] for one in report["summary"].get("not_compared", [])}
                 # The robots of some repositories need packages that are not there. The file is then named with the reason.
                 shown["shown"] += is_shown
-                shown["told"] += is_shown or str(path.relative_to(copy)) in left
+                shown["told"] += is_shown or str(name) in left
                 shown["kept"] += sum(report["summary"].get("companions", {}).values()) >= before
             shutil.rmtree(copy)
         self.assertGreater(shown["files"], 10)

@@ -34,8 +34,8 @@ def verdicts(tools, path, words, ignore, folder):
     done = tools.run("smurf-lint", "--isolated", "--allow-outside", "--ignore", ignore, "--target", TARGETS, "--format", "json",
                      str(path), *words, cwd=folder)
     report = json.loads(done.stdout)
-    return {one["target"]: tuple(one.get(key, 0) for key in ("verdict", "refusals", "losses", "unknown"))
-            for one in report["targets"]}, report
+    return {target: tuple(one[key] for key in ("verdict", "refusals", "losses", "unknown"))
+            for target, one in report["targets"].items()}, report
 
 
 def difference(left, right):

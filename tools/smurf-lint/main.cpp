@@ -313,6 +313,13 @@ std::optional<std::string> baseline_to_write(const LintOptions& options, const s
   return std::nullopt;
 }
 
+/// Whether a file is a baseline, which is read before it is written anew: the search for companions
+/// looks at every YAML file.
+bool is_old_baseline(const std::string& path, const LintOptions& options) {
+  const FileContent old = DiskFiles().read(path, options.limits.file_bytes);
+  return old.status == ReadStatus::ok && is_baseline(old.text);
+}
+
 /// Only a baseline may be overwritten.
 bool may_be_overwritten(const std::string& path, const LintOptions& options) {
   const FileContent old = DiskFiles().read(path, options.limits.file_bytes);
@@ -353,7 +360,7 @@ bool keeps_inputs(const LintOptions& options, const Report& found,
                   std::span<const InputFiles* const> inputs) {
   std::vector<std::string> outputs{options.output};
   if (options.generate_baseline) {
-    outputs.push_back(options.baseline);
+    if (!is_old_baseline(options.baseline, options)) outputs.push_back(options.baseline);
   } else {
     for (const ReportRequest& request : merge_run(found.settings, options).reports) {
       outputs.push_back(request.file);

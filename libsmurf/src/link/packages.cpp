@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/packages.hpp"
 
+#include <algorithm>
+
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
 #include "link/package_manifest.hpp"
@@ -74,8 +76,11 @@ Packages::Place Packages::search(const std::string& name_and_rest) {
   }
   const std::string package = installed(name);
   if (!package.empty()) return {path::join(package, rest)};
-  if (const auto found = find_package(name, urdf_path_, context_)) {
-    return {path::join(*found, rest)};
+  // Without a package or a repository around the file, the search would look through the disk.
+  if (xacro::is_xacro_file(urdf_path_) || is_in_package()) {
+    if (const auto found = find_package(name, urdf_path_, context_)) {
+      return {path::join(*found, rest)};
+    }
   }
   if (guess) {
     guessed_.emplace(name, guess->path.substr(0, guess->path.size() - rest.size()));
@@ -100,6 +105,11 @@ bool Packages::is_called(const std::string& folder, const std::string& name) {
   if (!written.empty() && written != "." && written != "..") return written == name;
   const FileReader& files = index_.files();  // "..", whose name is not written
   return files.identity(path::join(folder, "../" + name)) == files.identity(folder);
+}
+
+bool Packages::is_in_package() {
+  return std::any_of(folders_.begin(), folders_.end(),
+                     [&](const std::string& folder) { return !package_name(folder).empty(); });
 }
 
 std::string Packages::installed(const std::string& name) {

@@ -115,6 +115,9 @@ class Overview {
     std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
     return text;
   }
+  static std::string_view remedy_of(const Diagnostic& one) {
+    return one.fixes.empty() ? std::string_view() : std::string_view(one.help_text);
+  }
   bool is_of_another_robot(const Diagnostic& one) const {
     return robots_at_.at(place_of(one)).front() != one.span.source;
   }
@@ -181,9 +184,10 @@ class Overview {
 
   std::vector<Kind> kinds_of(const Section& section) {
     std::vector<Kind> kinds;
-    // Notes may say what is special about a finding, such as the variant of its robot. Advice of
-    // several kinds for one fault would exclude each other: that of the first is shown.
-    using Text = std::tuple<const Rule*, std::string, std::vector<std::string>>;
+    // Notes may say what is special about a finding, such as the variant of its robot. With another
+    // remedy, a finding is another one. Advice without a fix is a guess, and guesses about one
+    // fault would exclude each other: that of the first is shown.
+    using Text = std::tuple<const Rule*, std::string, std::string_view, std::vector<std::string>>;
     std::map<Text, std::size_t> index;
     for (const Diagnostic* one : section.findings) {
       if (options_.shows_all) {
@@ -193,7 +197,8 @@ class Overview {
       const Repeated& repeated = repeated_[{one->rule, one->message}];
       if (repeated.first != path_of(section.file) || is_of_another_robot(*one)) continue;
       const auto [kind, is_new] = index.try_emplace(
-          {one->rule, without_numbers(without_names(one->message)), one->notes}, kinds.size());
+          {one->rule, without_numbers(without_names(one->message)), remedy_of(*one), one->notes},
+          kinds.size());
       if (is_new) kinds.emplace_back();
       kinds[kind->second].findings.push_back(one);
     }

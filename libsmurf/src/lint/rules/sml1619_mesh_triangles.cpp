@@ -27,8 +27,10 @@ void report_refused(const LinkedModel& model, Findings& findings) {
   const bool has_visuals = keeps_visuals(model);
   for (const OpenedMesh& mesh : opened_meshes(model)) {
     if (!is_refused(mesh, has_visuals)) continue;
+    const std::string role = mesh.is_collision() ? "collision" : "visual";
     Diagnostic& diagnostic = findings.report(
-        mesh.reference.span, "the mesh has " + std::to_string(mesh.facts.triangles) + " triangles");
+        mesh.reference.span,
+        "the " + role + " mesh has " + std::to_string(mesh.facts.triangles) + " triangles");
     diagnostic.when(kStl);
   }
 }
@@ -48,10 +50,12 @@ void check(const LinkedModel& model, Findings& findings) {
       "the collision mesh has more than 10000 triangles",
       "of collisions have more than 10000 triangles", findings);
   if (large != nullptr) large->severity = Severity::info;
+  const bool has_visuals = keeps_visuals(model);
   Diagnostic* visuals = report_meshes(
       model,
-      [](const OpenedMesh& mesh) {
-        return mesh.facts.triangles > kManyOfVisual && !mesh.is_collision();
+      [&](const OpenedMesh& mesh) {
+        return mesh.facts.triangles > kManyOfVisual && !mesh.is_collision() &&
+               !is_refused(mesh, has_visuals);
       },
       "the visual mesh has more than 100000 triangles",
       "of visuals have more than 100000 triangles", findings);
