@@ -41,8 +41,8 @@ class Packages {
   Place search(const std::string& name_and_rest);
   bool lies_elsewhere(const Place& place, const std::string& name_and_rest);
   bool is_called(const std::string& folder, const std::string& name);
-  /// The package of this name in the folders that contain packages; empty if there is none.
   bool is_in_package();
+  /// The package of this name in the folders that contain packages; empty if there is none.
   std::string installed(const std::string& name);
   /// The name in a folder's package.xml; empty if there is none.
   const std::string& package_name(const std::string& folder);
