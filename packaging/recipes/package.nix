@@ -16,7 +16,6 @@
   urdfdom,
   urdfdom-headers,
   yaml-cpp,
-  zlib,
 }:
 
 stdenv.mkDerivation rec {
@@ -30,7 +29,7 @@ stdenv.mkDerivation rec {
 
   nativeBuildInputs = [ cmake ninja pkg-config ];
   buildInputs = [
-    console-bridge eigen libpng minizip nlohmann_json ode tinyxml-2 urdfdom urdfdom-headers yaml-cpp zlib
+    console-bridge eigen libpng minizip nlohmann_json ode tinyxml-2 urdfdom urdfdom-headers yaml-cpp
   ];
   cmakeFlags = [ "-DSMURF_BUILD_TESTS=OFF" "-DSMURF_BUILD_PYTHON=OFF" ];
 

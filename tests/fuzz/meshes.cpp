@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "fuzz/bundle.hpp"
-#include "fuzz/clock.hpp"
 #include "mesh/mesh_reader.hpp"
 #include "smurf/mesh_triangles.hpp"
 
@@ -46,7 +45,6 @@ std::vector<std::string> broken_promises(const MeshTriangles& mesh) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  const smurf::test::Clock clock;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   // A glTF may refer to itself.
   const auto neighbours = [&](const std::string& name) {

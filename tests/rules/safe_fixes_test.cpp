@@ -45,7 +45,7 @@ struct Loaded {
     } else {
       locate(scene.models.front(), diagnostics);
     }
-    diagnostics = apply_selection(std::move(diagnostics), sources, {});
+    diagnostics = finish(std::move(diagnostics), sources, {});
   }
 };
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "ast/ros_parameters.hpp"
+#include "smurf/ros_parameters.hpp"
 
 namespace smurf::test {
 namespace {

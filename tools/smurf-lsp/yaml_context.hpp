@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/key_help.hpp"
+#include "smurf/key_help.hpp"
 
 namespace smurf::lsp {
 

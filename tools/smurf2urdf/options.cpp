@@ -79,13 +79,10 @@ std::vector<std::string_view> preset_names() {
   return names;
 }
 
-/// Programs of ROS 2 are many, and urdfdom, which they use, is always asked.
-Setter set_preset(ExportOptions& options) {
-  return [&options](std::string_view value) -> std::optional<std::string> {
+Setter set_preset(UrdfExport& wanted) {
+  return [&wanted](std::string_view value) -> std::optional<std::string> {
     for (const Preset& preset : kPresets) {
-      if (preset.name != value) continue;
-      preset.set(options.conversion);
-      options.reader = value == "ros2" ? nullptr : find_target(value);
+      if (preset.name == value) preset.set(wanted);
     }
     return std::nullopt;
   };
@@ -191,10 +188,9 @@ std::vector<Option> run_options(ExportOptions& options) {
            .metavar = "READER",
            .help =
                "Set the options that a reader needs: ros2, gazebo, mujoco, pybullet, drake. Later "
-               "options override them. The result must load there: meshes that the reader does "
-               "not read are copied as OBJ to FILE_meshes/ beside the output.",
+               "options override them.",
            .values = preset_names(),
-           .set = set_preset(options)},
+           .set = set_preset(options.conversion)},
           {.name = "show-preset",
            .metavar = "READER",
            .help = "Print the options of a preset, and exit.",
@@ -300,10 +296,7 @@ std::string problem_of(ExportOptions& options) {
     return "--srdf needs a separate file";
   }
   wanted.has_srdf = !options.srdf.empty();
-  if (wanted.adds_mujoco_settings) {
-    options.common.targets = {find_target("mujoco")};
-    if (options.reader == nullptr) options.reader = find_target("mujoco");
-  }
+  if (wanted.adds_mujoco_settings) options.common.targets = {find_target("mujoco")};
   const bool to_stdout = output.empty() || output == "-";
   // Standard output counts as the current folder.
   wanted.output_folder = to_stdout ? "." : std::string(path::parent(output));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ast/format.hpp"
+#include "smurf/format.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "link/describe.hpp"
+#include "smurf/describe.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/masses.hpp"
+#include "smurf/masses.hpp"
 
 #include <algorithm>
 #include <cmath>

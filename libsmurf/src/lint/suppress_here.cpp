@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "lint/suppress.hpp"
+#include "smurf/suppress.hpp"
 
 namespace smurf {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "render/paint.hpp"
-#include "smurf/verdict.hpp"
+#include "smurf/readers.hpp"
 
 namespace smurf::render {
 

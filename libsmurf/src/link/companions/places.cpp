@@ -3,19 +3,22 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
-#include "link/package_search.hpp"
+#include "smurf/companions.hpp"
 
 namespace smurf {
 namespace {
 
-constexpr int kLevels = 8;                    // from a description up to its package
-constexpr std::size_t kMostFolders = 300;     // in which files are looked for
-constexpr std::size_t kMostNeighbours = 400;  // folders that may be packages
+constexpr int kLevels = 8;                       // from a description up to its package
+constexpr std::size_t kMostFolders = 300;        // in which files are looked for
+constexpr std::size_t kMostNeighbours = 400;     // folders that may be packages
+constexpr std::uint64_t kMostBytes = 1U << 20U;  // of a package.xml
 
 /// Folders of a package without companions.
 bool is_skipped(std::string_view name) {
@@ -26,7 +29,7 @@ bool is_skipped(std::string_view name) {
 
 class Search {
  public:
-  Search(const FileReader& files, PackageSearch& packages) : files_(files), search_(packages) {}
+  explicit Search(const FileReader& files) : files_(files) {}
 
   CompanionPlaces run(const std::string& start) {
     const std::string folder = path::normalize(start.empty() ? "." : start);
@@ -40,18 +43,23 @@ class Search {
     add_usual(folder);
     if (level < kLevels) {
       add_package(package);
-      own_ = places_.size();
       add_related(package);
-    } else {
-      own_ = places_.size();
     }
-    return {std::move(places_), own_, std::move(packages_)};
+    return {std::move(places_), std::move(packages_)};
   }
 
  private:
-  bool is_package(const std::string& folder) { return manifest_of(folder).exists; }
+  bool is_package(const std::string& folder) { return manifest_of(folder).has_value(); }
 
-  const PackageManifest& manifest_of(const std::string& folder) { return search_.manifest(folder); }
+  /// The text of the package.xml in a folder. Hundreds of folders are asked, some of them twice.
+  const std::optional<std::string>& manifest_of(const std::string& folder) {
+    const auto [known, is_new] = manifests_.try_emplace(folder);
+    if (is_new) {
+      FileContent content = files_.read(path::join(folder, "package.xml"), kMostBytes);
+      if (content.status == ReadStatus::ok) known->second = std::move(content.text);
+    }
+    return known->second;
+  }
 
   bool is_full() const { return places_.size() >= kMostFolders; }
 
@@ -83,6 +91,18 @@ class Search {
     }
   }
 
+  static std::string_view name_in(std::string_view manifest) {
+    const std::size_t begin = manifest.find("<name>");
+    const std::size_t end = manifest.find("</name>", begin);
+    if (begin == std::string_view::npos || end == std::string_view::npos) return {};
+    return trimmed(manifest.substr(begin + 6, end - begin - 6));
+  }
+
+  static bool names(std::string_view manifest, std::string_view package) {
+    return !package.empty() &&
+           manifest.find(">" + std::string(package) + "<") != std::string_view::npos;
+  }
+
   /// The packages beside a package, and those one level above and below.
   std::vector<std::string> neighbours(const std::string& package) {
     std::vector<std::string> found;
@@ -106,32 +126,50 @@ class Search {
   }
 
   void add_related(const std::string& package) {
-    const PackageManifest& own = manifest_of(package);
-    packages_.push_back({own.name, package});
+    const std::string_view own = *manifest_of(package);
+    const std::string_view name = name_in(own);
+    packages_.push_back({std::string(name), package});
     for (const std::string& other : neighbours(package)) {
       if (seen_.contains(other)) continue;
-      const PackageManifest& manifest = manifest_of(other);
-      if (manifest.name.empty() || manifest.name == own.name) continue;  // a copy
-      packages_.push_back({manifest.name, other});
-      const bool is_related =
-          manifest.dependencies.contains(own.name) || own.dependencies.contains(manifest.name);
-      if (is_related) add_package(other);
+      const std::string_view manifest = *manifest_of(other);
+      if (name_in(manifest) == name) continue;  // a copy
+      packages_.push_back({std::string(name_in(manifest)), other});
+      if (names(manifest, name) || names(own, name_in(manifest))) add_package(other);
     }
   }
 
   const FileReader& files_;
-  PackageSearch& search_;
   std::vector<std::string> places_;
-  std::size_t own_ = 0;  ///< places of the package itself
   std::vector<NearPackage> packages_;
   std::set<std::string> seen_;
+  std::map<std::string, std::optional<std::string>> manifests_;  ///< by folder
 };
 
 }  // namespace
 
-CompanionPlaces companion_places(const std::string& folder, const FileReader& files,
-                                 PackageSearch& packages) {
-  return Search(files, packages).run(folder);
+NamesInFolder::NamesInFolder(std::vector<std::string> all) {
+  for (std::string& name : all) {
+    const std::string lower = path::to_lower(name);
+    const auto has_word = [&](std::string_view word) {
+      return lower.find(word) != std::string::npos;
+    };
+    const bool is_yaml = lower.ends_with(".yaml") || lower.ends_with(".yml");
+    const bool is_promising = !is_yaml || has_word("control") || has_word("limits") ||
+                              has_word("kinematics") || has_word("ompl") || has_word("planning") ||
+                              has_word("moveit") || has_word("param") || has_word("sensors");
+    const bool is_hidden = name.starts_with('.');
+    if (!is_hidden && lower.ends_with(".urdf")) urdfs.push_back(name);
+    if (!is_hidden && lower.ends_with(".xacro")) xacros.push_back(name);
+    const bool may_be_one = is_yaml || lower.ends_with(".srdf");
+    if (is_companion_path(name) || name == ".setup_assistant" ||
+        (!is_hidden && may_be_one && is_promising)) {
+      companions.push_back(std::move(name));
+    }
+  }
+}
+
+CompanionPlaces companion_places(const std::string& folder, const FileReader& files) {
+  return Search(files).run(folder);
 }
 
 std::string_view robot_name_in(std::string_view text) {

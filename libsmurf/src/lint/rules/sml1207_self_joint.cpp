@@ -116,7 +116,7 @@ extern constinit const Rule sml1207_self_joint{.id = "SML1207",
                                                .remedy = "Name two different links.",
                                                .check_model = check,
                                                .facts = kFacts,
-                                               .about = About::robot,
+                                               .is_impossible = true,
                                                .blocks_building = true};
 
 }  // namespace smurf::rules::sml1207_self_joint_file

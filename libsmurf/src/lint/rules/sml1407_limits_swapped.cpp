@@ -48,7 +48,6 @@ extern constinit const Rule sml1407_limits_swapped{
     .summary = "The lower limit of a joint is above its upper limit.",
     .remedy = "Swap the values, or correct the one that is wrong.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1407_limits_swapped_file

@@ -33,7 +33,6 @@ extern constinit const Rule sml1408_bounds_equal{
     .summary = "The two position limits of a joint are equal.",
     .remedy = "Make the joint fixed, or correct the limits.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1408_bounds_equal_file

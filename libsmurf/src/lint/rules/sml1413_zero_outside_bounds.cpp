@@ -58,7 +58,6 @@ extern constinit const Rule sml1413_zero_outside_bounds{
         "with `initial_value` of ros2_control.",
     .sources = "MoveIt and PyBullet start states; 65 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1413_zero_outside_bounds_file

@@ -74,7 +74,6 @@ extern constinit const Rule sml1415_limit_negative{
     .summary = "The effort or velocity limit of a joint is negative.",
     .remedy = "Write a positive number.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1415_limit_negative_file

@@ -67,7 +67,6 @@ extern constinit const Rule sml1421_axis_zero{
     .summary = "The axis of a joint is the zero vector.",
     .remedy = "Write the direction the joint turns about or moves along.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1421_axis_zero_file

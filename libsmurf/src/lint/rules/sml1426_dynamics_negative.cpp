@@ -46,7 +46,6 @@ extern constinit const Rule sml1426_dynamics_negative{
     .why = "In other readers, the joint gains energy.",
     .remedy = "Write a positive number.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1426_dynamics_negative_file

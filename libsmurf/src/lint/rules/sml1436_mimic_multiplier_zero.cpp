@@ -29,7 +29,6 @@ extern constinit const Rule sml1436_mimic_multiplier_zero{
     .why = "The joint never moves.",
     .remedy = "Make the joint fixed, or write the multiplier that is meant.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1436_mimic_multiplier_zero_file

@@ -37,7 +37,6 @@ extern constinit const Rule sml1443_transmission_joint_unknown{
     .remedy = "Correct the name.",
     .sources = "14 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1443_transmission_joint_unknown_file

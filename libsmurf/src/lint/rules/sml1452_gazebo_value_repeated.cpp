@@ -65,7 +65,6 @@ extern constinit const Rule sml1452_gazebo_value_repeated{
     .why = "Whoever changes the first one sees no effect.",
     .remedy = "Delete all but one of them.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::format};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1452_gazebo_value_repeated_file

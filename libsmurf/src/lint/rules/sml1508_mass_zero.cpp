@@ -86,7 +86,6 @@ extern constinit const Rule sml1508_mass_zero{
     .summary = "A link has an inertial with mass 0.",
     .remedy = "Write the mass, or remove the inertial of a link that is only a frame.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1508_mass_zero_file

@@ -49,6 +49,6 @@ extern constinit const Rule sml1509_mass_negative{.id = "SML1509",
                                                   .remedy = "Correct the sign.",
                                                   .check_model = check,
                                                   .facts = kFacts,
-                                                  .about = About::robot};
+                                                  .is_impossible = true};
 
 }  // namespace smurf::rules::sml1509_mass_negative_file

@@ -73,7 +73,6 @@ extern constinit const Rule sml1511_inertia_all_zero{
     .why = "Other engines get a singular mass matrix.",
     .remedy = "Compute the inertia from the geometry and the mass.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1511_inertia_all_zero_file

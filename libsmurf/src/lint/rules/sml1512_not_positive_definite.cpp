@@ -92,6 +92,6 @@ extern constinit const Rule sml1512_not_positive_definite{
     .remedy = "Compute the inertia again, e.g. from the geometry and the mass.",
     .check_model = check,
     .facts = kFacts,
-    .about = About::robot};
+    .is_impossible = true};
 
 }  // namespace smurf::rules::sml1512_not_positive_definite_file

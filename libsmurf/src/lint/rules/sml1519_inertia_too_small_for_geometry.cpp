@@ -60,7 +60,6 @@ extern constinit const Rule sml1519_inertia_too_small_for_geometry{
         "of the box around the link.",
     .check_model = check,
     .tolerance = {.value = 0.01,
-                  .meaning = "the smallest inertia, as a fraction of that of a homogeneous block"},
-    .about = About::robot};
+                  .meaning = "the smallest inertia, as a fraction of that of a homogeneous block"}};
 
 }  // namespace smurf::rules::sml1519_inertia_too_small_for_geometry_file

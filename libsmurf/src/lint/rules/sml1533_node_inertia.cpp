@@ -45,7 +45,6 @@ extern constinit const Rule sml1533_node_inertia{
               "so that MARS computes them.",
     .sources = "MARS NodeData.cpp and NodePhysics.cpp.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1533_node_inertia_file

@@ -66,7 +66,6 @@ extern constinit const Rule sml1601_size_not_positive{
     .remedy =
         "Write a length above 0, in metres: the radius of a round shape, the whole sides of a box.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1601_size_not_positive_file

@@ -31,7 +31,6 @@ extern constinit const Rule sml1623_mesh_inside_out{
     .remedy = "Flip the normals in a mesh editor.",
     .sources = "1 of 956 public collision meshes.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1623_mesh_inside_out_file

@@ -78,7 +78,6 @@ extern constinit const Rule sml1627_scale_zero{
     .why = "The mesh is flat, or smaller than any part of a robot.",
     .remedy = "Write the factor that was meant.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1627_scale_zero_file

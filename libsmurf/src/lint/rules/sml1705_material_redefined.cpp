@@ -76,7 +76,6 @@ extern constinit const Rule sml1705_material_redefined{
     .summary = "A material is defined twice, with different colours or textures.",
     .remedy = "Name the second material differently, or write the colour once.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1705_material_redefined_file

@@ -104,7 +104,6 @@ extern constinit const Rule sml2016_misspelt_section{
     .remedy = "Correct the name, or give a custom section a name that differs more.",
     .check_model = check,
     .check_scene = check_data,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml2016_misspelt_section_file

@@ -33,7 +33,6 @@ extern constinit const Rule sml3117_texture_missing{
     .summary = "The annotation of a material names an image that does not exist.",
     .remedy = "Correct the path; it starts at the folder of the .smurf.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml3117_texture_missing_file

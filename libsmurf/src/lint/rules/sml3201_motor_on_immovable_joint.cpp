@@ -33,7 +33,6 @@ extern constinit const Rule sml3201_motor_on_immovable_joint{
     .why = "A fixed joint stays fixed in every reader.",
     .remedy = "Drive another joint, or change the type of this one.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml3201_motor_on_immovable_joint_file

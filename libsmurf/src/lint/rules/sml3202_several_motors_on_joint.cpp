@@ -38,7 +38,6 @@ extern constinit const Rule sml3202_several_motors_on_joint{
     .summary = "Two motors drive one joint.",
     .remedy = "Drive each joint by one motor.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml3202_several_motors_on_joint_file

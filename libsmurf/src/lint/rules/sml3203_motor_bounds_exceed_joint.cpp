@@ -97,7 +97,6 @@ extern constinit const Rule sml3203_motor_bounds_exceed_joint{
     .why = "Readers of the URDF stop at the joint's limits.",
     .remedy = "Give the motor the bounds of its joint.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml3203_motor_bounds_exceed_joint_file

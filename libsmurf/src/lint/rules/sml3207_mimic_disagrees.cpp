@@ -71,7 +71,6 @@ extern constinit const Rule sml3207_mimic_disagrees{
     .why = "Readers of the URDF follow the mimic element.",
     .remedy = "Make the two agree.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml3207_mimic_disagrees_file

@@ -60,7 +60,6 @@ extern constinit const Rule sml3213_joint_entry_disagrees{
     .why = "Readers of the URDF ignore the entry.",
     .remedy = "Make the two agree.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml3213_joint_entry_disagrees_file

@@ -50,7 +50,6 @@ extern constinit const Rule sml3221_material_color_disagrees{
     .why = "Readers of the URDF alone show the colour of the URDF.",
     .remedy = "Make the two agree, if the robot should look the same everywhere.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml3221_material_color_disagrees_file

@@ -51,7 +51,6 @@ extern constinit const Rule sml3230_pose_outside_limits{
     .summary = "A joint pose lies outside the limits of the joint.",
     .remedy = "Correct the position, or the limits.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml3230_pose_outside_limits_file

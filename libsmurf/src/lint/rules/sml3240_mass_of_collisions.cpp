@@ -40,7 +40,6 @@ extern constinit const Rule sml3240_mass_of_collisions{
     .tolerance = {.value = 0.1,
                   .meaning = "the largest added mass, as a fraction of the mass of "
                              "the link"},
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml3240_mass_of_collisions_file

@@ -66,7 +66,6 @@ extern constinit const Rule sml4103_dead_motor{
     .summary = "A motor has no speed, no effort or no gain, so it never moves.",
     .remedy = "Write the missing values; the limits of the URDF joint are a good start.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml4103_dead_motor_file

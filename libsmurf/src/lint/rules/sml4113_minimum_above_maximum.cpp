@@ -79,7 +79,6 @@ extern constinit const Rule sml4113_minimum_above_maximum{
     .why = "Swapped stops, distances or fog limits leave no range.",
     .remedy = "Swap the two.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml4113_minimum_above_maximum_file

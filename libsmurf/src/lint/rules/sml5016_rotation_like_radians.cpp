@@ -58,7 +58,6 @@ extern constinit const Rule sml5016_rotation_like_radians{
     .why = "1.5708 is read as one and a half degrees. URDF uses radians, scenes use degrees.",
     .remedy = "Write degrees: 90 instead of 1.5708.",
     .check_scene = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml5016_rotation_like_radians_file
