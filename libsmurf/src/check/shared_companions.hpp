@@ -32,10 +32,10 @@ CompanionFit fit_of(const Companion& companion, const LinkedModel& model);
 /// MoveIt without joints beside an SRDF that is left.
 void keep_certain(Companions& companions, const LoadContext& context);
 
-/// Loads a robot with its companions, or a companion with its robot. A robot of xacro that was
-/// `found`, and that no user named, may have other arguments, and so other joints and links, than
-/// the one that its companions are for. Nearly all names in them must be its names. `xacro` are the
-/// robots of the configuration.
+/// Loads a robot with its companions, or a companion with its robot. `was_found`: a search found
+/// the file, and no user named it. Such a xacro file may expand to other joints and links than its
+/// companions are written for, so it keeps a companion only if it has nearly all names in it.
+/// `xacro`: the xacro files and arguments that the configuration states.
 Accompanied load_robot(const std::string& path, bool was_found, std::span<const ConfigXacro> xacro,
                        LoadContext& context);
 

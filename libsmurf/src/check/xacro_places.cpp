@@ -53,7 +53,8 @@ bool place(const xacro::Expansion& expansion, Fix& fix) {
   return true;
 }
 
-/// The finding at its place in the xacro files; the call around it.
+/// Moves a finding from the expansion to its place in the xacro files. Returns the span of the
+/// innermost macro call around that place; empty if there is none.
 Span move_to_xacro(const xacro::Expansion& expansion, Diagnostic& diagnostic) {
   const xacro::Origin origin = expansion.origin_of(diagnostic.span);
   diagnostic.span = origin.span;

@@ -29,7 +29,8 @@ class PackageSearch {
   std::optional<std::string> find(const std::string& name, const std::string& near,
                                   const std::vector<std::string>& package_folders);
 
-  /// Read once: each robot of a folder asks for it.
+  /// The files in a folder that may be companions or robots. Listed once, because each robot of a
+  /// folder asks for them.
   const NamesInFolder& names_in(const std::string& folder);
 
  private:
@@ -100,7 +101,7 @@ class PackageSearch {
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> answers_;
 };
 
-/// That of the context, made at the first search.
+/// The search that the loads of a context share. Makes it at the first call.
 PackageSearch& search_of(LoadContext& context);
 /// The same as find(), but a folder that the user gave for the package comes first.
 std::optional<std::string> find_package(const std::string& name, const std::string& near,

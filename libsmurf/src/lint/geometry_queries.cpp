@@ -62,7 +62,7 @@ std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& 
   const bool is_mesh = std::holds_alternative<urdf::Mesh>(geometry.shape);
   if (is_mesh && has_slip(model, geometry.shape_element, "scale")) return std::nullopt;
   for (std::size_t i = 0; i < 3; ++i) {
-    // False for NaN.
+    // The negated form also rejects a NaN.
     if (!(std::isfinite(box->low[i]) && box->high[i] >= box->low[i])) return std::nullopt;
   }
   return box;

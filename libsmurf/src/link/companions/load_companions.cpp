@@ -31,6 +31,15 @@ constexpr std::size_t kMostRobots = 6;        // that are tried for an SRDF
 /// Companions of other robots, and lists of parameters of other programs, are larger.
 constexpr std::uint64_t kMostBytesOfYaml = 1U << 20U;
 
+/// Whether a path ends with this, in any case. Searches ask it of every file, so it makes no copy.
+bool has_ending(std::string_view path, std::string_view lower) {
+  if (path.size() < lower.size()) return false;
+  const std::string_view end = path.substr(path.size() - lower.size());
+  return std::equal(end.begin(), end.end(), lower.begin(), [](char c, char wanted) {
+    return (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) == wanted;
+  });
+}
+
 using NameLists = std::initializer_list<std::vector<std::string> NamesInFolder::*>;
 
 /// Files of these kinds in these folders, each once.
@@ -247,17 +256,16 @@ class Finder {
   /// robot is the only one around.
   bool may_be_for(std::string_view name) {
     if (model_.robot->name && is_same_word(name, *model_.robot->name)) return true;
-    const auto is_urdf = [](const std::string& path) {
-      return path::to_lower(path::extension(path)) == ".urdf";
-    };
+    const auto is_urdf = [](const std::string& path) { return has_ending(path, ".urdf"); };
     const std::vector<std::string>& all = robots();
     return std::count_if(all.begin(), all.end(), is_urdf) == 1 && !has_robot(all, name, context_);
   }
 
   const std::vector<std::string>& robots() {
-    if (!robots_)
+    if (!robots_) {
       robots_ =
           candidates(places_.folders, {&NamesInFolder::urdfs, &NamesInFolder::xacros}, context_);
+    }
     return *robots_;
   }
 
@@ -358,8 +366,7 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
 }  // namespace
 
 bool is_companion_path(std::string_view path) {
-  const std::string name = path::to_lower(path::file_name(path));
-  return name.ends_with(".srdf") || name.ends_with(".srdf.xacro");
+  return has_ending(path, ".srdf") || has_ending(path, ".srdf.xacro");
 }
 
 Companions load_companions(const LinkedModel& model, LoadContext& context) {

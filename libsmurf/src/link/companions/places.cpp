@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -25,6 +26,16 @@ bool is_skipped(std::string_view name) {
   return name.starts_with('.') || !path::extension(name).empty() ||
          is_one_of(name, {"meshes", "include", "src", "test", "tests", "doc", "docs", "scripts",
                           "worlds", "textures", "materials", "media", "build", "install", "log"});
+}
+
+/// Whether a YAML file with this name may be a companion.
+bool is_promising_yaml(std::string_view lower) {
+  if (!lower.ends_with(".yaml") && !lower.ends_with(".yml")) return false;
+  constexpr std::string_view kWords[] = {"control",  "limits", "kinematics", "ompl",
+                                         "planning", "moveit", "param",      "sensors"};
+  return std::any_of(std::begin(kWords), std::end(kWords), [&](std::string_view word) {
+    return lower.find(word) != std::string_view::npos;
+  });
 }
 
 class Search {
@@ -149,22 +160,12 @@ class Search {
 
 NamesInFolder::NamesInFolder(std::vector<std::string> all) {
   for (std::string& name : all) {
-    const std::string lower = path::to_lower(name);
-    const auto has_word = [&](std::string_view word) {
-      return lower.find(word) != std::string::npos;
-    };
-    const bool is_yaml = lower.ends_with(".yaml") || lower.ends_with(".yml");
-    const bool is_promising = !is_yaml || has_word("control") || has_word("limits") ||
-                              has_word("kinematics") || has_word("ompl") || has_word("planning") ||
-                              has_word("moveit") || has_word("param") || has_word("sensors");
     const bool is_hidden = name.starts_with('.');
+    const std::string lower = path::to_lower(name);
     if (!is_hidden && lower.ends_with(".urdf")) urdfs.push_back(name);
     if (!is_hidden && lower.ends_with(".xacro")) xacros.push_back(name);
-    const bool may_be_one = is_yaml || lower.ends_with(".srdf");
-    if (is_companion_path(name) || name == ".setup_assistant" ||
-        (!is_hidden && may_be_one && is_promising)) {
-      companions.push_back(std::move(name));
-    }
+    const bool is_companion = is_hidden ? name == ".setup_assistant" : is_promising_yaml(lower);
+    if (is_companion || is_companion_path(name)) companions.push_back(std::move(name));
   }
 }
 

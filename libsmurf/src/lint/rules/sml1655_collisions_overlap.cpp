@@ -93,7 +93,7 @@ std::vector<Placed> placed_collisions(const LinkedModel& model) {
   return all;
 }
 
-/// Whether a ball of this diameter may be in both boxes.
+/// Whether a ball of this diameter fits into the intersection of two boxes.
 bool have_room(const Box& a, const Box& b, double diameter) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (std::min(a.high[i], b.high[i]) - std::max(a.low[i], b.low[i]) < diameter) return false;
