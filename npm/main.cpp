@@ -7,7 +7,8 @@
 #include <cerrno>
 #include <cstdarg>
 #include <cstddef>
-#include <string_view>
+
+#include "common/cli/tools_in_one.hpp"
 
 // The facts about the C library on which host.mjs relies.
 static_assert(offsetof(struct stat, st_dev) == 0 && offsetof(struct stat, st_mode) == 12 &&
@@ -38,22 +39,7 @@ extern "C" int fcntl(int descriptor, int, ...) {
   return ::fstat(descriptor, &status);
 }
 
-int smurf_lint_main(int argc, char** argv);
-int smurf2urdf_main(int argc, char** argv);
-int urdf2smurf_main(int argc, char** argv);
-int smurfs_flatten_main(int argc, char** argv);
-
 namespace {
-
-struct Tool {
-  std::string_view name;
-  int (*main)(int argc, char** argv);
-};
-
-constexpr Tool kTools[] = {{"smurf-lint", smurf_lint_main},
-                           {"smurf2urdf", smurf2urdf_main},
-                           {"urdf2smurf", urdf2smurf_main},
-                           {"smurfs-flatten", smurfs_flatten_main}};
 
 /// Added to the exit code of a tool, to distinguish it from that of abort(), which is 1.
 constexpr int kEnded = 64;
@@ -61,9 +47,6 @@ constexpr int kEnded = 64;
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string_view name = argc > 0 ? argv[0] : "";
-  for (const Tool& tool : kTools) {
-    if (tool.name == name) return kEnded + tool.main(argc, argv);
-  }
-  return 2;
+  const auto tool = smurf::tools::find_tool(argc > 0 ? argv[0] : "");
+  return tool == nullptr ? 2 : kEnded + tool(argc, argv);
 }

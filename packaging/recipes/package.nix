@@ -16,6 +16,7 @@
   urdfdom,
   urdfdom-headers,
   yaml-cpp,
+  zlib,
 }:
 
 stdenv.mkDerivation rec {
@@ -29,7 +30,7 @@ stdenv.mkDerivation rec {
 
   nativeBuildInputs = [ cmake ninja pkg-config ];
   buildInputs = [
-    console-bridge eigen libpng minizip nlohmann_json ode tinyxml-2 urdfdom urdfdom-headers yaml-cpp
+    console-bridge eigen libpng minizip nlohmann_json ode tinyxml-2 urdfdom urdfdom-headers yaml-cpp zlib
   ];
   cmakeFlags = [ "-DSMURF_BUILD_TESTS=OFF" "-DSMURF_BUILD_PYTHON=OFF" ];
 

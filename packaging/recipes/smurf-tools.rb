@@ -17,6 +17,7 @@ class SmurfTools < Formula
   depends_on "urdfdom"
   depends_on "urdfdom_headers"
   depends_on "yaml-cpp"
+  depends_on "zlib"
 
   def install
     system "cmake", "-S", ".", "-B", "build", "-G", "Ninja",

@@ -6,7 +6,17 @@ namespace {
 
 /// For classes that only this module makes. Without it, Python could make objects without a value,
 /// which nothing checks for: cls.__new__(cls).
+PyObject* refuse(PyTypeObject* type, PyObject*, PyObject*) {
+  PyErr_Format(PyExc_TypeError, "cannot create or pickle objects of %s", type->tp_name);
+  return nullptr;
+}
+
 void forbid_construction(const pybind11::module_& module) {
+  // The base of all classes has no object of its own; pybind11 ends the interpreter when one is
+  // made, as the old protocols of pickle do.
+  auto* base = reinterpret_cast<PyTypeObject*>(pybind11::detail::get_internals().instance_base);
+  base->tp_new = refuse;
+  PyType_Modified(base);
   for (const auto& [name, item] : pybind11::dict(module.attr("__dict__"))) {
     if (!PyType_Check(item.ptr()) || item.is(module.attr("Session"))) continue;
     auto* type = reinterpret_cast<PyTypeObject*>(item.ptr());

@@ -103,7 +103,7 @@ template <class Loaded>
   const FileContent content = session.files().read(path, session.limits().file_bytes);
   const bool is_read = content.status == ReadStatus::ok;
   raise_error("cannot read '" + path + "'" + (is_read ? "" : ": " + content.reason),
-              to_findings(session.finish(loaded, loaded.found.take()), session.loaded_sources()));
+              to_findings(session.settle(loaded, loaded.found.take()), session.loaded_sources()));
 }
 
 py::object load_model(const std::shared_ptr<Session>& session, const std::string& path,

@@ -330,16 +330,22 @@ TEST_CASE("what a converter loads is checked as by its path") {
     if (!fs::exists(path)) continue;
     CAPTURE(path);
     Session session;
-    const std::string whole = check(session, plan_of({path}));
+    // A check by path also reads what surrounds a robot, such as the manifest of its package.
+    const auto without_files = [](Report report) {
+      report.summary.files = 0;
+      return report;
+    };
+    const std::string whole =
+        text_of(without_files(session.check(plan_of({path}))), session.sources());
     Session other;
     if (path.ends_with(".smurfs")) {
       LoadedScene loaded = other.load_scene(path);
-      const Report report = other.check(loaded);
+      const Report report = without_files(other.check(loaded));
       CHECK(text_of(report, *loaded.sources) == whole);
       CHECK(text_of(report, other.sources()) == whole);
     } else {
       LoadedModel loaded = other.load_model(path);
-      const Report report = other.check(loaded);
+      const Report report = without_files(other.check(loaded));
       CHECK(text_of(report, *loaded.sources) == whole);
       CHECK(text_of(report, other.sources()) == whole);
     }
@@ -452,7 +458,9 @@ TEST_CASE("after random edits a check finds what a new session finds") {
 }
 
 TEST_CASE("session: a package that is near is found without reading those behind it") {
-  const auto package = [](const std::string& name) { return "<name>" + name + "</name>"; };
+  const auto package = [](const std::string& name) {
+    return "<package><name>" + name + "</name></package>";
+  };
   MemoryFiles memory;
   memory.add("robots/a.xacro", R"(<robot name="a" xmlns:xacro="x">
     <xacro:include filename="$(find parts)/p.xacro"/></robot>)");

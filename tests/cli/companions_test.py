@@ -84,7 +84,7 @@ class Companions(cli.CliTest):
         return self.read("lamp_moveit_config/config/" + name)
 
     def test_a_clean_robot_has_no_findings(self):
-        self.assertEqual(self.expect(0, ".").stdout, "no findings in 6 files (1 model), checked with 1 SRDF, "
+        self.assertEqual(self.expect(0, ".").stdout, "no findings in 8 files (1 model), checked with 1 SRDF, "
                          "1 controllers.yaml, 1 joint_limits.yaml, 1 kinematics.yaml and 1 moveit_controllers.yaml\n")
 
     def test_the_report_for_programs_counts_them(self):

@@ -51,7 +51,7 @@ class HeightmapTest(cli.CliTest):
         done = self.run_tool("s.smurfs", "--format", "mjcf", *arguments)
         self.assertEqual(done.returncode, 0, done.stderr)
         size = re.search(r'size="2 4 ([^ ]*) [^ ]*"', done.stdout)
-        return (float(size[1]), float(re.search(r'hfield="t" pos="0 0 ([^"]*)"', done.stdout)[1])) if size else done.stderr
+        return (float(size[1]), float(re.search(r'hfield="t" name="t" pos="0 0 ([^"]*)"', done.stdout)[1])) if size else done.stderr
 
     def assert_heights(self, image, low, high):
         found = self.heights(image)

@@ -52,6 +52,11 @@ URDF = """<robot name="rich">
 <link name="ball"><inertial><mass value="1"/></inertial>
   <collision><geometry><sphere radius="0.125"/></geometry></collision></link>
 <joint name="roll" type="continuous"><parent link="base"/><child link="ball"/><axis xyz="0 0 1"/></joint>
+<link name="dot"><inertial><mass value="1"/><inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/></inertial>
+  <collision><geometry><sphere radius="0.375"/></geometry></collision></link>
+<joint name="spin" type="continuous"><parent link="base"/><child link="dot"/><axis xyz="0 0 1"/></joint>
+<joint name="loop" type="continuous"><parent link="pad"/><child link="dot"/><axis xyz="0 0 1"/></joint>
+<link name="island"/>
 <gazebo reference="arm"><mu1>0.75</mu1><kp>7</kp><sensor name="eye" type="camera"><camera/></sensor></gazebo>
 <transmission name="drive"><type>transmission_interface/SimpleTransmission</type>
   <joint name="knuckle"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
@@ -134,12 +139,12 @@ FORK = "".join(f"v {x} {y} {z}\n" for z in (0, 2) for x, y in PROFILE) + "".join
     f"f {i + 1} {(i + 1) % 8 + 1} {(i + 1) % 8 + 9}\nf {i + 1} {(i + 1) % 8 + 9} {i + 9}\n" for i in range(8))
 
 
-def png(*pixels):
-    """A row of pixels of three bytes."""
+def png(*pixels, height=1):
+    """Equal rows of pixels of three bytes."""
     def chunk(name, content):
         return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", len(pixels), 1, 8, 2, 0, 0, 0))
-            + chunk(b"IDAT", zlib.compress(b"\0" + b"".join(map(bytes, pixels)))) + chunk(b"IEND", b""))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", len(pixels), height, 8, 2, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress((b"\0" + b"".join(map(bytes, pixels))) * height)) + chunk(b"IEND", b""))
 
 
 # For every thing: a text of the model, and the text that replaces it.
@@ -148,6 +153,7 @@ CHANGES = {
     "masses of moving links that have none": ('<link name="finger"/>', '<link name="finger">'
                                               + BODY.format(m="1") + "</link>"),
     "moments of inertia that are not written": ('<sphere radius="0.125"/>', '<sphere radius="0.25"/>'),
+    "moments of inertia of 0 and placeholders": ('<sphere radius="0.375"/>', '<sphere radius="0.5"/>'),
     "inertias that simulators refuse": ("0.000201", "0.0002"),
     "visual shapes": ('<visual name="hull"><geometry><box size="1 2 3"/>',
                       '<visual name="hull"><geometry><box size="1 2 4"/>'),
@@ -160,6 +166,8 @@ CHANGES = {
     "colours of parts of mesh files": ("usemtl green", "usemtl red"),
     "textures": ('<texture filename="skin.png"/>', ""),
     "movable joints": ('name="hinge" type="continuous"', 'name="hinge" type="fixed"'),
+    "joints that close a loop": ('<joint name="loop".*?</joint>', ""),
+    "joints and links that the root does not reach": ('<link name="island"/>', ""),
     "mimicking joints": ('<mimic joint="shoulder" multiplier="0.5"/>', ""),
     "position limits": ('upper="2"', 'upper="1.5"'),
     "effort limits": ('effort="6"', ""),
@@ -210,6 +218,8 @@ CHANGES = {
     "ambient colours of lights": (", ambient: {r: 1, g: 0, b: 0, a: 1}", ""),
     "attenuations and specular colours of lights": (", linearAttenuation: 0.25", ""),
     "heightmaps in colour or out of reach": ("file: hill.png", "file: grey.png"),
+    "heightmaps that are not square": ("file: hill.png", "file: square.png"),
+    "robots that move freely": (", anchor: none", ", anchor: world"),
     "entities of other types": ("- {name: Cloud.*?}\n", ""),
     "names of entities": ("name: Free Änd easy", "name: Free_and_easy"),
     "anchors": (", anchor: world", ""),
@@ -242,8 +252,8 @@ OWN_WORDS = {"textures in mjcf": "the texture `skin.png`, whose content is not P
              "solver settings": "the constraint force mixing is not in", "lights": "the light is not in",
              "plug-ins of MARS": "the list of plug-ins is not in", "environment": "the environment is not in",
              "entities of other types": "`Cloud` is not in"}
-# The rich scene has none of the materials, names and sensors that are lost where others are kept, and no moments of 0.
-UNNAMED = {("partly", thing) for thing in ("material", "visual setting", "sensor")}
+# The rich scene has none of the materials, names, sensors and loops that are lost where others are kept.
+UNNAMED = {("partly", thing) for thing in ("material", "visual setting", "sensor", "joints that close a loop")}
 UNNAMED |= {("changed: USD computes moments of inertia of 0 from shapes", "inertias that simulators refuse")}
 # Previews show where things are at the start, and do not list what changes nothing of that.
 UNNAMED |= {("shapes only", thing) for thing in ("names of visuals and collisions", "mimicking joints", "position limits",
@@ -254,7 +264,8 @@ ASIDES = {"masses of moving links that have none", "moments of inertia that are 
           "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives",
           "roots named `world` without an anchor", "colours of parts of mesh files", "collisions within a robot",
           "gains of motors", "collisions of contact sensors on several links", "systems of Gazebo for sensors",
-          "names of entities", "heightmaps in colour or out of reach"}
+          "names of entities", "heightmaps in colour or out of reach", "moments of inertia of 0 and placeholders",
+          "heightmaps that are not square", "robots that move freely"}
 OF_URDF = set(list(CHANGES)[:list(CHANGES).index("motor")])
 
 
@@ -290,6 +301,7 @@ class KeptTest(cli.CliTest):
             self.write(name, text)
         self.write("hill.png", png((0, 0, 0), (9, 0, 90)))
         self.write("grey.png", png((0, 0, 0), (9, 9, 9)))
+        self.write("square.png", png((0, 0, 0), (9, 0, 90), (9, 9, 9), height=3))
         results = {}
         for form in forms:
             (self.folder / "out").unlink(missing_ok=True)

@@ -172,7 +172,8 @@ class CasesTest(unittest.TestCase):
         for (kind, parts), says in wrong.items():
             with self.subTest(parts):
                 self.check(sensor(kind, parts), "gazebo", "loses", "SML1458", says)
-        self.check(sensor("ray", ray), "gazebo", "takes")
+        self.check(sensor("ray", ray), "gazebo", "loses", "SML3905", "makes no sensor of type")
+        self.check(sensor("gpu_ray", ray), "gazebo", "takes")
         self.check(sensor("ray", ray + '<plugin name="p" filename="p.so"><topicName>a</topicName></plugin>'), "gazebo",
                    "takes")
 

@@ -168,7 +168,7 @@ class Mistakes(cli.CliTest):
                               "--limit", "yaml-dept=3", "x.urdf")
         self.assertIn("did you mean 'isaac'?", self.expect(2, "--target", "isaacs", "x.urdf").stderr)
         (self.folder / "loop.urdf").symlink_to("loop.urdf")
-        self.expect_complaint("cannot read 'loop.urdf': is a link that leads to no file", "loop.urdf")
+        self.expect_complaint("cannot read 'loop.urdf': is a link to a file that is missing, or lies outside of the project", "loop.urdf")
 
 
 class Written(cli.CliTest):

@@ -160,7 +160,7 @@ class Options(ExportTest):
         self.assertEqual(self.run_tool("r.urdf", "-o", "out.urdf").returncode, 0)
         done = self.run_tool("r.urdf", "--preset", "mujoco", "-o", "mujoco.urdf")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("not converted: MuJoCo has no decoder for it, and refuses the model", done.stderr)
+        self.assertIn("cannot be converted: MuJoCo refuses the file (SML1644 at ", done.stderr)
         self.assertFalse((self.folder / "mujoco.urdf").exists())
         self.write("p.urdf", self.read("r.urdf").replace("m.dae", "package://nowhere/m.stl"))
         done = self.run_tool("p.urdf", "--preset", "mujoco", "-o", "mujoco.urdf")
@@ -171,6 +171,25 @@ class Options(ExportTest):
         self.assertEqual(self.run_tool("d.urdf", "--preset", "mujoco", "-o", "mujoco.urdf").returncode, 1)
         done = self.run_tool("r.urdf", "--preset", "mujoco", "--force", "-o", "mujoco.urdf")
         self.assertEqual(done.returncode, 0)
+
+    def test_meshes_for_a_reader_of_few_formats(self):
+        """Drake makes convex hulls of OBJ, VTK and glTF only, and MuJoCo reads no ASCII STL."""
+        corners = ("0 0 0", "1 0 0", "0 1 0", "0 0 1")
+        faces = "".join("facet normal 0 0 0 outer loop " + "".join(f"vertex {corners[i]} " for i in face) +
+                        "endloop endfacet\n" for face in ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)))
+        self.write("part.stl", f"solid part\n{faces}endsolid part\n")
+        body = ('<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>')
+        self.write("r.urdf", f'<robot name="r"><link name="l">{body}<collision><geometry>'
+                   '<mesh filename="part.stl"/></geometry></collision></link></robot>')
+        for preset in ("drake", "mujoco", "pybullet"):
+            done = self.run_tool("r.urdf", "--preset", preset, "-o", f"{preset}.urdf")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(f"copied as OBJ: 1 mesh to {preset}_meshes", done.stderr)
+            self.assertIn(f'filename="{preset}_meshes/part.obj"', self.read(f"{preset}.urdf"))
+            self.assertEqual(self.read(f"{preset}_meshes/part.obj").count("\nf "), 4)
+        done = self.run_tool("r.urdf", "--preset", "drake")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("with -o FILE, meshes are copied", done.stderr)
 
     def test_what_moves_without_mass_is_no_preset_of_mujoco(self):
         self.write("r.urdf", '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous">'
@@ -206,7 +225,8 @@ class Options(ExportTest):
     def test_presets_are_the_options_that_they_show(self):
         for preset in ("ros2", "gazebo", "mujoco", "pybullet", "drake"):
             options = self.expect(0, "--show-preset", preset).stdout.split()
-            self.assertEqual(self.export("--preset", preset), self.export(*options))
+            meshes = re.compile(r'filename="[^"]*/(\w+)\.(stl|obj|dae)"')  # Drake gets copies as OBJ
+            self.assertEqual(meshes.sub(r"\1", self.export("--preset", preset)), meshes.sub(r"\1", self.export(*options)))
         self.assertIn("<ros2_control", self.export("--preset", "ros2"))
         self.assertNotIn("<ros2_control",
                          self.export("--preset", "ros2", "--actuation", "none"))

@@ -258,7 +258,7 @@ class Output(FlattenTest):
     def test_a_floor_on_request(self):
         self.write("free.smurfs", "entities:\n- {name: A, file: models/box.urdf}\n")
         for name, floors in (("w.sdf", ('<model name="ground">', "<plane>")),
-                             ("w.mjcf", ('<geom class="solid" type="plane" size="50 50 1"/>',))):
+                             ("w.mjcf", ('<geom class="solid" type="plane" size="50 50 1" name="ground"/>',))):
             done = self.run_tool("free.smurfs", "-o", name)
             self.assertTrue(done.stderr.endswith("1 instance of 1 model; robots fall, see --ground\n"), done.stderr)
             for floor in floors:

@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "ast/format.hpp"
 #include "docs/page.hpp"
-#include "smurf/format.hpp"
 #include "smurf/readers.hpp"
 
 using namespace smurf;

@@ -159,7 +159,7 @@ void write_reader(std::ostream& page, const Reader& reader) {
       if (fact.reader == &reader) write_fact(page, rule->id, fact);
     }
   }
-  for (const auto& [family, fact] : reader.families) write_fact(page, family, fact);
+  for (const auto& [family, fact] : reader.families) write_fact(page, family.id(), fact);
   for (const Fact& fact : reader.unread) write_fact(page, "SML1", fact);
 }
 
@@ -174,7 +174,7 @@ std::string readers_page() {
          "`smurf-lint --target LIST` judges findings by these facts. The first matching fact of a "
          "reader applies. `where` names the place of the finding, then the case of its rule or the "
          "circumstances that the reader sees, then the versions of the reader. A "
-         "target without a release, such as `ros`, means the oldest one that is supported. Findings in parts of a URDF that the reader ignores are judged first (SML1xxx, "
+         "target without a release, such as `ros`, means the oldest one that its developers support. Findings in parts of a URDF that the reader ignores are judged first (SML1xxx, "
          "except for malformed XML). A misspelt name is judged as both misspelt and missing; the "
          "worse effect applies. The effects, and the severities that they give a finding:\n\n"
          "| effect | the reader ... | severity |\n|---|---|---|\n"

@@ -5,6 +5,7 @@
 #include "archive/zip.hpp"
 #include "base/files/path.hpp"
 #include "fuzz/bundle.hpp"
+#include "fuzz/clock.hpp"
 
 using namespace smurf;
 using namespace smurf::test;
@@ -34,6 +35,7 @@ std::vector<std::string> broken_promises(const Archive& archive, const Limits& l
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const smurf::test::Clock clock;
   Limits limits;
   limits.archive_bytes = 1U << 20U;
   limits.archive_files = 100;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "fuzz/bundle.hpp"
+#include "fuzz/clock.hpp"
 #include "support/described_yaml.hpp"
 
 using namespace smurf;
@@ -134,6 +135,7 @@ void compare(YamlEngine engine, const std::string& text, std::vector<std::string
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const smurf::test::Clock clock;
   const std::string text(reinterpret_cast<const char*>(data), size);
   Exercise result;
   if (described_yaml(YamlEngine::scanner_first, text) !=

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "fuzz/clock.hpp"
 #include "smurf-lsp/server.hpp"
 #include "smurf-lsp/transport.hpp"
 
@@ -177,6 +178,7 @@ void edit_document(std::string_view text) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const smurf::test::Clock clock;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   if (bytes.starts_with("Content-Length")) {
     replay_stream(bytes);

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "fuzz/bundle.hpp"
+#include "fuzz/clock.hpp"
 #include "mesh/mesh_reader.hpp"
 #include "smurf/mesh_triangles.hpp"
 
@@ -45,6 +46,7 @@ std::vector<std::string> broken_promises(const MeshTriangles& mesh) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const smurf::test::Clock clock;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   // A glTF may refer to itself.
   const auto neighbours = [&](const std::string& name) {

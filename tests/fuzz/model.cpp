@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A SMURF model of several files, from reading to the exported URDF.
 #include "fuzz/bundle.hpp"
+#include "fuzz/clock.hpp"
 
 using namespace smurf::test;
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const smurf::test::Clock clock;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   require_kept(exercise(unbundle(bytes, "r.smurf"), "r.smurf", {.converts = true}));
   return 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A robot of xacro with the files that it includes: expansion, places, and all that follows.
 #include "fuzz/bundle.hpp"
+#include "fuzz/clock.hpp"
 #include "smurf/load.hpp"
 
 using namespace smurf;
@@ -37,6 +38,7 @@ void check_map(const xacro::Expansion& expansion, const SourceMap& sources, Exer
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const smurf::test::Clock clock(2);
   const std::string path = "r.urdf.xacro";
   const MemoryFiles files =
       unbundle(std::string_view(reinterpret_cast<const char*>(data), size), path);

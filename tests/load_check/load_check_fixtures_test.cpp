@@ -45,7 +45,7 @@ struct Case {
     REQUIRE(sink.diagnostics().empty());
     result = check_model(model, {files}, {}, [](Stage, const CheckResult&) {});
     locate(model, result.diagnostics);
-    result.diagnostics = finish(std::move(result.diagnostics), sources, {});
+    result.diagnostics = apply_selection(std::move(result.diagnostics), sources, {});
   }
 
   std::string text() const {

@@ -70,8 +70,9 @@ TEST_CASE("a trace that the child could not finish is no result") {
 TEST_CASE("all that a finding says arrives") {
   // A new member does not compile here until the test compares it.
   const auto parts = [](const Diagnostic& diagnostic) {
-    const auto& [rule, severity, span, message, caret, pointer, named_pointer, cases, consequences,
-                 untargeted, labels, notes, help, fixes, left_out] = diagnostic;
+    const auto& [rule, severity, span, message, caret, pointer, named_pointer, names, cases,
+                 consequences, others_are, habit, others, expanded, call, untargeted, labels, notes,
+                 help, fixes, left_out] = diagnostic;
     const auto place = [](const Span& s) { return std::tuple(s.source, s.begin, s.end); };
     std::vector<std::string> texts = {message, caret, pointer, named_pointer, help};
     texts.insert(texts.end(), notes.begin(), notes.end());
@@ -99,7 +100,12 @@ TEST_CASE("all that a finding says arrives") {
                         .caret = "caret",
                         .pointer = "/robot",
                         .named_pointer = "/robot/name",
+                        .names = {},
                         .consequences = {&rules::sml6402_energy_grows},
+                        .others_are = {},
+                        .others = {},
+                        .expanded = {},
+                        .call = {},
                         .untargeted = Severity::warning,
                         .labels = {{at(10), "first"}, {at(20), "second"}},
                         .notes = {"one", "two"},

@@ -16,14 +16,14 @@ BUILT = ("CMakeLists.txt", "libsmurf/CMakeLists.txt", "tools/CMakeLists.txt", "p
 NAMES = {
     "yaml-cpp": {"yaml-cpp"}, "tinyxml2": {"tinyxml2"}, "Eigen3": {"eigen"}, "nlohmann_json": {"nlohmann-json-dev"},
     "urdfdom": {"liburdfdom-dev", "liburdfdom-headers-dev"}, "console_bridge": {"libconsole-bridge-dev"},
-    "PkgConfig": {"pkg-config"}, "minizip": {"libminizip-dev"}, "ode": {"opende"}, "PNG": {"libpng-dev"},
+    "PkgConfig": {"pkg-config"}, "minizip": {"libminizip-dev"}, "ZLIB": {"zlib"}, "ode": {"opende"}, "PNG": {"libpng-dev"},
     "pybind11": {"pybind11-dev", "python3-dev", "python3"}, "Threads": set(),
 }
 NAMES_OF_TESTS = {"doctest": {"doctest-dev"}, "assimp": {"assimp-dev"}, "Python3": {"python3", "python3-jsonschema"}}
 # Debian packages whose names differ from those.
 DEBIAN = {
     "yaml-cpp": "libyaml-cpp-dev", "tinyxml2": "libtinyxml2-dev", "eigen": "libeigen3-dev",
-    "nlohmann-json-dev": "nlohmann-json3-dev", "opende": "libode-dev", "assimp-dev": "libassimp-dev",
+    "nlohmann-json-dev": "nlohmann-json3-dev", "opende": "libode-dev", "zlib": "zlib1g-dev", "assimp-dev": "libassimp-dev",
 }
 KINDS = ("depend", "build_depend", "exec_depend")
 

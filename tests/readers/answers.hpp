@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "smurf/check.hpp"
-#include "smurf/readers.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf {
 

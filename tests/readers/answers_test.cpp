@@ -356,13 +356,13 @@ TEST_CASE("urdfdom skips a tab in front of a number, but not behind one") {
   CHECK(answer_for("ros", "xyz=\"0 0 1\"", "xyz=\"0\t 0 1\"") == Answer::refuses);
 }
 
-TEST_CASE("DART may find a file that a URI names") {
+TEST_CASE("DART reads `file:` as a URI, and does not look beside the robot for its file") {
   using enum Answer;
   const auto answer_with = [](std::string_view path) {
     return answer_for("dart", "<sphere radius=\"1\"/>",
                       "<mesh filename=\"" + std::string(path) + "\"/>");
   };
-  CHECK(answer_with("file:gone.obj") == unknown);
+  CHECK(answer_with("file:gone.obj") == refuses);
   CHECK(answer_with("file://gone.obj") == refuses);
 }
 

@@ -215,11 +215,11 @@ class UsdPhysicsTest(reader.ReaderTest):
         self.assertEqual(stage.prims["World/Floor"]["apiSchemas"], [])
 
     def test_impossible_inertias(self):
-        """Moments of 0 would be computed from shapes; all others are kept."""
+        """Moments of 0 are computed from shapes; all others are kept."""
         self.write("thin.urdf", KINDS.replace('ixx="0.02" iyy="0.03" izz="0.04"', 'ixx="0" iyy="0" izz="0"')
                    .replace('ixy="0.001" ixz="0.002" iyz="-0.003"', 'ixy="0" ixz="0" iyz="0"'))
         stage = Stage(self.write_scene("thin.urdf", "usda", "--force").read_text())
-        self.assertEqual(stage.numbers("World/kinds/base", "physics:diagonalInertia"), [1e-14] * 3)
+        self.assertEqual(stage.numbers("World/kinds/base", "physics:diagonalInertia"), [3.25, 2.5, 1.25])
         self.write("flat.urdf", KINDS.replace('izz="0.04"', 'izz="9"'))
         flat = self.flat_forced("flat.urdf")
         stage = Stage(self.write_scene("flat.urdf", "usda", "--force").read_text())

@@ -267,6 +267,22 @@ def limit_problems(prim, joint, tolerance):
             yield f"{name}: {key} is {found} instead of {expected}"
 
 
+def is_definite(xx, yy, zz, xy, xz, yz):
+    """Whether all moments of a tensor are positive, by Sylvester's criterion."""
+    return (xx > 0 and xx * yy - xy * xy > 0
+            and xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz) > 0)
+
+
+def is_replaced(I, mass, greatest):
+    """Whether the tensor is one that no body has, or the one of templates on something small, so that shapes give it."""
+    diagonal, others = [I["ixx"], I["iyy"], I["izz"]], [I["ixy"], I["ixz"], I["iyz"]]
+    if diagonal == [1, 1, 1] and others == [0, 0, 0]:
+        return 10 * greatest < 1
+    is_positive = is_definite(*(moment - 1e-14 for moment in diagonal), *others)
+    is_small = is_definite(*(0.4e-6 * mass - moment for moment in diagonal), *(-moment for moment in others))
+    return is_small or not is_positive
+
+
 def mass_problems(prim, stage, path, link, tolerance):
     if "PhysicsMassAPI" not in prim["apiSchemas"]:
         return
@@ -284,11 +300,13 @@ def mass_problems(prim, stage, path, link, tolerance):
     if min(moments) <= LEAST:
         return  # repaired, and reported
     written = inertial.find("inertia")
+    if written is None:
+        return  # that of the shapes
     I = {key: float(written.get(key, 0)) for key in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")}
     expected = frames.turned(rotation, [[I["ixx"], I["ixy"], I["ixz"]], [I["ixy"], I["iyy"], I["iyz"]],
                                         [I["ixz"], I["iyz"], I["izz"]]])
     found = frames.turned(stage.numbers(path, "physics:principalAxes"),
                           [[moments[0], 0, 0], [0, moments[1], 0], [0, 0, moments[2]]])
     gap = max(abs(a - b) for row, other in zip(expected, found) for a, b in zip(row, other))
-    if gap > tolerance * max(moments):
+    if gap > tolerance * max(moments) and not (min(moments) > LEAST and is_replaced(I, mass_of(link), max(moments))):
         yield f"the inertia is {found} instead of {expected}"

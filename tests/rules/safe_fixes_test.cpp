@@ -45,7 +45,7 @@ struct Loaded {
     } else {
       locate(scene.models.front(), diagnostics);
     }
-    diagnostics = finish(std::move(diagnostics), sources, {});
+    diagnostics = apply_selection(std::move(diagnostics), sources, {});
   }
 };
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "smurf/ros_parameters.hpp"
+#include "ast/ros_parameters.hpp"
 
 namespace smurf::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The schemas of the parameter files of ROS, from the tables of smurf/ros_parameters.hpp.
+// The schemas of the parameter files of ROS, from the tables of src/ast/ros_parameters.hpp.
 #pragma once
 
 #include <map>

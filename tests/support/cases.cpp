@@ -15,25 +15,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
-#include <string_view>
 #include <vector>
 
-int smurf_lint_main(int argc, char** argv);
-int smurf2urdf_main(int argc, char** argv);
-int urdf2smurf_main(int argc, char** argv);
-int smurfs_flatten_main(int argc, char** argv);
+#include "common/cli/tools_in_one.hpp"
 
 namespace {
-
-struct Tool {
-  std::string_view name;
-  int (*main)(int argc, char** argv);
-};
-
-constexpr Tool kTools[] = {{"smurf-lint", smurf_lint_main},
-                           {"smurf2urdf", smurf2urdf_main},
-                           {"urdf2smurf", urdf2smurf_main},
-                           {"smurfs-flatten", smurfs_flatten_main}};
 
 /// Then SIGALRM ends this process.
 constexpr unsigned kSecondsPerCase = 120;
@@ -88,14 +74,12 @@ std::vector<char*> parts_of(std::string& text) {
 }
 
 int run(int argc, char** argv) {
-  for (const Tool& tool : kTools) {
-    if (tool.name != argv[0]) continue;
-    ::alarm(kSecondsPerCase);
-    const int code = tool.main(argc, argv);
-    ::alarm(0);
-    return code;
-  }
-  fail(argv[0]);
+  const auto tool = smurf::tools::find_tool(argv[0]);
+  if (tool == nullptr) fail(argv[0]);
+  ::alarm(kSecondsPerCase);
+  const int code = tool(argc, argv);
+  ::alarm(0);
+  return code;
 }
 
 }  // namespace

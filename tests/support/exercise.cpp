@@ -75,7 +75,7 @@ Exercise exercise(const FileReader& files, const std::string& path,
     diagnostics = sink.take();
     locate(loaded, diagnostics);
     place_in_xacro(*context.expansions, sources, diagnostics);
-    diagnostics = finish(std::move(diagnostics), sources, {});
+    diagnostics = apply_selection(std::move(diagnostics), sources, {});
     check_spans(diagnostics, sources, result);
   };
   if (path.ends_with(".smurfs")) {

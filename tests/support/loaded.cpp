@@ -15,7 +15,7 @@ void Loaded::load(const std::string& path) {
   lint_model(model, {}, sink);
   diagnostics = sink.take();
   locate(model, diagnostics);
-  diagnostics = finish(std::move(diagnostics), sources, {});
+  diagnostics = apply_selection(std::move(diagnostics), sources, {});
 }
 
 std::vector<std::string> Loaded::briefs() const {

@@ -56,7 +56,7 @@ void LoadedScene::load(const std::string& path) {
   for (const LinkedModel& model : scene.models) lint_model(model, {}, sink);
   diagnostics = sink.take();
   locate(scene, diagnostics);
-  diagnostics = finish(std::move(diagnostics), sources, {});
+  diagnostics = apply_selection(std::move(diagnostics), sources, {});
 }
 
 void LoadedScene::load_text(const std::string& text) {

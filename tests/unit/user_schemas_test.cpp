@@ -36,7 +36,7 @@ struct Rainbow {
     lint_model(model, {}, sink);
     found = sink.take();
     locate(model, found);
-    found = finish(std::move(found), sources, {});
+    found = apply_selection(std::move(found), sources, {});
     // MARS accepts only lists and mappings, independently of a schema.
     std::erase_if(found, [](const Diagnostic& one) { return one.rule->id == "SML2008"; });
   }
@@ -274,7 +274,7 @@ TEST_CASE("a type with a schema is known") {
   context.schemas = &schemas;
   const LinkedScene scene = load_scene("scene.smurfs", context);
   lint_scene(scene, {}, sink);
-  const auto found = finish(sink.take(), sources, {});
+  const auto found = apply_selection(sink.take(), sources, {});
   REQUIRE(found.size() == 1);
   CHECK(brief(found[0], sources) == "SML5401 scene.smurfs:3:4");
   CHECK(found[0].message == "this value has no `radius`");

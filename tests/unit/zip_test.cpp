@@ -267,6 +267,21 @@ TEST_CASE("names and kinds of entries mean the same to every program") {
         "contains the file 's.smurfs', which is also a folder");
   CHECK(reason_of({{"S.smurfs", "1"}, {"s.smurfs/x.yml", "2"}}) ==
         "contains the file 'S.smurfs', which is also a folder");
+  for (const std::string name : {"r.urdf.", "r.urdf ", "r.urdf::$DATA", "a./r.urdf", "a /r.urdf"}) {
+    CHECK(reason_of({{name, "1"}}) ==
+          "contains the file '" + name + "', which has another name on Windows");
+  }
+  const std::pair<std::string, std::string> pairs[] = {
+      {"k.urdf", "\u212a.urdf"},        {"s.urdf", "\u017f.urdf"},
+      {"r.urdf", "\uff32.urdf"},        {"r.urdf", "r\u200b.urdf"},
+      {"r\u200b.urdf", "r\u200c.urdf"}, {"\u00c4.urdf", "\u00e4.urdf"},
+      {"\u0416.urdf", "\u0436.urdf"}};
+  for (const auto& [one, other] : pairs) {
+    CHECK(reason_of({utf8_named(one, "1"), utf8_named(other, "2")}) ==
+          "contains the files '" + one + "' and '" + other +
+              "', which are one file on some systems");
+  }
+  CHECK(reason_of({utf8_named("\u00e4.urdf", "1"), utf8_named("\u00f6.urdf", "2")}).empty());
 }
 
 TEST_CASE("no archive is hidden in another one") {

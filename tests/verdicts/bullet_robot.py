@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Robots as Bullet reads them (pybullet.loadURDF with its own settings)."""
+import os
+
 import pybullet
 from run_reader import run_reader
 
@@ -35,6 +37,8 @@ def read(file):
         robot[f"masses:{link}"] = [dynamics[0], dynamics[3], dynamics[4]]
         robot[f"inertias:{link}"] = dynamics[2]
         add_shapes(robot, body, index, link)
+        if "SMURF_SIZES" in os.environ and f"collisions:{link}:0" in robot:
+            robot[f"sizes:collisions:{link}"] = [*sum(pybullet.getAABB(body, index), ())]
     for number, shape in enumerate(pybullet.getVisualShapeData(body)):
         robot[f"visuals:{names[shape[1]]}:{number}"] = [shape[2], shape[3], shape[4].decode(), shape[5], shape[6]]
         robot[f"colours:{names[shape[1]]}:{number}"] = shape[7]

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Robots as Drake reads them (pydrake's Parser with its own settings)."""
+import os
+import pathlib
+
 from pydrake.geometry import Role
 from pydrake.multibody.parsing import Parser
 from pydrake.multibody.plant import AddMultibodyPlantSceneGraph
@@ -49,7 +52,10 @@ def add_shapes(robot, plant, scene_graph):
 
 def read(file):
     plant, scene_graph = AddMultibodyPlantSceneGraph(DiagramBuilder(), 0.001)
-    models = Parser(plant).AddModels(file)
+    parser = Parser(plant)
+    if "SMURF_SIZES" in os.environ:  # for paths_record.py, the packages are given
+        parser.package_map().PopulateFromFolder(str(pathlib.Path(file).parents[2]))
+    models = parser.AddModels(file)
     plant.Finalize()
     context = plant.CreateDefaultContext()
     robot = {}

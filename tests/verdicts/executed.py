@@ -19,6 +19,7 @@ PYTHON = HERE.parent.parent / "build/readers/python/bin/python"
 TABLE = HERE / "executed.tsv"
 DRAKE_TABLE = HERE / "drake_executed.tsv"  # of robots with elements that only Drake reads
 FILES_A_RUN = 400
+FOLDER = None  # in which readers run; none: that of the first file
 SECONDS_A_RUN = 900
 TOLERANCE = 1e-9  # relative, because a reader gives the same results for the same numbers
 REFUSED = ("refuses", "crashes")
@@ -105,8 +106,9 @@ def readers(build):
 
 def run_once(command, files):
     """The results for each file; a file that ends the process is the last of them."""
+    folder = FOLDER or os.path.dirname(files[0])
     with subprocess.Popen([str(part) for part in command], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                          stderr=subprocess.DEVNULL, cwd=os.path.dirname(files[0])) as process:
+                          stderr=subprocess.DEVNULL, cwd=folder) as process:
         try:
             output, _ = process.communicate("".join(file + "\n" for file in files).encode(), SECONDS_A_RUN)
         except subprocess.TimeoutExpired:
@@ -179,9 +181,9 @@ def read_table(table=TABLE):
     return versions, {row[0]: dict(zip(heading, row[1:])) for row in rows}
 
 
-def write_table(table, date, versions, rows):
+def write_table(table, date, versions, rows, robots="damage.py", script="record.py"):
     names = list(versions)
-    lines = [f"# What readers did with the robots of damage.py on {date}; written by record.py, not to be edited.",
+    lines = [f"# What readers did with the robots of {robots} on {date}; written by {script}, not to be edited.",
              "# " + ", ".join(f"{name} {version}" for name, version in versions.items()),
              "\t".join(["case", *names])]
     lines += ["\t".join([name, *(cells[reader] for reader in names)]) for name, cells in rows.items()]

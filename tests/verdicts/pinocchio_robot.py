@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Robots as Pinocchio reads them: the model and both geometries, as a call without further arguments gives them."""
+import os
 import pathlib
 
 import pinocchio
@@ -8,6 +9,12 @@ from run_reader import run_reader
 
 def pose(placement):
     return [placement.translation, placement.rotation.ravel()]
+
+
+def folders_of(file):
+    """The folder of the URDF; for paths_record.py, as programs give them, that of the packages, too."""
+    parents = pathlib.Path(file).parents
+    return [str(parents[0])] if "SMURF_SIZES" not in os.environ else [str(parents[0]), str(parents[2])]
 
 
 def read(file):
@@ -28,10 +35,13 @@ def read(file):
     for frame in model.frames:
         robot[f"links:{frame.name}:{frame.type}"] = [model.names[frame.parentJoint], *pose(frame.placement)]
     for kind, what in ((pinocchio.GeometryType.VISUAL, "visuals"), (pinocchio.GeometryType.COLLISION, "collisions")):
-        shapes = pinocchio.buildGeomFromUrdf(model, file, kind, package_dirs=[str(pathlib.Path(file).parent)])
+        shapes = pinocchio.buildGeomFromUrdf(model, file, kind, package_dirs=folders_of(file))
         for shape in shapes.geometryObjects:
             robot[f"{what}:{shape.name}"] = [shape.meshPath, shape.meshScale, *pose(shape.placement),
                                              str(shape.geometry.getNodeType()) if shape.geometry else ""]
+            if "SMURF_SIZES" in os.environ and shape.geometry:
+                shape.geometry.computeLocalAABB()
+                robot[f"sizes:{what}:{shape.name}"] = [*shape.geometry.aabb_local.min_, *shape.geometry.aabb_local.max_]
             if what == "visuals":
                 robot[f"colours:{shape.name}"] = shape.meshColor
     return robot

@@ -45,7 +45,10 @@ def lint_all(program, cases, targets, text_of):
     """{name: {target: its part of the report}}"""
     verdicts = {}
     with tempfile.TemporaryDirectory() as scratch, drivers.Cases(program) as tools:
-        folder = drivers.Folder(scratch)
+        # Otherwise, names are looked for in all of the repository around it, and packages in the folders beside it.
+        workspace = pathlib.Path(scratch) / "workspace/src"
+        (workspace / ".git").mkdir(parents=True)
+        folder = drivers.Folder(workspace)
         for name, case in cases.items():
             folder.become({**robot.meshes(), "robot.urdf": text_of(case.text)})
             done = tools.run("smurf-lint", "--target", ",".join(targets), "--allow-outside", "--format", "json", "robot.urdf",

@@ -8,10 +8,10 @@
 
 #include "common/files/input.hpp"
 #include "common/files/output.hpp"
+#include "plan/models_around.hpp"
 #include "render/printable.hpp"
 #include "smurf-diff/versions.hpp"
 #include "smurf/confine.hpp"
-#include "smurf/models_around.hpp"
 
 namespace smurf::tools {
 namespace {

@@ -50,7 +50,7 @@ void append_new(const Diagnostic& finding, const SourceMap& sources,
 template <class Loaded, class Linked>
 void find_trouble(Session& session, Loaded& loaded, const Linked& linked, bool for_git,
                   Compared& result) {
-  std::vector<Diagnostic> found = session.finish(loaded, loaded.found.take());
+  std::vector<Diagnostic> found = session.settle(loaded, loaded.found.take());
   if (!is_broken(linked) && for_git) {
     for (const Diagnostic& one : found) {
       if (result.remarks.size() == kMostTrouble) return;

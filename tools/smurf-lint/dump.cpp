@@ -40,11 +40,11 @@ Dump dump(const std::string& path, Session& session, const LintOptions& options)
   if (kind == InputKind::scene || kind == InputKind::drawing) {
     LoadedScene loaded = session.load_scene(path, settings);
     return {write_scene_json(loaded.scene, *loaded.sources, most),
-            session.finish(loaded, loaded.found.take())};
+            session.settle(loaded, loaded.found.take())};
   }
   LoadedModel loaded = session.load_model(path, settings);
   return {write_model_json(loaded.model, *loaded.sources, most),
-          session.finish(loaded, loaded.found.take())};
+          session.settle(loaded, loaded.found.take())};
 }
 
 }  // namespace

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "ast/format.hpp"
 #include "base/files/path.hpp"
 #include "base/text/did_you_mean.hpp"
+#include "config/key_help.hpp"
 #include "render/wrap.hpp"
 #include "smurf-lint/options.hpp"
-#include "smurf/format.hpp"
-#include "smurf/key_help.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf::tools {

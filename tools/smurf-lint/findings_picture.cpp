@@ -18,7 +18,7 @@ const PlannedFile* only_one(const Plan& plan) {
   if (plan.models.size() == 1) return &plan.models.front();
   if (!plan.models.empty()) return nullptr;
   const PlannedFile* found = nullptr;
-  for (const PlannedFile& file : plan.strays) {
+  for (const PlannedFile& file : plan.others) {
     if (input_kind(file.path) != InputKind::urdf) continue;
     if (found != nullptr) return nullptr;
     found = &file;

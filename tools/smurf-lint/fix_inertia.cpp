@@ -23,7 +23,7 @@ class Robots {
   Robots(const LintPlan& plan, const CheckSettings& settings, Session& session) {
     std::vector<std::string> paths;
     for (const PlannedFile& file : plan.scenes) paths.push_back(file.path);
-    for (const auto* files : {&plan.models, &plan.strays}) {
+    for (const auto* files : {&plan.models, &plan.others}) {
       for (const PlannedFile& file : *files) {
         const InputKind kind = input_kind(file.path);
         if (kind == InputKind::model || kind == InputKind::urdf) paths.push_back(file.path);

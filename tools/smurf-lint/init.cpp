@@ -10,8 +10,11 @@
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/text/counted.hpp"
+#include "base/text/words.hpp"
 #include "common/files/input.hpp"
 #include "common/files/output.hpp"
+#include "link/package_manifest.hpp"
+#include "plan/xacro_files.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/launch_hints.hpp"
 #include "smurf/check.hpp"
@@ -20,7 +23,7 @@
 #include "smurf/file_reader.hpp"
 #include "smurf/found_inputs.hpp"
 #include "smurf/readers.hpp"
-#include "smurf/xacro_files.hpp"
+#include "smurf/yaml.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -35,6 +38,16 @@ constexpr Sign kSigns[] = {
     {"<transmission", "ros"}, {"<gazebo", "gazebo"},    {"<mujoco", "mujoco"},
     {"<drake:", "drake"}};
 
+/// A word of a Python program, a list of requirements or a launch file that names a target.
+constexpr Sign kUses[] = {{"pybullet", "pybullet"},   {"mujoco", "mujoco"},
+                          {"pinocchio", "pinocchio"}, {"pydrake", "drake"},
+                          {"dartpy", "dart"},         {"isaacgym", "isaac"},
+                          {"isaacsim", "isaac"},      {"isaaclab", "isaac"},
+                          {"omni.isaac", "isaac"},    {"newton", "newton"}};
+/// What launch files start for a robot in Gazebo.
+constexpr std::string_view kGazebo[] = {"ros_gz_sim", "gazebo_ros", "gz_sim", "ros_ign_gazebo",
+                                        "gazebo.launch"};
+
 /// What is in the folder.
 struct Seen {
   std::map<std::string_view, std::size_t> kinds;  ///< "URDF": 3
@@ -44,6 +57,8 @@ struct Seen {
   std::set<std::string_view> targets;
   std::set<std::string> packages;              ///< in addresses
   std::map<std::string, std::string> folders;  ///< of packages, by name, below the folder
+  bool has_package = false;                    ///< of ROS
+  bool has_launch = false, launches_gazebo = false;
 };
 
 /// NAME of each package://NAME/ in a text.
@@ -59,22 +74,78 @@ void add_packages(std::string_view text, std::set<std::string>& packages) {
   }
 }
 
-/// The folders called like a package of the robots, the first by name, without hidden ones.
+/// Whether a program imports a module, or a list of requirements has it.
+bool uses(std::string_view text, std::string_view module, bool is_python) {
+  const auto is_inner = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (is_python && !line.starts_with("import ") && !line.starts_with("from ")) continue;
+    if (line.starts_with('#')) continue;
+    const std::size_t at = line.find(module);
+    if (at == std::string_view::npos || (at > 0 && is_inner(line[at - 1]))) continue;
+    const std::size_t after = at + module.size();
+    if (after >= line.size() || !is_inner(line[after])) return true;
+  }
+  return false;
+}
+
+/// What a file of the project tells about its programs.
+void read_program(const std::string& path, const std::string& name, Seen& seen) {
+  constexpr std::uint64_t kMostBytes = 1U << 18U;
+  const std::string_view extension = path::extension(name);
+  const bool is_python = extension == ".py";
+  const bool is_list = name.starts_with("requirements") || name == "pyproject.toml" ||
+                       name == "environment.yml" || name == "setup.cfg";
+  const bool is_launch = name.find(".launch") != std::string::npos;
+  const bool may_be_mjcf = extension == ".xml" && !is_launch;
+  if (!is_python && !is_list && !is_launch && !may_be_mjcf) return;
+  const std::string text = DiskFiles().read(path, kMostBytes).text;
+  if (may_be_mjcf) {
+    const std::size_t root = text.find("<mujoco");
+    if (root != std::string::npos && root < text.find("<body")) seen.targets.insert("mujoco");
+    return;
+  }
+  seen.has_launch = seen.has_launch || is_launch;
+  for (const std::string_view word : kGazebo) {
+    seen.launches_gazebo =
+        seen.launches_gazebo || (is_launch && text.find(word) != std::string::npos);
+  }
+  for (const Sign& sign : kUses) {
+    if ((is_python || is_list) && uses(text, sign.text, is_python)) {
+      seen.targets.insert(sign.target);
+    }
+  }
+}
+
+/// The packages of the robots below the folder, without hidden ones: by the name in package.xml,
+/// else by that of the folder, the first of each. Reads the programs of the project, too.
 void find_folders(const std::string& folder, const std::string& shown, std::size_t depth,
-                  Seen& seen) {
+                  std::map<std::string, std::string>& by_name, Seen& seen) {
   constexpr std::size_t kDeepest = 12;
   if (depth > kDeepest) return;
-  std::vector<std::string> below;
+  std::vector<std::string> below, files;
   places::for_each_entry(folder, [&](const std::string& name, places::Entry kind) {
-    if (kind == places::Entry::folder && !name.starts_with('.')) below.push_back(name);
+    if (name.starts_with('.')) return true;
+    if (kind == places::Entry::folder) below.push_back(name);
+    if (kind == places::Entry::file) files.push_back(name);
     return true;
   });
   std::sort(below.begin(), below.end());
+  for (const std::string& name : files) read_program(path::join(folder, name), name, seen);
+  const PackageManifest manifest = manifest_in(folder, DiskFiles());
+  seen.has_package = seen.has_package || manifest.exists;
+  if (seen.packages.contains(manifest.name)) {
+    seen.folders.try_emplace(manifest.name, shown.empty() ? "." : shown);
+  }
   for (const std::string& name : below) {
     const std::string path = path::join(folder, name);
     const std::string known = shown.empty() ? name : shown + "/" + name;
-    if (seen.packages.contains(name)) seen.folders.try_emplace(name, known);
-    find_folders(path, known, depth + 1, seen);
+    if (seen.packages.contains(name)) by_name.try_emplace(name, known);
+    find_folders(path, known, depth + 1, by_name, seen);
   }
 }
 
@@ -101,8 +172,37 @@ Seen look_at(const std::string& folder, const FoundInputs& found, const Limits& 
     }
     add_packages(text, seen.packages);
   }
-  if (!seen.packages.empty()) find_folders(folder, "", 0, seen);
+  std::map<std::string, std::string> by_name;
+  find_folders(folder, "", 0, by_name, seen);
+  seen.folders.merge(by_name);
+  // Addresses of packages are used by other programs as well.
+  const bool is_of_others = seen.targets.contains("pybullet") || seen.targets.contains("mujoco") ||
+                            seen.targets.contains("isaac");
+  if (is_of_others && !seen.has_package) seen.targets.erase("ros");
+  if (seen.has_launch && !seen.launches_gazebo) seen.targets.erase("gazebo");
   return seen;
+}
+
+/// A text in YAML that means these bytes, whatever is in them.
+std::string in_yaml(std::string_view text, bool is_always_quoted = false) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
+  const bool is_plain = !text.empty() && text.find_first_not_of(kPlain) == std::string_view::npos &&
+                        yaml::classify(text, yaml::Style::plain) == yaml::ScalarType::text &&
+                        text.front() != '-';
+  if (is_plain && !is_always_quoted) return std::string(text);
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) {
+      quoted.append("\\x").append(1, kDigits[byte >> 4U]).append(1, kDigits[byte & 15U]);
+    } else {
+      if (c == '"' || c == '\\') quoted += '\\';
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
 }
 
 std::string listed(const std::set<std::string_view>& words) {
@@ -117,11 +217,13 @@ std::string robots_of(const std::string& folder, const Seen& seen) {
   std::string text = "# Arguments that launch files give; each combination is checked.\nxacro:\n";
   for (const LaunchedRobot& robot : seen.launched) {
     const std::string path = places::relative(identity(robot.file), identity(folder));
-    text += "- file: " + (path.empty() ? robot.file : path) + "\n  arguments:\n";
+    text += "- file: " + in_yaml(path.empty() ? robot.file : path) + "\n  arguments:\n";
     for (const auto& [name, values] : robot.arguments) {
       std::string list;
-      for (const std::string& value : values) list += (list.empty() ? "\"" : ", \"") + value + "\"";
-      text += "    " + name + ": " + (values.size() == 1 ? list : "[" + list + "]") + "\n";
+      for (const std::string& value : values) {
+        list += (list.empty() ? "" : ", ") + in_yaml(value, true);
+      }
+      text += "    " + in_yaml(name) + ": " + (values.size() == 1 ? list : "[" + list + "]") + "\n";
     }
   }
   return text;
@@ -138,9 +240,9 @@ std::string configuration(const std::string& folder, const Seen& seen) {
   for (const std::string& name : seen.packages) {
     const auto place = seen.folders.find(name);
     if (place == seen.folders.end()) {
-      lost += "#  " + name + ": ../" + name + "\n";
+      lost += "#  " + in_yaml(name) + ": " + in_yaml("../" + name) + "\n";
     } else {
-      known += "  " + name + ": " + place->second + "\n";
+      known += "  " + in_yaml(name) + ": " + in_yaml(place->second) + "\n";
     }
   }
   if (!known.empty()) text += "packages:\n" + known;
@@ -216,6 +318,20 @@ std::string about_kept(const Offer& offer) {
 
 }  // namespace
 
+/// Whether smurf-lint reads the configuration as it was meant: names of a stranger's robot must not
+/// become settings.
+bool is_as_meant(const std::string& folder, const std::string& text) {
+  const std::string path = path::normalize(path::join(folder, kConfigName));
+  const DiskFiles disk;
+  MemoryFiles files(&disk);
+  files.add(path, text);
+  SourceMap sources;
+  DiagnosticSink found;
+  const Config config = read_config(path, sources, files, found);
+  return !found.has_errors() && config.ignore.empty() && !config.fail_on &&
+         config.exclude.empty() && config.severities.empty();
+}
+
 ExitCode init(const LintOptions& options) {
   const std::string folder = options.paths.empty() ? "." : options.paths.front();
   if (!places::is_folder(folder)) {
@@ -229,6 +345,11 @@ ExitCode init(const LintOptions& options) {
   }
   const Seen seen = look_at(folder, found, options.limits);
   const std::vector<Offer> offers = offers_for(folder, seen);
+  if (!is_as_meant(folder, offers.front().text)) {
+    complain(kSmurfLint, "names of packages, files or arguments here cannot be written to " +
+                             std::string(kConfigName) + "; nothing was written");
+    return kFailed;
+  }
   std::vector<OutputFile> files;
   std::string told = about(seen);
   std::string kept;

@@ -10,9 +10,9 @@
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "common/files/input.hpp"
+#include "plan/xacro_files.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/confine.hpp"
-#include "smurf/xacro_files.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -23,6 +23,7 @@ constexpr std::size_t kMostPlaces = 20;
 constexpr int kDeepest = 8;
 constexpr std::string_view kBlanksAround = " \t\r\n";
 
+/// `launch`: a launch file, or another file that no rename changes: Python, RViz, worlds.
 /// `settings`: a YAML file of another program, such as the frames of MoveIt Servo or of Nav2.
 enum class Kind : std::uint8_t { other, launch, robot, companion, settings };
 
@@ -32,7 +33,8 @@ bool ends_with_one_of(std::string_view name, std::initializer_list<std::string_v
 }
 
 Kind kind_of(std::string_view name) {
-  if (ends_with_one_of(name, {".launch", ".launch.py", ".launch.xml", ".launch.yaml"})) {
+  if (ends_with_one_of(name, {".launch", ".launch.xml", ".launch.yaml", ".py", ".rviz", ".lua",
+                              ".sdf", ".world"})) {
     return Kind::launch;
   }
   if (ends_with_one_of(name, {".srdf", ".srdf.xacro", ".yaml", ".yml"})) return Kind::companion;
@@ -69,7 +71,7 @@ bool is_word(std::string_view text, std::size_t begin, std::size_t end) {
 
 /// The first line of a file that contains a name; 0: none.
 std::size_t line_with(std::string_view path, std::string_view text, std::string_view name) {
-  const bool is_yaml = ends_with_one_of(path, {".yaml", ".yml"});
+  const bool is_yaml = ends_with_one_of(path, {".yaml", ".yml", ".rviz"});
   for (std::size_t at = text.find(name); at != std::string_view::npos;
        at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();

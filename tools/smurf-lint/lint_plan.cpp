@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "base/files/path.hpp"
 #include "common/files/input.hpp"
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
@@ -19,8 +20,13 @@ std::vector<std::string> searched_or_named(const LintOptions& options) {
 }
 
 void append_planned(const LintPlan& plan, std::vector<std::string>& paths) {
-  for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
+  for (const auto* planned : {&plan.scenes, &plan.models, &plan.others}) {
     for (const PlannedFile& file : *planned) paths.push_back(file.path);
+  }
+  // A YAML file in a home folder may be anything, and does not open the folder to models elsewhere.
+  for (const PlannedFile& file : plan.companions) {
+    const std::string_view folder = path::parent(file.path);
+    if (!is_shared_folder(folder.empty() ? "." : std::string(folder))) paths.push_back(file.path);
   }
 }
 

@@ -18,6 +18,7 @@
 #include "common/cli/process.hpp"
 #include "common/cli/progress.hpp"
 #include "common/files/input.hpp"
+#include "lint/suppress.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/dump.hpp"
 #include "smurf-lint/explain.hpp"
@@ -33,7 +34,6 @@
 #include "smurf-lint/watch.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
-#include "smurf/suppress.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -74,7 +74,7 @@ ExitCode list_rules(const LintOptions& options) {
   return write_text(options, render_rule_list(all_rules(), style_of(options, options.output)));
 }
 
-/// Settings of a report for people: infos are shown only on request.
+/// Settings of a report for people: most infos are shown only on request.
 OverviewOptions overview(const LintOptions& options, const Threshold& threshold) {
   const bool is_asked_for =
       options.shows_all || !options.selection.select.empty() || threshold.fail_on == Severity::info;
@@ -122,21 +122,24 @@ ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const s
   // The failure was already reported; "no findings" would hide it.
   const bool has_robots = report.summary.models + report.summary.scenes > 0;
   const bool is_nothing = !has_robots && report.diagnostics.empty() && !report.problems.empty();
-  const Results results{.diagnostics = report.diagnostics,
-                        .sources = checked.session.sources(),
-                        .summary = report.summary,
-                        .targets = report.targets,
-                        .tool = kSmurfLint,
-                        .robots = report.robots,
-                        .remarks = std::move(remarks),
-                        .quiet = options.quiet || is_nothing,
-                        .counts_only = options.statistics,
-                        .overview = overview(options, settings.threshold),
-                        .least_failure = least_failure(report.summary, settings.threshold),
-                        .picture = [&] {
-                          if (report.diagnostics.empty()) return std::string();
-                          return picture_of(options, plan, checked.session);
-                        }};
+  const Results results{
+      .diagnostics = report.diagnostics,
+      .sources = checked.session.sources(),
+      .summary = report.summary,
+      .targets = report.targets,
+      .tool = kSmurfLint,
+      .robots = report.robots,
+      .remarks = std::move(remarks),
+      .quiet = options.quiet || is_nothing,
+      .counts_only = options.statistics,
+      .overview = options.min_severity
+                      ? overview(options, settings.threshold)
+                      : show_answers(overview(options, settings.threshold), report.diagnostics),
+      .least_failure = least_failure(report.summary, settings.threshold),
+      .picture = [&] {
+        if (report.diagnostics.empty()) return std::string();
+        return picture_of(options, plan, checked.session);
+      }};
   std::vector<Diagnostic> repaired;  // for a page
   const auto for_page = [&] {
     if (repaired.empty()) {
@@ -310,6 +313,13 @@ std::optional<std::string> baseline_to_write(const LintOptions& options, const s
   return std::nullopt;
 }
 
+/// Whether a file is a baseline, which is read before it is written anew: the search for companions
+/// looks at every YAML file.
+bool is_old_baseline(const std::string& path, const LintOptions& options) {
+  const FileContent old = DiskFiles().read(path, options.limits.file_bytes);
+  return old.status == ReadStatus::ok && is_baseline(old.text);
+}
+
 /// Only a baseline may be overwritten.
 bool may_be_overwritten(const std::string& path, const LintOptions& options) {
   const FileContent old = DiskFiles().read(path, options.limits.file_bytes);
@@ -350,7 +360,7 @@ bool keeps_inputs(const LintOptions& options, const Report& found,
                   std::span<const InputFiles* const> inputs) {
   std::vector<std::string> outputs{options.output};
   if (options.generate_baseline) {
-    outputs.push_back(options.baseline);
+    if (!is_old_baseline(options.baseline, options)) outputs.push_back(options.baseline);
   } else {
     for (const ReportRequest& request : merge_run(found.settings, options).reports) {
       outputs.push_back(request.file);
@@ -363,7 +373,7 @@ bool keeps_inputs(const LintOptions& options, const Report& found,
 
 ExitCode list_files(const LintOptions& options, const LintPlan& plan, const InputFiles& inputs) {
   std::vector<std::string> paths;
-  for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
+  for (const auto* planned : {&plan.scenes, &plan.models, &plan.others}) {
     for (const PlannedFile& file : *planned) paths.push_back(file.path);
   }
   std::sort(paths.begin(), paths.end());

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <set>
 
+#include "ast/format.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"
 #include "common/cli/shared_options.hpp"
 #include "render/wrap.hpp"
 #include "smurf-lint/rename_all.hpp"
-#include "smurf/format.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -87,7 +87,8 @@ std::string_view target_help() {
       list.append(list.empty() ? "" : ", ").append(name);
     }
     return "Judge the files for these readers, and report whether each loads them: " + names +
-           ". Without a release, the oldest supported one is meant. Releases: " + releases + ".";
+           ". Without a release, the oldest one that its developers support is meant, and a line says where others differ. Releases: " +
+           releases + ".";
   }();
   return help;
 }

@@ -12,7 +12,7 @@
 #include "common/cli/report.hpp"
 #include "common/files/output.hpp"
 #include "common/rename/xacro_rename.hpp"
-#include "smurf/inertia_repair.hpp"
+#include "lint/inertia_repair.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"

@@ -12,10 +12,10 @@
 #include "common/files/output.hpp"
 #include "common/rename/planned_rename.hpp"
 #include "common/rename/xacro_rename.hpp"
+#include "plan/xacro_files.hpp"
 #include "smurf-lint/left_names.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/names.hpp"
-#include "smurf/xacro_files.hpp"
 
 namespace smurf::tools {
 
@@ -55,7 +55,7 @@ std::string rename_one(const XacroRename& rename, const LintPlan& plan, const Li
   std::string missing = "no xacro file was named";
   bool is_done = false;
   std::vector<PlannedFile> all = plan.models;
-  all.insert(all.end(), plan.strays.begin(), plan.strays.end());
+  all.insert(all.end(), plan.others.begin(), plan.others.end());
   for (const PlannedFile& planned : all) {
     if (!xacro::is_xacro_file(planned.path)) continue;
     const XacroFiles files = xacro_files_around(planned.path, session.files(), options.limits);

@@ -7,12 +7,12 @@
 
 #include "base/numbers/numbers.hpp"
 #include "common/files/input.hpp"
+#include "lint/masses.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
 #include "smurf/confine.hpp"
-#include "smurf/masses.hpp"
 
 namespace smurf::tools {
 namespace {

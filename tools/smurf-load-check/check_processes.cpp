@@ -97,8 +97,8 @@ CheckResult result_of(const Job& job, ChildOutcome outcome, const ChildLimits& l
   CheckResult result =
       message.result ? std::move(*message.result) : broken_off(job, outcome, message, limits);
   result.diagnostics = job.model != nullptr
-                           ? session.finish(*job.loaded, *job.model, std::move(result.diagnostics))
-                           : session.finish(*job.loaded, std::move(result.diagnostics));
+                           ? session.settle(*job.loaded, *job.model, std::move(result.diagnostics))
+                           : session.settle(*job.loaded, std::move(result.diagnostics));
   return result;
 }
 

@@ -83,11 +83,13 @@ Fix to_fix(const Json& json) {
 }
 
 /// The binding names every member, so a new member does not compile until it is sent. Findings of
-/// the load check have no cases.
+/// the load check have no cases, and were neither located nor joined.
 Json to_json(const Diagnostic& diagnostic) {
-  const auto& [rule, severity, span, message, caret, pointer, named_pointer, cases, consequences,
-               untargeted, labels, notes, help, fixes, left_out] = diagnostic;
-  assert(cases.empty());
+  const auto& [rule, severity, span, message, caret, pointer, named_pointer, names, cases,
+               consequences, others_are, habit, others, expanded, call, untargeted, labels, notes,
+               help, fixes, left_out] = diagnostic;
+  assert(cases.empty() && names.empty() && others_are.empty() && habit == 0 && others.empty());
+  assert(!expanded && call.empty());
   return {{"rule", to_json(rule)},
           {"severity", static_cast<int>(severity)},
           {"span", to_json(span)},
@@ -111,7 +113,12 @@ Diagnostic to_diagnostic(const Json& json) {
           .caret = json["caret"],
           .pointer = json["pointer"],
           .named_pointer = json["named_pointer"],
+          .names = {},
           .consequences = from_list(json["consequences"], to_rule),
+          .others_are = {},
+          .others = {},
+          .expanded = {},
+          .call = {},
           .untargeted = to_severity(json["untargeted"]),
           .labels = from_list(json["labels"], to_label),
           .notes = json["notes"],

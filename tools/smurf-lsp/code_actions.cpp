@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "common/cli/command.hpp"
+#include "lint/suppress.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf/fix.hpp"
 #include "smurf/readers.hpp"
 #include "smurf/render.hpp"
-#include "smurf/suppress.hpp"
 
 namespace smurf::lsp {
 namespace {

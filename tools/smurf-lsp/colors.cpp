@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "base/numbers/numbers.hpp"
+#include "config/key_help.hpp"
 #include "smurf-lsp/capabilities.hpp"
-#include "smurf/key_help.hpp"
 
 namespace smurf::lsp {
 namespace {

@@ -5,16 +5,16 @@
 
 #include "base/files/path.hpp"
 #include "base/text/edits.hpp"
+#include "config/companion_help.hpp"
+#include "config/key_help.hpp"
+#include "link/extension_names.hpp"
 #include "render/printable.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/xacro_completion.hpp"
 #include "smurf-lsp/xml_context.hpp"
 #include "smurf-lsp/yaml_context.hpp"
 #include "smurf/check.hpp"
-#include "smurf/companion_help.hpp"
 #include "smurf/companions.hpp"
-#include "smurf/extension_names.hpp"
-#include "smurf/key_help.hpp"
 
 namespace smurf::lsp {
 namespace {

@@ -10,8 +10,8 @@
 #include "render/advice.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/uri.hpp"
-#include "smurf/readers.hpp"
 #include "smurf/render.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf::lsp {
 namespace {
@@ -133,6 +133,16 @@ Json to_json(const Context& context, const Diagnostic& diagnostic, const SourceM
   return json;
 }
 
+/// At the first line of the file.
+Json to_json(const NotCompared& one) {
+  const Json begin = {{"line", 0}, {"character", 0}};
+  return {{"range", {{"start", begin}, {"end", begin}}},
+          {"severity", severity_of(Severity::info)},
+          {"code", "not-compared"},
+          {"source", "smurf-lint"},
+          {"message", "not compared with a robot: " + one.reason + "\n" + one.next}};
+}
+
 std::map<std::string, std::string> diagnostics_by_file(const Context& context, const Report& report,
                                                        const SourceMap& sources,
                                                        const std::string* only) {
@@ -143,6 +153,12 @@ std::map<std::string, std::string> diagnostics_by_file(const Context& context, c
     const auto [list, is_new] = files.try_emplace(path, "[");
     if (!is_new) list->second += ',';
     list->second += dump(to_json(context, one, sources));
+  }
+  for (const NotCompared& one : report.summary.not_compared) {
+    if (only != nullptr && one.path != *only) continue;
+    const auto [list, is_new] = files.try_emplace(one.path, "[");
+    if (!is_new) list->second += ',';
+    list->second += dump(to_json(one));
   }
   for (auto& [path, list] : files) list += ']';
   return files;

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "base/files/path.hpp"
+#include "config/companion_help.hpp"
+#include "config/key_help.hpp"
+#include "link/describe.hpp"
 #include "smurf-lsp/capabilities.hpp"
-#include "smurf/companion_help.hpp"
 #include "smurf/companions.hpp"
-#include "smurf/describe.hpp"
 #include "smurf/dialect.hpp"
 #include "smurf/flatten.hpp"
-#include "smurf/key_help.hpp"
 
 namespace smurf::lsp {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "lint/inertia_repair.hpp"
 #include "smurf-lsp/capabilities.hpp"
-#include "smurf/inertia_repair.hpp"
 
 namespace smurf::lsp {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "base/numbers/numbers.hpp"
+#include "config/key_help.hpp"
+#include "link/describe.hpp"
 #include "smurf-lsp/capabilities.hpp"
-#include "smurf/describe.hpp"
-#include "smurf/key_help.hpp"
 
 namespace smurf::lsp {
 namespace {

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "base/files/path.hpp"
+#include "config/key_help.hpp"
 #include "smurf-lsp/capabilities.hpp"
-#include "smurf/key_help.hpp"
 
 namespace smurf::lsp {
 namespace {

@@ -31,7 +31,7 @@ Workspace::Picture Workspace::picture(const std::string& path) {
   Picture picture;
   if (const Diagnostic* error = tools::first_error(scene.loaded())) {
     // An error in an expanded robot belongs to a xacro.
-    const std::vector<Diagnostic> placed = session_.finish(scene.loaded(), {*error});
+    const std::vector<Diagnostic> placed = session_.settle(scene.loaded(), {*error});
     picture.why = placed.empty() ? *error : placed.front();
   }
   if (!to_write || tools::is_broken_off(picture.why ? &*picture.why : nullptr)) return picture;

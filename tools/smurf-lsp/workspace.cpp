@@ -9,12 +9,12 @@
 #include "base/files/path.hpp"
 #include "common/files/input.hpp"
 #include "common/rename/planned_rename.hpp"
+#include "plan/models_around.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf-lsp/edited_text.hpp"
 #include "smurf-lsp/uri.hpp"
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
-#include "smurf/models_around.hpp"
 
 namespace smurf::lsp {
 namespace {
@@ -27,6 +27,8 @@ bool decides_plan(const std::string& path) {
 }
 
 bool is_checkable(const std::string& path) {
+  // Most of these are no robots.
+  if (path::to_lower(path::extension(path)) == ".xml") return is_companion_path(path);
   switch (input_kind(path)) {
   case InputKind::model:
   case InputKind::scene:
@@ -143,14 +145,14 @@ Plan readers_of(const Files& files, const Plan& all, const tools::LoadedNames& l
   };
   keep(all.scenes, those.scenes);
   keep(all.models, those.models);
-  for (const PlannedFile& file : all.strays) {
+  for (const PlannedFile& file : all.others) {
     // A robot of xacro may have the name only in files that it includes.
     const auto own =
         std::find_if(loaded.parts().begin(), loaded.parts().end(), [&](const auto& one) {
           return one.model != nullptr && one.model->model.path == path::normalize(file.path);
         });
     const bool reads = own != loaded.parts().end() && reads_one(*own, files);
-    if (reads || files.contains(smurf::identity(file.path))) those.strays.push_back(file);
+    if (reads || files.contains(smurf::identity(file.path))) those.others.push_back(file);
   }
   return those;
 }
@@ -311,7 +313,7 @@ void Workspace::load() {
   }
   for (const auto& [path, document] : documents_) {
     const bool is_tree = is_checkable(path) || is_config(path);
-    if (is_tree && input_kind(path) != InputKind::scene) all.strays.push_back({path, 0});
+    if (is_tree && input_kind(path) != InputKind::scene) all.others.push_back({path, 0});
   }
   CheckSettings settings = settings_of_check();
   settings.opens_meshes = false;

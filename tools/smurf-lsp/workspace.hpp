@@ -14,10 +14,10 @@
 #include "common/rename/loaded_names.hpp"
 #include "common/rename/xacro_names.hpp"
 #include "common/rename/xacro_rename.hpp"
+#include "plan/xacro_files.hpp"
 #include "smurf-lint/lint_plan.hpp"
 #include "smurf-lsp/positions.hpp"
 #include "smurf/check.hpp"
-#include "smurf/xacro_files.hpp"
 
 namespace smurf::lsp {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "smurf/key_help.hpp"
+#include "config/key_help.hpp"
 
 namespace smurf::lsp {
 

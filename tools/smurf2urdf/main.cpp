@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf2urdf: the plain URDF of a SMURF model, checked before it is written.
+#include <algorithm>
+
+#include "base/files/path.hpp"
 #include "base/findings/limits.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/counted.hpp"
@@ -38,8 +41,18 @@ std::string describe(const UrdfProof& verification) {
 }
 
 /// Writes the URDF, and the SRDF if it is requested: both or none.
-bool write_result(const ExportOptions& options, const std::string& urdf, const LinkedModel& model) {
+bool write_result(const ExportOptions& options, const UrdfResult& result,
+                  const LinkedModel& model) {
   const std::string& output = options.common.output;
+  const std::string& urdf = result.text;
+  if (!result.meshes.empty()) {
+    std::vector<OutputFile> meshes;
+    for (const TextFile& mesh : result.meshes) {
+      meshes.push_back(
+          {.folder = options.conversion.output_folder, .path = mesh.path, .text = mesh.text});
+    }
+    if (!write_files(kTool, meshes, true)) return false;
+  }
   if (options.srdf.empty()) return write_output(kTool, output, urdf);
   const std::uint64_t most = options.common.limits.srdf_bytes;
   auto srdf = export_srdf(model, options.conversion.prefix, most);
@@ -54,6 +67,31 @@ bool write_result(const ExportOptions& options, const std::string& urdf, const L
   const bool to_stdout = output.empty() || output == "-";
   if (!to_stdout) files.push_back(named_by_user(output, urdf));
   return write_files(kTool, files, true) && (!to_stdout || write_output(kTool, output, urdf));
+}
+
+bool is_file(const std::string& output) { return !output.empty() && output != "-"; }
+
+std::string file_name(const std::string& output) {
+  return is_file(output) ? std::string(path::file_name(output)) : "robot.urdf";
+}
+
+/// Beside the output, of its name: arm.urdf has arm_meshes/. None for standard output.
+std::string mesh_folder(const std::string& output) {
+  if (!is_file(output)) return {};
+  const std::string file(path::file_name(output));
+  return file.substr(0, file.size() - path::extension(file).size()) + "_meshes";
+}
+
+std::size_t copied_meshes(const UrdfResult& result) {
+  return static_cast<std::size_t>(
+      std::count_if(result.meshes.begin(), result.meshes.end(),
+                    [](const TextFile& file) { return file.path.ends_with(".obj"); }));
+}
+
+/// "refuses the mesh (...) and 3 more"
+std::string first_of(const std::vector<std::string>& reasons) {
+  return reasons.front() +
+         (reasons.size() > 1 ? " and " + std::to_string(reasons.size() - 1) + " more" : "");
 }
 
 /// The expansion of a xacro file, as `xacro` prints it.
@@ -104,7 +142,10 @@ int smurf2urdf_main(int argc, char** argv) {
                                             {.options = wanted,
                                              .packages = options.common.packages,
                                              .force = options.common.force,
-                                             .referees = all_referees()});
+                                             .referees = all_referees(),
+                                             .reader = options.reader,
+                                             .mesh_folder = mesh_folder(options.common.output),
+                                             .file_name = file_name(options.common.output)});
   const ExitCode verdict = conversion.report(result.report, [&](const Diagnostic& finding) {
     return loss_in_urdf(finding, model, wanted);
   });
@@ -121,7 +162,7 @@ int smurf2urdf_main(int argc, char** argv) {
     return conversion.refuse_losses(result.losses);
   }
   if (options.dry_run) return kDone;
-  if (!write_result(options, result.text, model)) return kFailed;
+  if (!write_result(options, result, model)) return kFailed;
   const std::string& output = options.common.output;
   if (output.empty() || output == "-") return kDone;
   const std::string text = output + ": " + counted(result.proof->links, "link") + ", " +
@@ -131,6 +172,15 @@ int smurf2urdf_main(int argc, char** argv) {
     lost = "not in it: " + lost;
     if (options.loss_report.empty()) lost += ", see --loss-report";
   }
-  conversion.tell_written(text, std::span(&lost, lost.empty() ? 0 : 1));
+  std::vector<std::string> remarks;
+  if (!lost.empty()) remarks.push_back(lost);
+  if (!result.meshes.empty()) {
+    remarks.push_back("copied as OBJ: " + counted(copied_meshes(result), "mesh", "meshes") +
+                      " to " + path::join(wanted.output_folder, mesh_folder(output)));
+  }
+  if (!result.lost_by_reader.empty()) {
+    remarks.push_back(std::string(options.reader->title) + " " + first_of(result.lost_by_reader));
+  }
+  conversion.tell_written(text, remarks);
   return kDone;
 }

@@ -79,10 +79,13 @@ std::vector<std::string_view> preset_names() {
   return names;
 }
 
-Setter set_preset(UrdfExport& wanted) {
-  return [&wanted](std::string_view value) -> std::optional<std::string> {
+/// Programs of ROS 2 are many, and urdfdom, which they use, is always asked.
+Setter set_preset(ExportOptions& options) {
+  return [&options](std::string_view value) -> std::optional<std::string> {
     for (const Preset& preset : kPresets) {
-      if (preset.name == value) preset.set(wanted);
+      if (preset.name != value) continue;
+      preset.set(options.conversion);
+      options.reader = value == "ros2" ? nullptr : find_target(value);
     }
     return std::nullopt;
   };
@@ -188,9 +191,10 @@ std::vector<Option> run_options(ExportOptions& options) {
            .metavar = "READER",
            .help =
                "Set the options that a reader needs: ros2, gazebo, mujoco, pybullet, drake. Later "
-               "options override them.",
+               "options override them. The result must load there: meshes that the reader does "
+               "not read are copied as OBJ to FILE_meshes/ beside the output.",
            .values = preset_names(),
-           .set = set_preset(options.conversion)},
+           .set = set_preset(options)},
           {.name = "show-preset",
            .metavar = "READER",
            .help = "Print the options of a preset, and exit.",
@@ -296,7 +300,10 @@ std::string problem_of(ExportOptions& options) {
     return "--srdf needs a separate file";
   }
   wanted.has_srdf = !options.srdf.empty();
-  if (wanted.adds_mujoco_settings) options.common.targets = {find_target("mujoco")};
+  if (wanted.adds_mujoco_settings) {
+    options.common.targets = {find_target("mujoco")};
+    if (options.reader == nullptr) options.reader = find_target("mujoco");
+  }
   const bool to_stdout = output.empty() || output == "-";
   // Standard output counts as the current folder.
   wanted.output_folder = to_stdout ? "." : std::string(path::parent(output));

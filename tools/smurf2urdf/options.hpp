@@ -13,6 +13,7 @@ struct ExportOptions {
   ConverterOptions common;
   std::string model;
   UrdfExport conversion;
+  const Reader* reader = nullptr;  ///< that the result is for
   std::string srdf;
   std::string loss_report;
   std::string shown_preset;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
 #include "base/text/counted.hpp"
 #include "common/cli/browser.hpp"
 #include "common/cli/process.hpp"
@@ -10,10 +11,10 @@
 #include "common/convert/converter.hpp"
 #include "common/convert/copy_files.hpp"
 #include "common/files/file_set.hpp"
+#include "plan/repository.hpp"
 #include "render/printable.hpp"
 #include "smurf/conversion.hpp"
 #include "smurf/dialect.hpp"
-#include "smurf/repository.hpp"
 #include "smurf/result_losses.hpp"
 #include "smurf/write_scene.hpp"
 #include "smurfs-flatten/chain.hpp"
@@ -36,6 +37,11 @@ struct Options {
   std::string dialect_help;
   std::string ground_help;
   std::string base;
+  MotorOptions motors;
+  std::string motors_help;
+  SelfCollision self_collision = SelfCollision::as_usual;
+  bool excludes_overlaps = false;
+  std::string srdf;
   bool compare_dialects = false;
   std::string form;
   std::string explained;
@@ -48,11 +54,11 @@ struct Options {
   bool opens = false;
 };
 
-/// "sdf, sdf1.6, mjcf": the formats that can add a floor.
-std::string ground_formats() {
+/// "sdf, sdf1.6, mjcf": the formats that have something.
+std::string formats_with(bool SceneFormat::*what) {
   std::string names;
   for (const SceneFormat* format : scene_formats()) {
-    if (format->has_ground) names += (names.empty() ? "" : ", ") + std::string(format->name);
+    if (format->*what) names += (names.empty() ? "" : ", ") + std::string(format->name);
   }
   return names;
 }
@@ -72,10 +78,76 @@ std::string dialect_help() {
   return help;
 }
 
+/// "0.5", or "arm_*=0.5" for some joints.
+Setter append_number(std::vector<JointNumber>& numbers) {
+  return [&numbers](std::string_view value) -> std::optional<std::string> {
+    const std::size_t equals = value.rfind('=');
+    const bool has_joints = equals != std::string_view::npos;
+    const auto number = parse_number(has_joints ? value.substr(equals + 1) : value);
+    constexpr double kMost = 1e12;
+    if (!number || !(*number >= 0 && *number <= kMost)) {
+      return "needs a number from 0 to 1e12, or JOINTS=NUMBER, such as arm_*=50";
+    }
+    numbers.push_back({has_joints ? std::string(value.substr(0, equals)) : "", *number});
+    return std::nullopt;
+  };
+}
+
+std::vector<Option> motor_options(Options& options) {
+  return {{.name = "actuator",
+           .metavar = "KIND",
+           .help = options.motors_help,
+           .values = {"auto", "position", "velocity", "effort"},
+           .set = choose<MotorKind>(options.motors.kind, {{"auto", MotorKind::automatic},
+                                                          {"position", MotorKind::position},
+                                                          {"velocity", MotorKind::velocity},
+                                                          {"effort", MotorKind::effort}})},
+          {.name = "kp",
+           .metavar = "[JOINTS=]NUMBER",
+           .help = "Set the stiffness of motors of positions, N m/rad or N/m, for all joints or "
+                   "for those whose name fits JOINTS, a pattern with `*`.",
+           .set = append_number(options.motors.kp)},
+          {.name = "kv",
+           .metavar = "[JOINTS=]NUMBER",
+           .help = "Set the damping of motors, N m s/rad or N s/m.",
+           .set = append_number(options.motors.kv)},
+          {.name = "armature",
+           .metavar = "[JOINTS=]NUMBER",
+           .help = "Set the inertia of motors at their joints, kg m^2 or kg (mjcf).",
+           .set = append_number(options.motors.armature)}};
+}
+
+std::vector<Option> contact_options(Options& options) {
+  return {
+      {.name = "self-collision",
+       .metavar = "CHOICE",
+       .help =
+           "Choose which links of a robot can touch each other (mjcf, dmd). none; neighbours: all "
+           "but those that a joint connects; srdf: these, without the pairs that the SRDF "
+           "disables; all. The default is srdf.",
+       .values = {"none", "neighbours", "srdf", "all"},
+       .set =
+           choose<SelfCollision>(options.self_collision, {{"none", SelfCollision::none},
+                                                          {"neighbours", SelfCollision::neighbours},
+                                                          {"srdf", SelfCollision::srdf},
+                                                          {"all", SelfCollision::all}})},
+      {.name = "srdf",
+       .metavar = "FILE",
+       .help =
+           "Read pairs of links that cannot touch from this SRDF. By default, it is the one with "
+           "the name of the robot beside the URDF, or in srdf/ or config/ there or one folder up.",
+       .set = set_text(options.srdf)},
+      {.name = "exclude-overlaps",
+       .help = "Leave out the contacts of links that overlap at the start, which push each other "
+               "apart. --actuator auto implies it.",
+       .set = set_flag(options.excludes_overlaps)}};
+}
+
 void add_options(Command& command, Options& options) {
   options.format_help = format_help();
   options.dialect_help = dialect_help();
-  options.ground_help = "Add a floor at z = 0 that is not in the scene (" + ground_formats() + ").";
+  options.ground_help = "Add a floor at z = 0 that is not in the scene (" +
+                        formats_with(&SceneFormat::has_ground) + ").";
   const auto add = [&](Option option) {
     option.group = "Conversion";
     command.options.push_back(std::move(option));
@@ -102,6 +174,12 @@ void add_options(Command& command, Options& options) {
            "for those whose root is called `world` in formats for simulators.",
        .values = {"fixed", "floating"},
        .set = set_text(options.base)});
+  options.motors_help =
+      "Choose what the motors are commanded with, and give one to each joint without a motor (" +
+      formats_with(&SceneFormat::has_motors) +
+      "). auto: a position, unless the model says a speed. By default, motors are as in the model.";
+  for (Option& option : motor_options(options)) add(std::move(option));
+  for (Option& option : contact_options(options)) add(std::move(option));
   add({.name = "links",
        .help = "Write the world pose of every link as well.",
        .set = set_flag(options.links)});
@@ -270,6 +348,10 @@ SceneRequest request_of(const Options& options, const SceneFormat& format, Scene
                        .form = form,
                        .dialect = *find_dialect(options.dialect),
                        .ground = options.ground,
+                       .motors = options.motors,
+                       .self_collision = options.self_collision,
+                       .excludes_overlaps = options.excludes_overlaps,
+                       .srdf = options.srdf,
                        .links = options.links,
                        .assets = options.assets,
                        .output_folder = output_folder(options),
@@ -279,6 +361,16 @@ SceneRequest request_of(const Options& options, const SceneFormat& format, Scene
     request.base = options.base == "fixed" ? BaseChoice::fixed : BaseChoice::floating;
   }
   return request;
+}
+
+bool asks_for_motors(const MotorOptions& motors) {
+  return motors.kind != MotorKind::as_written || !motors.kp.empty() || !motors.kv.empty() ||
+         !motors.armature.empty();
+}
+
+bool asks_for_contacts(const Options& options) {
+  return options.self_collision != SelfCollision::as_usual || !options.srdf.empty() ||
+         options.excludes_overlaps;
 }
 
 /// What the reader of the written file needs besides it; none if nothing.
@@ -336,7 +428,18 @@ int smurfs_flatten_main(int argc, char** argv) {
   const std::optional<SceneForm> form = choose_form(format, options.form);
   if (!form) return kFailed;
   if (options.ground && (!format.has_ground || *form != SceneForm::expand)) {
-    complain(kTool, "--ground needs --form expand and one of the formats " + ground_formats());
+    complain(kTool, "--ground needs --form expand and one of the formats " +
+                        formats_with(&SceneFormat::has_ground));
+    return kFailed;
+  }
+  if (asks_for_motors(options.motors) && !format.has_motors) {
+    complain(kTool, "--actuator, --kp, --kv and --armature need one of the formats " +
+                        formats_with(&SceneFormat::has_motors));
+    return kFailed;
+  }
+  if (asks_for_contacts(options) && !format.has_contacts) {
+    complain(kTool, "--self-collision, --srdf and --exclude-overlaps need one of the formats " +
+                        formats_with(&SceneFormat::has_contacts));
     return kFailed;
   }
   const auto current = current_folder(kTool);

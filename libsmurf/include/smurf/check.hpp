@@ -92,7 +92,7 @@ struct LoadedWith;
 struct Loaded {
   const SourceMap* sources = nullptr;
   DiagnosticSink found;
-  LoadedWith* with = nullptr;  ///< the settings, the configuration and the meshes
+  LoadedWith* loaded_with = nullptr;  ///< the settings, the configuration and the meshes
 };
 /// The result of Session::load_model().
 struct LoadedModel : Loaded {
@@ -170,11 +170,11 @@ class Session {
   Report check(LoadedScene& loaded);
   /// Makes a report of findings from other code: locates and sorts them and applies the
   /// settings.
-  std::vector<Diagnostic> finish(const LoadedModel& loaded, std::vector<Diagnostic> found) const;
-  std::vector<Diagnostic> finish(const LoadedScene& loaded, std::vector<Diagnostic> found) const;
+  std::vector<Diagnostic> settle(const LoadedModel& loaded, std::vector<Diagnostic> found) const;
+  std::vector<Diagnostic> settle(const LoadedScene& loaded, std::vector<Diagnostic> found) const;
   /// Checks only the files of one model of the scene, in a time that does not depend on the
   /// scene.
-  std::vector<Diagnostic> finish(const LoadedScene& loaded, const LinkedModel& model,
+  std::vector<Diagnostic> settle(const LoadedScene& loaded, const LinkedModel& model,
                                  std::vector<Diagnostic> found) const;
 
   /// Reads the disk or the given reader, archives as folders, and the unsaved texts.

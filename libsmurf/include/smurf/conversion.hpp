@@ -63,6 +63,12 @@ struct UrdfRequest {
   std::map<std::string, std::string> packages = {};  ///< names to folders
   bool force = false;
   Referees referees = {};
+  /// The program that the result is for: the result is refused when it does not load there, and
+  /// meshes that it does not read are copied to a format that it reads.
+  const Reader* reader = nullptr;
+  /// The folder for these copies, relative to the output folder; "": they cannot be written.
+  std::string mesh_folder = {};
+  std::string file_name = "robot.urdf";  ///< of the result, in the output folder
 };
 
 /// The comparison of an exported URDF with its source.
@@ -78,6 +84,10 @@ struct UrdfResult {
   Report report;  ///< of the model
   std::string text;
   std::vector<Diagnostic> losses;  ///< what the URDF does not express
+  std::vector<TextFile> meshes;    ///< copies of meshes, by their paths in the output folder
+  /// What the reader of the request loses of the result: "loads the link without this shape
+  /// (SML1628 at /robot/link[@name='arm']/...)".
+  std::vector<std::string> lost_by_reader;
   std::optional<UrdfProof> proof;  ///< none: refused before the export
   Refusal refusal;
 };
@@ -128,6 +138,11 @@ struct SceneRequest {
   const Dialect& dialect = *dialects().front();
   std::optional<BaseChoice> base = {};
   bool ground = false;
+  MotorOptions motors = {};
+  SelfCollision self_collision = SelfCollision::as_usual;
+  /// Leaves out the contacts of links that overlap at the start. Automatic motors do, too.
+  bool excludes_overlaps = false;
+  std::string srdf = {};  ///< "": those beside the URDFs
   bool links = false;
   std::string assets = {};  ///< folder for the files that the result names; "": they stay
   std::string output_folder = ".";

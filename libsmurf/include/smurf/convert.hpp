@@ -45,6 +45,9 @@ struct UrdfExport {
   std::string current_folder = {};
   MeshUri mesh_uri = MeshUri::rebase;
   std::string package_name{}, package_folder{};  ///< for MeshUri::package; the folder is absolute
+  /// Copies that the result names instead of meshes: relative to the output folder, by
+  /// MeshReference::path.
+  std::map<std::string, std::string> mesh_copies{};
   AppliedAnnotations apply{};
   Actuation actuation = Actuation::none;
   bool adds_gazebo_sensors = false;

@@ -143,6 +143,13 @@ struct Fact {
   Where where = {};           ///< `at("/joint/axis/")`, `when(kHex)`, `since({3, 13})`
 };
 
+/// What a rule asks. It decides what a target can change about its findings.
+enum class About : std::uint8_t {
+  readers,  ///< what programs make of the file: the facts decide
+  robot,    ///< whether the robot is as it was meant: no target makes a finding milder
+  format,   ///< whether the file follows its format; programs may read it anyway
+};
+
 /// Which tool reports the findings of a rule.
 enum class Tool : std::uint8_t { lint, load_check, converters };
 
@@ -184,7 +191,7 @@ struct Rule {
   std::span<const Fact> facts{};
 
   Tool reported_by = Tool::lint;
-  bool is_impossible = false;    ///< physically impossible, whatever the readers do
+  About about = About::readers;
   bool blocks_building = false;  ///< no robot can be built from the file
   /// With other packages, arguments or limits, or in another program, there is no such fault.
   bool may_pass_elsewhere = false;
@@ -220,6 +227,16 @@ struct Fix {
   std::optional<NewName> new_name = {};
 };
 
+/// A place of a finding, and what readers distinguish there. Effects are looked up for places.
+struct Occurrence {
+  Span span;
+  /// The names of its pointer that facts know: robot, link, inertial. Others are PlaceName{}.
+  std::vector<PlaceName> names = {};
+  Circumstances cases = {};
+  std::vector<const Rule*> consequences = {};
+  std::size_t count = 1;  ///< how many places are like this one to every reader
+};
+
 /// A finding: the rule, the place, the message, and the fixes.
 struct Diagnostic {
   const Rule* rule = nullptr;
@@ -230,10 +247,20 @@ struct Diagnostic {
   std::string pointer;  ///< YAML pointer or XPath; filled by locate() when empty
   /// The pointer by names, "/motors/name=elbow/joint": the same after other entries were added.
   std::string named_pointer;
+  std::vector<PlaceName> names;  ///< see Occurrence; filled by locate()
   /// What readers distinguish: cases of the rule, and circumstances that locate() adds.
   Circumstances cases = {};
   /// Other rules that the finding also breaks: to readers, a misspelt `effort` is missing.
   std::vector<const Rule*> consequences;
+  /// What is written about several of its kind in a file: "more links like it". Then they are one
+  /// finding: see join_places().
+  std::string_view others_are;
+  std::uint32_t habit = 0;  ///< tells several of a rule in a file apart
+  /// The other places, once they are joined.
+  std::vector<Occurrence> others;
+  /// Of a finding in an expanded robot: its place there, and the call of the macro around it.
+  std::optional<Span> expanded;
+  Span call;
   /// The severity before targets changed it; none if they did not change it.
   std::optional<Severity> untargeted;
   std::vector<Label> labels;

@@ -48,6 +48,16 @@ class Findings {
   Diagnostic& report(Span span, std::string message) {
     return sink_.report(rule_, span, std::move(message));
   }
+  /// Reports one place of a fault that an author or exporter repeats throughout a file. All of them
+  /// become one finding, "and 3 more `others` in this file": each is judged, the first is shown.
+  /// `habit` tells several habits of the rule apart.
+  Diagnostic& report_habit(Span span, std::string message, std::string_view others,
+                           std::size_t habit = 0) {
+    Diagnostic& finding = report(span, std::move(message));
+    finding.others_are = others;
+    finding.habit = static_cast<std::uint32_t>(habit);
+    return finding;
+  }
   /// Marks the finding of another rule at `place` as a fault of this rule, too.
   void add_consequence(Span place) { sink_.add_consequence(place, rule_); }
   /// See DiagnosticSink::suggest().

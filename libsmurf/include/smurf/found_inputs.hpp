@@ -21,6 +21,7 @@ struct FoundInputs {
   /// project; sorted.
   std::vector<std::string> model_links{};
   std::vector<std::string> xacro;  ///< .xacro files, sorted
+  std::vector<std::string> yaml;   ///< files that may be companions, sorted
 };
 
 /// Whether a path inside a searched folder is skipped, with all its contents.

@@ -81,9 +81,9 @@ struct MeshReference {
   bool lies_beside = false;
   /// If there is no file at `path`: a file whose path differs only in case or in `/` for `\`.
   std::string similar;
-  /// If that file does not exist either: a path that was probably meant, as it would be written. It
-  /// leads to a file with a similar name in the same folder, or to the file that the path leads to
-  /// from a folder above the URDF.
+  /// If that does not exist either: the path that was probably meant, to a file with a similar name
+  /// in the same folder, or to the file that the path leads to from a folder above the URDF. If the
+  /// file exists, but is not named by an address: package://NAME/REST, where it is in a package.
   std::string meant;
   /// Whether no package is known by the name in a package://NAME/REST, and the file was found in a
   /// folder above the URDF.

@@ -51,7 +51,7 @@ void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& source
 /// all targets load the file as intended, a finding is one level milder. It keeps
 /// its severity if there is no fact about any reader, or if the body is
 /// impossible.
-std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
-                               const RuleSelection& selection);
+std::vector<Diagnostic> apply_selection(std::vector<Diagnostic> diagnostics,
+                                        const SourceMap& sources, const RuleSelection& selection);
 
 }  // namespace smurf

@@ -29,6 +29,8 @@ struct PlannedFile {
   std::size_t config = 0;  ///< index into Plan::configs
   /// A xacro file that was found in a folder. It may be a part of a robot; then it has no findings.
   bool may_be_part = false;
+  bool is_named = false;   ///< by the user, and not found in a folder
+  bool is_helper = false;  ///< a robot that is loaded only for companions
   /// Of a xacro file, from a configuration; set by the session.
   std::map<std::string, std::string> arguments = {};
   std::string shown = {};  ///< the arguments that have several values: "ur_type:=ur5e"
@@ -38,7 +40,9 @@ struct PlannedFile {
 struct Plan {
   std::vector<PlannedFile> scenes;
   std::vector<PlannedFile> models;
-  std::vector<PlannedFile> strays;    ///< .urdf and .yml files: alone, unless a model reads them
+  std::vector<PlannedFile> others;  ///< alone, unless a model reads them: .urdf, .yml, SRDFs
+  /// Files that are companions of robots if their content says so; they are read with the robots.
+  std::vector<PlannedFile> companions;
   std::vector<std::string> configs;   ///< files; "": none. The first is that of the first path.
   std::vector<std::string> problems;  ///< "cannot read 'arm.smurf': No such file or directory"
 };

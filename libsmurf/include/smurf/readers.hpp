@@ -15,9 +15,26 @@ namespace smurf {
 
 std::string_view to_string(Effect effect);
 
-/// A fact about all rules whose ids have a common beginning, such as rules about numbers.
+/// One rule, or all rules whose ids have a common beginning, such as those about numbers: "SML18".
+class RuleFamily {
+ public:
+  constexpr RuleFamily() = default;
+  constexpr RuleFamily(const Rule& rule) : rule_(&rule) {}
+  constexpr RuleFamily(const char* beginning) : beginning_(beginning) {}
+  bool covers(const Rule& rule) const {
+    return rule_ != nullptr ? &rule == rule_ : rule.id.starts_with(beginning_);
+  }
+  /// "SML1508", "SML18"
+  std::string_view id() const { return rule_ != nullptr ? rule_->id : beginning_; }
+
+ private:
+  const Rule* rule_ = nullptr;
+  std::string_view beginning_;
+};
+
+/// A fact of a reader about a family.
 struct FamilyFact {
-  std::string_view family;  ///< "SML18"
+  RuleFamily family;
   Fact fact;
 };
 
@@ -66,10 +83,6 @@ std::vector<std::string_view> target_names();
 std::vector<PlaceName> place_of(const Diagnostic& diagnostic);
 /// Whether a path contains the place.
 bool contains(std::span<const PlaceName> path, const Where& where);
-/// The worst effect of a finding and its consequences on the reader; null if it is unknown. For
-/// each rule, the first fact that fits reader and place applies, in this order: facts of the reader
-/// in the row of the rule, facts about the rule's family, facts of Reader::like.
-const Fact* find_fact(const Reader& reader, const Diagnostic& diagnostic);
 /// Whether there is a fact about a rule: for this reader, or for any.
 bool has_facts(const Reader& reader, const Rule& rule);
 bool has_facts(const Rule& rule);
@@ -83,36 +96,5 @@ std::string describe(const Fact& fact);
 std::string describe(const Where& where);
 /// The evidence of all facts about a rule, without repetitions, and the rule's own sources.
 std::string sources_of(const Rule& rule);
-
-/// Verdicts on files, best first.
-enum class Answer : std::uint8_t { takes, loses, unknown, refuses };
-std::string_view to_string(Answer answer);
-
-/// The verdict of one reader on files, with reasons.
-struct TargetVerdict {
-  const Reader* reader = nullptr;
-  std::size_t refusals = 0;     ///< findings at which it refuses the file or crashes
-  std::size_t unknown = 0;      ///< errors without a fact about it
-  std::size_t losses = 0;       ///< findings at which it loses or changes something
-  std::size_t ignored = 0;      ///< suppressed by comments, among the deciding findings
-  std::size_t in_baseline = 0;  ///< suppressed by a baseline, among the deciding findings
-  const Fact* fact = nullptr;   ///< the worst effect, and its finding
-  const Rule* rule = nullptr;
-  Span span{};
-  std::vector<const Rule*> unknown_rules{};
-  /// Those of the later releases of the reader, if a finding depends on its version.
-  std::vector<TargetVerdict> newer{};
-
-  Answer answer() const;
-  std::size_t count(Answer answer) const;
-  /// Counts `count` more findings of a rule as unknown.
-  void add_unknown(const Rule& of, std::size_t faults);
-  /// Adds the verdict on more files.
-  void add(const TargetVerdict& other);
-};
-/// The first later release with another answer; null if there is none.
-const TargetVerdict* find_other_release(const TargetVerdict& verdict);
-/// Judges the findings for one target. Pass all findings, including suppressed ones.
-TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> diagnostics);
 
 }  // namespace smurf

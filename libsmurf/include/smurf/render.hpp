@@ -12,10 +12,18 @@
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
-#include "smurf/readers.hpp"
 #include "smurf/source.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf {
+
+/// A companion of robots ("controllers.yaml") that was seen, and not compared with a robot.
+struct NotCompared {
+  std::string path;
+  std::string_view kind;
+  std::string reason;  ///< "none of its 6 joints is known here; nearest: `joint_1`"
+  std::string next;    ///< what to do: "name its robot as well"
+};
 
 /// Counts for the summary line and the reports.
 struct Summary {
@@ -30,6 +38,9 @@ struct Summary {
   std::vector<std::pair<std::string_view, std::size_t>> companions = {};
   /// The robots with which SRDFs were compared that a user named without them; "" for none.
   std::set<std::string> robots_of_srdfs = {};
+  std::vector<NotCompared> not_compared = {};
+  /// Values that nobody gave: "`r.urdf.xacro` with `model:=mk3`, from `launch/d.launch.py`".
+  std::set<std::string> assumptions = {};
   std::size_t links = 0;  ///< symbolic links that lead out of a folder, which were not followed
 };
 /// Counts findings by severity; the caller sets the other counts.
@@ -92,8 +103,14 @@ std::string render_statistics(std::span<const Diagnostic> diagnostics, const Tex
 /// Options of a report for people.
 struct OverviewOptions {
   Severity least = Severity::warning;
-  bool shows_all = false;  ///< all findings, however many
+  bool shows_all = false;      ///< all findings, however many
+  bool shows_answers = false;  ///< infos about xacro and the files of ROS, in a short report
 };
+/// Whether a report for people shows a finding.
+bool is_shown(const Diagnostic& diagnostic, const OverviewOptions& options);
+/// The options for these findings: in a short report, infos of the rules about xacro and about what
+/// surrounds a robot are shown, because they are often the answer.
+OverviewOptions show_answers(OverviewOptions options, std::span<const Diagnostic> diagnostics);
 /// Findings for people: errors first, then by file. Shows three findings per rule and file. Shows
 /// repeated messages only in the first file. After about 150 lines, it only names the other files.
 /// Counts the omitted findings. `diagnostics` are sorted by file.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,32 @@ struct MeshSource {
   std::uint64_t most_pixels = Limits{}.image_pixels;  ///< of all images
 };
 
+/// What a motor is commanded with. Automatic: a position, unless the model says a speed; a joint
+/// without a motor gets one, unless the motors are as written.
+enum class MotorKind : std::uint8_t { as_written, automatic, position, velocity, effort };
+/// A number for some joints.
+struct JointNumber {
+  std::string joints;  ///< a pattern of names with `*`; "": all joints
+  double value = 0;
+};
+/// Motors of formats that have them. Of several numbers for one joint, the last one counts.
+struct MotorOptions {
+  MotorKind kind = MotorKind::as_written;
+  std::vector<JointNumber> kp;        ///< stiffness of positions, N m/rad or N/m
+  std::vector<JointNumber> kv;        ///< damping, N m s/rad or N s/m
+  std::vector<JointNumber> armature;  ///< inertia of the motor at its joint, kg m^2 or kg
+};
+
+/// What of a robot can touch itself. As usual: all but neighbours, and in USD nothing.
+enum class SelfCollision : std::uint8_t { as_usual, none, neighbours, srdf, all };
+/// Links of one model that must not touch, as indices.
+using LinkPairs = std::vector<std::pair<std::size_t, std::size_t>>;
+/// Contacts within the robots of a scene.
+struct OwnContacts {
+  SelfCollision choice = SelfCollision::as_usual;
+  std::map<const LinkedModel*, LinkPairs> left_out;  ///< sorted pairs, the smaller index first
+};
+
 /// The input of a writer. All of it must outlive the call.
 struct SceneExport {
   const FlatScene& flat;
@@ -42,7 +69,9 @@ struct SceneExport {
   DiagnosticSink& losses;    ///< receives findings about losses (SML82xx)
   bool links = false;        ///< write the world poses of all links, if the format supports them
   SceneForm form = SceneForm::expand;
-  bool ground = false;        ///< add a floor at z = 0; SceneFormat::has_ground
+  bool ground = false;  ///< add a floor at z = 0; SceneFormat::has_ground
+  MotorOptions motors = {};
+  OwnContacts contacts = {};
   bool names_copies = false;  ///< model files in `flat` are copies that will be made
   MeshSource meshes = {};     ///< for previews; without it, meshes are lost
   /// Limit of the text. A longer text is of no use and may end anywhere.
@@ -67,6 +96,8 @@ struct SceneFormat {
   bool has_expanded_form = true;
   bool has_ground = false;         ///< can add a floor to the expanded form
   bool repeats_models = false;     ///< writes the model of each instance out
+  bool has_motors = false;         ///< writes MotorOptions
+  bool has_contacts = false;       ///< writes OwnContacts
   bool fixes_world_roots = false;  ///< its readers know that a root named `world` does not move
   /// The parts that check_scene_size() counts in advance; null if nothing is repeated.
   RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;

@@ -95,34 +95,75 @@ struct Packed {
   }
 };
 
+/// Whether some file systems and programs leave a character out of a name: it has no width.
+bool is_ignorable(char32_t c) {
+  return c == 0xAD || c == 0x34F || c == 0x61C || (c >= 0x115F && c <= 0x1160) ||
+         (c >= 0x17B4 && c <= 0x17B5) || (c >= 0x180B && c <= 0x180F) ||
+         (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) ||
+         (c >= 0x2060 && c <= 0x206F) || (c >= 0xFE00 && c <= 0xFE0F) || c == 0xFEFF ||
+         c == 0xFFA0 || (c >= 0xE0000 && c <= 0xE0FFF);
+}
+
+/// The small letter of the alphabets that most names are written in, and that of ASCII for
+/// characters that some systems treat as one: KELVIN SIGN, LONG S, wide forms.
+char32_t lowered(char32_t c) {
+  if (c == 0x212A) return 'k';
+  if (c == 0x17F) return 's';
+  if (c == 0x130 || c == 0x131) return 'i';
+  if (c >= 0xFF01 && c <= 0xFF5E) c = c - 0xFF01 + 0x21;
+  const bool is_pair = (c >= 0x100 && c <= 0x137) || (c >= 0x14A && c <= 0x177) ||
+                       (c >= 0x460 && c <= 0x481) || (c >= 0x48A && c <= 0x4BF) ||
+                       (c >= 0x1E00 && c <= 0x1EFF);
+  if (is_pair) return c | 1U;
+  if (c >= 0x139 && c <= 0x148) return c + (c & 1U);
+  const bool has_32 = (c >= 'A' && c <= 'Z') || (c >= 0xC0 && c <= 0xDE && c != 0xD7) ||
+                      (c >= 0x391 && c <= 0x3A9) || (c >= 0x410 && c <= 0x42F);
+  if (has_32) return c + 0x20;
+  if (c >= 0x400 && c <= 0x40F) return c + 0x50;
+  return c >= 0x531 && c <= 0x556 ? c + 0x30 : c;
+}
+
+std::u32string lowered(std::string_view name) {
+  std::u32string all;
+  for (; !name.empty(); name.remove_prefix(utf8::decode(name).size)) {
+    const char32_t value = utf8::decode(name).value;
+    if (!is_ignorable(value)) all += lowered(value);
+  }
+  return all;
+}
+
+bool is_mark(char32_t c) { return c >= 0x300 && c <= 0x36F; }
+
 /// Equal for names that some file system treats as one: case does not count, nor how a letter with
 /// a mark is written in Unicode. Letters outside of ASCII look alike.
 std::string folded(std::string_view name) {
   std::string all;
-  while (!name.empty()) {
-    const utf8::CodePoint next = utf8::decode(name);
-    name.remove_prefix(next.size);
-    const bool is_mark = next.value >= 0x300 && next.value <= 0x36F;
-    if (is_mark && !all.empty()) {
+  for (const char32_t c : lowered(name)) {
+    if (is_mark(c) && !all.empty()) {
       all.back() = '\0';
     } else {
-      all += next.value < 0x80 ? static_cast<char>(next.value) : '\0';
+      all += c < 0x80 ? static_cast<char>(c) : '\0';
     }
   }
-  return path::to_lower(all);
-}
-
-bool has_marks(std::string_view name) {
-  for (; !name.empty(); name.remove_prefix(utf8::decode(name).size)) {
-    const char32_t value = utf8::decode(name).value;
-    if (value >= 0x300 && value <= 0x36F) return true;
-  }
-  return false;
+  return all;
 }
 
 /// Whether some file system treats the names of two files as one.
 bool are_one_to_some(const std::string& a, const std::string& b) {
-  return path::to_lower(a) == path::to_lower(b) || has_marks(a) || has_marks(b);
+  const std::u32string one = lowered(a);
+  const std::u32string other = lowered(b);
+  return one == other || std::any_of(one.begin(), one.end(), is_mark) ||
+         std::any_of(other.begin(), other.end(), is_mark);
+}
+
+/// Whether Windows gives a file another name: it drops points and blanks at the end of each part,
+/// and a colon begins the name of a stream.
+bool is_renamed_by_windows(std::string_view path) {
+  const std::vector<std::string_view> parts = path::names(path);
+  return path.find(':') != std::string_view::npos ||
+         std::any_of(parts.begin(), parts.end(), [](std::string_view part) {
+           return part != "." && part != ".." && (part.ends_with('.') || part.ends_with(' '));
+         });
 }
 
 /// The mode of Unix, and a flag of DOS, say what an entry is.
@@ -278,6 +319,9 @@ class Reader {
       return refuse("contains '" + name + "', which is a link or no plain file");
     }
     if (!is_inside(name)) return refuse("contains the file '" + name + "', which is not inside it");
+    if (is_renamed_by_windows(name)) {
+      return refuse("contains the file '" + name + "', which has another name on Windows");
+    }
     if (is_folder) {
       if (info.compressed_size == 0 && info.uncompressed_size == 0) return true;
       return refuse("contains the folder '" + name + "', which has content");

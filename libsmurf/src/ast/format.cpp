@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/format.hpp"
+#include "ast/format.hpp"
 
 #include <cmath>
 

@@ -58,7 +58,8 @@ constexpr std::string_view kLinkExtensions[] = {"contact",      "collision_check
                                                 "kinematic",    "selfCollide",
                                                 "gravity",      "inertia_from_file",
                                                 "bullet",       "self_filter",
-                                                "drake_ignore", "fem"};
+                                                "drake_ignore", "fem",
+                                                "plugin"};
 
 constexpr ChildSpec kInertialChildren[] = {
     {"origin", true}, {"mass", true, true}, {"inertia", true, true}};
@@ -84,7 +85,7 @@ constexpr ChildSpec kJointChildren[] = {
     {"limit", true},  {"mimic", true},        {"safety_controller", true}};
 constexpr std::string_view kJointExtensions[] = {
     "dont_collapse", "joint_properties", "hardwareInterface", "gearbox", "sensor",
-    "motor",         "actuator",         "drake_ignore"};
+    "motor",         "actuator",         "drake_ignore",      "plugin"};
 constexpr std::string_view kDynamicsExtensions[] = {"spring_stiffness", "spring_reference"};
 
 constexpr ElementSpec kElements[] = {
@@ -133,12 +134,32 @@ constexpr ElementSpec kElements[] = {
 
 /// Synonyms from SDF, MJCF and English -> URDF names.
 constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
-    {"cube", "box"},      {"dimensions", "size"},  {"extents", "size"},    {"factor", "multiplier"},
-    {"file", "filename"}, {"force", "effort"},     {"height", "length"},   {"id", "name"},
-    {"mass", "value"},    {"max", "upper"},        {"maximum", "upper"},   {"min", "lower"},
-    {"minimum", "lower"}, {"orientation", "rpy"},  {"path", "filename"},   {"pose", "origin"},
-    {"position", "xyz"},  {"ratio", "multiplier"}, {"rotation", "rpy"},    {"speed", "velocity"},
-    {"torque", "effort"}, {"transform", "origin"}, {"translation", "xyz"}, {"uri", "filename"},
+    {"cube", "box"},
+    {"dimensions", "size"},
+    {"extents", "size"},
+    {"factor", "multiplier"},
+    {"file", "filename"},
+    {"force", "effort"},
+    {"height", "length"},
+    {"id", "name"},
+    {"mass", "value"},
+    {"max", "upper"},
+    {"maximum", "upper"},
+    {"min", "lower"},
+    {"minimum", "lower"},
+    {"orientation", "rpy"},
+    {"path", "filename"},
+    {"pose", "origin"},
+    {"position", "xyz"},
+    {"ratio", "multiplier"},
+    {"rotation", "rpy"},
+    {"speed", "velocity"},
+    {"soft_lower", "soft_lower_limit"},
+    {"soft_upper", "soft_upper_limit"},
+    {"torque", "effort"},
+    {"transform", "origin"},
+    {"translation", "xyz"},
+    {"uri", "filename"},
     {"url", "filename"},
 };
 

@@ -190,8 +190,21 @@ class ShapeChecker {
     }
     if (!element.text_span().empty()) {
       diagnostic.label(element.text_span(), "readers ignore text");
+      help_with_text(element, missing, diagnostic);
     }
     return true;
+  }
+
+  /// `<mass>1.5</mass>`, as SDF writes it.
+  static void help_with_text(View element, std::string_view missing, Diagnostic& diagnostic) {
+    constexpr std::size_t kLongest = 60;
+    const std::string text(trimmed(element.text()));
+    if (text.empty() || text.size() > kLongest || missing.find(" and ") != std::string::npos)
+      return;
+    const std::size_t begin = missing.find('`') + 1;
+    const std::string name(missing.substr(begin, missing.find('`', begin) - begin));
+    diagnostic.help("this is the way of SDF; in a URDF, write `<" + std::string(element.name()) +
+                    " " + name + "=\"" + text + "\"/>`");
   }
 
   /// In URDF, all values are attributes. An element without any required attribute is reported as

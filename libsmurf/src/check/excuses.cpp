@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/excuses.hpp"
 
+#include <map>
+#include <string_view>
+
 #include "base/findings/rules.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
-#include "lint/targets.hpp"
-#include "smurf/xacro_cases.hpp"
+#include "verdict/targets.hpp"
+#include "xacro/xacro_cases.hpp"
 
 namespace smurf {
 namespace {
@@ -28,6 +31,36 @@ void excuse_arguments(std::vector<Diagnostic>& found) {
     if (one.rule->blocks_building) one.untargeted = one.severity;
     excuse(one);
   }
+}
+
+bool is_about_name(const Diagnostic& one) {
+  return one.rule == &rules::sml3501_srdf_unknown_name ||
+         one.rule == &rules::sml3701_controller_unknown_joint ||
+         one.rule == &rules::sml3802_moveit_unknown_name;
+}
+
+void excuse_names(const Companions& companions, const SourceMap& sources, bool may_vary,
+                  std::vector<Diagnostic>& found) {
+  std::map<SourceId, const Companion*> files;
+  for (const Companion& one : companions.files) files.emplace(one.source, &one);
+  std::erase_if(found, [&](Diagnostic& one) {
+    const auto file = files.find(one.span.source);
+    if (file == files.end() || !is_about_name(one)) return false;
+    const Companion& companion = *file->second;
+    const std::string_view name = sources.text(one.span);
+    // An SRDF has one finding about all of them.
+    const bool is_of_variant = companion.of_variants.contains(name);
+    if (is_of_variant) return !companion.srdf;
+    constexpr std::size_t kMostNear = 2;
+    constexpr std::size_t kFew = 4;
+    const bool is_misspelt =
+        companion.near_names.contains(name) && companion.near_names.size() <= kMostNear;
+    const bool is_for_it =
+        companion.names >= kFew && companion.known_names * 10 >= companion.names * 9;
+    const bool is_sure = is_misspelt || is_for_it || is_tie(companion.evidence) || !may_vary;
+    if (!is_sure) excuse(one);
+    return false;
+  });
 }
 
 void excuse_one_of_several(std::vector<Diagnostic>& found) {

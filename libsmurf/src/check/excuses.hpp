@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "smurf/companions.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/linked.hpp"
 
@@ -11,6 +12,15 @@ namespace smurf {
 
 /// A robot in xacro that no user named: launch files may give it other arguments.
 void excuse_arguments(std::vector<Diagnostic>& found);
+
+/// Whether a finding says that a companion names what the robot does not have.
+bool is_about_name(const Diagnostic& one);
+
+/// Names in companions that the robot lacks, because they may be for other arguments or for another
+/// robot: those that files of xacro write are no findings, and others that are no misspellings are
+/// infos. `may_vary`: the robot may have other arguments.
+void excuse_names(const Companions& companions, const SourceMap& sources, bool may_vary,
+                  std::vector<Diagnostic>& found);
 
 /// One of several robots: another one may be meant.
 void excuse_one_of_several(std::vector<Diagnostic>& found);

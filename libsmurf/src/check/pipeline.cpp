@@ -45,18 +45,19 @@ BaselinePath relative_to_folder_of(const std::string& file) {
 std::vector<Diagnostic> settle(Judged&& judged, const CheckGroup& group, const SourceMap& sources,
                                std::size_t& suppressed, std::vector<TargetVerdict>& verdicts) {
   const RuleSelection& selection = group.selection;
-  std::vector<Diagnostic> found = finish(std::move(judged.diagnostics), sources, selection);
+  std::vector<Diagnostic> found =
+      apply_selection(std::move(judged.diagnostics), sources, selection);
   for (TargetVerdict& verdict : verdicts) verdict.add(judge_target(*verdict.reader, found));
   if (!group.settings.heeds_comments) return found;
   const std::size_t before = found.size();
   const std::size_t count = judged.comments.apply(found, sources, selection);
   suppressed += count;
-  // The findings about comments come last; only they are not finished yet.
+  // The findings about comments come last; only the selection is not applied to them yet.
   const auto about_comments = found.begin() + static_cast<std::ptrdiff_t>(before - count);
   std::vector<Diagnostic> added(std::make_move_iterator(about_comments),
                                 std::make_move_iterator(found.end()));
   found.erase(about_comments, found.end());
-  append(finish(std::move(added), sources, selection), found);
+  append(apply_selection(std::move(added), sources, selection), found);
   return found;
 }
 
@@ -74,7 +75,7 @@ std::size_t apply_baseline(const std::string& path, const CheckGroup& group,
     sink.report(rules::sml9002_wrong_setting, place,
                 "cannot read `" + path + "`: " + content.reason)
         .help("write it with `--generate-baseline`");
-    append(finish(sink.take(), sources, group.selection), found);
+    append(apply_selection(sink.take(), sources, group.selection), found);
     return 0;
   }
   Baseline baseline(relative_to_folder_of(path));
@@ -84,7 +85,7 @@ std::size_t apply_baseline(const std::string& path, const CheckGroup& group,
   }
   const std::size_t count = baseline.apply(found, sources);
   baseline.report_stale(sources, group.selection, sink);
-  append(finish(sink.take(), sources, group.selection), found);
+  append(apply_selection(sink.take(), sources, group.selection), found);
   return count;
 }
 
@@ -111,7 +112,7 @@ void report_path_checks(const CheckGroups& groups, const CheckContext& context,
                   " comparisons of files with patterns of `paths`; the remaining files are "
                   "checked without these settings")
       .help(raise_limit("path-checks"));
-  append(finish(sink.take(), sources, group->selection), found);
+  append(apply_selection(sink.take(), sources, group->selection), found);
 }
 
 /// A file that two models share is one file.
@@ -179,20 +180,20 @@ Judged judge(const LinkedScene& scene, const SourceMap& sources, const RuleSelec
   return take(scene, sources, sink, expansions);
 }
 
-std::vector<Diagnostic> finish_others(const LinkedModel& model, std::vector<Diagnostic> found,
+std::vector<Diagnostic> settle_others(const LinkedModel& model, std::vector<Diagnostic> found,
                                       const SourceMap& sources, const RuleSelection& selection,
                                       const xacro::Expansions& expansions) {
   locate(model, found);
   place_in_xacro(expansions, sources, found);
-  return finish(std::move(found), sources, selection);
+  return apply_selection(std::move(found), sources, selection);
 }
 
-std::vector<Diagnostic> finish_others(const LinkedScene& scene, std::vector<Diagnostic> found,
+std::vector<Diagnostic> settle_others(const LinkedScene& scene, std::vector<Diagnostic> found,
                                       const SourceMap& sources, const RuleSelection& selection,
                                       const xacro::Expansions& expansions) {
   locate(scene, found);
   place_in_xacro(expansions, sources, found);
-  return finish(std::move(found), sources, selection);
+  return apply_selection(std::move(found), sources, selection);
 }
 
 Report make_report(std::vector<Judged>&& found, const CheckGroups& groups,
@@ -210,7 +211,6 @@ Report make_report(std::vector<Judged>&& found, const CheckGroups& groups,
     append(settle(std::move(judged), group, sources, suppressed, report.targets), all);
   }
   report_path_checks(groups, context, sources, all);
-  join_roots(sources, all);
   sort_findings(all, sources);
   if (suppressed > 0) note_passed(all, &TargetVerdict::ignored, report.targets);
   report.settings = report_settings_of(first);

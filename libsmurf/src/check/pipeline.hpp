@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "check/group.hpp"
+#include "lint/suppress.hpp"
 #include "smurf/companions.hpp"
-#include "smurf/suppress.hpp"
 
 namespace smurf {
 
@@ -33,10 +33,10 @@ Judged judge(const LinkedScene& scene, const SourceMap& sources, const RuleSelec
              DiagnosticSink& sink, const xacro::Expansions& expansions);
 
 /// Locates findings of other code, and applies the selection.
-std::vector<Diagnostic> finish_others(const LinkedModel& model, std::vector<Diagnostic> found,
+std::vector<Diagnostic> settle_others(const LinkedModel& model, std::vector<Diagnostic> found,
                                       const SourceMap& sources, const RuleSelection& selection,
                                       const xacro::Expansions& expansions);
-std::vector<Diagnostic> finish_others(const LinkedScene& scene, std::vector<Diagnostic> found,
+std::vector<Diagnostic> settle_others(const LinkedScene& scene, std::vector<Diagnostic> found,
                                       const SourceMap& sources, const RuleSelection& selection,
                                       const xacro::Expansions& expansions);
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <iterator>
 #include <set>
 #include <utility>
 
@@ -12,9 +11,16 @@
 #include "base/files/path.hpp"
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "check/excuses.hpp"
+#include "check/launched_values.hpp"
+#include "check/missing_packages.hpp"
 #include "check/parallel.hpp"
-#include "link/package_search.hpp"
+#include "check/seen_companions.hpp"
+#include "check/told_findings.hpp"
+#include "check/with_variants.hpp"
+#include "check/xacro_share.hpp"
+#include "link/surroundings/load_surroundings.hpp"
 
 namespace smurf {
 namespace {
@@ -23,6 +29,8 @@ constexpr std::size_t kMostParsed = 16U << 20U;  // bytes of texts; trees need f
 
 void shift(Diagnostic& diagnostic, const SourceShift& by) {
   diagnostic.span = by(diagnostic.span);
+  diagnostic.call = by(diagnostic.call);
+  if (diagnostic.expanded) diagnostic.expanded = by(*diagnostic.expanded);
   for (Label& label : diagnostic.labels) label.span = by(label.span);
   for (Fix& fix : diagnostic.fixes) {
     for (Edit& edit : fix.edits) edit.span = by(edit.span);
@@ -34,11 +42,9 @@ void shift(Diagnostic& diagnostic, const SourceShift& by) {
 bool is_of_source(const Recorder::Question& question, const Recorder::Answer& answer,
                   const SourceMap& sources) {
   if (question.kind != Recorder::Kind::content) return false;
+  const std::string wanted = path::normalize(question.path);
   std::size_t count = 0;
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    count +=
-        sources.path(SourceId{static_cast<std::uint32_t>(i)}) == path::normalize(question.path);
-  }
+  for (std::uint32_t i = 0; i < sources.size(); ++i) count += sources.path(SourceId{i}) == wanted;
   return count == answer.count;
 }
 
@@ -50,7 +56,8 @@ class Run {
         memory_(context.memory),
         sources_(sources),
         jobs_(count_of_jobs(settings.jobs)),
-        shared_search_(std::make_shared<PackageSearch>(context.check.files)) {}
+        shared_search_(std::make_shared<PackageSearch>(context.check.files)),
+        seen_(context.check, *shared_search_) {}
 
   void configure(std::vector<std::string> configs) {
     if (configs.empty()) configs.emplace_back();
@@ -61,18 +68,9 @@ class Run {
     targets_ = targets_of(memory_.groups);
   }
 
-  /// The robots of xacro in the configuration, once for each combination of their arguments.
-  std::vector<PlannedFile> with_variants(const std::vector<PlannedFile>& planned) {
-    std::vector<PlannedFile> all;
-    for (const PlannedFile& file : planned) {
-      const ConfigXacro* robot = xacro::is_xacro_file(file.path) ? configured(file) : nullptr;
-      if (robot == nullptr) {
-        all.push_back(file);
-      } else {
-        append_variants(file, *robot, all);
-      }
-    }
-    return all;
+  /// A robot of xacro in the configuration is checked with each set of its arguments.
+  void check(const std::vector<PlannedFile>& planned) {
+    check_all(with_variants(planned, memory_.groups, context_.check, found_));
   }
 
   void check_all(const std::vector<PlannedFile>& planned) {
@@ -85,6 +83,7 @@ class Run {
       }
     }
     if (is_over_ || is_cancelled_) return;
+    steps_of_each_ = xacro_steps_of_each(left, context_.check.limits);
     std::vector<Outcome> outcomes(left.size());
     for_each_in_order(
         left.size(), jobs_,
@@ -106,9 +105,11 @@ class Run {
     if (!is_cancelled_) {
       std::erase_if(memory_.outcomes, [&](const auto& one) { return !used_.contains(one.first); });
     }
-    for (SharedCompanions::Found& one : shared_.finish()) {
+    for (CompanionFindings::Found& one : shared_.finish()) {
       found_[one.config].diagnostics.push_back(std::move(one.diagnostic));
     }
+    seen_.report_broken(compared(), sources_, found_);
+    join_missing_packages(found_, sources_, context_.check.files);
     Report report = make_report(std::move(found_), memory_.groups, context_.check, sources_);
     report.summary.models = models_.size();
     report.summary.scenes = scenes_.size();
@@ -119,6 +120,8 @@ class Run {
       report.summary.companions.emplace_back(spec.title, static_cast<std::size_t>(count));
     }
     report.summary.robots_of_srdfs = std::move(robots_of_srdfs_);
+    report.summary.assumptions = std::move(assumptions_);
+    report.summary.not_compared = seen_.not_compared(compared());
     report.problems = plan.problems;
     report.robots = std::move(robots_);
     if (plan.problems.empty()) return report;
@@ -126,6 +129,17 @@ class Run {
       verdict.add_unknown(rules::sml0001_unreadable_file, plan.problems.size());
     }
     return report;
+  }
+
+  void see_companions(const Plan& plan) { seen_.read(plan); }
+
+  /// Loads robots that nobody asked for, for companions that no robot has so far.
+  void check_helpers() {
+    std::vector<std::vector<CompanionTie>> ties;
+    for (const CheckGroup& group : memory_.groups) ties.push_back(group.ties);
+    const std::vector<PlannedFile> helpers = seen_.helpers(compared(), ties);
+    expected_ += helpers.size();
+    check(helpers);
   }
 
   /// Announces the number of files.
@@ -138,43 +152,15 @@ class Run {
  private:
   bool is_remembering() const { return context_.snapshot != nullptr; }
 
+  /// Files that a robot or a model has, by identity.
+  std::set<std::string> compared() const {
+    std::set<std::string> known = read_;
+    for (const auto& [file, kind] : companions_) known.insert(file);
+    return known;
+  }
+
   std::string identity_of(const std::string& path) const {
     return identity(path, context_.check.paths, context_.check.files);
-  }
-
-  const ConfigXacro* configured(const PlannedFile& file) const {
-    const std::vector<ConfigXacro>& robots = memory_.groups[file.config].config.xacro;
-    const auto found = std::find_if(robots.begin(), robots.end(), [&](const ConfigXacro& one) {
-      return identity_of(one.file.value) == identity_of(file.path);
-    });
-    return found == robots.end() ? nullptr : &*found;
-  }
-
-  void append_variants(const PlannedFile& file, const ConfigXacro& robot,
-                       std::vector<PlannedFile>& all) {
-    const CheckGroup& group = memory_.groups[file.config];
-    const std::uint64_t most = context_.check.limits.xacro_variants;
-    auto combinations = combinations_of(robot, group.settings.xacro.arguments, most);
-    if (combinations.size() > most) {
-      combinations.resize(most);
-      DiagnosticSink sink;
-      sink.report(rules::sml9002_wrong_setting, robot.file.span,
-                  "the arguments have more than " + std::to_string(most) +
-                      " combinations; only the first are checked")
-          .help(raise_limit("xacro-variants"));
-      append(sink.take(), found_[file.config].diagnostics);
-    }
-    for (auto& arguments : combinations) {
-      PlannedFile variant = file;
-      variant.may_be_part = false;
-      for (const auto& [name, values] : robot.arguments) {
-        if (values.size() < 2) continue;
-        variant.shown +=
-            (variant.shown.empty() ? "" : " ") + name.value + ":=" + arguments.at(name.value);
-      }
-      variant.arguments = std::move(arguments);
-      all.push_back(std::move(variant));
-    }
   }
 
   /// Called by several threads.
@@ -186,18 +172,6 @@ class Run {
   void advance() {
     const std::size_t done = ++done_;
     if (settings_.on_progress) settings_.on_progress(done, expected_);
-  }
-
-  /// Copies the parts that the report needs from an outcome that is kept for the next check.
-  static Outcome copy_of(const Outcome& kept) {
-    Outcome copy;
-    copy.sources = kept.sources;
-    copy.judged = kept.judged;
-    copy.models = kept.models;
-    copy.companions = kept.companions;
-    copy.scenes = kept.scenes;
-    copy.read = kept.read;
-    return copy;
   }
 
   void remember(const std::vector<const PlannedFile*>& planned, std::vector<Outcome>&& outcomes) {
@@ -247,7 +221,8 @@ class Run {
       return outcome;
     }
     const auto known = memory_.outcomes.find(key_of(planned));
-    if (known != memory_.outcomes.end() && known->second.config == planned.config) {
+    if (known != memory_.outcomes.end() && known->second.config == planned.config &&
+        known->second.near == seen_.near()) {
       if (is_unchanged(known->second.answers, *context_.snapshot)) {
         return std::move(known->second);
       }
@@ -258,6 +233,7 @@ class Run {
     load(planned, recorder, outcome.meshes, outcome);
     outcome.answers.merge(recorder.take());
     outcome.config = planned.config;
+    outcome.near = seen_.near();
     return outcome;
   }
 
@@ -287,9 +263,12 @@ class Run {
                         &group.config.schemas};
     if (is_remembering()) {
       context.parsed = &outcome.parsed;
+      context.package_search = std::make_shared<PackageSearch>(files);
+      seen_.tell(*context.package_search->companions);
     } else {
       context.package_search = shared_search_;
     }
+    context.limits.xacro_steps = steps_of_each_;
     context.xacro = group.settings.xacro;
     context.ties = group.ties;
     if (!planned.arguments.empty()) context.xacro.arguments = planned.arguments;
@@ -304,38 +283,69 @@ class Run {
         outcome.scenes.insert(identity_of(file.path));
       }
     } else {
+      const std::string values =
+          planned.may_be_part ? add_launched_values(planned.path, context) : std::string();
       Accompanied robot =
           load_robot(planned.path, planned.may_be_part, group.config.xacro, context);
       LinkedModel& model = robot.model;
-      const bool is_xacro = xacro::is_xacro_file(planned.path);
-      if (is_xacro && is_part(model, outcome.sources, planned.may_be_part)) {
+      if (xacro::is_xacro_file(planned.path) &&
+          is_part(model, outcome.sources, planned.may_be_part)) {
         outcome.read.insert(identity_of(model.path));
         return;
       }
+      add_surroundings(robot, context);
       outcome.parsed.end_loading(outcome.sources, sink);
       outcome.judged = judge(robot, outcome.sources, group.selection, sink, *context.expansions);
       if (planned.may_be_part) excuse_arguments(outcome.judged.diagnostics);
+      const auto excuse = [&](const Companions& companions) {
+        const bool may_vary = planned.may_be_part || (has_several_robots_ && !planned.is_named);
+        excuse_names(companions, outcome.sources, may_vary, outcome.judged.diagnostics);
+      };
+      excuse(robot.companions);
+      for (const Variant& one : robot.variants) excuse(one.companions);
       if (has_several_robots_) excuse_one_of_several(outcome.judged.diagnostics);
       if (!planned.shown.empty()) {
         for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
+      }
+      if (xacro::is_xacro_file(planned.path) && !model.robot)
+        outcome.notes.unknown_robot = model.path;
+      if (!values.empty() && model.robot) {
+        outcome.notes.assumption = quoted(model.path) + " with " + values;
       }
       take_companions(robot.companions, model, outcome);
       for (const Variant& one : robot.variants) {
         take_companions(one.companions, one.model, outcome);
       }
-      if (!robot.companions.is_alone) take_files(std::move(model), outcome);
+      if (planned.is_helper) return keep_asked_for(model, outcome);
+      if (!robot.companions.checks_first_only) take_files(std::move(model), outcome);
     }
+  }
+
+  /// Leaves what is about the files for which the robot was loaded.
+  void keep_asked_for(const LinkedModel& model, Outcome& outcome) const {
+    const auto is_other = [&](const std::string& file) { return !seen_.is_asked_for(file); };
+    std::erase_if(outcome.companions, [&](const auto& one) { return is_other(one.first); });
+    std::erase_if(outcome.read, is_other);
+    std::erase_if(outcome.judged.diagnostics, [&](const Diagnostic& one) {
+      return is_other(identity_of(outcome.sources.path(one.span.source)));
+    });
+    if (!outcome.companions.empty()) outcome.notes.robots_of_srdfs.insert(model.path);
   }
 
   void take_companions(const Companions& companions, const LinkedModel& model,
                        Outcome& outcome) const {
     for (const Companion& one : companions.files) {
       const std::string file = identity_of(outcome.sources.path(one.source));
-      if (model.robot) outcome.companions.emplace(file, fit_of(one, model));
+      if (model.robot) outcome.companions.emplace(file, claim_of(one, model));
       outcome.read.insert(file);
     }
-    if (!companions.is_alone) return;
-    outcome.robots_of_srdfs.insert(model.robot ? model.path : "");
+    for (const SourceId one : companions.surroundings.sources)
+      outcome.surroundings.insert(identity_of(outcome.sources.path(one)));
+    for (const RejectedCompanion& one : companions.rejected) {
+      outcome.notes.rejected.emplace(identity_of(one.path), one);
+    }
+    if (!companions.checks_first_only) return;
+    outcome.notes.robots_of_srdfs.insert(model.robot ? model.path : "");
     // The robot with which it was compared was not asked for.
     std::erase_if(outcome.judged.diagnostics, [&](const Diagnostic& one) {
       return !is_companion_path(outcome.sources.path(one.span.source));
@@ -343,8 +353,7 @@ class Run {
   }
 
   void take_files(LinkedModel&& model, Outcome& outcome) const {
-    outcome.models.insert(identity_of(model.path));
-    outcome.read.insert(identity_of(model.path));
+    outcome.read.insert(*outcome.models.insert(identity_of(model.path)).first);
     for (const ModelFile& file : model.files) {
       outcome.read.insert(identity_of(outcome.sources.path(file.source)));
     }
@@ -394,7 +403,7 @@ class Run {
     if (targets_.empty()) return;
     const RuleSelection& selection = memory_.groups[planned.config].selection;
     const std::vector<Diagnostic> found =
-        smurf::finish(std::vector(outcome.judged.diagnostics), sources_, selection);
+        apply_selection(std::vector(outcome.judged.diagnostics), sources_, selection);
     for (const Reader* target : targets_) {
       robot.answers.push_back(judge_target(*target, found).answer());
     }
@@ -417,22 +426,17 @@ class Run {
     const SourceShift by = sources_.take(std::move(outcome.sources), common);
     for (Diagnostic& diagnostic : outcome.judged.diagnostics) shift(diagnostic, by);
     judge_robot(outcome, planned);
-    for (const auto& [file, fit] : outcome.companions) companions_.emplace(file, fit.kind);
-    robots_of_srdfs_.merge(outcome.robots_of_srdfs);
+    for (const auto& [file, claim] : outcome.companions) companions_.emplace(file, claim.kind);
+    robots_of_srdfs_.merge(outcome.notes.robots_of_srdfs);
+    if (!outcome.notes.assumption.empty()) assumptions_.insert(outcome.notes.assumption);
+    for (const auto& [file, one] : outcome.notes.rejected) seen_.add_rejected(file, one);
+    if (!outcome.notes.unknown_robot.empty()) seen_.add_unknown_robot(outcome.notes.unknown_robot);
     const auto file_of = [&](const Diagnostic& one) {
       return identity_of(sources_.path(one.span.source));
     };
-    if (!planned.shown.empty()) {
-      // The variants of a configuration are all meant, for the files that fit them.
-      std::map<std::string, CompanionFit> whole;
-      for (const auto& one : outcome.companions) {
-        if (one.second.is_whole) whole.insert(one);
-      }
-      for (const auto& one : whole) outcome.companions.erase(one.first);
-      std::vector<Diagnostic> none;
-      shared_.take(whole, planned.config, file_of, none);
-    }
-    shared_.take(outcome.companions, planned.config, file_of, outcome.judged.diagnostics);
+    shared_.take(outcome.companions, planned.path, planned.config, !planned.shown.empty(), file_of,
+                 outcome.judged.diagnostics);
+    told_.leave_new(outcome.surroundings, file_of, outcome.judged.diagnostics);
     append(std::move(outcome.judged.diagnostics), found_[planned.config].diagnostics);
     found_[planned.config].comments.take(std::move(outcome.judged.comments), by);
     models_.merge(outcome.models);
@@ -451,10 +455,14 @@ class Run {
   std::set<std::string> models_, scenes_, read_;     ///< by identity
   std::map<std::string, CompanionKind> companions_;  ///< by identity
   std::set<std::string> robots_of_srdfs_;            ///< see Summary
-  SharedCompanions shared_;                          ///< findings in them
+  ToldFindings told_;                                ///< in the surroundings of robots
+  std::set<std::string> assumptions_;                ///< see Summary
+  SeenCompanions seen_;                              ///< of the plan
+  CompanionFindings shared_;                         ///< findings in them
   std::set<std::string> sources_read_;               ///< by identity
   std::uint64_t rechecked_ = 0;                      ///< bytes of files that were read before
   std::uint64_t count_found_ = 0;                    ///< before settings and comments are applied
+  std::uint64_t steps_of_each_ = 0;                  ///< of each expansion of xacro
   bool is_over_ = false;                             ///< the remaining files are not checked
   std::set<std::string> used_;                       ///< paths of the outcomes used here
   std::size_t parsed_bytes_ = 0;                     ///< of the texts whose trees are kept
@@ -472,17 +480,20 @@ Report run_check(const Plan& plan, const CheckSettings& settings, const RunConte
                  SourceMap& sources) {
   Run run(settings, context, sources);
   run.configure(plan.configs);
-  run.expect(plan.scenes.size() + plan.models.size() + plan.strays.size());
-  std::vector<PlannedFile> others = plan.strays;
+  run.expect(plan.scenes.size() + plan.models.size() + plan.others.size());
+  std::vector<PlannedFile> others = plan.others;
   const auto first_companion =
       std::stable_partition(others.begin(), others.end(),
                             [](const PlannedFile& one) { return !is_companion_path(one.path); });
   const std::vector<PlannedFile> companions(first_companion, others.end());
   others.erase(first_companion, others.end());
   run.expect_robots(plan.models.size() + others.size());
-  for (const auto* planned : {&plan.scenes, &plan.models, &std::as_const(others), &companions}) {
-    run.check_all(run.with_variants(*planned));
+  run.see_companions(plan);
+  for (const auto* planned : {&plan.scenes, &plan.models, &std::as_const(others)}) {
+    run.check(*planned);
   }
+  run.check_helpers();
+  run.check(companions);
   return run.finish(plan);
 }
 

@@ -20,18 +20,42 @@
 
 namespace smurf {
 
+/// What a report says about a robot and its companions beside the findings.
+struct OutcomeNotes {
+  std::set<std::string> robots_of_srdfs = {};         ///< see Summary
+  std::map<std::string, RejectedCompanion> rejected;  ///< by identity
+  std::string unknown_robot;                          ///< its path, if it could not be expanded
+  std::string assumption;                             ///< see Summary::assumptions
+};
+
 /// The outcome of one planned file with all files that it loads.
 struct Outcome {
   SourceMap sources;
   Judged judged;
-  std::set<std::string> models, scenes, read;           ///< by identity
-  std::map<std::string, CompanionFit> companions = {};  ///< of robots, by identity
-  std::set<std::string> robots_of_srdfs = {};           ///< see Summary
-  MeshLibrary meshes;                                   ///< opened for it
+  std::set<std::string> models, scenes, read;    ///< by identity
+  std::map<std::string, Claim> companions = {};  ///< of robots, by identity
+  OutcomeNotes notes;
+  std::set<std::string> surroundings = {};  ///< of robots, by identity
+  std::string near;                         ///< see SeenCompanions::near()
+  MeshLibrary meshes;                       ///< opened for it
   ParsedFiles parsed;
   Recorder::Answers answers;  ///< queries on which the result depends
   std::size_t config = 0;     ///< see PlannedFile::config
 };
+
+/// Copies the parts that the report needs from an outcome that is kept for the next check.
+inline Outcome copy_of(const Outcome& kept) {
+  Outcome copy;
+  copy.sources = kept.sources;
+  copy.judged = kept.judged;
+  copy.models = kept.models;
+  copy.companions = kept.companions;
+  copy.surroundings = kept.surroundings;
+  copy.notes = kept.notes;
+  copy.scenes = kept.scenes;
+  copy.read = kept.read;
+  return copy;
+}
 
 /// The results that a check keeps for the next one.
 struct Memory {

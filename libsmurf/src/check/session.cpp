@@ -16,6 +16,7 @@
 #include "check/snapshot.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
+#include "smurf/companions.hpp"
 #include "smurf/confine.hpp"
 
 namespace smurf {
@@ -28,6 +29,13 @@ std::string text_of(const struct timespec& time) {
 bool is_readable(const std::string& path, const FileReader& files) {
   const ReadStatus status = files.read(path, 0).status;  // without content
   return status == ReadStatus::ok || status == ReadStatus::too_large;
+}
+
+/// Whether a YAML file belongs to a robot of ROS.
+bool is_companion(const std::string& path, const FileReader& files) {
+  constexpr std::uint64_t kMostBytes = 1U << 20U;
+  const FileContent content = files.read(path, kMostBytes);
+  return content.status == ReadStatus::ok && find_companion_kind(path, content.text) != nullptr;
 }
 
 /// The configuration of a file. A configuration that cannot be read is ignored.
@@ -166,8 +174,8 @@ struct Session::State {
     checked = &loaded_sources;
     std::vector<Judged> found;
     found.push_back(std::move(judged));
-    return make_report(std::move(found), *loaded.with->groups,
-                       context_from(loaded.with->first_source), loaded_sources);
+    return make_report(std::move(found), *loaded.loaded_with->groups,
+                       context_from(loaded.loaded_with->first_source), loaded_sources);
   }
 
   Limits limits;
@@ -216,7 +224,7 @@ void Session::clear_text(const std::string& path) {
 
 Report Session::check(const Plan& plan, const CheckSettings& settings) {
   std::vector<std::string> inputs = plan.configs;
-  for (const auto* files : {&plan.scenes, &plan.models, &plan.strays}) {
+  for (const auto* files : {&plan.scenes, &plan.models, &plan.others, &plan.companions}) {
     for (const PlannedFile& file : *files) inputs.push_back(file.path);
   }
   state_->open(inputs, settings);
@@ -231,13 +239,16 @@ Report Session::check(const std::string& path, const CheckSettings& settings) {
   Plan plan;
   if (places::is_folder(path)) {
     Plan found = state_->plan(std::span(&path, 1), settings);
-    const bool is_nothing = found.scenes.empty() && found.models.empty() && found.strays.empty();
+    const bool is_nothing = found.scenes.empty() && found.models.empty() && found.others.empty();
     if (!is_nothing) return check(found, settings);
     plan.problems = std::move(found.problems);  // and a finding, which nobody overlooks
   }
   state_->open(std::span(&path, 1), settings);
-  plan.configs.push_back(config_for(path, settings, *state_->files));
   const InputKind kind = input_kind(path);
+  if (kind == InputKind::annotation && is_companion(path, *state_->files)) {
+    return check(state_->plan(std::span(&path, 1), settings), settings);
+  }
+  plan.configs.push_back(config_for(path, settings, *state_->files));
   const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;
   (is_scene ? plan.scenes : plan.models).push_back({path, 0});
   return state_->run(plan, settings);
@@ -265,7 +276,7 @@ void Session::forget_loaded() {
 const SourceMap& Session::loaded_sources() const { return state_->loaded_sources; }
 
 LoadContext Session::context_of(Loaded& loaded) {
-  LoadedWith& with = *loaded.with;
+  LoadedWith& with = *loaded.loaded_with;
   const CheckGroup& group = with.group();
   return {state_->loaded_sources,
           *state_->files,
@@ -305,7 +316,7 @@ LoadedScene Session::load_scene(const std::string& path, const CheckSettings& se
 }
 
 Report Session::check(LoadedModel& loaded) {
-  const RuleSelection& selection = loaded.with->group().selection;
+  const RuleSelection& selection = loaded.loaded_with->group().selection;
   DiagnosticSink found = loaded.found;  // a later check reports them again
   Report report = state_->report(
       judge(loaded.model, *loaded.sources, selection, found, *state_->expansions), loaded);
@@ -314,7 +325,7 @@ Report Session::check(LoadedModel& loaded) {
 }
 
 Report Session::check(LoadedScene& loaded) {
-  const RuleSelection& selection = loaded.with->group().selection;
+  const RuleSelection& selection = loaded.loaded_with->group().selection;
   DiagnosticSink found = loaded.found;  // a later check reports them again
   Report report = state_->report(
       judge(loaded.scene, *loaded.sources, selection, found, *state_->expansions), loaded);
@@ -323,22 +334,22 @@ Report Session::check(LoadedScene& loaded) {
   return report;
 }
 
-std::vector<Diagnostic> Session::finish(const LoadedModel& loaded,
+std::vector<Diagnostic> Session::settle(const LoadedModel& loaded,
                                         std::vector<Diagnostic> found) const {
-  return finish_others(loaded.model, std::move(found), *loaded.sources,
-                       loaded.with->group().selection, *state_->expansions);
+  return settle_others(loaded.model, std::move(found), *loaded.sources,
+                       loaded.loaded_with->group().selection, *state_->expansions);
 }
 
-std::vector<Diagnostic> Session::finish(const LoadedScene& loaded,
+std::vector<Diagnostic> Session::settle(const LoadedScene& loaded,
                                         std::vector<Diagnostic> found) const {
-  return finish_others(loaded.scene, std::move(found), *loaded.sources,
-                       loaded.with->group().selection, *state_->expansions);
+  return settle_others(loaded.scene, std::move(found), *loaded.sources,
+                       loaded.loaded_with->group().selection, *state_->expansions);
 }
 
-std::vector<Diagnostic> Session::finish(const LoadedScene& loaded, const LinkedModel& model,
+std::vector<Diagnostic> Session::settle(const LoadedScene& loaded, const LinkedModel& model,
                                         std::vector<Diagnostic> found) const {
-  return finish_others(model, std::move(found), *loaded.sources, loaded.with->group().selection,
-                       *state_->expansions);
+  return settle_others(model, std::move(found), *loaded.sources,
+                       loaded.loaded_with->group().selection, *state_->expansions);
 }
 
 const FileReader& Session::files() const { return *state_->files; }

@@ -3,43 +3,19 @@
 
 #include <algorithm>
 #include <set>
-#include <string>
-#include <utility>
+#include <tuple>
+
+#include "base/text/quoted.hpp"
+#include "check/excuses.hpp"
 
 namespace smurf {
+namespace {
 
-CompanionFit fit_of(const Companion& companion, const LinkedModel& model) {
-  bool has_hardware = false;
-  if (model.robot) {
-    for (const xml::View child : model.robot->document.view()) {
-      has_hardware = has_hardware || child.name() == "ros2_control";
-    }
-  }
-  return {companion.kind, companion.known_names * 2 + (has_hardware ? 1 : 0),
-          companion.known_names == companion.names};
-}
+using Key = std::tuple<const Rule*, std::uint32_t, std::uint32_t>;
 
-void keep_certain(Companions& companions, const LoadContext& context) {
-  constexpr std::size_t kFewestNames = 4;  // fewer may be the same by chance
-  std::set<std::string> chosen;            // by identity
-  for (const CompanionTie& tie : context.ties) {
-    for (const std::string& file : tie.files) chosen.insert(context.files.identity(file));
-  }
-  for (const PluginFile& one : companions.plugin_files) {
-    chosen.insert(context.files.identity(one.path));
-  }
-  bool has_srdf = false;
-  std::erase_if(companions.files, [&](const Companion& one) {
-    const bool is_certain = one.names >= kFewestNames && one.known_names * 10 >= one.names * 9;
-    const bool is_chosen =
-        chosen.contains(context.files.identity(context.sources.path(one.source)));
-    const bool is_kept = is_certain || is_chosen;
-    has_srdf = has_srdf || (is_kept && one.srdf);
-    return !is_kept && one.names > 0;
-  });
-  std::erase_if(companions.files,
-                [&](const Companion& one) { return one.names == 0 && !has_srdf; });
-}
+Key key_of(const Diagnostic& one) { return {one.rule, one.span.begin, one.span.end}; }
+
+}  // namespace
 
 Accompanied load_robot(const std::string& path, bool was_found, std::span<const ConfigXacro> xacro,
                        LoadContext& context) {
@@ -58,31 +34,42 @@ Accompanied load_robot(const std::string& path, bool was_found, std::span<const 
     for (const auto& [name, all] : one.arguments) values.emplace(name.value, all);
   }
   split_variants(robot, context, values);
-  if (was_found) keep_certain(robot.companions, context);
   return robot;
 }
 
-void SharedCompanions::add(const Key& key, std::size_t rank, bool is_first, Found found) {
-  Entry& entry = entries_[key];
-  if (rank < entry.rank) return;
-  if (rank > entry.rank) entry = {rank, 0, {}};
-  if (is_first) ++entry.robots;
-  if (entry.robots == 1) entry.found.push_back(std::move(found));
-}
-
-void SharedCompanions::note(const std::string& file, std::size_t rank) {
-  Best& best = best_[file];
-  if (rank < best.rank) return;
-  if (rank > best.rank) best = {rank, 0};
-  ++best.robots;
-}
-
-std::vector<SharedCompanions::Found> SharedCompanions::finish() {
+std::vector<CompanionFindings::Found> CompanionFindings::finish() {
   std::vector<Found> all;
-  for (auto& [key, entry] : entries_) {
-    const Best& best = best_[key.file];
-    if (entry.rank != best.rank || entry.robots != best.robots) continue;
-    for (Found& one : entry.found) all.push_back(std::move(one));
+  for (auto& [file, entry] : files_) {
+    std::vector<std::size_t> owners = choose_owners(entry.claims);
+    // The variants of a configuration are all meant.
+    const bool has_variants = std::any_of(owners.begin(), owners.end(), [&](std::size_t one) {
+      return entry.robots[one].is_variant;
+    });
+    std::map<Key, std::size_t> counts;
+    for (const std::size_t one : owners) {
+      std::set<Key> seen;
+      for (const Diagnostic& found : entry.robots[one].found) {
+        if (seen.insert(key_of(found)).second) ++counts[key_of(found)];
+      }
+    }
+    std::set<Key> taken;  // of robots before this one
+    for (const std::size_t one : owners) {
+      OfRobot& robot = entry.robots[one];
+      std::set<Key> own;
+      for (Diagnostic& found : robot.found) {
+        const Key key = key_of(found);
+        const bool is_of_all = counts[key] == owners.size();
+        if (!has_variants && taken.contains(key)) continue;
+        if (!has_variants && !is_of_all) {
+          if (is_about_name(found)) continue;
+          found.severity = Severity::info;
+          found.note("only with " + quoted(robot.robot) + "; the file fits other robots as well");
+        }
+        own.insert(key);
+        all.push_back({robot.config, std::move(found)});
+      }
+      taken.merge(own);
+    }
   }
   return all;
 }

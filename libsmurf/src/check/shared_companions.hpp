@@ -1,99 +1,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Findings in files that belong to several robots, such as the variants of one.
+// Findings in companions, which several robots may claim.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
-#include <set>
 #include <span>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
-#include "smurf/companions.hpp"
+#include "plan/ownership.hpp"
 #include "smurf/config.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/load.hpp"
 
 namespace smurf {
 
-/// How well a companion fits a robot: the number of its names that the robot has, doubled, and one
-/// more for a robot with hardware of ros2_control.
-struct CompanionFit {
-  CompanionKind kind{};
-  std::size_t rank = 0;
-  bool is_whole = false;  ///< the robot has all of its names
-};
-CompanionFit fit_of(const Companion& companion, const LinkedModel& model);
-
-/// Leaves only companions that are certainly of a robot that no user named: those of which it has
-/// nearly all names, those that the configuration or a plugin of the robot names, and files of
-/// MoveIt without joints beside an SRDF that is left.
-void keep_certain(Companions& companions, const LoadContext& context);
-
-/// Loads a robot with its companions, or a companion with its robot. `was_found`: a search found
-/// the file, and no user named it. Such a xacro file may expand to other joints and links than its
-/// companions are written for, so it keeps a companion only if it has nearly all names in it.
-/// `xacro`: the xacro files and arguments that the configuration states.
+/// Loads a robot with its companions, or a companion with its robot. `xacro` are the robots of the
+/// configuration.
 Accompanied load_robot(const std::string& path, bool was_found, std::span<const ConfigXacro> xacro,
                        LoadContext& context);
 
-/// Collects the findings in companions. A companion is judged with the robots that it fits best; a
-/// finding that only some of them have is about a variant that the file is not for.
-class SharedCompanions {
+/// Collects the findings in companions by robot, and gives back those of the robots that they
+/// belong to.
+class CompanionFindings {
  public:
-  /// Takes the findings in these companions, by identity, out of those of one robot.
-  /// `file_of` returns the identity of the file of a finding.
-  template <class FileOf>
-  void take(const std::map<std::string, CompanionFit>& companions, std::size_t config,
-            const FileOf& file_of, std::vector<Diagnostic>& found) {
-    std::set<Key> seen;
-    std::vector<Diagnostic> others;
-    for (Diagnostic& one : found) {
-      const std::string file = companions.empty() ? std::string() : file_of(one);
-      const auto companion = companions.find(file);
-      if (companion == companions.end()) {
-        others.push_back(std::move(one));
-      } else {
-        const Key key{file, one.rule, one.span.begin, one.span.end};
-        add(key, companion->second.rank, seen.insert(key).second, {config, std::move(one)});
-      }
-    }
-    for (const auto& [file, fit] : companions) note(file, fit.rank);
-    found = std::move(others);
-  }
-
   struct Found {
     std::size_t config = 0;
     Diagnostic diagnostic;
   };
-  /// The findings that all robots have which the file fits best, each once.
+
+  /// Takes the findings in these companions, by identity, out of those of one robot. `is_variant`:
+  /// it is one of several that a configuration lists, which are all meant. `file_of` returns the
+  /// identity of the file of a finding.
+  template <class FileOf>
+  void take(const std::map<std::string, Claim>& claims, const std::string& robot,
+            std::size_t config, bool is_variant, const FileOf& file_of,
+            std::vector<Diagnostic>& found) {
+    std::map<std::string, std::size_t> by_file;
+    for (const auto& [file, claim] : claims) {
+      Entry& entry = files_[file];
+      by_file.emplace(file, entry.claims.size());
+      entry.claims.push_back(claim);
+      entry.robots.push_back({robot, config, is_variant, {}});
+    }
+    std::vector<Diagnostic> others;
+    for (Diagnostic& one : found) {
+      const std::string file = claims.empty() ? std::string() : file_of(one);
+      const auto of_file = by_file.find(file);
+      if (of_file == by_file.end()) {
+        others.push_back(std::move(one));
+      } else {
+        files_[file].robots[of_file->second].found.push_back(std::move(one));
+      }
+    }
+    found = std::move(others);
+  }
+
+  /// A finding about a name counts where no robot of a file has the name; another one that only
+  /// some of them have is an info, which names them.
   std::vector<Found> finish();
 
  private:
-  struct Key {
-    std::string file;
-    const Rule* rule = nullptr;
-    std::uint32_t begin = 0, end = 0;
-    bool operator<(const Key& other) const {  // texts have no <=> in libc++ 14
-      return std::tie(file, rule, begin, end) <
-             std::tie(other.file, other.rule, other.begin, other.end);
-    }
+  struct OfRobot {
+    std::string robot;
+    std::size_t config = 0;
+    bool is_variant = false;
+    std::vector<Diagnostic> found;
   };
   struct Entry {
-    std::size_t rank = 0, robots = 0;
-    std::vector<Found> found;  ///< of the first robot of this rank
+    std::vector<Claim> claims;
+    std::vector<OfRobot> robots;  ///< in the same order
   };
-  struct Best {
-    std::size_t rank = 0, robots = 0;
-  };
-
-  void add(const Key& key, std::size_t rank, bool is_first, Found found);
-  void note(const std::string& file, std::size_t rank);
-
-  std::map<Key, Entry> entries_;
-  std::map<std::string, Best> best_;  ///< by file
+  std::map<std::string, Entry> files_;  ///< by identity
 };
 
 }  // namespace smurf

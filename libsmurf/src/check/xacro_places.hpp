@@ -9,12 +9,8 @@
 
 namespace smurf {
 
-/// Precondition: the findings are located. The calls around a finding become labels. Findings of
-/// one rule at one place are one finding, with a note on the other calls.
+/// Precondition: the findings are located. The calls around a finding become labels.
 void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& sources,
                     std::vector<Diagnostic>& found);
-
-/// Several robots may include one file: each finding in it is kept once.
-void join_roots(const SourceMap& sources, std::vector<Diagnostic>& found);
 
 }  // namespace smurf

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/companion_help.hpp"
+#include "config/companion_help.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <iterator>
 
+#include "ast/ros_parameters.hpp"
 #include "base/text/words.hpp"
-#include "smurf/ros_parameters.hpp"
 
 namespace smurf {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/text/quoted.hpp"
-#include "smurf/key_help.hpp"
+#include "config/key_help.hpp"
 
 namespace smurf {
 

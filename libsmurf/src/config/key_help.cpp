@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/key_help.hpp"
+#include "config/key_help.hpp"
 
 #include <algorithm>
 #include <utility>

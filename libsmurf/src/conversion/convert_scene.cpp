@@ -9,6 +9,7 @@
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
 #include "conversion/floor.hpp"
+#include "conversion/own_contacts.hpp"
 #include "conversion/refusal.hpp"
 #include "conversion/scene_assets.hpp"
 #include "smurf/conversion.hpp"
@@ -83,6 +84,10 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
   if (!request.assets.empty()) {
     result.copies = redirect_assets(*flat, request.assets, flattening, files, limits);
   }
+  OwnContacts contacts;
+  if (format.has_contacts) {
+    contacts = own_contacts(request, loaded.scene, *flat, files, limits, loaded.found);
+  }
   const SceneExport written{.flat = *flat,
                             .scene = loaded.scene,
                             .sources = *loaded.sources,
@@ -90,6 +95,8 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
                             .links = request.links,
                             .form = request.form,
                             .ground = request.ground,
+                            .motors = request.motors,
+                            .contacts = std::move(contacts),
                             .names_copies = !request.assets.empty(),
                             .meshes = mesh_source(flattening, result.copies, files, limits),
                             .most_bytes = limits.scene_bytes};
@@ -120,7 +127,7 @@ SceneCheck convert_checked(Session& session, LoadedScene& loaded, bool force,
   if (losses != nullptr) {
     const auto& found = loaded.found.diagnostics();
     std::copy_if(found.begin(), found.end(), std::back_inserter(*losses), is_loss);
-    *losses = session.finish(loaded, std::move(*losses));
+    *losses = session.settle(loaded, std::move(*losses));
   }
   loaded.found = std::move(before);
   check.refusal = refusal_for(check.report.diagnostics, force, [&](const Diagnostic& finding) {

@@ -6,6 +6,8 @@
 #include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/did_you_mean.hpp"
+#include "conversion/mesh_copies.hpp"
+#include "conversion/reader_verdict.hpp"
 #include "conversion/refusal.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/conversion.hpp"
@@ -159,6 +161,36 @@ Refusal prove(const LinkedModel& model, const SourceMap& sources, const UrdfExpo
   return {"cannot be converted: " + fault, Refusal::Cause::result, true};
 }
 
+/// The path of a file of the result.
+std::string in_output(const UrdfExport& options, const std::string& file) {
+  return path::normalize(
+      path::join(path::join(options.current_folder, options.output_folder), file));
+}
+
+/// Asks the reader that the result is for, with the copies of meshes in place.
+Refusal judge(const FileReader& files, const UrdfRequest& request, const UrdfExport& wanted,
+              const Limits& limits, UrdfResult& result) {
+  MemoryFiles with_result(&files);
+  const std::string file = in_output(wanted, request.file_name);
+  with_result.add(file, result.text);
+  for (const TextFile& mesh : result.meshes)
+    with_result.add(in_output(wanted, mesh.path), mesh.text);
+  ReaderVerdict verdict = verdict_on(file, *request.reader, with_result, limits, request.packages);
+  const std::string title(request.reader->title);
+  result.lost_by_reader = std::move(verdict.lost);
+  if (verdict.refused.empty()) return {};
+  if (request.force) {
+    result.lost_by_reader.insert(result.lost_by_reader.begin(), verdict.refused.begin(),
+                                 verdict.refused.end());
+    return {};
+  }
+  const std::string advice = request.mesh_folder.empty()
+                                 ? "; with -o FILE, meshes are copied to formats that it reads"
+                                 : "";
+  return {"cannot be converted: " + title + " " + first_of(verdict.refused) + advice,
+          Refusal::Cause::result, true};
+}
+
 }  // namespace
 
 UrdfResult convert_to_urdf(Session& session, LoadedModel& loaded, const UrdfRequest& request) {
@@ -181,12 +213,23 @@ UrdfResult convert_to_urdf(Session& session, LoadedModel& loaded, const UrdfRequ
   }
   result.refusal = {problem_of(model, wanted), Refusal::Cause::options};
   if (result.refusal) return result;
+  if (request.reader != nullptr && !request.mesh_folder.empty()) {
+    MeshCopies copies = copies_for(*request.reader, model, session.files(), session.limits());
+    for (const auto& [mesh, copy] : copies.names) {
+      wanted.mesh_copies.emplace(mesh, path::join(request.mesh_folder, copy));
+    }
+    result.meshes = std::move(copies.files);
+    for (TextFile& mesh : result.meshes) mesh.path = path::join(request.mesh_folder, mesh.path);
+  }
   DiagnosticSink losses;
   report_losses(model, wanted, losses);
   result.text = export_urdf(model, *loaded.sources, wanted, losses);
   result.refusal = prove(model, *loaded.sources, wanted, request, session.limits(),
                          may_ask_urdfdom(found), result);
-  result.losses = session.finish(loaded, losses.take());
+  if (!result.refusal && request.reader != nullptr) {
+    result.refusal = judge(session.files(), request, wanted, session.limits(), result);
+  }
+  result.losses = session.settle(loaded, losses.take());
   return result;
 }
 

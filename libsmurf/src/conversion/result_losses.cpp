@@ -9,6 +9,7 @@
 #include "base/findings/rules.hpp"
 #include "base/text/words.hpp"
 #include "smurf/check.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf {
 namespace {
@@ -17,6 +18,8 @@ namespace {
 /// understood.
 bool is_unread(const Rule& rule) {
   if (&rule == &rules::sml1018_xml_version) return false;  // of the file, not of a value
+  // All readers ignore the attribute, and the result keeps it as it is written.
+  if (&rule == &rules::sml1107_unknown_attribute) return false;
   return !rule.has_check();
 }
 
@@ -53,20 +56,6 @@ bool takes_section(const UrdfExport& wanted, std::string_view section) {
 /// Steps that compute with values instead of copying their text.
 bool computes(const UrdfExport& wanted) {
   return wanted.collapses_fixed || wanted.is_canonical || !wanted.version.empty();
-}
-
-/// The reason why MuJoCo would not load the exported URDF; none if it loads. Findings on package
-/// addresses and mesh folders are not considered, because the export replaces these.
-std::optional<std::string> loss_for_mujoco(const Diagnostic& finding, const LinkedModel& model,
-                                           const UrdfExport& wanted) {
-  const Fact* fact = find_fact(readers::mujoco, finding);
-  if (fact == nullptr || fact->effect < Effect::refuses) return std::nullopt;
-  const bool are_found =
-      std::all_of(model.meshes.begin(), model.meshes.end(),
-                  [](const MeshReference& mesh) { return mesh.exists || mesh.is_texture; });
-  const bool is_about_paths = finding.rule->id == "SML1912" || finding.rule->id == "SML1647";
-  if (is_about_paths && wanted.mesh_uri == MeshUri::relative && are_found) return std::nullopt;
-  return "MuJoCo " + std::string(fact->makes);
 }
 
 /// Nearly all programs load URDFs with urdfdom, so it checks the result.
@@ -129,9 +118,7 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
   }
   const SourceId source = finding.span.source;
   if (source == model.robot->document.source) {
-    const auto refused =
-        wanted.adds_mujoco_settings ? loss_for_mujoco(finding, model, wanted) : std::nullopt;
-    return refused ? refused : loss_in_text(finding, wanted);
+    return loss_in_text(finding, wanted);
   }
   if (model.has_main && source == model.files.front().source) {
     return "the .smurf decides which files the robot is made of";

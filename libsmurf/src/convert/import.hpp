@@ -36,6 +36,8 @@ Part joints(Context& context);
 Part poses(Context& context);
 Part urdf_extensions(Context& context);
 Part srdf_extensions(Context& context);
+/// The sections that a file of another language than URDF has.
+std::vector<NewFile> made_sections(const LinkedModel& model);
 
 /// The path of a texture from the folder of the main file.
 std::string texture_path(const UrdfImport& options, std::string_view path);

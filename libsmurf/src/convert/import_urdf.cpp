@@ -2,6 +2,8 @@
 // The URDF is kept, and annotations are added beside it. Entries of sections repeat parts
 // of the URDF; text sections repeat the rest, so that readers of the annotations miss
 // nothing.
+#include <algorithm>
+
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/findings/rules.hpp"
@@ -9,7 +11,6 @@
 #include "base/text/words.hpp"
 #include "convert/import.hpp"
 #include "convert/rebase.hpp"
-#include "smurf/xacro.hpp"
 
 namespace smurf {
 namespace import {
@@ -60,6 +61,13 @@ Folders folders_of(SmurfLayout layout) {
   return layout == SmurfLayout::phobos ? Folders{"smurf", "urdf"} : Folders{".", "."};
 }
 
+/// Whether the robot was made from a file of another language: its text is in no file.
+bool is_expanded(const LinkedModel& model) {
+  return std::none_of(model.files.begin(), model.files.end(), [&](const ModelFile& one) {
+    return one.source == model.robot->document.source;
+  });
+}
+
 }  // namespace
 
 std::string import::texture_path(const UrdfImport& options, std::string_view path) {
@@ -81,6 +89,9 @@ NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const U
                           import::poses, import::urdf_extensions, import::srdf_extensions}) {
     if (import::Part file = part(context)) result.files.push_back(std::move(*file));
   }
+  if (is_expanded(model) && !model.has_main) {
+    for (NewFile& file : import::made_sections(model)) result.files.push_back(std::move(file));
+  }
   const Folders folders = folders_of(options.layout);
   const auto absolute = [&](std::string_view path) {
     return path::join(places::absolute_from(options.current_folder, options.output_folder), path);
@@ -88,7 +99,7 @@ NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const U
   result.modelname = model.robot->name.value_or(options.name);
   result.main_path = path::join(folders.main, options.name + ".smurf");
   result.source = path::file_name(model.urdf_path);
-  if (options.layout == SmurfLayout::in_place && !xacro::is_xacro_file(model.urdf_path)) {
+  if (options.layout == SmurfLayout::in_place && !is_expanded(model)) {
     const std::string urdf = places::absolute_from(options.current_folder, model.urdf_path);
     result.urdf_entry = path::relative(urdf, absolute(folders.main));
     return result;

@@ -75,9 +75,13 @@ void add_base(const LinkedModel& model, BaseJoint base, XmlEdits& edits) {
 }
 
 void rewrite_paths(const LinkedModel& model, const UrdfExport& options, XmlEdits& edits) {
-  if (options.mesh_uri == MeshUri::keep) return;
   const std::string folder = places::absolute_from(options.current_folder, options.output_folder);
   for (const MeshReference& mesh : model.meshes) {
+    if (const auto copy = options.mesh_copies.find(mesh.path); copy != options.mesh_copies.end()) {
+      edits.replace(mesh.span, escape_xml(copy->second));
+      continue;
+    }
+    if (options.mesh_uri == MeshUri::keep) continue;
     const bool is_relative = is_relative_path(mesh.filename);
     // Paths to missing files are unchanged if they are absolute; relative paths are re-based to the
     // same missing file.

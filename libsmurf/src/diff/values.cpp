@@ -6,7 +6,7 @@
 
 #include "base/numbers/exact_math.hpp"
 #include "base/numbers/numbers.hpp"
-#include "smurf/describe.hpp"
+#include "link/describe.hpp"
 
 namespace smurf {
 namespace {

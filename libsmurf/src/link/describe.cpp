@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/describe.hpp"
+#include "link/describe.hpp"
 
 #include <algorithm>
 #include <cmath>

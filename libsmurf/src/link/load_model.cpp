@@ -26,7 +26,9 @@
 #include "link/read_file.hpp"
 #include "link/resources.hpp"
 #include "link/xacro_model.hpp"
+#include "mjcf/mjcf.hpp"
 #include "smurf/load.hpp"
+#include "smurf/xacro.hpp"
 #include "syntax/xml_reader.hpp"
 #include "syntax/yaml_reader.hpp"
 
@@ -257,13 +259,44 @@ class ModelLoader {
     return read_urdf(std::move(*document), context_.sink);
   }
 
-  /// The expansion of a xacro file; its findings have been reported.
-  std::optional<SourceId> expanded(SourceId root) {
-    xacro::Expansion expansion = expand_xacro(root, context_);
+  /// The language of the file of a robot. A URDF is read as it is; from the others one is made.
+  enum class Language : std::uint8_t { urdf, xacro, mjcf };
+  /// By its name, or by its root element; a .urdf of another language is a mistake.
+  Language language_of(const std::string& path, SourceId source) const {
+    if (xacro::is_xacro_file(path)) return Language::xacro;
+    if (path::to_lower(path::extension(path)) == ".urdf") return Language::urdf;
+    return mjcf::is_mjcf(context_.sources.text(source)) ? Language::mjcf : Language::urdf;
+  }
+
+  std::optional<SourceId> keep(xacro::Expansion expansion) {
     if (!expansion.is_complete) return std::nullopt;
     const SourceId source = expansion.source;
     context_.expansions->emplace(source, std::move(expansion));
     return source;
+  }
+
+  /// The annotations that a file of another language has.
+  void made_annotations(SourceId source) {
+    auto document = parse(source, context_.sources);
+    if (!document) return;
+    model_.files.push_back({ModelFile::Kind::annotation, source, std::nullopt});
+    if (auto read = read_annotations(*document, context_.sink)) {
+      append_sections(model_.annotations, *read);
+    }
+    model_.files.back().document = std::move(document);
+  }
+
+  /// The text of the robot, which may have to be made; findings about that have been reported.
+  std::optional<SourceId> text_of(SourceId file) {
+    switch (language_of(model_.urdf_path, file)) {
+    case Language::urdf: return file;
+    case Language::xacro: return keep(expand_xacro(file, context_));
+    case Language::mjcf: break;
+    }
+    mjcf::Context context{context_.sources, context_.files, context_.sink, context_.limits};
+    mjcf::Imported made = mjcf::expand(file, context);
+    if (const auto annotations = keep(std::move(made.annotations))) made_annotations(*annotations);
+    return keep(std::move(made.robot));
   }
 
   /// If there are several URDFs, the last one is used, as in MARS; a rule reports them.
@@ -273,7 +306,7 @@ class ModelLoader {
     model_.robot.reset();
     if (source) {
       model_.files.push_back({ModelFile::Kind::urdf, *source, std::nullopt});
-      const auto text = xacro::is_xacro_file(path) ? expanded(*source) : source;
+      const auto text = text_of(*source);
       ParsedFiles::File* known = text ? known_file(*text) : nullptr;
       if (text) model_.robot = known ? std::exchange(known->robot, {}) : parse_robot(*text);
     }

@@ -9,7 +9,8 @@ namespace {
 
 bool is_model_file(const std::string& path) {
   const std::string extension = path::to_lower(path::extension(path));
-  return extension == ".smurf" || extension == ".urdf" || xacro::is_xacro_file(path);
+  return extension == ".smurf" || extension == ".urdf" || extension == ".mjcf" ||
+         extension == ".xml" || xacro::is_xacro_file(path);
 }
 
 /// MARS opens a .smurf or .urdf as one entity at the origin (SMURFLoader.cpp:549-563).
@@ -33,8 +34,7 @@ void load_single_model(const std::string& path, LoadContext& context, LinkedScen
   scene.uses.emplace_back();
   Instance instance;
   instance.name = instance.path = name;
-  const bool is_xacro = xacro::is_xacro_file(path);
-  instance.type = is_xacro ? "urdf" : path::to_lower(path::extension(path)).substr(1);
+  instance.type = model.has_main ? "smurf" : "urdf";
   instance.file = model.path;
   instance.model = ModelIndex{0};
   instance.X_WE = Pose{};

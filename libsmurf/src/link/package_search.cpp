@@ -6,12 +6,10 @@
 #include <tuple>
 
 #include "base/files/path.hpp"
-#include "link/packages.hpp"
 
 namespace smurf {
 namespace {
 
-constexpr std::string_view kPackageFile = "package.xml";
 constexpr int kLevels = 12;  // of folders, upward and downward
 constexpr std::uint64_t kMostEntries = 200'000;
 
@@ -145,11 +143,9 @@ const PackageSearch::Tree& PackageSearch::tree_of(const std::string& folder, Dep
   return entry.tree;
 }
 
-const std::string& PackageSearch::name_in(const std::string& folder) {
-  if (const std::string* known = find_known(names_, folder)) return *known;
-  constexpr std::uint64_t kMostBytes = 1U << 20U;
-  const std::string path = path::join(folder, std::string(kPackageFile));
-  return keep(names_, folder, package_name_in(files_.read(path, kMostBytes).text));
+const PackageManifest& PackageSearch::manifest(const std::string& folder) {
+  if (const PackageManifest* known = find_known(manifests_, folder)) return *known;
+  return keep(manifests_, folder, manifest_in(folder, files_));
 }
 
 std::string PackageSearch::package_around(std::string folder) {
@@ -201,11 +197,6 @@ std::optional<std::string> PackageSearch::search_around(const std::string& name,
   if (!own.empty() && is_package(own, name)) return own;
   if (auto found = search_upward(name, near, own, Depth::packages)) return found;
   return search_upward(name, near, own, Depth::inside_of_packages);
-}
-
-const NamesInFolder& PackageSearch::names_in(const std::string& folder) {
-  if (const NamesInFolder* known = find_known(names_in_folders_, folder)) return *known;
-  return keep(names_in_folders_, folder, NamesInFolder(files_.list(folder)));
 }
 
 PackageSearch& search_of(LoadContext& context) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -13,7 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "link/companions/places.hpp"
+#include "link/companions/library.hpp"
+#include "link/package_manifest.hpp"
 #include "smurf/load.hpp"
 
 namespace smurf {
@@ -21,7 +23,11 @@ namespace smurf {
 /// Several threads may use it. What it finds does not depend on what was asked before.
 class PackageSearch {
  public:
-  explicit PackageSearch(const FileReader& files) : files_(files) {}
+  explicit PackageSearch(const FileReader& files)
+      : companions(std::make_shared<CompanionLibrary>()), files_(files) {}
+
+  /// What the companions in these packages contain.
+  const std::shared_ptr<CompanionLibrary> companions;
 
   /// The folder of a package: that of the file at `near`; then the one nearest to it, as far as
   /// files may be read; then one in the folders that contain packages. Of several in one folder,
@@ -29,9 +35,8 @@ class PackageSearch {
   std::optional<std::string> find(const std::string& name, const std::string& near,
                                   const std::vector<std::string>& package_folders);
 
-  /// The files in a folder that may be companions or robots. Listed once, because each robot of a
-  /// folder asks for them.
-  const NamesInFolder& names_in(const std::string& folder);
+  /// The package.xml of a folder, which is read once.
+  const PackageManifest& manifest(const std::string& folder);
 
  private:
   /// Packages in packages are seldom, and are not built by colcon: they are asked last.
@@ -58,7 +63,7 @@ class PackageSearch {
   /// The nearest folder with a package.xml, from `folder` upward; "" if there is none.
   std::string package_around(std::string folder);
   /// The name in the package.xml of a folder; "" if there is none.
-  const std::string& name_in(const std::string& folder);
+  const std::string& name_in(const std::string& folder) { return manifest(folder).name; }
   bool is_package(const std::string& folder, std::string_view name) {
     return name_in(folder) == name;
   }
@@ -95,13 +100,12 @@ class PackageSearch {
   const FileReader& files_;
   mutable std::mutex mutex_;  ///< of the maps
   std::map<std::pair<std::string, Depth>, TreeEntry> trees_;
-  std::map<std::string, std::string> names_;
+  std::map<std::string, PackageManifest> manifests_;  ///< by folder
   std::map<std::string, Folder> folders_;
-  std::map<std::string, NamesInFolder> names_in_folders_;
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> answers_;
 };
 
-/// The search that the loads of a context share. Makes it at the first call.
+/// That of the context, made at the first search.
 PackageSearch& search_of(LoadContext& context);
 /// The same as find(), but a folder that the user gave for the package comes first.
 std::optional<std::string> find_package(const std::string& name, const std::string& near,

@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/packages.hpp"
 
+#include <algorithm>
+
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
+#include "link/package_manifest.hpp"
 #include "smurf/xacro.hpp"
 
 namespace smurf {
-
-std::string without_comments(std::string_view xml) {
-  std::string plain;
-  while (!xml.empty()) {
-    const std::size_t open = std::min(xml.find("<!--"), xml.size());
-    plain += xml.substr(0, open);
-    const std::size_t close = xml.find("-->", open);
-    xml.remove_prefix(close == std::string_view::npos ? xml.size() : close + 3);
-  }
-  return plain;
-}
-
-std::string package_name_in(std::string_view text) {
-  const std::string plain = without_comments(text);
-  constexpr std::string_view kTag = "<name>";
-  const std::size_t begin = plain.find(kTag);
-  const std::size_t end = plain.find("</name>");
-  if (begin == std::string::npos || end == std::string::npos || begin >= end) return {};
-  const std::size_t name = begin + kTag.size();
-  return std::string(trimmed(std::string_view(plain).substr(name, end - name)));
-}
 
 Packages::Packages(LoadContext& context, const std::string& urdf_path, FileIndex& index)
     : context_(context), index_(index), urdf_path_(urdf_path) {
@@ -37,6 +19,19 @@ Packages::Packages(LoadContext& context, const std::string& urdf_path, FileIndex
     folders_.push_back(folder);
     folder = path::join(folder, "..");
   }
+}
+
+std::string Packages::address_of(const std::string& path) {
+  // PACKAGE/urdf/ROBOT/robot.urdf; a package.xml still farther above is that of something else.
+  constexpr std::size_t kLevels = 4;
+  for (std::size_t i = 0; i < kLevels; ++i) {
+    const std::string& folder = folders_[i];
+    const std::string& name = package_name(folder);
+    if (name.empty()) continue;
+    const std::string rest = path::relative(path, folder);
+    return rest.empty() || rest.starts_with("..") ? "" : "package://" + name + "/" + rest;
+  }
+  return {};
 }
 
 Packages::Place Packages::find(const std::string& name_and_rest) {
@@ -81,9 +76,11 @@ Packages::Place Packages::search(const std::string& name_and_rest) {
   }
   const std::string package = installed(name);
   if (!package.empty()) return {path::join(package, rest)};
-  if (xacro::is_xacro_file(urdf_path_)) {
-    if (const auto found = find_package(name, urdf_path_, context_))
+  // Without a package or a repository around the file, the search would look through the disk.
+  if (xacro::is_xacro_file(urdf_path_) || is_in_package()) {
+    if (const auto found = find_package(name, urdf_path_, context_)) {
       return {path::join(*found, rest)};
+    }
   }
   if (guess) {
     guessed_.emplace(name, guess->path.substr(0, guess->path.size() - rest.size()));
@@ -110,6 +107,11 @@ bool Packages::is_called(const std::string& folder, const std::string& name) {
   return files.identity(path::join(folder, "../" + name)) == files.identity(folder);
 }
 
+bool Packages::is_in_package() {
+  return std::any_of(folders_.begin(), folders_.end(),
+                     [&](const std::string& folder) { return !package_name(folder).empty(); });
+}
+
 std::string Packages::installed(const std::string& name) {
   if (!installed_) {
     installed_.emplace();
@@ -131,9 +133,7 @@ std::string Packages::installed(const std::string& name) {
 const std::string& Packages::package_name(const std::string& folder) {
   const auto [place, is_new] = names_.try_emplace(folder);
   if (!is_new) return place->second;
-  constexpr std::uint64_t kMostBytes = 1U << 20U;
-  const std::string text = index_.files().read(path::join(folder, "package.xml"), kMostBytes).text;
-  place->second = package_name_in(text);
+  place->second = manifest_in(folder, index_.files()).name;
   return place->second;
 }
 

@@ -13,11 +13,6 @@
 
 namespace smurf {
 
-/// The name in a package.xml; empty if there is none.
-std::string package_name_in(std::string_view package_xml);
-/// The text without its comments.
-std::string without_comments(std::string_view xml);
-
 class Packages {
  public:
   Packages(LoadContext& context, const std::string& urdf_path, FileIndex& index);
@@ -39,10 +34,14 @@ class Packages {
   /// folder NAME.
   Place find(const std::string& name_and_rest);
 
+  /// package://NAME/REST of a file below the nearest package.xml above the URDF; "" for others.
+  std::string address_of(const std::string& path);
+
  private:
   Place search(const std::string& name_and_rest);
   bool lies_elsewhere(const Place& place, const std::string& name_and_rest);
   bool is_called(const std::string& folder, const std::string& name);
+  bool is_in_package();
   /// The package of this name in the folders that contain packages; empty if there is none.
   std::string installed(const std::string& name);
   /// The name in a folder's package.xml; empty if there is none.

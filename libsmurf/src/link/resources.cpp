@@ -34,6 +34,7 @@ class Resolver {
     const bool is_denied =
         !is_found && !reference.path.empty() && context_.files.is_denied(reference.path);
     reference.exists = is_found || is_denied;
+    if (is_found && !is_address(*filename)) reference.meant = packages_.address_of(reference.path);
     reference.lies_beside = is_beside(*filename);
     if (!reference.exists) reference.similar = find_similar(reference);
     if (!reference.exists && reference.similar.empty()) reference.meant = find_meant(reference);
@@ -73,6 +74,10 @@ class Resolver {
   std::string find(const std::string& filename, MeshReference* reference = nullptr) {
     constexpr std::string_view kPackage = "package://";
     constexpr std::string_view kFile = "file://";
+    if (filename.starts_with("package:///"))
+      return find_upward(filename.substr(kPackage.size() + 1));
+    constexpr std::string_view kModel = "model://";  // folders of models are searched like packages
+    if (filename.starts_with(kModel)) return packages_.find(filename.substr(kModel.size())).path;
     if (filename.starts_with(kPackage)) {
       Packages::Place place = packages_.find(filename.substr(kPackage.size()));
       if (reference != nullptr) {
@@ -83,9 +88,23 @@ class Resolver {
       }
       return std::move(place.path);
     }
-    if (filename.starts_with(kFile)) return path::normalize(filename.substr(kFile.size()));
+    if (filename.starts_with(kFile)) {
+      return path::join(urdf_folder_, filename.substr(kFile.size()));
+    }
     if (is_address(filename) || filename.empty()) return {};
     return path::join(urdf_folder_, filename);
+  }
+
+  /// A file from the folder of the URDF or one above it, where Bullet looks for `package:///PATH`.
+  std::string find_upward(const std::string& path) {
+    constexpr int kMostAbove = 4;
+    std::string folder = urdf_folder_;
+    for (int level = 0; level <= kMostAbove; ++level) {
+      std::string there = path::join(folder, path);
+      if (!path.empty() && index_.exists(there)) return there;
+      folder = path::join(folder, "..");
+    }
+    return {};
   }
 
   std::string find_similar(const MeshReference& reference) {

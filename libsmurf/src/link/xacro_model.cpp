@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/xacro_model.hpp"
 
+#include <algorithm>
+
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/findings/rules.hpp"
 #include "link/package_search.hpp"
 #include "link/read_file.hpp"
+#include "xacro/counted.hpp"
 
 namespace smurf {
 
@@ -28,7 +31,12 @@ xacro::Expansion expand_xacro(SourceId root, LoadContext& context) {
     return path::join(here, relative);
   };
   xacro::Context inner{context.sources, context.files, context.sink, context.limits};
-  return xacro::expand(root, settings, inner);
+  std::uint64_t steps = 0;
+  xacro::Expansion expansion = xacro::expand(root, settings, inner, steps);
+  // The robots of a scene share the steps; each has at least those of an honest one.
+  std::uint64_t& left = context.limits.xacro_steps;
+  if (left > kStepsOfRobot) left = std::max(left - std::min(left, steps), kStepsOfRobot);
+  return expansion;
 }
 
 }  // namespace smurf

@@ -6,8 +6,8 @@
 #include "ast/urdf_schema.hpp"
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
+#include "link/extension_names.hpp"
 #include "link/reference_finder.hpp"
-#include "smurf/extension_names.hpp"
 
 namespace smurf {
 namespace {
@@ -43,6 +43,17 @@ constexpr AttributeNames kAttributes[] = {
     {"robot", "group_state", "group", {NameKind::group}},
     {"robot", "end_effector", "group", {NameKind::group}},
     {"robot", "end_effector", "parent_group", {NameKind::group}},
+    {"robot", "end_effector", "parent_link", {NameKind::link}},
+    {"robot", "virtual_joint", "child_link", {NameKind::link}},
+    {"group", "chain", "base_link", {NameKind::link}},
+    {"group", "chain", "tip_link", {NameKind::link}},
+    {"robot", "disable_collisions", "link1", {NameKind::link}},
+    {"robot", "disable_collisions", "link2", {NameKind::link}},
+    {"robot", "enable_collisions", "link1", {NameKind::link}},
+    {"robot", "enable_collisions", "link2", {NameKind::link}},
+    {"robot", "disable_default_collisions", "link", {NameKind::link}},
+    {"robot", "link_sphere_approximation", "link", {NameKind::link}},
+    {"robot", "joint_property", "joint_name", {NameKind::joint}},
     {"", "", "reference", {kFrames}},
 };
 

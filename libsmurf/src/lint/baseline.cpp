@@ -5,7 +5,7 @@
 #include "base/findings/rules.hpp"
 #include "base/text/edits.hpp"
 #include "base/text/quoted.hpp"
-#include "smurf/suppress.hpp"
+#include "lint/suppress.hpp"
 
 namespace smurf {
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string_view>
 
+#include "link/shape_boxes.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/queries.hpp"
 
@@ -30,8 +31,6 @@ struct GeometryUse {
 /// its triangles (smurf/mesh_triangles.hpp). None if the size is unknown or not finite.
 std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& geometry);
 
-/// The axis-aligned box, in frame A, around a box given in frame B.
-Box moved(const Box& box, const Pose& X_AB);
 /// The smallest box around both.
 Box united(const Box& a, const Box& b);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/inertia_repair.hpp"
+#include "lint/inertia_repair.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +13,7 @@
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"
 #include "lint/inertia_slips.hpp"
+#include "lint/likely_cause.hpp"
 #include "lint/node_inertia.hpp"
 #include "lint/queries.hpp"
 #include "smurf/lint.hpp"
@@ -31,6 +32,7 @@ struct Replacement {
   Tensor tensor{};
   double mass = 0;
   std::string assumption;
+  double density = HUGE_VAL;  ///< kg/m3, if it is that of full shapes
 };
 
 /// The body of the shapes that a source uses.
@@ -52,7 +54,8 @@ Replacement of_shapes(const urdf::Link& link, const Solid& solid, const InertiaS
   return {rotated(tensor, {q.w, -q.x, -q.y, -q.z}), mass,
           std::string(is_box ? "the box around its shapes" : "its shapes") + ", filled with " +
               format_rounded(mass, 4) + " kg, which is " + format_rounded(mass / solid.volume, 3) +
-              " kg/m3"};
+              " kg/m3",
+          mass / solid.volume};
 }
 
 std::optional<Replacement> nearest_tensor(const urdf::Inertial& inertial) {
@@ -117,14 +120,27 @@ void add_fix(const LinkedModel& model, const urdf::Link& link, const InertiaSour
   finding.fixes.push_back(std::move(fix));
 }
 
+/// Lighter than foam: the shapes, or the mass, are not those of the part.
+constexpr double kLeastDensity = 20;  // kg/m3
+
+/// Whether it is the shape that is wrong, or the mass: a tensor of both would be as wrong.
+bool is_about_shape(const LinkedModel& model, const urdf::Link& link) {
+  const auto extent = extent_of(model, link);
+  const auto body = body_of(*link.inertial);
+  if (!extent || !body) return false;
+  return likely_cause(model, link, *body, *extent).culprit == Culprit::shape;
+}
+
 void replace_fix(const LinkedModel& model, const urdf::Link& link, InertiaSource source,
                  Diagnostic& finding) {
   // What only rounding makes impossible is measured or computed, and better than a full shape.
   const bool is_rounded = finding.rule->id == std::string_view("SML1514");
   if (is_rounded && source.from != From::density) source.from = From::nearest;
   finding.fixes.clear();
+  const bool is_of_shapes = source.from != From::nearest && source.from != From::density;
+  if (is_of_shapes && is_about_shape(model, link)) return;
   const auto replacement = replacement_for(model, link, source);
-  if (!replacement) return;
+  if (!replacement || (is_of_shapes && replacement->density < kLeastDensity)) return;
   const urdf::Inertial& inertial = *link.inertial;
   // What is too large only for its centre of mass does not become possible by another tensor.
   const bool is_too_large = finding.rule->id == std::string_view("SML1518");

@@ -17,8 +17,8 @@
 #include "base/text/edits.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
+#include "lint/inertia_repair.hpp"
 #include "lint/queries.hpp"
-#include "smurf/inertia_repair.hpp"
 
 namespace smurf {
 namespace {

@@ -78,6 +78,21 @@ bool has_only_meshes(const urdf::Link& link) {
   return !ranges::any_of(link.visuals, is_other) && !ranges::any_of(link.collisions, is_other);
 }
 
+/// Whether a number has at most two digits that count: 0.01, 3e-9, 25.
+bool is_round(double value) {
+  const double digits = value / std::pow(10, std::floor(std::log10(value)) - 1);
+  return std::fabs(digits - std::round(digits)) < 1e-9 * digits;
+}
+
+/// Three equal round moments are what people write when they do not know the inertia: it says
+/// nothing about its unit.
+bool is_placeholder(const urdf::Link& link) {
+  if (!link.inertial) return false;
+  const double xx = link.inertial->ixx.value_or(0);
+  return xx > 0 && xx == link.inertial->iyy.value_or(0) && xx == link.inertial->izz.value_or(0) &&
+         is_round(xx);
+}
+
 double trace(const Solid& solid) { return solid.second[0] + solid.second[1] + solid.second[2]; }
 
 }  // namespace
@@ -93,7 +108,9 @@ Cause likely_cause(const LinkedModel& model, const urdf::Link& link, const Body&
       (trace(full) * density);
   const Mistake* best = nullptr;
   double least = 0;
+  const bool has_inertia = !is_placeholder(link);
   for (const Mistake& one : kMistakes) {
+    if (!has_inertia && one.inertia != 1) continue;
     const double corrected = density * one.mass / std::pow(one.length, 3);
     const double ratio = inertia * one.inertia / (one.mass * one.length * one.length);
     if (!is_usual(usual, corrected, ratio)) continue;

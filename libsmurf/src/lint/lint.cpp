@@ -7,7 +7,8 @@
 #include <tuple>
 
 #include "lint/file_selection.hpp"
-#include "lint/targets.hpp"
+#include "verdict/join.hpp"
+#include "verdict/targets.hpp"
 
 namespace smurf {
 namespace {
@@ -64,14 +65,20 @@ void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& source
                    [&](const Diagnostic& a, const Diagnostic& b) {
                      return order_key(a, sources) < order_key(b, sources);
                    });
-  const auto same = [&](const Diagnostic& a, const Diagnostic& b) {
-    return order_key(a, sources) == order_key(b, sources);
-  };
-  diagnostics.erase(std::unique(diagnostics.begin(), diagnostics.end(), same), diagnostics.end());
+  std::vector<Diagnostic> kept;
+  kept.reserve(diagnostics.size());
+  for (Diagnostic& one : diagnostics) {
+    if (!kept.empty() && order_key(kept.back(), sources) == order_key(one, sources)) {
+      join_same(kept.back(), one);
+    } else {
+      kept.push_back(std::move(one));
+    }
+  }
+  diagnostics = std::move(kept);
 }
 
-std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
-                               const RuleSelection& selection) {
+std::vector<Diagnostic> apply_selection(std::vector<Diagnostic> diagnostics,
+                                        const SourceMap& sources, const RuleSelection& selection) {
   std::map<std::string_view, FileSelection> files;  // by path
   const auto file_of = [&](const Diagnostic& one) -> FileSelection& {
     const std::string& path = sources.path(one.span.source);
@@ -82,6 +89,7 @@ std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const Source
     FileSelection& file = file_of(one);
     return !file.is_enabled(*one.rule) || !file.is_enabled(about);
   });
+  join_places(diagnostics, sources);
   if (!selection.targets.empty()) apply_targets(diagnostics, selection.targets);
   for (Diagnostic& diagnostic : diagnostics) {
     for (Fix& fix : diagnostic.fixes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the YAML pointer or XPath of a byte span: rules report spans, users and programs also need
 // names of places.
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "base/findings/cases.hpp"
+#include "base/findings/place_names.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "smurf/companions.hpp"
@@ -18,17 +20,16 @@
 namespace smurf {
 namespace {
 
-std::string pointer_in(const xml::Document& document, xml::XPaths& paths, Span span) {
-  const xml::ElementId id = xml::element_at(document, span.begin);
-  if (id == xml::kNoElement) return {};
-  std::string path = paths.find(id);
-  const xml::View element(document, id);
-  for (const xml::Attribute& attribute : element.attributes()) {
-    if (span.begin < attribute.span().begin || attribute.span().end < span.end) continue;
-    constexpr std::size_t kLongestName = 200;
-    return path + "/@" + shortened(attribute.name(), kLongestName);
+/// The names of an element and of those around it, from the root down.
+std::vector<PlaceName> names_of(const xml::Document& document, xml::ElementId id) {
+  std::vector<PlaceName> names;
+  while (id != xml::kNoElement) {
+    const xml::View element(document, id);
+    names.push_back(place_name(element.name()));
+    id = element.element().parent;
   }
-  return path;
+  std::reverse(names.begin(), names.end());
+  return names;
 }
 
 void point(Diagnostic& diagnostic, const yaml::Document& document) {
@@ -36,11 +37,29 @@ void point(Diagnostic& diagnostic, const yaml::Document& document) {
   if (id == yaml::kNoNode) return;
   if (diagnostic.pointer.empty()) diagnostic.pointer = yaml::pointer(document, id);
   diagnostic.named_pointer = yaml::named_pointer(document, id);
+  diagnostic.names = place_of(diagnostic);
 }
 
 void point(Diagnostic& diagnostic, const xml::Document& document, xml::XPaths& paths) {
-  if (diagnostic.pointer.empty()) {
-    diagnostic.pointer = pointer_in(document, paths, diagnostic.span);
+  const Span span = diagnostic.span;
+  const xml::ElementId id = xml::element_at(document, span.begin);
+  const bool is_placed = diagnostic.pointer.empty() && id != xml::kNoElement;
+  if (is_placed) {
+    diagnostic.pointer = paths.find(id);
+    diagnostic.names = names_of(document, id);
+    for (const xml::Attribute& attribute : xml::View(document, id).attributes()) {
+      if (span.begin < attribute.span().begin || attribute.span().end < span.end) continue;
+      constexpr std::size_t kLongestName = 200;
+      diagnostic.pointer += "/@" + shortened(attribute.name(), kLongestName);
+      diagnostic.names.push_back(place_name("@" + std::string(attribute.name())));
+      break;
+    }
+  }
+  // An element whose name is in another case is at the place of the one that is meant.
+  const bool is_read = !is_placed || diagnostic.rule == &rules::sml1114_tag_case;
+  if (is_read) {
+    diagnostic.names.clear();
+    diagnostic.names = place_of(diagnostic);
   }
   diagnostic.named_pointer = diagnostic.pointer;
 }

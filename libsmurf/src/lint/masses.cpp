@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/masses.hpp"
+#include "lint/masses.hpp"
 
 #include <algorithm>
 #include <cmath>

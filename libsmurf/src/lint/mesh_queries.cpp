@@ -64,6 +64,10 @@ PathFault path_fault(const MeshReference& reference) {
   return reference.mars_exists ? found_by_mars_only : missing;
 }
 
+bool lies_outside(const MeshReference& reference) {
+  return reference.file != nullptr && reference.file->status == ReadStatus::denied;
+}
+
 std::vector<const MeshReference*> collisions_first(const LinkedModel& model) {
   std::set<std::uint32_t> collisions;
   for_each_geometry(model, [&](const GeometryUse& use) {
@@ -82,11 +86,11 @@ std::vector<const MeshReference*> collisions_first(const LinkedModel& model) {
 std::vector<PathUses> paths_with(const LinkedModel& model, PathFault fault) {
   std::vector<PathUses> paths;
   std::map<std::string_view, std::size_t> by_name;
-  for (const MeshReference& reference : model.meshes) {
-    if (path_fault(reference) != fault) continue;
-    const auto [known, is_new] = by_name.try_emplace(reference.filename, paths.size());
-    if (is_new) paths.push_back({reference.filename, {}});
-    paths[known->second].references.push_back(&reference);
+  for (const MeshReference* reference : collisions_first(model)) {
+    if (path_fault(*reference) != fault) continue;
+    const auto [known, is_new] = by_name.try_emplace(reference->filename, paths.size());
+    if (is_new) paths.push_back({reference->filename, {}});
+    paths[known->second].references.push_back(reference);
   }
   return paths;
 }

@@ -26,6 +26,9 @@ enum class PathFault : std::uint8_t {
 };
 PathFault path_fault(const MeshReference& reference);
 
+/// Whether the file lies outside of the project, so that it may exist or not.
+bool lies_outside(const MeshReference& reference);
+
 /// The meshes and textures of the URDF. Those of collisions come first, because all readers need
 /// them and one finding represents many files.
 std::vector<const MeshReference*> collisions_first(const LinkedModel& model);

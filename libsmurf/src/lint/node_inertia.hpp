@@ -9,7 +9,7 @@
 
 #include "link/possible_inertia.hpp"
 #include "lint/body.hpp"
-#include "smurf/inertia_repair.hpp"
+#include "lint/inertia_repair.hpp"
 #include "smurf/linked.hpp"
 
 namespace smurf {

@@ -15,10 +15,10 @@ constexpr Side kSides[] = {{"left", "right"}, {"l", "r"},   {"fl", "fr"}, {"rl",
                            {"hl", "hr"},      {"bl", "br"}, {"lf", "rf"}, {"lh", "rh"},
                            {"lr", "rr"},      {"lb", "rb"}, {"ml", "mr"}, {"lm", "rm"}};
 /// Words for places that siblings have.
-constexpr std::string_view kPlaces[] = {"left", "right", "front", "rear", "back", "middle", "mid",
-                                        "fl",   "fr",    "rl",    "rr",   "hl",   "hr",     "bl",
-                                        "br",   "lf",    "rf",    "lh",   "rh",   "lr",     "lb",
-                                        "rb",   "ml",    "mr",    "lm",   "rm",   "l",      "r"};
+constexpr std::string_view kSideWords[] = {
+    "left", "right", "front", "rear", "back", "middle", "mid", "fl", "fr", "rl",
+    "rr",   "hl",    "hr",    "bl",   "br",   "lf",     "rf",  "lh", "rh", "lr",
+    "lb",   "rb",    "ml",    "mr",   "lm",   "rm",     "l",   "r"};
 
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
@@ -76,7 +76,7 @@ std::string kind_of(std::string_view name) {
     const std::string_view text = name.substr(word.begin, word.end - word.begin);
     const std::string lower = lowered(text);
     bool is_place = is_digit(text[0]);
-    for (const std::string_view place : kPlaces) is_place = is_place || lower == place;
+    for (const std::string_view place : kSideWords) is_place = is_place || lower == place;
     kind += is_place ? "*" : lower;
     has_place = has_place || is_place;
   }

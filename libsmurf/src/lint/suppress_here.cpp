@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "smurf/suppress.hpp"
+#include "lint/suppress.hpp"
 
 namespace smurf {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "lint/file_selection.hpp"
-#include "smurf/suppress.hpp"
+#include "lint/suppress.hpp"
 
 namespace smurf {
 

@@ -81,18 +81,19 @@ void SurfaceSum::add(const Vector3& a, const Vector3& b, const Vector3& c) {
   second_[5] += volume * (py * pz + qy * qz + ry * rz + sy * sz);
 
   const std::uint64_t keys[] = {key_of(a), key_of(b), key_of(c)};
-  add_edge(keys[0], keys[1]);
-  add_edge(keys[1], keys[2]);
-  add_edge(keys[2], keys[0]);
+  const std::uint64_t edges =
+      add_edge(keys[0], keys[1]) + add_edge(keys[1], keys[2]) + add_edge(keys[2], keys[0]);
+  triangle_parity_ ^= edges * 0x9e3779b97f4a7c15U ^ edges >> 31U;
 }
 
-void SurfaceSum::add_edge(std::uint64_t from, std::uint64_t to) {
-  if (from == to) return;
+std::uint64_t SurfaceSum::add_edge(std::uint64_t from, std::uint64_t to) {
+  if (from == to) return 0;
   std::uint64_t edge = (from + to) ^ (from * to);
   edge = (edge ^ edge >> 29U) * 0xd6e8feb86659fd93U;
   edge ^= edge >> 32U;
   directed_ += from < to ? edge : -edge;
   parity_ ^= edge;
+  return from < to ? edge : -edge;
 }
 
 Closure SurfaceSum::closure() const {
@@ -122,7 +123,8 @@ std::optional<Solid> SurfaceSum::solid() const {
 }
 
 void SurfaceSum::write_to(MeshFacts& facts) {
-  facts.solid = solid();
+  // What is there twice encloses nothing that can be weighed.
+  facts.solid = is_doubled() ? std::nullopt : solid();
   facts.closure = closure();
   facts.outer = outer_.take();
 }

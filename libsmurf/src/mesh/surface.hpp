@@ -45,11 +45,14 @@ class SurfaceSum {
   explicit SurfaceSum(const TriangleVisitor& visit) : visit_(visit) {}
 
   void add(const Vector3& a, const Vector3& b, const Vector3& c);
-  /// Writes the solid, the closure and the outer points of the surface.
+  /// Writes the solid, the closure and the outer points of the surface. A surface that is closed,
+  /// but has each triangle twice, gets no solid.
   void write_to(MeshFacts& facts);
 
  private:
-  void add_edge(std::uint64_t from, std::uint64_t to);
+  /// A number for the edge.
+  std::uint64_t add_edge(std::uint64_t from, std::uint64_t to);
+  bool is_doubled() const { return origin_ && area_ > 0 && triangle_parity_ == 0; }
   Closure closure() const;
   /// None if the sum of area vectors shows a hole in the surface.
   std::optional<Solid> solid() const;
@@ -65,6 +68,7 @@ class SurfaceSum {
   // Sums of random numbers, one for each edge: 0 if each edge occurs once in each direction, or an
   // even number of times.
   std::uint64_t directed_ = 0, parity_ = 0;
+  std::uint64_t triangle_parity_ = 0;  ///< the same for triangles: 0 if each occurs twice
 };
 
 }  // namespace smurf

@@ -13,9 +13,9 @@
 #include "base/files/places.hpp"
 #include "base/files/system.hpp"
 #include "base/ranges.hpp"
+#include "plan/repository.hpp"
 #include "smurf/config.hpp"
 #include "smurf/plan.hpp"
-#include "smurf/repository.hpp"
 
 namespace smurf {
 namespace {

@@ -15,6 +15,8 @@
 #include "base/files/places.hpp"
 #include "base/files/system.hpp"
 #include "base/findings/limits.hpp"
+#include "base/text/words.hpp"
+#include "link/companions/kinds.hpp"
 #include "plan/paths.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/confine.hpp"
@@ -29,11 +31,19 @@ namespace {
 bool is_sought(std::string_view path) {
   const InputKind kind = input_kind(path);
   if (xacro::is_xacro_file(path)) return false;
+  // Most of these are no robots.
+  if (path::to_lower(path::extension(path)) == ".xml") return is_companion_path(path);
   return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf ||
          is_companion_path(path);
 }
 
 using places::Entry;
+
+/// Whether colcon fills the folder with copies of the packages.
+bool is_output_of_colcon(const std::string& folder, const std::map<std::string, Entry>& entries) {
+  return is_one_of(path::file_name(folder), {"install", "build", "log"}) &&
+         entries.contains("COLCON_IGNORE");
+}
 
 class Search {
  public:
@@ -49,6 +59,7 @@ class Search {
     std::sort(found_.files.begin(), found_.files.end());
     std::sort(found_.model_links.begin(), found_.model_links.end());
     std::sort(found_.xacro.begin(), found_.xacro.end());
+    std::sort(found_.yaml.begin(), found_.yaml.end());
     std::sort(found_.unreadable.begin(), found_.unreadable.end());
     return std::move(found_);
   }
@@ -94,6 +105,7 @@ class Search {
     });
     if (is_cut) return;
     if (error) fail(folder, error.value());
+    if (is_output_of_colcon(folder, entries)) return;
     for (const auto& [name, kind] : entries) {
       if (!name.starts_with('.')) visit(path::join(folder, name), kind);
     }
@@ -110,6 +122,8 @@ class Search {
       add(path, status);
     } else if (kind == Entry::file && xacro::is_xacro_file(path) && !is_left_out(path, false)) {
       found_.xacro.push_back(path);
+    } else if (kind == Entry::file && may_be_parameters(path) && !is_left_out(path, false)) {
+      found_.yaml.push_back(path);
     }
   }
 

@@ -14,6 +14,7 @@ InputKind input_kind(std::string_view path) {
   if (extension == ".smurfs" || extension == ".smurfa") return InputKind::scene;
   if (extension == ".svg") return InputKind::drawing;
   if (extension == ".urdf" || extension == ".xacro") return InputKind::urdf;
+  if (extension == ".mjcf" || extension == ".xml") return InputKind::urdf;
   if (extension == ".yml" || extension == ".yaml" || extension == ".json") {
     return InputKind::annotation;
   }

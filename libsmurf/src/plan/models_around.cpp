@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/models_around.hpp"
+#include "plan/models_around.hpp"
 
 #include <algorithm>
 #include <set>
@@ -89,6 +89,8 @@ const ModelsAround::Users& ModelsAround::using_in(const std::string& folder) {
   for (const std::string& name : files_.list(folder)) {
     const std::string candidate = path::join(folder, name);
     const InputKind kind = input_kind(candidate);
+    // Most of these are no robots.
+    if (path::to_lower(path::extension(candidate)) == ".xml") continue;
     if ((kind != InputKind::model && kind != InputKind::urdf) || is_exhausted()) continue;
     SourceMap sources;
     DiagnosticSink ignored(kNeighbour.findings);

@@ -37,7 +37,12 @@ std::optional<std::string> why_unreadable(const std::string& path, const FileRea
   if (content.status == ReadStatus::ok || content.status == ReadStatus::too_large) {
     return std::nullopt;
   }
-  if (places::is_link(path) && !places::exists(path)) return "is a link that leads to no file";
+  // The same for what is missing and for what lies outside, whose existence is nobody's concern.
+  const bool is_hidden =
+      content.status == ReadStatus::denied || content.status == ReadStatus::not_found;
+  if (places::is_link(path) && is_hidden) {
+    return "is a link to a file that is missing, or lies outside of the project";
+  }
   return content.reason;
 }
 

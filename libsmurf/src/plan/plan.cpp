@@ -9,23 +9,27 @@
 #include <optional>
 #include <set>
 
+#include "ast/format.hpp"
 #include "base/files/canonical_paths.hpp"
 #include "base/files/path.hpp"
 #include "base/files/path_patterns.hpp"
 #include "base/files/places.hpp"
 #include "base/findings/limits.hpp"
+#include "mjcf/mjcf.hpp"
 #include "plan/ignore_files.hpp"
+#include "plan/models_around.hpp"
 #include "plan/paths.hpp"
+#include "plan/xacro_files.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
-#include "smurf/format.hpp"
 #include "smurf/found_inputs.hpp"
-#include "smurf/models_around.hpp"
-#include "smurf/xacro_files.hpp"
+#include "smurf/xacro.hpp"
 
 namespace smurf {
 namespace {
+
+constexpr std::uint64_t kMostBytesOfCompanion = 1U << 20U;
 
 /// The files that a configuration excludes, and its own sections.
 struct Exclusions {
@@ -229,7 +233,8 @@ class Planner {
     for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
     const std::vector<std::string> roots =
         XacroFiles(found.xacro, files_, settings_.limits).roots();
-    const bool is_found = !found.files.empty() || !roots.empty();
+    for (const std::string& file : found.yaml) add(plan_.companions, file);
+    const bool is_found = !found.files.empty() || !roots.empty() || has_companion(found.yaml);
     if (!is_found && found.unreadable.empty() && !ignore_files_.is_exhausted()) {
       fail(why_nothing(found, folder));
     }
@@ -238,7 +243,7 @@ class Planner {
       switch (input_kind(file)) {
       case InputKind::scene: add(plan_.scenes, file); break;
       case InputKind::urdf:
-      case InputKind::other: add(plan_.strays, file); break;  // others are companions
+      case InputKind::other: add(plan_.others, file); break;  // others are companions
       default: add(plan_.models, file); break;
       }
     }
@@ -247,10 +252,10 @@ class Planner {
 
   /// A xacro file that no user named.
   void add_part_of_robot(const std::string& path) {
-    if (is_companion_path(path)) return;  // read with its robot
-    const std::size_t before = plan_.strays.size();
-    add(plan_.strays, path);
-    if (plan_.strays.size() > before) plan_.strays.back().may_be_part = true;
+    if (is_companion_path(path)) return add(plan_.companions, path);  // read with its robot
+    const std::size_t before = plan_.others.size();
+    add(plan_.others, path);
+    if (plan_.others.size() > before) plan_.others.back().may_be_part = true;
   }
 
   /// A file that others include is judged in their robots.
@@ -265,9 +270,9 @@ class Planner {
     }
     const std::vector<std::string> roots = known->second->roots_of(path);
     for (const std::string& root : roots) {
-      is_companion_path(root) ? add(plan_.strays, root) : add_part_of_robot(root);
+      is_companion_path(root) ? add(plan_.others, root) : add_part_of_robot(root);
     }
-    if (roots.empty()) add(plan_.strays, path);
+    if (roots.empty()) add(plan_.others, path);
   }
 
   void add_named(const std::string& path) {
@@ -277,10 +282,36 @@ class Planner {
       config_of_entry(path);  // every run checks the configurations that it reads
     } else if (!is_left_out_by_force(path)) {
       add_file(path);
+      mark_named(path);
     }
   }
 
+  /// A .xml of another language.
+  bool is_other_xml(const std::string& path) const {
+    if (path::to_lower(path::extension(path)) != ".xml") return false;
+    const FileContent content = files_.read(path, settings_.limits.file_bytes);
+    return content.status == ReadStatus::ok && !mjcf::is_mjcf(content.text);
+  }
+
+  void mark_named(const std::string& path) {
+    for (auto* files : {&plan_.models, &plan_.others, &plan_.companions}) {
+      if (!files->empty() && files->back().path == path) files->back().is_named = true;
+    }
+  }
+
+  /// Whether one of these files is a companion of a robot, which may be elsewhere.
+  bool has_companion(const std::vector<std::string>& paths) const {
+    return std::any_of(paths.begin(), paths.end(),
+                       [&](const std::string& path) { return is_companion(path); });
+  }
+
+  bool is_companion(const std::string& path) const {
+    const FileContent content = files_.read(path, kMostBytesOfCompanion);
+    return content.status == ReadStatus::ok && find_companion_kind(path, content.text) != nullptr;
+  }
+
   void add_file(const std::string& path) {
+    if (is_other_xml(path)) return add_other(path);
     switch (input_kind(path)) {
     case InputKind::scene:
     case InputKind::drawing: add(plan_.scenes, path); return;
@@ -290,10 +321,14 @@ class Planner {
     case InputKind::resource: add_resource(path); return;
     case InputKind::other: break;
     }
-    if (is_companion_path(path)) return add(plan_.strays, path);
+    add_other(path);
+  }
+
+  void add_other(const std::string& path) {
+    if (is_companion_path(path)) return add(plan_.others, path);
     fail(
         "cannot check '" + path +
-        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .srdf or .yml file; to check a URDF of "
+        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .mjcf, .srdf or .yml file; to check a URDF of "
         "another name: smurf-lint --stdin-filename NAME.urdf - < FILE");
   }
 
@@ -319,6 +354,9 @@ class Planner {
     if (settings_.stands_for_users && xacro::is_xacro_file(path)) return add_xacro(path);
     const std::vector<std::string> models = models_.listing(path);
     for (const std::string& model : models) add(plan_.models, model);
+    if (models.empty() && input_kind(path) == InputKind::annotation && is_companion(path)) {
+      return add(plan_.companions, path);
+    }
     const bool is_passed_over =
         settings_.stands_for_users && input_kind(path) == InputKind::annotation;
     if (!models.empty() || is_passed_over) return;
@@ -326,7 +364,7 @@ class Planner {
       return fail("cannot check '" + path +
                   "': it has no section of SMURF, such as `motors`, and no model lists it");
     }
-    add(plan_.strays, path);
+    add(plan_.others, path);
   }
 
   void add_resource(const std::string& path) {

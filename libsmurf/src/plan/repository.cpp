@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/repository.hpp"
+#include "plan/repository.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/xacro_files.hpp"
+#include "plan/xacro_files.hpp"
 
 #include <algorithm>
 #include <map>
@@ -9,8 +9,9 @@
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "plan/paths.hpp"
+#include "plan/project_inputs.hpp"
+#include "plan/xacro_text.hpp"
 #include "smurf/confine.hpp"
-#include "smurf/xacro_text.hpp"
 
 namespace smurf {
 namespace {
@@ -160,34 +161,10 @@ std::vector<std::string> XacroFiles::meant_by(const std::string& written,
   return meant;
 }
 
-namespace {
-
-/// The project around a file, spelled like the path of the file.
-std::string project_beside(const std::string& path) {
-  const std::string project = project_around(path);
-  std::string folder(path::parent(path));
-  for (std::string at = identity(folder.empty() ? "." : folder); at != project;
-       at = path::parent(at)) {
-    if (at.size() <= project.size()) return project;  // behind a link
-    folder = path::join(folder, "..");
-  }
-  return folder.empty() ? "." : folder;
-}
-
-}  // namespace
-
 XacroFiles xacro_files_around(const std::string& path, const FileReader& reader,
                               const Limits& limits, const LeftOut& is_left_out) {
   if (project_around(path).empty()) return {{path}, reader, limits};
-  std::vector<std::string> files = find_inputs(project_beside(path), limits, is_left_out).xacro;
-  const std::string here = identity(".");
-  for (std::string& file : files) {
-    if (!file.starts_with("../")) continue;
-    // Out of the current folder, and back into it.
-    const std::string inside = places::relative(identity(file), here);
-    if (!inside.empty() && !inside.starts_with("../")) file = inside;
-  }
-  return {std::move(files), reader, limits};
+  return {inputs_around(path, limits, is_left_out).xacro, reader, limits};
 }
 
 }  // namespace smurf

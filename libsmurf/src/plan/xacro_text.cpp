@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf/xacro_text.hpp"
+#include "plan/xacro_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -106,14 +106,21 @@ void see(const LinkedModel& model, std::span<Diagnostic* const> found) {
 }
 
 constexpr ReaderVersion kInFortress[] = {{&gazebo, {12, 3}}};
+constexpr ReaderVersion kInGarden[] = {{&gazebo, {13, 0}}};
 constexpr ReaderVersion kInHarmonic[] = {{&gazebo, {14, 0}}};
 constexpr ReaderVersion kInIonic[] = {{&gazebo, {15, 0}}};
+constexpr ReaderVersion kInJetty[] = {{&gazebo, {16, 0}}};
 
 constexpr Reader kFortress{.name = "gazebo:fortress",
                            .title = "Gazebo Fortress",
                            .basis = "sdformat 12.3.0, executed",
                            .like = &gazebo,
                            .parts = kInFortress};
+constexpr Reader kGarden{.name = "gazebo:garden",
+                         .title = "Gazebo Garden",
+                         .basis = "sdformat 13, not executed",
+                         .like = &gazebo,
+                         .parts = kInGarden};
 constexpr Reader kHarmonic{.name = "gazebo:harmonic",
                            .title = "Gazebo Harmonic",
                            .basis = "sdformat 14, not executed",
@@ -124,7 +131,12 @@ constexpr Reader kIonic{.name = "gazebo:ionic",
                         .basis = "sdformat 15, not executed",
                         .like = &gazebo,
                         .parts = kInIonic};
-constexpr const Reader* kReleases[] = {&kFortress, &kHarmonic, &kIonic};
+constexpr Reader kJetty{.name = "gazebo:jetty",
+                        .title = "Gazebo Jetty",
+                        .basis = "sdformat 16, not executed",
+                        .like = &gazebo,
+                        .parts = kInJetty};
+constexpr const Reader* kReleases[] = {&kFortress, &kGarden, &kHarmonic, &kIonic, &kJetty};
 
 }  // namespace
 

@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Phobos 2, which reads URDF with Python's XML and YAML with PyYAML.
-#include "base/findings/readers.hpp"
-
 #include <array>
+#include <iterator>
+
+#include "base/findings/readers.hpp"
+#include "base/findings/rules.hpp"
 
 namespace smurf::readers::phobos_file {
 namespace {
 
+using namespace rules;
+
 /// Rules on invalid numbers in a URDF.
-constexpr std::array<std::string_view, 5> kNoNumber = {"SML1801", "SML1805", "SML1806", "SML1807",
-                                                       "SML1809"};
+constexpr const Rule* kNoNumber[] = {&sml1801_not_a_number, &sml1805_decimal_comma,
+                                     &sml1806_comma_separator, &sml1807_vector_count,
+                                     &sml1809_hex_or_suffix};
 /// The attributes that Phobos uses in computations or for colours when it loads them.
 constexpr std::array<Where, 5> kComputed = {at("origin/@xyz"), at("origin/@rpy"), at("axis/@xyz"),
                                             at("color/@rgba"), at("inertia/@ixx")};
 
 constexpr auto kFamilies = [] {
-  std::array<FamilyFact, kNoNumber.size() * (kComputed.size() + 1)> facts{};
+  std::array<FamilyFact, std::size(kNoNumber) * (kComputed.size() + 1)> facts{};
   std::size_t next = 0;
-  for (const std::string_view rule : kNoNumber) {
+  for (const Rule* rule : kNoNumber) {
     for (const Where& attribute : kComputed) {
-      facts[next++] = {rule,
+      facts[next++] = {*rule,
                        {&phobos, Effect::refuses, "stops with an exception", kRun, attribute}};
     }
-    facts[next++] = {rule, {&phobos, Effect::changes, "keeps the text", kRun}};
+    facts[next++] = {*rule, {&phobos, Effect::changes, "keeps the text", kRun}};
   }
   return facts;
 }();

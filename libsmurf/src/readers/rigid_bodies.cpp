@@ -204,6 +204,20 @@ std::vector<bool> massless_bodies(const LinkedModel& model, Case names) {
   return result;
 }
 
+BodiesOfMujoco::BodiesOfMujoco(const LinkedModel& model) : massless_(massless_bodies(model)) {
+  const std::vector<std::size_t> body = bodies(model);
+  std::vector<bool> has_inertial(body.size(), false);  // by the topmost link
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    if (model.robot->links[i].inertial) has_inertial[body[i]] = true;
+  }
+  adds_.resize(body.size());
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const urdf::Link& link = model.robot->links[i];
+    adds_[i] = !link.inertial && !link.collisions.empty() && has_inertial[body[i]] &&
+               model.tree.parent_joint[body[i]].has_value();
+  }
+}
+
 bool has_fixed_mass(const LinkedModel& model, LinkIndex start) {
   std::vector<LinkIndex> queue{start};
   while (!queue.empty()) {

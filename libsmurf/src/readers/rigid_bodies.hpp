@@ -19,6 +19,22 @@ enum class Case { ignored, heeded };
 /// reader could compute one.
 std::vector<bool> massless_bodies(const LinkedModel& model, Case names = Case::ignored);
 
+/// The bodies that MuJoCo builds: it merges what fixed joints connect, welds the root to the world,
+/// and gives the collisions of a link without an inertial the density of water.
+class BodiesOfMujoco {
+ public:
+  explicit BodiesOfMujoco(const LinkedModel& model);
+
+  /// Whether the link is part of a moving body without mass and collisions.
+  bool is_massless(std::size_t link) const { return massless_[link]; }
+  /// Whether the link has no inertial, but collisions that add to the mass of a moving body in
+  /// which another link has one.
+  bool adds_mass_of_shapes(std::size_t link) const { return adds_[link]; }
+
+ private:
+  std::vector<bool> massless_, adds_;  ///< by link
+};
+
 /// True when the link, or a link fixed to it, has an inertial.
 bool has_fixed_mass(const LinkedModel& model, LinkIndex link);
 

@@ -55,6 +55,9 @@ Json to_json(const TargetVerdict& target, const SourceMap& sources) {
   for (const TargetVerdict& later : target.newer) {
     json["later_releases"][std::string(later.reader->name)] = text(to_string(later.answer()));
   }
+  for (const TargetVerdict& one : target.earlier) {
+    json["earlier_releases"][std::string(one.reader->name)] = text(to_string(one.answer()));
+  }
   if (target.fact == nullptr) return json;
   Json first = {{"id", text(target.rule->id)},
                 {"effect", text(to_string(target.fact->effect))},
@@ -100,6 +103,15 @@ Json report_json(const SourceMap& sources, const Summary& summary, const ToolNam
   if (summary.links > 0) report["summary"]["links"] = summary.links;
   for (const auto& [title, count] : summary.companions) {
     report["summary"]["companions"][std::string(title)] = count;
+  }
+  for (const std::string& one : summary.assumptions) {
+    report["summary"]["assumptions"].push_back(one);
+  }
+  for (const NotCompared& one : summary.not_compared) {
+    report["summary"]["not_compared"].push_back({{"path", one.path},
+                                                 {"kind", std::string(one.kind)},
+                                                 {"reason", one.reason},
+                                                 {"next", one.next}});
   }
   report["diagnostics"] = Json::array();
   for (const TargetVerdict& target : targets) {

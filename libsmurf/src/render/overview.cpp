@@ -17,8 +17,8 @@
 #include "render/paint.hpp"
 #include "render/printable.hpp"
 #include "render/wrap.hpp"
-#include "smurf/readers.hpp"
 #include "smurf/render.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf {
 namespace {
@@ -30,6 +30,14 @@ constexpr std::size_t kMostNames = 15;  ///< number of files listed by name only
 constexpr std::size_t kFewest = 3;      ///< fewer findings are shown instead of counted
 constexpr std::size_t kScreen = 8;      ///< findings that fit on about one screen
 constexpr std::size_t kOverviewColumns = 80;
+
+/// Rules about xacro, and about the files around a robot.
+bool is_often_the_answer(const Rule& rule) {
+  constexpr std::string_view kFamilies[] = {"SML33", "SML35", "SML36", "SML37", "SML38",
+                                            "SML39", "SML42", "SML44", "SML45"};
+  return std::any_of(std::begin(kFamilies), std::end(kFamilies),
+                     [&](std::string_view family) { return rule.id.starts_with(family); });
+}
 
 /// The findings of one severity in one file.
 struct Section {
@@ -49,7 +57,7 @@ class Overview {
     std::map<std::pair<Severity, std::string_view>, std::size_t> section_of;
     for (const Diagnostic& each : diagnostics) {
       const Diagnostic* shown = causes_ ? causes_->shown(each) : &each;
-      if (shown == nullptr || shown->severity < options.least) continue;
+      if (shown == nullptr || !is_shown(*shown, options)) continue;
       const Diagnostic& one = *shown;
       const SourceId file = one.span.source;
       auto& sections = by_severity[static_cast<std::size_t>(one.severity)];
@@ -106,6 +114,9 @@ class Overview {
   static std::string without_numbers(std::string text) {
     std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
     return text;
+  }
+  static std::string_view remedy_of(const Diagnostic& one) {
+    return one.fixes.empty() ? std::string_view() : std::string_view(one.help_text);
   }
   bool is_of_another_robot(const Diagnostic& one) const {
     return robots_at_.at(place_of(one)).front() != one.span.source;
@@ -173,7 +184,9 @@ class Overview {
 
   std::vector<Kind> kinds_of(const Section& section) {
     std::vector<Kind> kinds;
-    // Notes may say what is special about a finding, such as the variant of its robot.
+    // Notes may say what is special about a finding, such as the variant of its robot. With another
+    // remedy, a finding is another one. Advice without a fix is a guess, and guesses about one
+    // fault would exclude each other: that of the first is shown.
     using Text = std::tuple<const Rule*, std::string, std::string_view, std::vector<std::string>>;
     std::map<Text, std::size_t> index;
     for (const Diagnostic* one : section.findings) {
@@ -184,7 +197,7 @@ class Overview {
       const Repeated& repeated = repeated_[{one->rule, one->message}];
       if (repeated.first != path_of(section.file) || is_of_another_robot(*one)) continue;
       const auto [kind, is_new] = index.try_emplace(
-          {one->rule, without_numbers(without_names(one->message)), one->help_text, one->notes},
+          {one->rule, without_numbers(without_names(one->message)), remedy_of(*one), one->notes},
           kinds.size());
       if (is_new) kinds.emplace_back();
       kinds[kind->second].findings.push_back(one);
@@ -328,6 +341,20 @@ class Overview {
 };
 
 }  // namespace
+
+bool is_shown(const Diagnostic& diagnostic, const OverviewOptions& options) {
+  return diagnostic.severity >= options.least ||
+         (options.shows_answers && is_often_the_answer(*diagnostic.rule));
+}
+
+OverviewOptions show_answers(OverviewOptions options, std::span<const Diagnostic> diagnostics) {
+  constexpr std::ptrdiff_t kMost = 9;
+  options.shows_answers = true;
+  const auto count = std::count_if(diagnostics.begin(), diagnostics.end(),
+                                   [&](const Diagnostic& one) { return is_shown(one, options); });
+  options.shows_answers = count <= kMost;
+  return options;
+}
 
 std::string render_overview(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                             const OverviewOptions& options, const TextStyle& style) {

@@ -191,6 +191,49 @@ std::string robots_of_srdfs(const Summary& summary) {
   return text + (has_lone ? ", an SRDF without its robot" : "");
 }
 
+/// Values of arguments from launch files.
+std::string assumptions(const Summary& summary) {
+  constexpr std::size_t kMostShown = 6;
+  std::string text;
+  std::size_t count = 0;
+  for (const std::string& one : summary.assumptions) {
+    if (++count <= kMostShown) text += "checked " + render::escape(one) + "\n";
+  }
+  if (count > kMostShown) {
+    text +=
+        "checked " + counted(count - kMostShown, "more robot") + " with values in launch files\n";
+  }
+  return text;
+}
+
+/// The companions that were not compared, those with the same reason together.
+std::string not_compared(const Summary& summary) {
+  constexpr std::size_t kMostShown = 3;  // files of a reason
+  constexpr std::size_t kMostReasons = 8;
+  std::vector<std::pair<const NotCompared*, std::vector<std::string>>> groups;
+  for (const NotCompared& one : summary.not_compared) {
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& other) {
+      return other.first->reason == one.reason && other.first->next == one.next;
+    });
+    if (group == groups.end()) group = groups.insert(groups.end(), {&one, {}});
+    group->second.push_back(quoted(render::escape(one.path)));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < groups.size() && i < kMostReasons; ++i) {
+    auto& [first, files] = groups[i];
+    const std::size_t more = files.size() - std::min(files.size(), kMostShown);
+    if (more > 0) files.resize(kMostShown);
+    if (more > 0) files.push_back(std::to_string(more) + " more");
+    text += "not compared: " + render::enumerate(files) + ": " + render::escape(first->reason) +
+            "; " + render::escape(first->next) + "\n";
+  }
+  if (groups.size() > kMostReasons) {
+    text += "not compared: files with " + counted(groups.size() - kMostReasons, "more reason") +
+            "; --format json lists all of them\n";
+  }
+  return text;
+}
+
 std::string companions_of(const Summary& summary) {
   std::vector<std::string> parts;
   for (const auto& [title, count] : summary.companions) {
@@ -232,7 +275,7 @@ std::string render_summary(const Summary& summary, const TextStyle& style) {
            " out of the folder " + (is_one ? "was" : "were") +
            " not followed; name what to check there\n";
   }
-  return out;
+  return out + assumptions(summary) + not_compared(summary);
 }
 
 std::string render_statistics(std::span<const Diagnostic> diagnostics, const TextStyle& style,

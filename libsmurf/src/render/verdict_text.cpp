@@ -72,7 +72,8 @@ std::string render_targets(std::span<const TargetVerdict> targets, const SourceM
     out += paint(Ink::strong, name) + std::string(indent - name.size(), ' ') +
            render::verdict_of(target, paint) + "\n";
     if (target.fact != nullptr) out += render::wrap(reason_of(target, sources), indent, kColumns);
-    if (const TargetVerdict* other = find_other_release(target)) {
+    for (const TargetVerdict* other : {find_earlier_release(target), find_other_release(target)}) {
+      if (other == nullptr) continue;
       out += std::string(indent, ' ') + std::string(target.reader->releases.front()->name) +
              " is meant; " + std::string(other->reader->name) + ": " +
              render::verdict_of(*other, paint) + "\n";

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "render/paint.hpp"
-#include "smurf/readers.hpp"
+#include "smurf/verdict.hpp"
 
 namespace smurf::render {
 

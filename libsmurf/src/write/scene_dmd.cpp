@@ -3,6 +3,7 @@
 // quaternions (common/schema/rotation.h).
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "base/numbers/exact_math.hpp"
@@ -48,8 +49,11 @@ class DirectivesWriter {
     for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
       if (is_written_[i]) add_weld(i);
     }
-    const std::string_view start = "# package.xml beside this file names the package `scene`: "
-                                   "parser.package_map().AddPackageXml(\"package.xml\")\n";
+    for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
+      if (is_written_[i]) add_filters(i);
+    }
+    const std::string_view start = "# The package `scene` is the folder of this file: "
+                                   "parser.package_map().Add(\"scene\", \"FOLDER\")\n";
     out_.insert(0, std::string(start) + (out_.empty() ? "directives: []\n" : "directives:\n"));
     losses_.table();
     losses_.files_in_archives();
@@ -136,6 +140,39 @@ class DirectivesWriter {
     add_pose(X_PC, "      ");
   }
 
+  /// A group for each link that must not touch others, or one that ignores itself.
+  void add_filters(std::size_t i) {
+    const LinkedModel& model = *robot_of(i);
+    const auto link = [&](std::size_t at) {
+      return quoted(names_[i] + "::" + link_name(model, at));
+    };
+    const auto group = [&](std::size_t at) {
+      return names_[i] + "_contacts_of_" + link_name(model, at);
+    };
+    const auto add = [&](const std::string& name, const std::string& members,
+                         const std::string& ignored) {
+      out_ += "- add_collision_filter_group:\n    name: " + quoted(name) + "\n    members: [" +
+              members + "]\n    ignored_collision_filter_groups: [" + ignored + "]\n";
+    };
+    if (scene_.contacts.choice == SelfCollision::none) {
+      std::string members;
+      for (const LinkIndex one : model.tree.order) {
+        members += (members.empty() ? "" : ", ") + link(to_size(one));
+      }
+      const std::string name = names_[i] + "_contacts";
+      return add(name, members, quoted(name));
+    }
+    const auto pairs = scene_.contacts.left_out.find(&model);
+    if (pairs == scene_.contacts.left_out.end()) return;
+    std::map<std::size_t, std::string> ignored;  // by link; Drake needs one direction only
+    for (const auto& [a, b] : pairs->second) {
+      std::string& names = ignored[a];
+      names += (names.empty() ? "" : ", ") + quoted(group(b));
+      ignored.try_emplace(b);
+    }
+    for (const auto& [at, names] : ignored) add(group(at), link(at), names);
+  }
+
   const SceneExport& scene_;
   SceneLosses losses_;
   std::vector<std::string> names_;
@@ -152,6 +189,7 @@ extern constinit const SceneFormat scene_dmd{
     .write = [](const SceneExport& scene) { return DirectivesWriter(scene).run(); },
     .remark = "Drake finds the models with parser.package_map().Add(\"scene\", \"FOLDER\")",
     .has_reference_form = true,
-    .has_expanded_form = false};
+    .has_expanded_form = false,
+    .has_contacts = true};
 
 }  // namespace smurf::scene_dmd_file

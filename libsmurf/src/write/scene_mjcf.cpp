@@ -11,15 +11,16 @@
 #include "base/text/unique_names.hpp"
 #include "write/mjcf/mjcf_attach.hpp"
 #include "write/mjcf/mjcf_excludes.hpp"
-#include "write/mjcf/mjcf_sensors.hpp"
+#include "write/mjcf/mjcf_loops.hpp"
 #include "write/parts/annotated_colors.hpp"
+#include "write/parts/body_inertia.hpp"
 
 namespace smurf::scene_mjcf_file {
 namespace {
 
-class MjcfWriter : MjcfSensors {
+class MjcfWriter : MjcfLoops {
  public:
-  using MjcfSensors::MjcfSensors;
+  using MjcfLoops::MjcfLoops;
 
   std::string run() {
     find_children();
@@ -30,8 +31,10 @@ class MjcfWriter : MjcfSensors {
     add_lights();
     if (scene_.ground) {
       const double half = kGroundSize / 2;
-      xml_.empty("geom",
-                 {{"class", "solid"}, {"type", "plane"}, {"size", join_numbers({half, half, 1})}});
+      xml_.empty("geom", {{"class", "solid"},
+                          {"type", "plane"},
+                          {"size", join_numbers({half, half, 1})},
+                          {"name", geom_names_.add("ground")}});
     }
     for (std::size_t i = 0; i < count(); ++i) {
       if (is_top_level_[i] && flat(i).X_WE) add_top_level(i);
@@ -226,18 +229,19 @@ class MjcfWriter : MjcfSensors {
     if (moves) add_free_joint(free_joint, pose);
     if (joint != nullptr) moves = add_joint(i, model, *joint);
     const urdf::Link& written = model.robot->links[link];
-    auto mass = inertial_of(written);
-    if (auto of_shapes = inertial_of_shapes(model, written); of_shapes && moves) {
-      mass = std::move(of_shapes);
-      losses_.note(kAbsentInertias, written.span, link_name(model, link));
+    if (moves) {
+      const LinkMass mass = link_mass(model, written);
+      if (!mass.chosen.empty()) losses_.note(mass.chosen, written.span, link_name(model, link));
+      add_inertial(mass.mass, moves, written.span, link_name(model, link));
+    } else if (const auto mass = inertial_of(written)) {
+      add_inertial(*mass, moves, written.span, link_name(model, link));
     }
-    if (!mass && moves) {
-      mass = smallest_mass();
-      losses_.note(kInventedMasses, written.span, link_name(model, link));
+    if (add_geoms(i, model, written)) {
+      welded->add(i, body);
+      touching_.emplace(i, link);
     }
-    if (mass) add_inertial(*mass, moves, written.span, link_name(model, link));
-    if (add_geoms(i, model, written)) welded->add(i, body);
     add_mounts(i, link);
+    add_loop_sites(i, link);
   }
 
   /// False if the joint does not move.
@@ -252,17 +256,20 @@ class MjcfWriter : MjcfSensors {
     const double lower = is_limited ? joint.limit->lower.value_or(0) : 0;
     const double upper = is_limited ? joint.limit->upper.value_or(0) : 0;
     const bool is_linear = joint.type == urdf::JointType::prismatic;
-    xml_.empty(
-        "joint",
-        {{"name", name(i, joint.name.value_or(""))},
-         {"type", is_linear ? "slide" : "hinge"},
-         {"axis", join_numbers(losses_.axis_of(joint))},
-         {"limited", is_limited && lower < upper ? "true" : "false"},
-         {"range", join_numbers({lower, upper})},
-         {"damping", format_number(joint.dynamics ? joint.dynamics->damping.value_or(0) : 0)},
-         {"frictionloss",
-          format_number(joint.dynamics ? joint.dynamics->friction.value_or(0) : 0)}});
-    add_start(format_number(start_position(model, joint, scene_.joint_positions(i))));
+    const DriveGains gains = gains_of(i, joint);
+    const auto& dynamics = joint.dynamics;
+    const double damping = dynamics ? dynamics->damping.value_or(0) : 0;
+    std::vector<XmlText::Attribute> attributes{
+        {"name", name(i, joint.name.value_or(""))},
+        {"type", is_linear ? "slide" : "hinge"},
+        {"axis", join_numbers(losses_.axis_of(joint))},
+        {"limited", is_limited && lower < upper ? "true" : "false"},
+        {"range", join_numbers({lower, upper})},
+        {"damping", format_number(damping + gains.damping)},
+        {"frictionloss", format_number(dynamics ? dynamics->friction.value_or(0) : 0)}};
+    if (gains.armature > 0) attributes.emplace_back("armature", format_number(gains.armature));
+    xml_.empty("joint", attributes);
+    add_start(format_number(start_of(i, joint)));
     if (joint.mimic) add_follower(i, model, joint);
     return true;
   }
@@ -289,7 +296,7 @@ class MjcfWriter : MjcfSensors {
       if (geometry && !geom) note_empty(*geometry, visual.span, link);
       if (!geom) continue;
       is_shown = true;
-      add_name(*geom, i, visual.name);
+      add_name(*geom, i, link, visual.name, "visual");
       std::optional<Rgba> color = colors_.of(visual, model, flat_model);
       const auto texture = texture_of(visual, model, flat_model);
       const auto* mesh = std::get_if<FlatMesh>(&*geometry);
@@ -312,7 +319,7 @@ class MjcfWriter : MjcfSensors {
       auto geom = geometry ? geom_of(is_shown ? "collision" : "solid", *geometry) : std::nullopt;
       if (geometry && !geom) note_empty(*geometry, collision.span, link);
       if (!geom) continue;
-      add_name(*geom, i, collision.name);
+      add_name(*geom, i, link, collision.name, "collision");
       add_geom(std::move(*geom), urdf::to_pose(collision.origin), std::nullopt,
                contacts_of(model).of(collision, link));
       can_touch = true;
@@ -338,10 +345,13 @@ class MjcfWriter : MjcfSensors {
     losses_.note(kEmptyShapes, span, link.name.value_or({}));
   }
 
-  /// Visuals and collisions share one name space in MJCF, but not in a URDF.
-  void add_name(std::vector<XmlText::Attribute>& geom, std::size_t i,
-                const Field<std::string>& written) {
-    if (written) geom.emplace_back("name", geom_names_.add(name(i, *written)));
+  /// Visuals and collisions share one name space in MJCF, but not in a URDF. Names are those that
+  /// libsdformat gives.
+  void add_name(std::vector<XmlText::Attribute>& geom, std::size_t i, const urdf::Link& link,
+                const Field<std::string>& written, std::string_view kind) {
+    const std::string shape =
+        written ? *written : link.name.value_or("link") + "_" + std::string(kind);
+    geom.emplace_back("name", geom_names_.add(name(i, shape)));
   }
 
   const CollisionContacts& contacts_of(const LinkedModel& model) {
@@ -349,14 +359,46 @@ class MjcfWriter : MjcfSensors {
   }
 
   void add_excludes() {
+    std::set<std::pair<std::string, std::string>> done;
     bool is_open = false;
-    excludes_.for_each([&](const std::string& body, const std::string& other) {
+    const auto exclude = [&](const std::string& body, const std::string& other) {
+      if (!done.insert(std::minmax(body, other)).second) return true;
       if (!is_open) xml_.open("contact");
       is_open = true;
       xml_.empty("exclude", {{"body1", body}, {"body2", other}});
       return !xml_.is_full();
-    });
+    };
+    const SelfCollision choice = scene_.contacts.choice;
+    if (choice == SelfCollision::none) {
+      exclude_all(exclude);
+    } else if (choice != SelfCollision::all) {
+      excludes_.for_each(exclude);
+    }
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (robot_of(i) == nullptr || !flat(i).X_WE) continue;
+      exclude_loop_ends(i, exclude);
+      const auto pairs = scene_.contacts.left_out.find(robot_of(i));
+      if (pairs == scene_.contacts.left_out.end()) continue;
+      for (const auto& [a, b] : pairs->second) {
+        if (!touching_.contains({i, a}) || !touching_.contains({i, b})) continue;
+        exclude(name(i, link_name(*robot_of(i), a)), name(i, link_name(*robot_of(i), b)));
+      }
+    }
     if (is_open) xml_.close();
+  }
+
+  /// All pairs of bodies of an instance that can touch.
+  void exclude_all(const auto& exclude) {
+    for (auto one = touching_.begin(); one != touching_.end(); ++one) {
+      for (auto other = std::next(one); other != touching_.end(); ++other) {
+        if (other->first != one->first) break;
+        const LinkedModel& model = *robot_of(one->first);
+        if (!exclude(name(one->first, link_name(model, one->second)),
+                     name(one->first, link_name(model, other->second)))) {
+          return;
+        }
+      }
+    }
   }
 
   void add_equalities() {
@@ -366,8 +408,13 @@ class MjcfWriter : MjcfSensors {
                            joint->mimic->offset.value_or(0), joint->mimic->multiplier.value_or(1)});
     }
     append_driven_followers(followers);
-    if (followers.empty()) return;
+    std::vector<std::size_t> in_loops;
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (flat(i).X_WE && has_loops(i)) in_loops.push_back(i);
+    }
+    if (followers.empty() && in_loops.empty()) return;
     xml_.open("equality");
+    for (const std::size_t i : in_loops) add_loop_equalities(i);
     for (const MjcfFollower& follower : followers) {
       xml_.empty("joint",
                  {{"joint1", follower.joint},
@@ -387,10 +434,10 @@ class MjcfWriter : MjcfSensors {
   std::vector<bool> is_top_level_;
   std::vector<Floating> floating_;
   MjcfExcludes excludes_;
+  std::set<PlaceOfLink> touching_;  ///< links with a shape that can touch others
   std::map<PlaceOfLink, std::vector<std::size_t>> children_;
   std::map<const LinkedModel*, CollisionContacts> contacts_;
   AnnotatedColors colors_;
-  UniqueNames geom_names_;
   std::map<std::string, std::string> textures_;  ///< file -> name of its material
   std::set<std::string_view> existing_;          ///< names of the model's declared meshes
   std::set<const urdf::Joint*> reported_;
@@ -401,10 +448,7 @@ RepeatedParts repeated_parts(const LinkedModel& model) {
   RepeatedParts parts = mjcf_devices(model);
   parts.names += model.robot->links.size();
   for (const urdf::Link& link : model.robot->links) {
-    const auto has_name = [](const auto& shape) { return shape.name.has_value(); };
-    parts.names += static_cast<std::uint64_t>(
-        std::count_if(link.visuals.begin(), link.visuals.end(), has_name) +
-        std::count_if(link.collisions.begin(), link.collisions.end(), has_name));
+    parts.names += link.visuals.size() + link.collisions.size();
   }
   for (const urdf::Joint& joint : model.robot->joints) parts.names += joint.mimic ? 3 : 1;
   return parts;
@@ -423,6 +467,8 @@ extern constinit const SceneFormat scene_mjcf{
     .has_reference_form = true,
     .has_ground = true,
     .repeats_models = true,
+    .has_motors = true,
+    .has_contacts = true,
     .fixes_world_roots = true,
     .repeated_parts = repeated_parts};
 

@@ -11,6 +11,7 @@
 #include "write/losses/scene_losses.hpp"
 #include "write/parts/annotated_colors.hpp"
 #include "write/parts/body_inertia.hpp"
+#include "write/parts/loops.hpp"
 #include "write/parts/scene_parts.hpp"
 #include "write/sdf/sdf_model.hpp"
 #include "write/sdf/sdf_names.hpp"
@@ -35,6 +36,7 @@ class SdfWriter {
     if (scene_.ground) add_ground();
     add_groups();
     if (!is_old_) add_sdf_systems(xml_, scene_.scene);
+    check_heightmaps();
     losses_.table();
     losses_.files_in_archives();
     return xml_.finish();
@@ -67,6 +69,17 @@ class SdfWriter {
   }
 
   void add_pose(const Pose& pose) { add_sdf_pose(xml_, pose, is_old_); }
+
+  void check_heightmaps() {
+    for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
+      for (const FlatShape& shape : flat(i).shapes) {
+        const auto* map = std::get_if<FlatHeightmap>(&shape.geometry);
+        if (map == nullptr || !flat(i).X_WE || is_heightmap_of_gazebo(scene_.meshes, *map))
+          continue;
+        losses_.note(kOddHeights, place_of(*flat(i).entity), flat(i).path);
+      }
+    }
+  }
 
   /// Defaults are written as well, so that all simulators read the same world.
   void add_physics() {
@@ -233,6 +246,9 @@ class SdfWriter {
       const std::size_t parent = bodies[to_size(*model.tree.joint_parent[to_size(*above)])];
       add_joint(i, model, model.joint(*above), links_of(model)[parent], links_of(model)[at]);
     }
+    for (const Loop& loop : loops_of(model)) {
+      if (loop.joint != nullptr) add_loop(i, model, loop);
+    }
     if (flat(i).anchor.kind == Attachment::Kind::world) {
       add_fixed_joint("anchor_to_world", "world", root_name(i));
     }
@@ -246,13 +262,9 @@ class SdfWriter {
     xml_.open("link", {{"name", links_of(model)[body]}});
     add_pose(*X_EL[body]);
     const urdf::Link& whole = model.robot->links[body];
-    auto mass = inertial_of(whole);
-    if (auto of_shapes = inertial_of_shapes(model, whole)) {
-      mass = std::move(of_shapes);
-      losses_.note(kAbsentInertias, whole.span, link_name(model, body));
-    }
-    if (!mass) losses_.note(kInventedMasses, whole.span, link_name(model, body));
-    const BodyInertia inertia = body_inertia(mass.value_or(smallest_mass()), 0, 0);
+    const LinkMass mass = link_mass(model, whole);
+    if (!mass.chosen.empty()) losses_.note(mass.chosen, whole.span, link_name(model, body));
+    const BodyInertia inertia = body_inertia(mass.mass, 0, 0);
     if (inertia.is_changed) losses_.note(kRefusedInertias, whole.span, link_name(model, body));
     add_sdf_inertial(xml_, inertia.mass, is_old_);
     UniqueNames sensors;
@@ -330,9 +342,26 @@ class SdfWriter {
     xml_.open("joint", {{"name", name}, {"type", type}});
     xml_.leaf("parent", parent);
     xml_.leaf("child", child);
-    if (joint.has_one_axis()) add_axis(i, model, joint);
+    if (joint.has_one_axis()) add_axis(i, model, joint, start_of(i, model, joint));
     UniqueNames sensors;
     parts_of(model).add_to_joint(xml_, joint, is_old_, sensors);
+    xml_.close();
+  }
+
+  /// A joint to a second parent; its zero is at the start, as that of others.
+  void add_loop(std::size_t i, const LinkedModel& model, const Loop& loop) {
+    const std::vector<std::optional<Pose>>& X_EL = frames_of(scene_, i, frames_);
+    const std::vector<std::size_t>& bodies = parts_of(model).bodies;
+    const std::size_t child = bodies[loop.child];
+    const bool is_hinge = loop.kind == LoopKind::hinge;
+    const LoopGap gap = gap_of(loop, X_EL);
+    xml_.open("joint", {{"name", joint_name(model, *loop.joint)},
+                        {"type", is_hinge ? "revolute" : "fixed"}});
+    add_pose(inverse(*X_EL[child]) * *X_EL[loop.parent] * loop.X_PJ *
+             Pose{{}, from_axis_angle(loop.axis, gap.turn)});
+    xml_.leaf("parent", links_of(model)[bodies[loop.parent]]);
+    xml_.leaf("child", links_of(model)[child]);
+    if (is_hinge) add_axis(i, model, *loop.joint, gap.turn);
     xml_.close();
   }
 
@@ -358,8 +387,7 @@ class SdfWriter {
     return start_position(model, joint, scene_.joint_positions(i));
   }
 
-  void add_axis(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
-    const double start = start_of(i, model, joint);
+  void add_axis(std::size_t i, const LinkedModel& model, const urdf::Joint& joint, double start) {
     xml_.open("axis");
     xml_.leaf("xyz", join_numbers(losses_.axis_of(joint)));
     xml_.open("limit");

@@ -398,6 +398,7 @@ extern constinit const SceneFormat scene_usda{
     .help = "an OpenUSD stage with UsdPhysics, for Isaac Sim",
     .write = [](const SceneExport& scene) { return UsdaWriter(scene).run(); },
     .repeats_models = true,
+    .has_motors = true,
     .fixes_world_roots = true};
 
 }  // namespace smurf::scene_usda_file

@@ -46,7 +46,7 @@ Value call_unbound(Call& call) {
              call.values[0],
              {call.values.begin() + 1, call.values.end()},
              call.keywords};
-  return text_method(call.name)->call(inner);
+  return find_method(text_methods(), call.name)->call(inner);
 }
 
 Value unbound(Evaluator& evaluator, const Value& type, const Method& method) {
@@ -59,18 +59,19 @@ Value unbound(Evaluator& evaluator, const Value& type, const Method& method) {
 
 const Method* method_of(const Value& value, std::string_view name) {
   switch (value.kind) {
-  case Kind::text: return text_method(name);
+  case Kind::text: return find_method(text_methods(), name);
   case Kind::list:
   case Kind::tuple: {
-    const Method* method = list_method(name);
+    const Method* method = find_method(list_methods(), name);
     const bool is_of_both = name == "index" || name == "count";
     return (value.kind == Kind::list && value.list->type == Type::list) ||
                    (value.kind == Kind::tuple && is_of_both)
                ? method
                : nullptr;
   }
-  case Kind::dict: return dict_method(name);
-  default: return number_method(value, name);
+  case Kind::dict: return find_method(dict_methods(), name);
+  case Kind::real: return find_method(real_methods(), name);
+  default: return value.is_integral() ? find_method(integer_methods(), name) : nullptr;
   }
 }
 
@@ -217,7 +218,8 @@ Value attribute_of(Evaluator& evaluator, const Value& value, std::string_view na
   evaluator.meter().scan(name.size());
   if (const Method* method = method_of(value, name)) return bound(evaluator, value, *method);
   if (value.kind == Kind::type && value.type == Type::text) {
-    if (const Method* method = text_method(name)) return unbound(evaluator, value, *method);
+    if (const Method* method = find_method(text_methods(), name))
+      return unbound(evaluator, value, *method);
   }
   if (name == "__class__") return Value::of(type_of(value));
   if (name.starts_with('_')) return evaluator.fail("names that begin with `_` are not allowed");

@@ -243,7 +243,7 @@ constexpr std::array kDict = {Method{"clear", clear},
 
 }  // namespace
 
-const Method* list_method(std::string_view name) { return find_method(kList, name); }
-const Method* dict_method(std::string_view name) { return find_method(kDict, name); }
+std::span<const Method> list_methods() { return kList; }
+std::span<const Method> dict_methods() { return kDict; }
 
 }  // namespace smurf::xacro

@@ -211,9 +211,10 @@ struct Method {
 };
 /// The row of a table; null if it has none.
 const Method* find_method(std::span<const Method> rows, std::string_view name);
-const Method* text_method(std::string_view name);
-const Method* list_method(std::string_view name);
-const Method* dict_method(std::string_view name);
-const Method* number_method(const Value& value, std::string_view name);
+std::span<const Method> text_methods();
+std::span<const Method> list_methods();
+std::span<const Method> dict_methods();
+std::span<const Method> real_methods();
+std::span<const Method> integer_methods();
 
 }  // namespace smurf::xacro

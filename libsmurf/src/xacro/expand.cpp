@@ -8,6 +8,7 @@
 #include "base/text/quoted.hpp"
 #include "base/text/utf8.hpp"
 #include "base/text/words.hpp"
+#include "xacro/counted.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
 #include "xacro/tokens.hpp"
@@ -152,9 +153,12 @@ void Expander::remove_comments(Node& out) {
   auto& nodes = out.children;
   const std::size_t first = kept_.parent == &out ? kept_.count : 0;
   std::size_t at = nodes.size();
+  std::size_t kept = at;  // the blanks between the comments are moved to the end
   while (at > first) {
     std::size_t comment = at - 1;
     const Node& before = *nodes[comment];
+    meter_.step();
+    meter_.scan(before.text.value.size());
     const bool is_blank_text =
         before.kind == NodeKind::text && has_only_blanks(before.text) &&
         std::count(before.text.value.begin(), before.text.value.end(), '\n') <= 1;
@@ -163,9 +167,11 @@ void Expander::remove_comments(Node& out) {
       --comment;
     }
     if (nodes[comment]->kind != NodeKind::comment) break;
-    nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(comment));
+    if (is_blank_text) nodes[--kept] = nodes[at - 1];
     at = comment;
   }
+  nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(at),
+              nodes.begin() + static_cast<std::ptrdiff_t>(kept));
   kept_.is_next = at > 0;
 }
 
@@ -464,8 +470,16 @@ bool Expander::define_argument(const Node& in, Node& out, Table& symbols) {
   return true;
 }
 
+Expansion expand(SourceId root, const Settings& settings, Context& context, std::uint64_t& steps) {
+  Expander expander(root, settings, context);
+  Expansion expansion = expander.run();
+  steps += expander.steps();
+  return expansion;
+}
+
 Expansion expand(SourceId root, const Settings& settings, Context& context) {
-  return Expander(root, settings, context).run();
+  std::uint64_t steps = 0;
+  return expand(root, settings, context, steps);
 }
 
 bool is_xacro_file(std::string_view path) {

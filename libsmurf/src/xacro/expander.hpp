@@ -56,6 +56,7 @@ class Expander final : public Host {
  public:
   Expander(SourceId root, const Settings& settings, Context& context);
   Expansion run();
+  std::uint64_t steps() const { return meter_.steps(); }
 
   // Host
   Value resolve(Table& table, Table::Entry& entry, std::string_view name) override;
@@ -144,7 +145,7 @@ class Expander final : public Host {
     std::string folder, rest;
   };
   PackagePath package_path(const std::string& path) const;
-  std::string path_before_install(const PackagePath& wanted) const;
+  std::string path_before_install(const PackagePath& wanted);
 
   // texts.cpp
   /// The value of a text. Appends its pieces unless `pieces` is null.
@@ -232,6 +233,11 @@ class Expander final : public Host {
   std::vector<std::string> file_stack_;
   /// Folders of packages by their absolute form, as `$(find)` gave them.
   std::map<std::string, std::string> package_folders_;
+  struct PackageFolder {
+    std::set<std::string> entries;
+    std::optional<std::map<std::string, std::string>> moved;  ///< by its CMakeLists.txt
+  };
+  std::map<std::string, PackageFolder> packages_;  ///< by folder
   std::vector<std::string_view> resolving_;
   FrameId frame_ = kNoFrame;
   std::uint64_t elements_ = 0;

@@ -8,9 +8,9 @@
 #include "base/text/quoted.hpp"
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
-#include "smurf/xacro_cases.hpp"
 #include "syntax/xml_reader.hpp"
 #include "xacro/expander.hpp"
+#include "xacro/xacro_cases.hpp"
 
 namespace smurf::xacro {
 namespace {
@@ -109,6 +109,7 @@ std::map<std::string, std::string> installed_folders(std::string_view text) {
     const std::size_t open = lower.find_first_not_of(kBlanks, at + 7);
     if (open == std::string::npos || lower[open] != '(') continue;
     const std::size_t close = std::min(lower.find(')', open), lower.size());
+    at = close;  // commands are not nested
     std::vector<std::string> words;
     const std::string_view inside = std::string_view(plain).substr(open + 1, close - open - 1);
     for (std::size_t word_at = 0; word_at < inside.size();) {
@@ -168,17 +169,26 @@ Expander::PackagePath Expander::package_path(const std::string& written) const {
 
 /// The path of a file that the package does not have, where its CMake file installs it; "" if it is
 /// the same.
-std::string Expander::path_before_install(const PackagePath& wanted) const {
+std::string Expander::path_before_install(const PackagePath& wanted) {
   if (wanted.folder.empty()) return {};
   const std::string name = wanted.rest.substr(0, wanted.rest.find('/'));
-  const std::vector<std::string> entries = context_.files.list(wanted.folder);
-  if (std::find(entries.begin(), entries.end(), name) != entries.end()) return {};
-  constexpr std::uint64_t kMostBytes = 1U << 20U;
-  const FileContent lists =
-      context_.files.read(path::join(wanted.folder, "CMakeLists.txt"), kMostBytes);
-  const auto moved = installed_folders(lists.text);
-  const auto source = moved.find(name);
-  if (source == moved.end()) return {};
+  const auto [known, is_new] = packages_.try_emplace(wanted.folder);
+  PackageFolder& package = known->second;
+  if (is_new) {
+    const std::vector<std::string> entries = context_.files.list(wanted.folder);
+    meter_.step(entries.size());
+    package.entries.insert(entries.begin(), entries.end());
+  }
+  if (package.entries.contains(name)) return {};
+  if (!package.moved) {
+    constexpr std::uint64_t kMostBytes = 1U << 20U;
+    const FileContent lists =
+        context_.files.read(path::join(wanted.folder, "CMakeLists.txt"), kMostBytes);
+    meter_.scan(lists.text.size());
+    package.moved = installed_folders(lists.text);
+  }
+  const auto source = package.moved->find(name);
+  if (source == package.moved->end()) return {};
   return path::join(path::join(wanted.folder, source->second),
                     wanted.rest.substr(std::min(wanted.rest.size(), name.size() + 1)));
 }
@@ -187,10 +197,11 @@ namespace {
 
 /// `is_absolute`: the path began with that of a package.
 std::string help_to_find(const FileReader& files, const std::string& path, bool is_absolute,
-                         std::string_view current) {
+                         std::string_view current, Meter& meter) {
   const std::string_view folder = path::parent(path);
   const std::string name = path::to_lower(path::file_name(path));
   for (const std::string& one : files.list(std::string(folder.empty() ? "." : folder))) {
+    meter.step();
     const bool is_other = one != path::file_name(path);
     if (is_other && path::to_lower(one) == name) return "write " + quoted(one) + ": case matters";
   }
@@ -221,9 +232,9 @@ Expander::File* Expander::open(const std::string& written, Span reference) {
   }
   result_.included.insert(path);
   if (content.status != ReadStatus::ok) {
-    evaluator_.fail(rules::sml3310_xacro_missing_file,
-                    "cannot read `" + path + "`: " + content.reason,
-                    help_to_find(context_.files, path, path::is_absolute(written), current_path()));
+    evaluator_.fail(
+        rules::sml3310_xacro_missing_file, "cannot read `" + path + "`: " + content.reason,
+        help_to_find(context_.files, path, path::is_absolute(written), current_path(), meter_));
     evaluator_.failure().span = reference;
     evaluator_.failure().is_missing_file = content.status == ReadStatus::not_found;
     if (evaluator_.failure().is_missing_file) evaluator_.failure().missing = path;

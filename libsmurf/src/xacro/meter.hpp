@@ -40,15 +40,26 @@ class Meter {
     bytes_ += bytes;
     if (bytes_ > most_bytes_) stop(Reason::bytes);
   }
-  void give_back(std::size_t bytes) { bytes_ -= std::min<std::uint64_t>(bytes, bytes_); }
+  void give_back(std::size_t bytes) {
+    most_used_ = std::max(most_used_, bytes_);
+    bytes_ -= std::min<std::uint64_t>(bytes, bytes_);
+  }
 
   [[noreturn]] void stop(Reason reason) {
     reason_ = reason;
     throw Exhausted{};
   }
+  /// Begins again with these steps, for several expressions with one heap.
+  void renew(std::uint64_t steps) {
+    most_steps_ = steps_ + steps;
+    reason_ = Reason::none;
+  }
   Reason reason() const { return reason_; }
   bool is_exhausted() const { return reason_ != Reason::none; }
   std::uint64_t steps() const { return steps_; }
+  std::uint64_t bytes() const { return bytes_; }
+  /// The most bytes that were used at once.
+  std::uint64_t most_used() const { return std::max(most_used_, bytes_); }
   std::uint64_t most_steps() const { return most_steps_; }
   std::uint64_t most_bytes() const { return most_bytes_; }
 
@@ -56,6 +67,7 @@ class Meter {
   std::uint64_t most_steps_, most_bytes_;
   std::uint64_t steps_ = 0;
   std::uint64_t bytes_ = 0;
+  std::uint64_t most_used_ = 0;
   Reason reason_ = Reason::none;
 };
 

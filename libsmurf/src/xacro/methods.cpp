@@ -104,10 +104,11 @@ Value strip(Call& call) {
 }
 
 /// The words of a text; at most `most` cuts, from the end if wanted.
-std::vector<std::string_view> words_of(std::string_view text, std::int64_t most, bool from_end) {
+std::vector<std::string_view> words_of(std::string_view text, std::int64_t most, bool from_end,
+                                       std::size_t most_words) {
   std::vector<std::string_view> words;
   text = without_blanks(text);
-  while (!text.empty()) {
+  while (!text.empty() && words.size() <= most_words) {
     if (most-- == 0) {
       words.push_back(text);
       break;
@@ -137,11 +138,11 @@ std::vector<std::string_view> words_of(std::string_view text, std::int64_t most,
 }
 
 std::vector<std::string_view> cut(std::string_view text, std::string_view at, std::int64_t most,
-                                  bool from_end, Meter& meter) {
+                                  bool from_end, std::size_t most_parts, Meter& meter) {
   using Direction = TextSearch::Direction;
   const TextSearch search(at, meter, from_end ? Direction::backwards : Direction::forwards);
   std::vector<std::string_view> parts;
-  for (;;) {
+  while (parts.size() <= most_parts) {
     const std::size_t found = most-- == 0 ? std::string_view::npos : search.find(text);
     if (found == std::string_view::npos) break;
     parts.push_back(from_end ? text.substr(found + at.size()) : text.substr(0, found));
@@ -156,15 +157,17 @@ Value split(Call& call) {
   const Value* most = call.take(1, "maxsplit");
   const bool from_end = call.name == "rsplit";
   const std::int64_t count = most != nullptr && most->kind == Kind::integer ? most->integer : -1;
+  const std::size_t most_items = call.evaluator.limits().xacro_items;  // one more is reported
   std::vector<std::string_view> parts;
   if (separator == nullptr || separator->kind == Kind::none) {
     call.evaluator.meter().scan(self_of(call).size());
-    parts = words_of(self_of(call), count, from_end);
+    parts = words_of(self_of(call), count, from_end, most_items);
   } else {
     if (!separator->is_text() || separator->text->empty()) {
       return call.evaluator.fail("the separator of `split()` is no text, or is empty");
     }
-    parts = cut(self_of(call), *separator->text, count, from_end, call.evaluator.meter());
+    parts =
+        cut(self_of(call), *separator->text, count, from_end, most_items, call.evaluator.meter());
   }
   if (from_end) std::reverse(parts.begin(), parts.end());
   call.evaluator.step(parts.size());
@@ -396,6 +399,6 @@ const Method* find_method(std::span<const Method> rows, std::string_view name) {
   return found == rows.end() ? nullptr : &*found;
 }
 
-const Method* text_method(std::string_view name) { return find_method(kText, name); }
+std::span<const Method> text_methods() { return kText; }
 
 }  // namespace smurf::xacro

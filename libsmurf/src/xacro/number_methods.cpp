@@ -57,9 +57,7 @@ constexpr std::array kInteger = {Method{"as_integer_ratio", ratio}, Method{"bit_
 
 }  // namespace
 
-const Method* number_method(const Value& value, std::string_view name) {
-  if (value.kind == Kind::real) return find_method(kReal, name);
-  return value.is_integral() ? find_method(kInteger, name) : nullptr;
-}
+std::span<const Method> real_methods() { return kReal; }
+std::span<const Method> integer_methods() { return kInteger; }
 
 }  // namespace smurf::xacro

@@ -282,8 +282,7 @@ std::optional<Value> read_integer(std::string_view written, Heap& heap, unsigned
         is_digit ? static_cast<unsigned>(c - '0') : static_cast<unsigned>((c | 0x20) - 'a') + 10;
     if (digit >= base) return std::nullopt;
   }
-  constexpr std::size_t kMostDigits = 1300;  // 4,096 bits
-  if (text->size() > kMostDigits) return std::nullopt;
+  if (text->size() > kMostIntegerDigits) return std::nullopt;
   const BigInt magnitude = BigInt::from_digits(*text, base, heap.meter());
   return heap.integer(is_negative ? magnitude.negated() : magnitude);
 }

@@ -31,7 +31,10 @@ std::string float_text(double value);
 /// As repr() of a text: with single quotes and escapes.
 std::string quoted_text(std::string_view text);
 
-/// As int(): blanks around it, digits of any script, underscores; none if it is no integer.
+/// The most digits of an integer in a text; xacro has no such limit.
+constexpr std::size_t kMostIntegerDigits = 1300;
+/// As int(): blanks around it, digits of any script, underscores; none if it is no integer, or has
+/// more digits.
 std::optional<Value> read_integer(std::string_view text, Heap& heap, unsigned base = 10);
 /// As float().
 std::optional<double> read_float(std::string_view text);

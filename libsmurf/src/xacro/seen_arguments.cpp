@@ -2,6 +2,9 @@
 #include "xacro/seen_arguments.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
+#include <span>
 
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
@@ -13,6 +16,8 @@ namespace {
 constexpr std::size_t kMostFiles = 100;              // of a package
 constexpr std::uint64_t kMostBytes = 256ULL << 10U;  // of a file
 constexpr int kMostLevels = 6;                       // from a file up to its package.xml
+constexpr std::size_t kMostNames = 20;               // of arguments
+constexpr std::size_t kMostValues = 100;             // of all arguments
 constexpr std::size_t kMostValue = 60;               // characters
 
 /// The folder of the nearest package.xml; that of the file without one.
@@ -59,10 +64,51 @@ std::size_t skip_blanks(std::string_view text, std::size_t at) {
   return at;
 }
 
+/// "name:=", "value" in a list of Python: the literal after the name and the sign, if it is one.
+std::string next_literal(std::string_view text, std::size_t quote) {
+  const std::size_t comma = skip_blanks(text, quote + 1);
+  if (comma >= text.size() || text[comma] != ',') return {};
+  const std::size_t value = skip_blanks(text, comma + 1);
+  const bool is_literal = value < text.size() && (text[value] == '"' || text[value] == '\'');
+  return is_literal ? literal_at(text, value) : "";
+}
+
+/// DeclareLaunchArgument("name", choices=["a", "b"])
+std::vector<std::string> choices_after(std::string_view text, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kNear = 600;
+  constexpr std::size_t kMostChoices = 50;
+  std::vector<std::string> found;
+  const std::size_t first = begin - std::min<std::size_t>(begin, 60);
+  if (text.substr(first, begin - first).rfind("DeclareLaunchArgument(") == std::string_view::npos) {
+    return found;
+  }
+  std::string_view near = text.substr(end, kNear);
+  near = near.substr(0, near.find("DeclareLaunchArgument("));
+  const std::size_t list = near.find("choices=[");
+  if (list == std::string_view::npos) return found;
+  const std::size_t close = std::min(near.find(']', list), near.size());
+  for (std::size_t at = list; at < close && found.size() < kMostChoices; ++at) {
+    if (near[at] != '"' && near[at] != '\'') continue;
+    std::string value = literal_at(near, at);
+    at = near.find(near[at], at + 1);
+    if (at == std::string_view::npos) break;
+    if (!value.empty()) found.push_back(std::move(value));
+  }
+  return found;
+}
+
 /// The value after the name of an argument, which ends at `end`.
 std::string value_after(std::string_view text, std::size_t begin, std::size_t end) {
   const std::string_view rest = text.substr(end);
-  if (rest.starts_with(":=")) return literal_at(text, end + 2);
+  if (rest.starts_with(":=")) {
+    const std::size_t value = end + 2;
+    const bool is_quote = value < text.size() && (text[value] == '"' || text[value] == '\'');
+    const std::size_t after = is_quote ? skip_blanks(text, value + 1) : value;
+    const bool ends_text =
+        is_quote && (after >= text.size() ||
+                     std::string_view(",)]+").find(text[after]) != std::string_view::npos);
+    return ends_text ? next_literal(text, value) : literal_at(text, value);
+  }
   const bool is_quoted = begin > 0 && end < text.size() && text[begin - 1] == text[end] &&
                          (text[end] == '"' || text[end] == '\'');
   if (!is_quoted) return {};
@@ -97,44 +143,67 @@ std::vector<SeenArgument> seen_arguments(const std::string& root,
                                          const std::vector<std::string>& names,
                                          const FileReader& files) {
   std::vector<SeenArgument> seen;
+  // More are not shown, and each is searched in each file.
+  const std::span<const std::string> first(names.data(), std::min(names.size(), kMostNames));
   for (const std::string& file : launch_files(package_of(root, files), files)) {
     const FileContent content = files.read(file, kMostBytes);
-    const std::string_view text = content.text;
-    for (const std::string& name : names) {
-      for (std::size_t at = text.find(name); at != std::string_view::npos;
-           at = text.find(name, at + name.size())) {
-        const std::size_t end = at + name.size();
-        const std::string value = is_whole_name(text, at, end) ? value_after(text, at, end) : "";
+    for (const std::string& name : first) {
+      for (const std::string& value : values_in(content.text, name)) {
         const bool is_known = std::any_of(seen.begin(), seen.end(), [&](const SeenArgument& one) {
           return one.name == name && one.value == value;
         });
-        if (!value.empty() && !is_known) seen.push_back({name, value, file});
+        if (seen.size() >= kMostValues) return seen;
+        if (!is_known) seen.push_back({name, value, file});
       }
     }
   }
   return seen;
 }
 
+std::vector<std::string> values_in(std::string_view text, std::string_view name) {
+  std::vector<std::string> values;
+  for (std::size_t at = text.find(name); at != std::string_view::npos;
+       at = text.find(name, at + name.size())) {
+    const std::size_t end = at + name.size();
+    if (!is_whole_name(text, at, end)) continue;
+    std::vector<std::string> choices = choices_after(text, at, end);
+    if (!choices.empty()) return choices;
+    std::string value = value_after(text, at, end);
+    const bool is_known = std::find(values.begin(), values.end(), value) != values.end();
+    if (!value.empty() && !is_known) values.push_back(std::move(value));
+  }
+  return values;
+}
+
 std::vector<std::string> undeclared_arguments(std::string_view text) {
   std::vector<std::string> names;
+  std::map<std::string, std::size_t, std::less<>> uses, declared;  // the first place of each
   constexpr std::string_view kUse = "$(arg ";
   for (std::size_t at = text.find(kUse); at != std::string_view::npos;
        at = text.find(kUse, at + 1)) {
     const std::size_t end = text.find(')', at);
     if (end == std::string_view::npos) break;
-    const std::string name(trimmed(text.substr(at + kUse.size(), end - at - kUse.size())));
+    const std::string_view name = trimmed(text.substr(at + kUse.size(), end - at - kUse.size()));
     if (name.empty() || !std::all_of(name.begin(), name.end(), is_of_name)) continue;
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (uses.emplace(name, at).second) names.emplace_back(name);
   }
   constexpr std::string_view kTag = "<xacro:arg";
   for (std::size_t at = text.find(kTag); at != std::string_view::npos;
        at = text.find(kTag, at + 1)) {
-    const std::string_view tag = text.substr(at, text.find('>', at) - at);
-    std::erase_if(names, [&](const std::string& name) {
-      return tag.find("\"" + name + "\"") != std::string_view::npos ||
-             tag.find("'" + name + "'") != std::string_view::npos;
-    });
+    std::string_view tag =
+        text.substr(at, std::min(text.find_first_of("<>", at + 1), text.size()) - at);
+    for (std::size_t quote = tag.find_first_of("\"'"); quote != std::string_view::npos;
+         quote = tag.find_first_of("\"'")) {
+      const std::size_t end = tag.find(tag[quote], quote + 1);
+      if (end == std::string_view::npos) break;
+      declared.emplace(tag.substr(quote + 1, end - quote - 1), at);
+      tag.remove_prefix(end + 1);
+    }
   }
+  std::erase_if(names, [&](const std::string& name) {
+    const auto place = declared.find(name);
+    return place != declared.end() && place->second < uses[name];  // xacro reads from the top
+  });
   return names;
 }
 

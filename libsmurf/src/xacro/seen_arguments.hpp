@@ -21,7 +21,12 @@ std::vector<SeenArgument> seen_arguments(const std::string& root,
                                          const std::vector<std::string>& names,
                                          const FileReader& files);
 
-/// The names in `$(arg NAME)` of a text that no `<xacro:arg>` in it declares.
+/// The literal values that the text of one such file gives to an argument: the choices of a launch
+/// argument of this name; else `name:=value`, members of mappings and defaults, each once. This is
+/// the only reader of values in launch files.
+std::vector<std::string> values_in(std::string_view text, std::string_view name);
+
+/// The names in `$(arg NAME)` of a text that no `<xacro:arg>` above them declares.
 std::vector<std::string> undeclared_arguments(std::string_view text);
 
 }  // namespace smurf::xacro

@@ -73,8 +73,13 @@ Value Expander::argument(const std::string& name) {
 void Expander::explain_arguments(const Failure& failure, Diagnostic& diagnostic) {
   std::vector<std::string> names{failure.argument};
   std::string others;
+  constexpr std::size_t kMostNames = 20;
   for (const std::string& name : undeclared_arguments(context_.sources.text(result_.root))) {
     if (name == failure.argument || arguments_.contains(name)) continue;
+    if (names.size() == kMostNames) {
+      others += ", ...";
+      break;
+    }
     names.push_back(name);
     others += (others.empty() ? "" : ", ") + quoted(name);
   }

@@ -75,13 +75,13 @@ std::size_t TextSearch::find(std::string_view text, std::size_t from) const {
                               : wanted_.size() == 1
                                   ? rest.find(wanted_[0])
                                   : search([&](std::size_t i) { return rest[i]; }, rest.size());
-    meter_.scan(std::min(found, rest.size()) + wanted_.size());
+    meter_.step(1 + (std::min(found, rest.size()) + wanted_.size()) / 16);
     return found == std::string_view::npos ? found : from + found;
   }
   const std::size_t size = text.size();
   if (wanted_.empty()) return size;
   const std::size_t found = search([&](std::size_t i) { return text[size - 1 - i]; }, size);
-  meter_.scan(std::min(found, size) + wanted_.size());
+  meter_.step(1 + (std::min(found, size) + wanted_.size()) / 16);
   return found == std::string_view::npos ? found : size - found - wanted_.size();
 }
 

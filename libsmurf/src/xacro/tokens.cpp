@@ -171,6 +171,10 @@ class Splitter {
     const std::string_view written = text_.substr(begin, end - begin);
     const bool has_zeros = base == 10 && written.size() > 1 && written[0] == '0' &&
                            written.find_first_not_of("0_") != std::string_view::npos;
+    if (written.size() > kMostIntegerDigits) {
+      return fail_unsupported(
+          begin, end, "an integer of more than " + std::to_string(kMostIntegerDigits) + " digits");
+    }
     const auto value = read_integer(written, heap_, base);
     if (!value || has_zeros) {
       fail(begin, end, has_zeros ? "an integer does not begin with 0" : "this is no integer");

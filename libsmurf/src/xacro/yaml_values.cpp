@@ -9,10 +9,10 @@
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
-#include "smurf/xacro_cases.hpp"
 #include "syntax/yaml_reader.hpp"
 #include "xacro/expander.hpp"
 #include "xacro/python_text.hpp"
+#include "xacro/xacro_cases.hpp"
 
 namespace smurf::xacro {
 namespace {

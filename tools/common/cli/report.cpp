@@ -6,7 +6,7 @@
 
 #include "base/files/system.hpp"
 #include "base/text/counted.hpp"
-#include "smurf/repository.hpp"
+#include "plan/repository.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -18,7 +18,7 @@ std::string most_frequent(const Results& results, const TextStyle& style) {
   constexpr std::size_t kRules = 10;
   std::vector<Diagnostic> shown;  // without texts, which the table does not need
   for (const Diagnostic& one : results.diagnostics) {
-    if (one.severity < results.overview.least) continue;
+    if (!is_shown(one, results.overview)) continue;
     Diagnostic& copy = shown.emplace_back();
     copy.rule = one.rule;
     copy.severity = one.severity;
@@ -30,8 +30,12 @@ std::string most_frequent(const Results& results, const TextStyle& style) {
 /// A line that says that less severe findings are not shown.
 std::string hidden(const Results& results) {
   const Severity least = results.overview.least;
-  const std::size_t infos = results.summary.infos;
-  if (results.counts_only || least == Severity::info || infos == 0) return {};
+  if (results.counts_only || least == Severity::info) return {};
+  const auto infos = static_cast<std::size_t>(std::count_if(
+      results.diagnostics.begin(), results.diagnostics.end(), [&](const Diagnostic& one) {
+        return one.severity == Severity::info && !is_shown(one, results.overview);
+      }));
+  if (infos == 0) return {};
   return counted(infos, "info is", "infos are") + " not shown; --min-severity info shows " +
          (infos == 1 ? "it" : "them") + "\n";
 }
@@ -41,7 +45,7 @@ std::string pointer_to_page(const Results& results) {
   const auto worst = std::max_element(
       results.diagnostics.begin(), results.diagnostics.end(),
       [](const Diagnostic& a, const Diagnostic& b) { return a.severity < b.severity; });
-  if (worst == results.diagnostics.end() || worst->severity < results.overview.least) return {};
+  if (worst == results.diagnostics.end() || !is_shown(*worst, results.overview)) return {};
   return "\nsmurf-lint --explain " + std::string(worst->rule->id) + ", or " +
          rule_address(*worst->rule, kSite) + "\n";
 }

@@ -185,8 +185,18 @@ bool is_told(const Diagnostic& finding, const SourceMap& sources, bool are_packa
   return kind == InputKind::scene || kind == InputKind::drawing;
 }
 
+/// Whether smurf-lint does not know by the name what a file is: a .xml is MJCF for it.
+bool is_unknown_to_lint(const FileReader& files, const std::string& path) {
+  if (path::to_lower(path::extension(path)) == ".xml") {
+    const FileContent content = files.read(path, Limits().file_bytes);
+    return content.status == ReadStatus::ok && content.text.find("<mujoco") == std::string::npos;
+  }
+  return input_kind(path) == InputKind::other && path != "-" && !is_archive(path);
+}
+
 /// "9 errors and 5 warnings in what it is made of; see smurf-lint arm.smurf", or "".
-std::string count_rest(std::span<const Diagnostic> rest, const std::string& path) {
+std::string count_rest(std::span<const Diagnostic> rest, const std::string& path,
+                       const FileReader& files) {
   const Summary summary = summarize(rest);
   std::string text;
   if (summary.errors > 0) text = counted(summary.errors, "error");
@@ -194,8 +204,7 @@ std::string count_rest(std::span<const Diagnostic> rest, const std::string& path
     text += (text.empty() ? "" : " and ") + counted(summary.warnings, "warning");
   }
   if (text.empty()) return text;
-  const bool is_known = input_kind(path) != InputKind::other || path == "-" || is_archive(path);
-  if (is_known) return text + ": see smurf-lint " + path;
+  if (!is_unknown_to_lint(files, path)) return text + ": see smurf-lint " + path;
   // smurf-lint finds out by the name what a file is.
   const std::string stem = path.substr(0, path.size() - path::extension(path).size());
   return text + ": see smurf-lint --stdin-filename " + stem + ".urdf - < " + path;
@@ -266,7 +275,7 @@ std::string Conversion::render_for_people(const Report& report, const LossOf& lo
     text +=
         std::string(tool_) + ": --report concise shows each finding" + std::string(losses) + "\n";
   }
-  const std::string line = options_.quiet ? "" : count_rest(rest, path_);
+  const std::string line = options_.quiet ? "" : count_rest(rest, path_, files());
   if (!line.empty()) text += std::string(tool_) + ": " + render::escape(line) + "\n";
   return text;
 }
@@ -320,7 +329,7 @@ bool Conversion::write_losses(std::span<const Diagnostic> losses, const std::str
 }
 
 Diagnostic Conversion::placed(const LoadedScene& loaded, const Diagnostic& found) const {
-  std::vector<Diagnostic> finished = session_.finish(loaded, {found});
+  std::vector<Diagnostic> finished = session_.settle(loaded, {found});
   return finished.empty() ? found : std::move(finished.front());
 }
 

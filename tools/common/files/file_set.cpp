@@ -10,7 +10,7 @@
 #include "base/files/path.hpp"
 #include "base/files/system.hpp"
 #include "base/numbers/numbers.hpp"
-#include "smurf/repository.hpp"
+#include "plan/repository.hpp"
 
 namespace smurf::tools {
 namespace {

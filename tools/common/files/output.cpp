@@ -15,8 +15,8 @@
 #include "base/numbers/numbers.hpp"
 #include "common/cli/process.hpp"
 #include "common/files/file_set.hpp"
+#include "plan/repository.hpp"
 #include "render/printable.hpp"
-#include "smurf/repository.hpp"
 
 namespace smurf::tools {
 namespace {

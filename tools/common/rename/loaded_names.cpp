@@ -31,14 +31,14 @@ LoadedNames::LoadedNames(const Plan& plan, const CheckSettings& settings, Sessio
                          Keeps keeps)
     : session_(session), settings_(settings), keeps_(keeps) {
   std::vector<std::string> paths;
-  for (const auto* files : {&plan.scenes, &plan.models, &plan.strays}) {
+  for (const auto* files : {&plan.scenes, &plan.models, &plan.others}) {
     for (const PlannedFile& file : *files) paths.push_back(file.path);
   }
   session.announce(paths, settings);
   for (const PlannedFile& file : plan.scenes) load_scene(file.path);
   for (const PlannedFile& file : plan.models) load_model(file.path);
   for (const bool are_companions : {false, true}) {
-    for (const PlannedFile& file : plan.strays) {
+    for (const PlannedFile& file : plan.others) {
       const bool is_turn = is_companion_path(file.path) == are_companions;
       if (is_turn && !has_read(file.path)) load_model(file.path);
     }

@@ -60,7 +60,7 @@ class LoadedNames {
   std::set<std::string> read_;  ///< in any part, by identity
   std::deque<Part> parts_;
   std::vector<std::vector<Reference>> names_;
-  std::shared_ptr<PackageSearch> search_;  ///< shared by all models, as no file changes meanwhile
+  std::shared_ptr<PackageSearch> search_;  ///< of all models: no file changes meanwhile
   std::deque<std::string> texts_;  ///< of names that the files write otherwise, if only names stay
 };
 

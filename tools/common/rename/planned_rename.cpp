@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/rename/loaded_names.hpp"
-#include "smurf/models_around.hpp"
+#include "plan/models_around.hpp"
 
 namespace smurf::tools {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "plan/xacro_text.hpp"
 #include "smurf/source.hpp"
-#include "smurf/xacro_text.hpp"
 
 namespace smurf::tools {
 

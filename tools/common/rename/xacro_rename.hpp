@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "common/rename/xacro_names.hpp"
+#include "plan/xacro_files.hpp"
 #include "smurf/check.hpp"
 #include "smurf/fix.hpp"
-#include "smurf/xacro_files.hpp"
 
 namespace smurf::tools {
 

@@ -2,7 +2,7 @@
 // The parameters of the controllers of ros2_controllers. Source: the files *_parameters.yaml and
 // *.yaml in its folders src and the plugin files, of the branches humble (ad559d9c), jazzy
 // (ed360c97), kilted (0f8eb14e) and master (94e74de3), 2026-08.
-#include "smurf/ros_parameters.hpp"
+#include "ast/ros_parameters.hpp"
 
 namespace smurf {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "ast/ros_parameters.hpp"
 #include "base/text/words.hpp"
-#include "smurf/ros_parameters.hpp"
 
 namespace smurf {
 namespace {

@@ -4,7 +4,7 @@
 // moveit_simple_controller_manager.cpp, trajectory_execution_manager.cpp, ompl_interface.cpp,
 // occupancy_map_monitor_middleware_handle.cpp, pointcloud_octomap_updater.cpp,
 // depth_image_octomap_updater.cpp; kdl_kinematics_parameters.yaml.
-#include "smurf/ros_parameters.hpp"
+#include "ast/ros_parameters.hpp"
 
 #include <algorithm>
 

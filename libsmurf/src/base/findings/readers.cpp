@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of readers, and the search for facts.
+// The table of readers, and what it says about rules.
 #include "base/findings/readers.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include "base/files/path.hpp"
-#include "base/findings/cases.hpp"
 #include "base/findings/rules.hpp"
-#include "base/findings/uncertain.hpp"
 
 namespace smurf {
 
@@ -46,50 +44,6 @@ bool is_index(std::string_view segment) {
          std::all_of(segment.begin(), segment.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-constexpr Fact kNoAnnotations{.makes = "reads no annotations",
-                              .evidence = "it opens the URDF only"};
-
-constexpr Fact kNoCompanions{.makes = "does not read it", .evidence = "it opens the URDF only"};
-
-/// SRDFs, elements `ros2_control`, and parameter files of ROS.
-bool is_about_companions(const Rule& rule) {
-  for (const std::string_view family : {"SML35", "SML36", "SML37", "SML38"}) {
-    if (rule.id.starts_with(family)) return true;
-  }
-  return false;
-}
-
-constexpr Fact kNoExpansion{.effect = Effect::refuses,
-                            .makes = "gets no robot, because xacro fails",
-                            .evidence = "xacro 2.1.1, run"};
-
-/// Faults of xacro, which runs before all readers.
-bool is_about_expansion(const Rule& rule) { return rule.id.starts_with("SML33"); }
-
-/// Whether a rule is about annotations, companions or scenes, which readers of the URDF do not
-/// open.
-bool is_about_annotations(const Rule& rule) {
-  return rule.id.starts_with("SML3") || rule.id.starts_with("SML4");
-}
-
-/// Readers are not affected by mistakes in a configuration, or by the losses of a
-/// converter.
-bool is_about_robots(const Rule& rule) {
-  return rule.reported_by == Tool::lint && !rule.id.starts_with("SML9");
-}
-
-/// The rule whose facts apply: for "further findings are left out", the rule of the omitted
-/// findings.
-const Rule& subject_of(const Diagnostic& diagnostic) {
-  return diagnostic.left_out == nullptr ? *diagnostic.rule : *diagnostic.left_out;
-}
-
-/// Malformed XML and invalid text are faults wherever they are.
-bool is_about_content(const Rule& rule) {
-  if (!rule.id.starts_with("SML1")) return false;
-  return !rule.id.starts_with("SML10") || rule.id == "SML1009" || rule.id == "SML1012";
-}
-
 /// Mappings whose keys are names that users give.
 constexpr Where kMapsOfNames[] = {at("poses/joints")};
 
@@ -102,74 +56,6 @@ bool is_user_name(std::span<const PlaceName> above) {
   });
 }
 
-/// The version of a reader that is meant by a target.
-Version version_in(const Reader& target, const Reader& of) {
-  const auto parts = target.parts.empty() && !target.releases.empty()
-                         ? target.releases.front()->parts
-                         : target.parts;
-  for (const auto& [reader, version] : parts) {
-    if (reader == &of) return version;
-  }
-  return of.number;
-}
-
-/// What facts see of a finding.
-struct Finding {
-  const Reader& target;
-  std::vector<PlaceName> path;
-  const Circumstances& cases;
-
-  bool fits(const Fact& fact) const {
-    const Where& where = fact.where;
-    for (const Circumstance* one : where.cases) {
-      if (one != nullptr && !cases.contains(*one)) return false;
-    }
-    if (where.except != nullptr && cases.contains(*where.except)) return false;
-    if (!contains(path, where)) return false;
-    if (where.from == Version{} && where.until == Version{}) return true;
-    const Version version = version_in(target, *fact.reader);
-    return where.from <= version && (where.until == Version{} || version < where.until);
-  }
-};
-
-const Fact* find_unread(const Reader& reader, const Rule& rule, const Finding& finding) {
-  if (!is_about_content(rule)) return nullptr;
-  for (const Reader* known = &reader; known != nullptr; known = known->like) {
-    for (const Fact& fact : known->unread) {
-      if (finding.fits(fact)) return &fact;
-    }
-  }
-  return nullptr;
-}
-
-/// Whether a reader opens SRDFs or parameter files of ROS.
-bool reads_companions(const Reader& reader) {
-  for (const Reader* known = &reader; known != nullptr; known = known->like) {
-    if (known == &readers::moveit || known == &readers::ros2_control) return true;
-  }
-  return false;
-}
-
-const Fact* find_fact(const Reader& reader, const Rule& rule, const Finding& finding) {
-  if (finding.cases.contains(cases::kInCompanion) && !reads_companions(reader)) {
-    return &kNoCompanions;
-  }
-  if (const Fact* fact = find_unread(reader, rule, finding)) return fact;
-  for (const Reader* known = &reader; known != nullptr; known = known->like) {
-    if (known->drops != nullptr && finding.cases.contains(*known->drops)) continue;
-    for (const Fact& fact : rule.facts) {
-      if (fact.reader == known && finding.fits(fact)) return &fact;
-    }
-    for (const auto& [family, fact] : known->families) {
-      if (rule.id.starts_with(family) && finding.fits(fact)) return &fact;
-    }
-  }
-  if (is_about_companions(rule)) return &kNoCompanions;
-  if (is_about_expansion(rule)) return rule.may_pass_elsewhere ? nullptr : &kNoExpansion;
-  const bool is_read = reader.reads_annotations || !is_about_annotations(rule);
-  return is_read ? nullptr : &kNoAnnotations;
-}
-
 void append(std::string_view part, std::string& text) {
   text.append(text.empty() ? "" : ", ").append(part);
 }
@@ -177,69 +63,6 @@ void append(std::string_view part, std::string& text) {
 std::string text_of(Version version) {
   std::string text = std::to_string(version.major) + "." + std::to_string(version.minor);
   return version.patch == 0 ? text : text + "." + std::to_string(version.patch);
-}
-
-/// Adds a verdict, apart from those of later releases.
-void add_to(TargetVerdict& sum, const TargetVerdict& other) {
-  sum.refusals += other.refusals;
-  sum.unknown += other.unknown;
-  sum.losses += other.losses;
-  for (const Rule* unknown_rule : other.unknown_rules) sum.add_unknown(*unknown_rule, 0);
-  if (other.fact == nullptr) return;
-  if (sum.fact != nullptr && sum.fact->effect >= other.fact->effect) return;
-  sum.fact = other.fact;
-  sum.rule = other.rule;
-  sum.span = other.span;
-}
-
-/// The verdicts of the later releases. Where nothing depends on the version, they are the same.
-std::vector<TargetVerdict> newer_of(const TargetVerdict& verdict) {
-  if (!verdict.newer.empty()) return verdict.newer;
-  std::vector<TargetVerdict> newer;
-  for (std::size_t i = 1; i < verdict.reader->releases.size(); ++i) {
-    newer.push_back(verdict);
-    newer.back().reader = verdict.reader->releases[i];
-  }
-  return newer;
-}
-
-bool has_range(const Fact& fact) {
-  return fact.where.from != Version{} || fact.where.until != Version{};
-}
-
-bool depends_on_version(const Reader& reader, const Diagnostic& diagnostic) {
-  if (reader.releases.size() < 2) return false;
-  const auto is_dated = [](const Rule* rule) {
-    return std::any_of(rule->facts.begin(), rule->facts.end(), has_range);
-  };
-  return is_dated(&subject_of(diagnostic)) ||
-         std::any_of(diagnostic.consequences.begin(), diagnostic.consequences.end(), is_dated);
-}
-
-TargetVerdict judge_release(const Reader& reader, std::span<const Diagnostic> diagnostics) {
-  TargetVerdict verdict;
-  verdict.reader = &reader;
-  for (const Diagnostic& diagnostic : diagnostics) {
-    if (!is_about_robots(*diagnostic.rule)) continue;
-    const Fact* fact = find_fact(reader, diagnostic);
-    if (fact == nullptr) {
-      const Severity severity = diagnostic.untargeted.value_or(diagnostic.severity);
-      if (severity != Severity::error || diagnostic.rule->needs_target) continue;
-      verdict.add_unknown(*diagnostic.rule, 1);
-      continue;
-    }
-    if (fact->effect <= Effect::ignores) continue;
-    if (is_uncertain(*fact)) {
-      verdict.add_unknown(*diagnostic.rule, 1);
-      continue;
-    }
-    ++(fact->effect >= Effect::refuses ? verdict.refusals : verdict.losses);
-    if (verdict.fact != nullptr && verdict.fact->effect >= fact->effect) continue;
-    verdict.fact = fact;
-    verdict.rule = diagnostic.rule;
-    verdict.span = diagnostic.span;
-  }
-  return verdict;
 }
 
 }  // namespace
@@ -283,6 +106,7 @@ std::vector<std::string_view> target_names() {
 }
 
 std::vector<PlaceName> place_of(const Diagnostic& diagnostic) {
+  if (!diagnostic.names.empty()) return diagnostic.names;
   std::string path = without_predicates(diagnostic.pointer);
   // An element whose name is in another case is at the place of the one that is meant.
   if (diagnostic.rule == &rules::sml1114_tag_case) path = path::to_lower(path);
@@ -310,23 +134,12 @@ bool contains(std::span<const PlaceName> path, const Where& where) {
          end == where.place.begin();
 }
 
-const Fact* find_fact(const Reader& reader, const Diagnostic& diagnostic) {
-  const Finding finding{reader, place_of(diagnostic), diagnostic.cases};
-  const Fact* worst = find_fact(reader, subject_of(diagnostic), finding);
-  for (const Rule* rule : diagnostic.consequences) {
-    const Fact* fact = find_fact(reader, *rule, finding);
-    if (fact != nullptr && (worst == nullptr || fact->effect > worst->effect)) worst = fact;
-  }
-  return worst;
-}
-
 bool has_facts(const Reader& reader, const Rule& rule) {
   for (const Reader* known = &reader; known != nullptr; known = known->like) {
     const bool is_in_row = std::any_of(rule.facts.begin(), rule.facts.end(),
                                        [&](const Fact& fact) { return fact.reader == known; });
-    if (is_in_row ||
-        std::any_of(known->families.begin(), known->families.end(),
-                    [&](const FamilyFact& one) { return rule.id.starts_with(one.family); })) {
+    if (is_in_row || std::any_of(known->families.begin(), known->families.end(),
+                                 [&](const FamilyFact& one) { return one.family.covers(rule); })) {
       return true;
     }
   }
@@ -349,7 +162,7 @@ std::vector<const Fact*> facts_about(const Rule& rule) {
       is_complete = is_complete || fact.where == Where{};
     }
     for (const auto& [family, fact] : reader->families) {
-      if (!is_complete && rule.id.starts_with(family)) known.push_back(&fact);
+      if (!is_complete && family.covers(rule)) known.push_back(&fact);
     }
   }
   return known;
@@ -395,67 +208,6 @@ std::string sources_of(const Rule& rule) {
     text += (text.empty() ? "" : "; ") + sources[i];
   }
   return text.empty() || text.ends_with('.') ? text : text + ".";
-}
-
-std::string_view to_string(Answer answer) {
-  switch (answer) {
-  case Answer::takes: return "takes";
-  case Answer::loses: return "loses";
-  case Answer::unknown: return "unknown";
-  case Answer::refuses: return "refuses";
-  }
-  return "";
-}
-
-Answer TargetVerdict::answer() const {
-  if (refusals > 0) return Answer::refuses;
-  if (unknown > 0) return Answer::unknown;
-  return losses > 0 ? Answer::loses : Answer::takes;
-}
-
-std::size_t TargetVerdict::count(Answer answer) const {
-  switch (answer) {
-  case Answer::takes: return 0;
-  case Answer::loses: return losses;
-  case Answer::unknown: return unknown;
-  case Answer::refuses: return refusals;
-  }
-  return 0;
-}
-
-void TargetVerdict::add_unknown(const Rule& of, std::size_t faults) {
-  unknown += faults;
-  const auto known = std::find(unknown_rules.begin(), unknown_rules.end(), &of);
-  if (known == unknown_rules.end()) unknown_rules.push_back(&of);
-}
-
-const TargetVerdict* find_other_release(const TargetVerdict& verdict) {
-  const auto other =
-      std::find_if(verdict.newer.begin(), verdict.newer.end(),
-                   [&](const TargetVerdict& one) { return one.answer() != verdict.answer(); });
-  return other == verdict.newer.end() ? nullptr : &*other;
-}
-
-void TargetVerdict::add(const TargetVerdict& other) {
-  if (!newer.empty() || !other.newer.empty()) {
-    std::vector<TargetVerdict> sums = newer_of(*this);
-    const std::vector<TargetVerdict> others = newer_of(other);
-    for (std::size_t i = 0; i < sums.size(); ++i) add_to(sums[i], others[i]);
-    newer = std::move(sums);
-  }
-  add_to(*this, other);
-}
-
-TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> diagnostics) {
-  TargetVerdict verdict = judge_release(reader, diagnostics);
-  const bool is_dated =
-      std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& diagnostic) {
-        return depends_on_version(reader, diagnostic);
-      });
-  for (std::size_t i = 1; is_dated && i < reader.releases.size(); ++i) {
-    verdict.newer.push_back(judge_release(*reader.releases[i], diagnostics));
-  }
-  return verdict;
 }
 
 }  // namespace smurf

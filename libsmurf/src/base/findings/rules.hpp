@@ -13,6 +13,7 @@ namespace smurf::rules {
     extern const Rule name;                                                                        \
   }                                                                                                \
   using name##_file::name;
+#define SMURF_TEXTS(name) extern const Rule name;
 #include "base/findings/rules.def"
 #undef SMURF_RULE
 

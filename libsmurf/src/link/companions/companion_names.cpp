@@ -4,6 +4,8 @@
 #include "link/companions/companion_names.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "base/text/words.hpp"
 #include "link/companions/parameter_names.hpp"
@@ -114,15 +116,27 @@ void ReferenceFinder::read_companion(const Companion& companion) {
   if (companion.document) add_parameter_names(companion, *this);
 }
 
-void count_names(const LinkedModel& model, Companion& companion) {
-  companion.known_names = companion.names = 0;
-  for (const Reference& one : names_in_companion(model, companion)) {
-    const bool is_part = one.kinds.contains(NameKind::link) || one.kinds.contains(NameKind::joint);
-    const bool is_expression = one.name.find('$') != std::string_view::npos;
-    if (!is_part || one.is_vague || is_expression) continue;
-    ++companion.names;
-    if (one.is_known()) ++companion.known_names;
+std::vector<CompanionName> part_names(const Companion& companion) {
+  const LinkedModel nothing;  // so that names count whether a robot has them or not
+  std::vector<CompanionName> names;
+  std::set<std::pair<NameKind, std::string_view>> seen;
+  for (const Reference& one : names_in_companion(nothing, companion)) {
+    const bool is_link = one.kinds.contains(NameKind::link);
+    if (!is_link && !one.kinds.contains(NameKind::joint)) continue;
+    const bool is_expression = one.name.find_first_of("$<{") != std::string_view::npos;
+    const NameKind kind = is_link ? NameKind::link : NameKind::joint;
+    if (one.is_vague || is_expression || !seen.insert({kind, one.name}).second) continue;
+    names.push_back({kind, std::string(one.name)});
   }
+  return names;
+}
+
+void count_names(const LinkedModel& model, Companion& companion) {
+  NameScore score = score_of(part_names(companion), model);
+  companion.known_names = score.known;
+  companion.names = score.names;
+  companion.near_names = std::move(score.near);
+  companion.lost_prefix = std::move(score.lost_prefix);
 }
 
 std::vector<Reference> companion_references(const LinkedModel& model,

@@ -2,13 +2,13 @@
 // Source: pluginlib class_loader_imp.hpp processSingleXMLPluginFile.
 #include "link/companions/exported_classes.hpp"
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
-#include "link/packages.hpp"
 
 namespace smurf {
 namespace {
@@ -65,6 +65,17 @@ std::string_view attribute_in(std::string_view tag, std::string_view name) {
     if (close != std::string_view::npos) return trimmed(rest.substr(1, close - 1));
   }
   return {};
+}
+
+std::string without_comments(std::string_view xml) {
+  std::string plain;
+  while (!xml.empty()) {
+    const std::size_t open = std::min(xml.find("<!--"), xml.size());
+    plain += xml.substr(0, open);
+    const std::size_t close = xml.find("-->", open);
+    xml.remove_prefix(close == std::string_view::npos ? xml.size() : close + 3);
+  }
+  return plain;
 }
 
 /// Reads a plugin description. It may have several elements `library` and no root, which is not

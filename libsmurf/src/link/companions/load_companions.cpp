@@ -13,9 +13,11 @@
 #include "base/findings/rules.hpp"
 #include "link/companions/companion_names.hpp"
 #include "link/companions/exported_classes.hpp"
+#include "link/companions/library.hpp"
 #include "link/companions/places.hpp"
 #include "link/companions/plugin_files.hpp"
 #include "link/companions/setup_assistant.hpp"
+#include "link/package_manifest.hpp"
 #include "link/package_search.hpp"
 #include "link/read_file.hpp"
 #include "link/xacro_model.hpp"
@@ -28,28 +30,17 @@ namespace {
 
 constexpr std::size_t kMostCandidates = 400;  // files that may be companions
 constexpr std::size_t kMostRobots = 6;        // that are tried for an SRDF
-/// Companions of other robots, and lists of parameters of other programs, are larger.
-constexpr std::uint64_t kMostBytesOfYaml = 1U << 20U;
-
-/// Whether a path ends with this, in any case. Searches ask it of every file, so it makes no copy.
-bool has_ending(std::string_view path, std::string_view lower) {
-  if (path.size() < lower.size()) return false;
-  const std::string_view end = path.substr(path.size() - lower.size());
-  return std::equal(end.begin(), end.end(), lower.begin(), [](char c, char wanted) {
-    return (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) == wanted;
-  });
-}
 
 using NameLists = std::initializer_list<std::vector<std::string> NamesInFolder::*>;
 
 /// Files of these kinds in these folders, each once.
 std::vector<std::string> candidates(const std::vector<std::string>& folders, NameLists wanted,
                                     LoadContext& context) {
-  PackageSearch& search = search_of(context);
+  CompanionLibrary& library = *search_of(context).companions;
   std::vector<std::string> found;
   std::set<std::string> seen;
   for (const std::string& place : folders) {
-    const NamesInFolder& inside = search.names_in(place);
+    const NamesInFolder& inside = library.names_in(place, context.files);
     for (const auto kind : wanted) {
       for (const std::string& name : inside.*kind) {
         std::string path = path::join(place, name);
@@ -66,8 +57,8 @@ std::vector<std::string> candidates(const std::vector<std::string>& folders, Nam
 /// Whether the package around a folder is built with ament, as those of ROS 2 are.
 bool is_in_ros2_package(std::string folder, const FileReader& files) {
   for (int level = 0; level < 4; ++level, folder = path::join(folder, "..")) {
-    const FileContent manifest = files.read(path::join(folder, "package.xml"), kMostBytesOfYaml);
-    if (manifest.status == ReadStatus::ok) return manifest.text.find("ament") != std::string::npos;
+    const PackageManifest manifest = manifest_in(folder, files);
+    if (manifest.exists) return manifest.is_ament;
   }
   return false;
 }
@@ -98,22 +89,63 @@ class Loader {
       companion.srdf = srdf::read(std::move(*document));
       if (text != source && !companion.srdf->name) return std::nullopt;  // a part of others
     } else {
-      // It may be a template, which a launch file fills in.
-      DiagnosticSink ignored(context_.limits);
-      companion.document = parse_yaml(context_.sources, *source, context_.limits, ignored);
-      if (!companion.document || ignored.has_errors()) return std::nullopt;
-      if (spec.kind == CompanionKind::setup_assistant) find_missing_files(companion, context_);
+      read_parameters(path, companion);
+      if (spec.kind == CompanionKind::setup_assistant && companion.document) {
+        find_missing_files(companion, context_);
+      }
     }
     return companion;
   }
 
  private:
+  /// A text that cannot be parsed is an error; a key that is written twice loses its first value.
+  void read_parameters(const std::string& path, Companion& companion) {
+    DiagnosticSink found(context_.limits);
+    companion.document = parse_yaml(context_.sources, companion.source, context_.limits, found);
+    const std::string_view text = context_.sources.text(companion.source);
+    companion.is_broken =
+        recognise(path, text, companion.document, found).state == CompanionState::broken;
+    if (companion.is_broken) companion.document.reset();
+    const std::set<std::uint32_t> merged = merged_keys(companion);
+    for (Diagnostic& one : found.take()) {
+      const bool is_repeated = one.rule == &rules::sml0011_duplicate_key;
+      if (is_repeated && merged.contains(one.span.begin)) continue;
+      if (!is_repeated && (!companion.is_broken || one.severity != Severity::error)) continue;
+      Diagnostic& reported = context_.sink.report(*one.rule, one.span, one.message);
+      reported.caret = one.caret;
+      reported.labels = one.labels;
+      reported.help_text = one.help_text;
+      if (is_repeated) {
+        reported.severity = Severity::warning;
+        reported.note("ROS uses the last value, and ignores the others without a message");
+      } else {
+        reported.note("the program of ROS that reads this file ends: nothing in it takes effect");
+      }
+    }
+    if (companion.document) {
+      keep_last_keys(*companion.document, companion.kind == CompanionKind::controllers);
+    }
+  }
+
+  /// Where keys are repeated whose values are joined, so that nothing is lost.
+  static std::set<std::uint32_t> merged_keys(const Companion& companion) {
+    std::set<std::uint32_t> places;
+    if (companion.kind != CompanionKind::controllers || !companion.document) return places;
+    for (const yaml::Node& node : companion.document->nodes) {
+      if (node.is_repeated && node.kind() == yaml::Kind::mapping) {
+        places.insert(node.key_span().begin);
+      }
+    }
+    return places;
+  }
+
   std::optional<SourceId> expanded(SourceId root, const LinkedModel* robot) {
     DiagnosticSink ignored(context_.limits);
     LoadContext quiet{context_.sources, context_.files,    ignored,
                       context_.limits,  context_.packages, context_.package_folders,
                       context_.meshes,  context_.schemas,  context_.read,
                       context_.parsed,  context_.xacro,    context_.expansions};
+    quiet.limits.xacro_steps = steps_of_trial(context_.limits);
     // Launch files often pass the name of the robot.
     if (robot != nullptr) quiet.xacro.arguments.emplace("name", robot->robot->name.value_or(""));
     xacro::Expansion expansion = expand_xacro(root, robot != nullptr ? quiet : context_);
@@ -133,15 +165,16 @@ class Loader {
   std::map<std::string, bool> ros2_;  ///< by folder
 };
 
-/// A robot belongs to an SRDF if it has two thirds of the names in it, and a robot of another name
-/// if it has nearly all: thousands of robots are called "robot".
-bool belongs_to(const LinkedModel& robot, const Companion& companion) {
+/// Whether an SRDF may be for a robot: half of its names are enough if it has the name of the
+/// robot. Others are for another robot, unless the robot has nearly all of them.
+bool may_belong_to(const LinkedModel& robot, const Companion& companion) {
   const srdf::Text& name = companion.srdf->name;
+  const std::size_t known = companion.known_names + companion.near_names.size();
   if (robot.robot && robot.robot->name && name && *robot.robot->name == *name) {
-    return companion.known_names * 3 >= companion.names * 2;
+    return known * 2 >= companion.names;
   }
   constexpr std::size_t kFewest = 4;  // fewer may be the same by chance
-  return companion.names >= kFewest && companion.known_names * 10 >= companion.names * 9;
+  return companion.names >= kFewest && known * 10 >= companion.names * 9;
 }
 
 /// Whether two names differ at most in capitals: `icub` and `iCub`.
@@ -161,43 +194,34 @@ bool has_robot(const std::vector<std::string>& paths, std::string_view name,
 class Finder {
  public:
   Finder(const LinkedModel& model, LoadContext& context)
-      : model_(model), context_(context), loader_(context) {}
+      : model_(model),
+        context_(context),
+        loader_(context),
+        library_(*search_of(context).companions) {}
 
   Companions run() {
     for (const ModelFile& file : model_.files) {
       own_.insert(context_.files.identity(context_.sources.path(file.source)));
     }
     read_ties();
-    places_ = companion_places(std::string(path::parent(model_.urdf_path)), context_.files);
-    for (const std::string& path :
-         candidates(places_.folders, {&NamesInFolder::companions}, context_)) {
-      if (!own_.contains(context_.files.identity(path))) look_at(path);
-    }
     found_.plugin_files = plugin_files_of(model_, context_.files);
     for (const PluginFile& one : found_.plugin_files) {
-      if (one.state != PluginFile::State::controllers) continue;
-      if (!has(one.path)) look_at(one.path);
-      tied_.insert(context_.files.identity(one.path));
+      if (one.state == PluginFile::State::controllers) look_at(one.path, Evidence::plugin);
     }
+    const bool is_named = library_.named_robots.contains(context_.files.identity(model_.path));
+    for (const NearCompanion& one : library_.near) {
+      if (is_named && one.is_named) look_at(one.path, Evidence::command_line);
+    }
+    places_ = companion_places(std::string(path::parent(model_.urdf_path)), context_.files,
+                               search_of(context_));
+    look_in(0, places_.own, Evidence::package);
+    look_in(places_.own, places_.folders.size(), Evidence::dependency);
+    for (const NearCompanion& one : library_.near) look_at(one.path, Evidence::below);
     for (Companion& one : found_.files) count_names(model_, one);
-    std::erase_if(found_.files, [&](const Companion& one) {
-      if (is_tied(one)) return false;
-      return one.srdf ? !belongs_to(model_, one) || has_better_robot(one)
-                      : one.known_names * 2 < one.names;
-    });
-    std::set<std::string> folders;  // of the SRDFs of the robot
-    for (const Companion& one : found_.files) {
-      if (!one.srdf) continue;
-      folders.insert(one.folder);
-      if (path::file_name(one.folder) == "srdf") {
-        folders.insert(path::normalize(path::join(one.folder, "../config")));
-      }
-      folders.insert(path::normalize(path::join(one.folder, "..")));  // of .setup_assistant
-    }
-    // Robots of one family have the same names, so an SRDF decides which of them is meant.
-    std::erase_if(found_.files, [&](const Companion& one) {
-      const bool is_free = one.srdf || one.kind == CompanionKind::controllers || is_tied(one);
-      return !is_free && !folders.contains(one.folder) && !is_only_robot();
+    std::erase_if(found_.files, [&](const Companion& one) { return !fits(one); });
+    mark_beside();
+    std::sort(found_.files.begin(), found_.files.end(), [&](const auto& a, const auto& b) {
+      return context_.sources.path(a.source) < context_.sources.path(b.source);
     });
     found_.classes = exported_classes(model_, found_, places_.packages, context_.files);
     return std::move(found_);
@@ -209,63 +233,104 @@ class Finder {
     if (context_.ties.empty()) return;
     const std::string robot = context_.files.identity(model_.urdf_path);
     const std::string main = context_.files.identity(model_.path);
-    std::set<std::string> of_others;
+    std::vector<std::string> of_others;
     for (const CompanionTie& tie : context_.ties) {
       const std::string id = context_.files.identity(tie.robot);
       const bool is_own = id == robot || id == main;
       for (const std::string& path : tie.files) {
-        (is_own ? tied_ : of_others).insert(context_.files.identity(path));
-        if (is_own) look_at(path, true);
+        if (is_own) {
+          look_at(path, Evidence::configured);
+        } else {
+          of_others.push_back(path);
+        }
       }
     }
-    for (const std::string& one : of_others) own_.insert(one);
-    for (const std::string& one : tied_) own_.insert(one);
+    for (const std::string& one : of_others) own_.insert(context_.files.identity(one));
   }
 
-  bool is_tied(const Companion& one) const {
-    return !tied_.empty() &&
-           tied_.contains(context_.files.identity(context_.sources.path(one.source)));
-  }
-
-  bool has(const std::string& path) const {
-    const std::string wanted = context_.files.identity(path);
-    return std::any_of(found_.files.begin(), found_.files.end(), [&](const Companion& one) {
-      return context_.files.identity(context_.sources.path(one.source)) == wanted;
-    });
-  }
-
-  void look_at(const std::string& path, bool is_tied = false) {
-    const bool is_srdf = is_companion_path(path);
-    const FileContent content =
-        context_.files.read(path, is_srdf ? context_.limits.srdf_bytes : kMostBytesOfYaml);
-    if (content.status != ReadStatus::ok) return;
-    const CompanionSpec* spec = find_companion_kind(path, content.text);
-    if (spec == nullptr) return;
-    const bool is_xacro = xacro::is_xacro_file(path);
-    const std::string_view name = is_srdf ? robot_name_in(content.text) : std::string_view();
-    // A xacro file without a name is a part of others, and an expression may be any name.
-    if (is_xacro && name.empty()) return;
-    const bool is_computed = is_xacro && name.find('$') != std::string_view::npos;
-    if (is_srdf && !is_computed && !is_tied && !may_be_for(name)) return;
-    if (auto companion = loader_.read(path, *spec, is_xacro ? &model_ : nullptr)) {
-      found_.files.push_back(std::move(*companion));
+  void look_in(std::size_t begin, std::size_t end, Evidence evidence) {
+    const std::vector<std::string> folders(
+        places_.folders.begin() + static_cast<std::ptrdiff_t>(begin),
+        places_.folders.begin() + static_cast<std::ptrdiff_t>(end));
+    for (const std::string& path : candidates(folders, {&NamesInFolder::companions}, context_)) {
+      look_at(path, evidence);
     }
+  }
+
+  /// Reads a file that may be for the robot, once. The strongest evidence comes first.
+  void look_at(const std::string& path, Evidence evidence) {
+    const SeenCompanion& seen = library_.look_at(path, context_.files);
+    if (seen.what.spec == nullptr || seen.what.state == CompanionState::a_template) return;
+    if (!own_.insert(context_.files.identity(path)).second) return;
+    const bool is_xacro = xacro::is_xacro_file(path);
+    const bool is_bound = is_tie(evidence);
+    if (seen.what.spec->is_xml) {
+      // A xacro file without a name is a part of others, and an expression may be any name.
+      if (is_xacro && seen.robot.empty()) return;
+      const bool is_computed = is_xacro && seen.robot.find('$') != std::string::npos;
+      const bool is_for_any = is_computed || is_bound || evidence == Evidence::command_line;
+      if (!is_for_any && !may_be_for(seen.robot)) return;
+    } else if (!is_bound && seen.what.state == CompanionState::readable) {
+      const NameScore score = score_of(seen.names, model_);
+      const bool is_far = evidence == Evidence::below;
+      const bool is_alien = is_far && (score.names == 0 || score.known == 0);
+      if (is_alien || (!is_enough(score) && score.lost_prefix.empty())) {
+        found_.rejected.push_back({path, score.known, score.names});
+        return;
+      }
+    }
+    auto companion = loader_.read(path, *seen.what.spec, is_xacro ? &model_ : nullptr);
+    if (!companion) return;
+    companion->evidence = evidence;
+    found_.files.push_back(std::move(*companion));
+  }
+
+  bool fits(const Companion& one) {
+    if (is_tie(one.evidence) || !one.srdf) return true;
+    return may_belong_to(model_, one) && !has_better_robot(one);
+  }
+
+  /// What lies beside an SRDF of the robot is meant for it; files of MoveIt without joints only
+  /// then, or if there is no other robot.
+  void mark_beside() {
+    std::set<std::string> folders;
+    for (Companion& one : found_.files) {
+      if (!one.srdf) continue;
+      const srdf::Text& name = one.srdf->name;
+      const bool is_same = name && model_.robot->name && *name == *model_.robot->name;
+      if (is_same && one.evidence > Evidence::robot_name) one.evidence = Evidence::robot_name;
+      folders.insert(one.folder);
+      if (path::file_name(one.folder) == "srdf") {
+        folders.insert(path::normalize(path::join(one.folder, "../config")));
+      }
+      folders.insert(path::normalize(path::join(one.folder, "..")));  // of .setup_assistant
+    }
+    std::erase_if(found_.files, [&](Companion& one) {
+      if (one.srdf || is_tie(one.evidence)) return false;
+      const bool is_beside = folders.contains(one.folder);
+      // Robots of a family have the same names.
+      if (!is_beside && one.evidence == Evidence::below) return true;
+      if (is_beside && one.evidence > Evidence::robot_name) one.evidence = Evidence::robot_name;
+      const bool is_of_moveit = one.kind != CompanionKind::controllers;
+      return is_of_moveit && one.names == 0 && !one.is_broken && !is_beside && !is_only_robot();
+    });
   }
 
   /// Whether an SRDF with this robot name may be one of the robot. Other names are mistakes if the
   /// robot is the only one around.
   bool may_be_for(std::string_view name) {
     if (model_.robot->name && is_same_word(name, *model_.robot->name)) return true;
-    const auto is_urdf = [](const std::string& path) { return has_ending(path, ".urdf"); };
+    const auto is_urdf = [](const std::string& path) {
+      return path::to_lower(path::extension(path)) == ".urdf";
+    };
     const std::vector<std::string>& all = robots();
     return std::count_if(all.begin(), all.end(), is_urdf) == 1 && !has_robot(all, name, context_);
   }
 
   const std::vector<std::string>& robots() {
-    if (!robots_) {
+    if (!robots_)
       robots_ =
           candidates(places_.folders, {&NamesInFolder::urdfs, &NamesInFolder::xacros}, context_);
-    }
     return *robots_;
   }
 
@@ -295,18 +360,19 @@ class Finder {
   const LinkedModel& model_;
   LoadContext& context_;
   Loader loader_;
+  CompanionLibrary& library_;
   Companions found_;
   CompanionPlaces places_;
   std::optional<std::vector<std::string>> robots_;  ///< around it, also in xacro
-  std::set<std::string> own_;   ///< files of the model and of others, by identity
-  std::set<std::string> tied_;  ///< files that the configuration names, by identity
+  std::set<std::string> own_;  ///< files of the model, of others, and those looked at, by identity
 };
 
 /// The robots around an SRDF with its robot name, URDFs before xacro files; else the only URDF.
 std::vector<std::string> robots_of(const Companion& companion, LoadContext& context) {
   const srdf::Text& name = companion.srdf->name;
   const std::string folder(path::parent(context.sources.path(companion.source)));
-  const std::vector<std::string> folders = companion_places(folder, context.files).folders;
+  const std::vector<std::string> folders =
+      companion_places(folder, context.files, search_of(context)).folders;
   const std::vector<std::string> urdfs = candidates(folders, {&NamesInFolder::urdfs}, context);
   std::vector<std::string> found;
   for (const auto& all : {urdfs, candidates(folders, {&NamesInFolder::xacros}, context)}) {
@@ -339,7 +405,7 @@ std::vector<std::string> tied_robots_of(const std::string& path, const LoadConte
 Accompanied load_companion(const std::string& path, LoadContext& context) {
   Accompanied loaded;
   loaded.model.path = path::normalize(path);
-  loaded.companions.is_alone = true;
+  loaded.companions.checks_first_only = true;
   auto companion = Loader(context).read(path, spec_of(CompanionKind::srdf));
   if (!companion) {
     loaded.model.is_complete = false;
@@ -352,7 +418,7 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
   for (const std::string& robot : robots) {
     LinkedModel found = load_model(robot, context);
     count_names(found, *companion);
-    if (!found.robot || (!is_tied && !belongs_to(found, *companion))) continue;
+    if (!found.robot || (!is_tied && !may_belong_to(found, *companion))) continue;
     if (loaded.model.robot && companion->known_names <= best) continue;
     best = companion->known_names;
     loaded.model = std::move(found);
@@ -366,7 +432,8 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
 }  // namespace
 
 bool is_companion_path(std::string_view path) {
-  return has_ending(path, ".srdf") || has_ending(path, ".srdf.xacro");
+  const std::string name = path::to_lower(path::file_name(path));
+  return name.ends_with(".srdf") || name.ends_with(".srdf.xacro");
 }
 
 Companions load_companions(const LinkedModel& model, LoadContext& context) {

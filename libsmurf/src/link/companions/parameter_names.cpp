@@ -5,9 +5,9 @@
 #include <iterator>
 #include <string_view>
 
+#include "ast/ros_parameters.hpp"
 #include "base/text/words.hpp"
 #include "link/reference_finder.hpp"
-#include "smurf/ros_parameters.hpp"
 
 namespace smurf {
 namespace {

@@ -3,23 +3,19 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
-#include <map>
-#include <optional>
 #include <set>
 #include <utility>
 
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
-#include "smurf/companions.hpp"
+#include "link/package_search.hpp"
 
 namespace smurf {
 namespace {
 
-constexpr int kLevels = 8;                       // from a description up to its package
-constexpr std::size_t kMostFolders = 300;        // in which files are looked for
-constexpr std::size_t kMostNeighbours = 400;     // folders that may be packages
-constexpr std::uint64_t kMostBytes = 1U << 20U;  // of a package.xml
+constexpr int kLevels = 8;                    // from a description up to its package
+constexpr std::size_t kMostFolders = 300;     // in which files are looked for
+constexpr std::size_t kMostNeighbours = 400;  // folders that may be packages
 
 /// Folders of a package without companions.
 bool is_skipped(std::string_view name) {
@@ -28,19 +24,9 @@ bool is_skipped(std::string_view name) {
                           "worlds", "textures", "materials", "media", "build", "install", "log"});
 }
 
-/// Whether a YAML file with this name may be a companion.
-bool is_promising_yaml(std::string_view lower) {
-  if (!lower.ends_with(".yaml") && !lower.ends_with(".yml")) return false;
-  constexpr std::string_view kWords[] = {"control",  "limits", "kinematics", "ompl",
-                                         "planning", "moveit", "param",      "sensors"};
-  return std::any_of(std::begin(kWords), std::end(kWords), [&](std::string_view word) {
-    return lower.find(word) != std::string_view::npos;
-  });
-}
-
 class Search {
  public:
-  explicit Search(const FileReader& files) : files_(files) {}
+  Search(const FileReader& files, PackageSearch& packages) : files_(files), search_(packages) {}
 
   CompanionPlaces run(const std::string& start) {
     const std::string folder = path::normalize(start.empty() ? "." : start);
@@ -54,23 +40,18 @@ class Search {
     add_usual(folder);
     if (level < kLevels) {
       add_package(package);
+      own_ = places_.size();
       add_related(package);
+    } else {
+      own_ = places_.size();
     }
-    return {std::move(places_), std::move(packages_)};
+    return {std::move(places_), own_, std::move(packages_)};
   }
 
  private:
-  bool is_package(const std::string& folder) { return manifest_of(folder).has_value(); }
+  bool is_package(const std::string& folder) { return manifest_of(folder).exists; }
 
-  /// The text of the package.xml in a folder. Hundreds of folders are asked, some of them twice.
-  const std::optional<std::string>& manifest_of(const std::string& folder) {
-    const auto [known, is_new] = manifests_.try_emplace(folder);
-    if (is_new) {
-      FileContent content = files_.read(path::join(folder, "package.xml"), kMostBytes);
-      if (content.status == ReadStatus::ok) known->second = std::move(content.text);
-    }
-    return known->second;
-  }
+  const PackageManifest& manifest_of(const std::string& folder) { return search_.manifest(folder); }
 
   bool is_full() const { return places_.size() >= kMostFolders; }
 
@@ -102,18 +83,6 @@ class Search {
     }
   }
 
-  static std::string_view name_in(std::string_view manifest) {
-    const std::size_t begin = manifest.find("<name>");
-    const std::size_t end = manifest.find("</name>", begin);
-    if (begin == std::string_view::npos || end == std::string_view::npos) return {};
-    return trimmed(manifest.substr(begin + 6, end - begin - 6));
-  }
-
-  static bool names(std::string_view manifest, std::string_view package) {
-    return !package.empty() &&
-           manifest.find(">" + std::string(package) + "<") != std::string_view::npos;
-  }
-
   /// The packages beside a package, and those one level above and below.
   std::vector<std::string> neighbours(const std::string& package) {
     std::vector<std::string> found;
@@ -137,40 +106,32 @@ class Search {
   }
 
   void add_related(const std::string& package) {
-    const std::string_view own = *manifest_of(package);
-    const std::string_view name = name_in(own);
-    packages_.push_back({std::string(name), package});
+    const PackageManifest& own = manifest_of(package);
+    packages_.push_back({own.name, package});
     for (const std::string& other : neighbours(package)) {
       if (seen_.contains(other)) continue;
-      const std::string_view manifest = *manifest_of(other);
-      if (name_in(manifest) == name) continue;  // a copy
-      packages_.push_back({std::string(name_in(manifest)), other});
-      if (names(manifest, name) || names(own, name_in(manifest))) add_package(other);
+      const PackageManifest& manifest = manifest_of(other);
+      if (manifest.name.empty() || manifest.name == own.name) continue;  // a copy
+      packages_.push_back({manifest.name, other});
+      const bool is_related =
+          manifest.dependencies.contains(own.name) || own.dependencies.contains(manifest.name);
+      if (is_related) add_package(other);
     }
   }
 
   const FileReader& files_;
+  PackageSearch& search_;
   std::vector<std::string> places_;
+  std::size_t own_ = 0;  ///< places of the package itself
   std::vector<NearPackage> packages_;
   std::set<std::string> seen_;
-  std::map<std::string, std::optional<std::string>> manifests_;  ///< by folder
 };
 
 }  // namespace
 
-NamesInFolder::NamesInFolder(std::vector<std::string> all) {
-  for (std::string& name : all) {
-    const bool is_hidden = name.starts_with('.');
-    const std::string lower = path::to_lower(name);
-    if (!is_hidden && lower.ends_with(".urdf")) urdfs.push_back(name);
-    if (!is_hidden && lower.ends_with(".xacro")) xacros.push_back(name);
-    const bool is_companion = is_hidden ? name == ".setup_assistant" : is_promising_yaml(lower);
-    if (is_companion || is_companion_path(name)) companions.push_back(std::move(name));
-  }
-}
-
-CompanionPlaces companion_places(const std::string& folder, const FileReader& files) {
-  return Search(files).run(folder);
+CompanionPlaces companion_places(const std::string& folder, const FileReader& files,
+                                 PackageSearch& packages) {
+  return Search(files, packages).run(folder);
 }
 
 std::string_view robot_name_in(std::string_view text) {

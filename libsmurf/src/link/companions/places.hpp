@@ -2,6 +2,7 @@
 // The folders in which the companions of a robot are looked for.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "smurf/file_reader.hpp"
 
 namespace smurf {
+
+class PackageSearch;
 
 /// A ROS package around a robot.
 struct NearPackage {
@@ -18,21 +21,15 @@ struct NearPackage {
 /// Where companions may be.
 struct CompanionPlaces {
   std::vector<std::string> folders;
+  std::size_t own = 0;                ///< the first of them are in the package of the robot
   std::vector<NearPackage> packages;  ///< that of the robot, and those beside it
 };
 
 /// The folders of the ROS package around `folder`, and those of packages in the same repository
 /// that depend on it or that it depends on. Without a package: the folder, and the folders beside
 /// it that robots usually have.
-CompanionPlaces companion_places(const std::string& folder, const FileReader& files);
-
-/// The names of files in a folder that may be companions or robots, in the order of `all`. An SRDF
-/// in xacro is in two of them. Other files are not opened: they may be anything.
-struct NamesInFolder {
-  explicit NamesInFolder(std::vector<std::string> all);
-
-  std::vector<std::string> companions, urdfs, xacros;
-};
+CompanionPlaces companion_places(const std::string& folder, const FileReader& files,
+                                 PackageSearch& packages);
 
 /// The `name` of the element `robot`, without parsing the text; "" if there is none.
 std::string_view robot_name_in(std::string_view text);

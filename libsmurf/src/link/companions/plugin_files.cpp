@@ -34,6 +34,12 @@ PluginFile::State state_of(const std::string& path, const FileReader& files) {
              : PluginFile::State::controllers;
 }
 
+/// `$(find ...)` is absolute; reports name files in the current folder relative to it.
+std::string shown_path(const std::string& path, const FileReader& files) {
+  const std::string here = files.identity(".") + "/";
+  return here.size() > 1 && path.starts_with(here) ? path.substr(here.size()) : path;
+}
+
 }  // namespace
 
 bool is_control_plugin(std::string_view file_name) {
@@ -54,7 +60,7 @@ std::vector<PluginFile> plugin_files_of(const LinkedModel& model, const FileRead
       for (const xml::View one : plugin) {
         const std::string path(trimmed(one.text()));
         if (one.name() != "parameters" || path.empty()) continue;
-        found.push_back({one.id(), path, state_of(path, files)});
+        found.push_back({one.id(), shown_path(path, files), state_of(path, files)});
       }
     }
   }

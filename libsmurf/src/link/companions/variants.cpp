@@ -15,6 +15,8 @@
 #include "base/text/words.hpp"
 #include "link/companions/companion_names.hpp"
 #include "link/companions/places.hpp"
+#include "link/package_search.hpp"
+#include "link/xacro_model.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/xacro.hpp"
 #include "xacro/seen_arguments.hpp"
@@ -27,6 +29,7 @@ constexpr std::size_t kMostTrials = 24;           // expansions for one SRDF
 constexpr std::size_t kMostValuesOfArgument = 6;  // of one
 constexpr std::size_t kMostFilesOfXacro = 400;    // of xacro, around the robot
 constexpr std::uint64_t kMostBytesOfXacro = 1U << 20U;
+constexpr std::uint64_t kMostBytesOfNames = 1U << 30U;  // that are searched for one SRDF, by name
 
 using Values = std::map<std::string, std::vector<std::string>>;
 using Arguments = std::map<std::string, std::string>;
@@ -95,6 +98,7 @@ std::vector<ArgumentValue> declared_arguments(const xacro::Expansion& expansion,
 LoadContext quiet_context(const LoadContext& context, SourceMap& sources, DiagnosticSink& sink) {
   LoadContext quiet{sources,          context.files,           sink,    context.limits,
                     context.packages, context.package_folders, nullptr, context.schemas};
+  quiet.limits.xacro_steps = steps_of_trial(context.limits);
   quiet.xacro = context.xacro;
   return quiet;
 }
@@ -236,13 +240,18 @@ void note_written(const LinkedModel& model, Companion& companion, LoadContext& c
     if (is_part && !one.is_vague && !one.is_known()) unknown.emplace(one.name);
   }
   std::size_t count = 0;
+  std::uint64_t left = kMostBytesOfNames;
   const std::string folder(path::parent(model.urdf_path));
-  for (const std::string& place : companion_places(folder, context.files).folders) {
+  for (const std::string& place :
+       companion_places(folder, context.files, search_of(context)).folders) {
     for (const std::string& name : context.files.list(place)) {
       if (path::extension(name) != ".xacro" || is_companion_path(name)) continue;
       if (++count > kMostFilesOfXacro || unknown.empty()) return;
       const FileContent content = context.files.read(path::join(place, name), kMostBytesOfXacro);
       if (content.status != ReadStatus::ok) continue;
+      const std::uint64_t work = content.text.size() * unknown.size();
+      if (work > left) return;
+      left -= work;
       for (auto one = unknown.begin(); one != unknown.end();) {
         const bool is_written = writes_name(content.text, *one);
         if (is_written) companion.of_variants.insert(*one);
@@ -252,8 +261,8 @@ void note_written(const LinkedModel& model, Companion& companion, LoadContext& c
   }
 }
 
-/// Moves the files in a folder to a variant of the robot with these arguments.
-void move_to_variant(Accompanied& robot, const std::string& folder, const Arguments& arguments,
+/// Moves a file to a variant of the robot with these arguments; an SRDF with all files beside it.
+void move_to_variant(Accompanied& robot, std::size_t index, const Arguments& arguments,
                      LoadContext& context) {
   DiagnosticSink ignored(context.limits);
   LoadContext inner = quiet_context(context, context.sources, ignored);
@@ -263,13 +272,17 @@ void move_to_variant(Accompanied& robot, const std::string& folder, const Argume
   variant.model = load_model(robot.model.path, inner);
   variant.arguments = shown_arguments(arguments);
   std::vector<Companion>& files = robot.companions.files;
-  const auto moved = std::stable_partition(
-      files.begin(), files.end(), [&](const Companion& one) { return one.folder != folder; });
+  const std::string folder = files[index].folder;
+  const SourceId source = files[index].source;
+  const bool moves_all = files[index].srdf.has_value();
+  const auto moved = std::stable_partition(files.begin(), files.end(), [&](const Companion& one) {
+    return moves_all ? one.folder != folder : one.source != source;
+  });
   std::move(moved, files.end(), std::back_inserter(variant.companions.files));
   files.erase(moved, files.end());
   for (Companion& one : variant.companions.files) {
     count_names(variant.model, one);
-    if (one.srdf && one.known_names < one.names) note_written(variant.model, one, context);
+    if (one.known_names < one.names) note_written(variant.model, one, context);
   }
 }
 
@@ -283,15 +296,16 @@ void split_variants(Accompanied& robot, LoadContext& context,
   std::vector<Companion>& files = robot.companions.files;
   for (std::size_t i = 0; i < files.size();) {
     Companion& one = files[i];
-    const bool lacks = one.srdf && one.known_names < one.names && !one.is_compared;
-    if (!lacks) {
+    // A misspelt name is one with all arguments.
+    const std::size_t known = one.known_names + (one.srdf ? 0 : one.near_names.size());
+    if (known >= one.names || one.is_compared) {
       ++i;
       continue;
     }
     one.is_compared = true;
     if (!search) search.emplace(robot.model, values, context);
     if (const auto best = search->best_for(one)) {
-      move_to_variant(robot, std::string(one.folder), *best, context);
+      move_to_variant(robot, i, *best, context);
       i = 0;
     } else {
       note_written(robot.model, one, context);

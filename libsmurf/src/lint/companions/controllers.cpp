@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/files/path.hpp"
 #include "base/text/words.hpp"
 
 namespace smurf {
@@ -112,6 +113,20 @@ void for_each_parameter(
       for_each_parameter(member, known, visit, path + ".");
     }
   }
+}
+
+char rcl_type_of(yaml::View value) {
+  if (value.is_null() || is_placeholder(value.text())) return 0;
+  switch (value.type()) {
+  case yaml::ScalarType::integer: return 'i';
+  case yaml::ScalarType::number: return 'd';
+  case yaml::ScalarType::boolean: return 'b';
+  case yaml::ScalarType::null: return 0;
+  case yaml::ScalarType::text: break;
+  }
+  const std::string lower = path::to_lower(value.text());
+  const bool is_plain = value.style() == yaml::Style::plain;
+  return is_plain && is_one_of(lower, {"yes", "no", "on", "off", "y", "n"}) ? 'b' : 's';
 }
 
 std::string title_of(const RosController& controller) {

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "ast/ros_parameters.hpp"
 #include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 #include "smurf/companions.hpp"
-#include "smurf/ros_parameters.hpp"
 
 namespace smurf {
 
@@ -55,6 +55,10 @@ void for_each_parameter(
 
 /// SML3701: a joint of a robot with another number of joints.
 inline constexpr Circumstance kNumberedJoint{"numbered"};
+
+/// The type that rcl and rclcpp give to a scalar, in the letters of RosParameter; 0 for one that is
+/// empty or filled in later.
+char rcl_type_of(yaml::View value);
 
 /// "controller `arm_controller`"
 std::string title_of(const RosController& controller);

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "ast/ros_parameters.hpp"
 #include "base/findings/readers.hpp"
 #include "lint/queries.hpp"
 #include "smurf/companions.hpp"
-#include "smurf/ros_parameters.hpp"
 
 namespace smurf {
 

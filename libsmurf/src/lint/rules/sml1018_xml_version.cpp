@@ -20,6 +20,7 @@ extern constinit const Rule sml1018_xml_version{
     .why = "Browsers, urdf-loader, lxml and xmllint refuse the file.",
     .remedy = "Write `version=\"1.0\"`.",
     .sources = "XML 1.0 section 2.8; 37 of 991 robots of 70 repositories.",
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1018_xml_version_file

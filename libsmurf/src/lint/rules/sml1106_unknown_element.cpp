@@ -19,6 +19,7 @@ extern constinit const Rule sml1106_unknown_element{
     .summary = "An unknown element is in a place where readers expect elements of URDF.",
     .why = "Readers ignore the element: a misspelt `collision` leaves the link without collision.",
     .remedy = "Correct the name; foreign data belongs under `robot` or needs a prefix.",
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1106_unknown_element_file

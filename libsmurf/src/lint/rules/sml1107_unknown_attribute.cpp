@@ -19,6 +19,7 @@ extern constinit const Rule sml1107_unknown_attribute{
     .why = "Readers ignore the attribute, so its value is missing.",
     .remedy = "Correct the name; foreign attributes need a prefix.",
     .sources = "186 of 797 public files.",
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1107_unknown_attribute_file

@@ -20,6 +20,7 @@ extern constinit const Rule sml1108_misplaced_element{
     .why = "Readers ignore it silently: an `inertial` beside the links gives no link a mass.",
     .remedy = "Move it into the element it belongs to.",
     .sources = "urdfdom, executed.",
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1108_misplaced_element_file

@@ -17,7 +17,12 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.severity = Severity::info;
     diagnostic.note("it has comments only, as a file that others include by default");
   }
-  if (xml::View(document, document.root).attribute("xmlns:xacro") == nullptr) return;
+  if (xml::View(document, document.root).attribute("xmlns:xacro") == nullptr) {
+    if (!has_only_comments(document)) {
+      diagnostic.help("add a link; a xacro whose macro nobody calls expands to such a robot");
+    }
+    return;
+  }
   diagnostic.note("a xacro file that only defines macros makes an empty robot");
   diagnostic.help("expand the file that uses its macros");
 }

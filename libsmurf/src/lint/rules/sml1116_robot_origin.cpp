@@ -28,6 +28,7 @@ extern constinit const Rule sml1116_robot_origin{
     .why = "URDF defines no origin there: readers place the robot differently.",
     .remedy = "Set the pose in the scene, or with a fixed joint below a new root link.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1116_robot_origin_file

@@ -6,7 +6,6 @@
 
 #include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1120_word_of_other_dialect_file {
@@ -58,12 +57,6 @@ class Check {
       }
     }
     for (const urdf::Joint& joint : robot.joints) see_children("joint", joint.element);
-    for (const auto& [word, habit] : habits_) {
-      Diagnostic* diagnostic = habit.report("such elements", findings_);
-      if (diagnostic == nullptr) continue;
-      diagnostic->when(*word->owner);
-      diagnostic->help(std::string(word->help));
-    }
   }
 
  private:
@@ -75,16 +68,20 @@ class Check {
       return one.parent == parent && one.name == element.name();
     });
     if (word == std::end(kWords)) return;
-    habits_[word].add(element.name_span(), quoted(element.name()) + " in a `" +
-                                               std::string(parent) + "` is a word of " +
-                                               (word->owner == &kOfBullet  ? "Bullet"
-                                                : word->owner == &kOfDrake ? "Drake"
-                                                                           : "another format"));
+    const std::string_view format = word->owner == &kOfBullet  ? "Bullet"
+                                    : word->owner == &kOfDrake ? "Drake"
+                                                               : "another format";
+    findings_
+        .report_habit(element.name_span(),
+                      quoted(element.name()) + " in a `" + std::string(parent) + "` is a word of " +
+                          std::string(format),
+                      "such elements", static_cast<std::size_t>(word - std::begin(kWords)))
+        .when(*word->owner)
+        .help(std::string(word->help));
   }
 
   const LinkedModel& model_;
   Findings& findings_;
-  std::map<const Word*, Habit> habits_;
 };
 
 void check(const LinkedModel& model, Findings& findings) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
+#include "base/text/words.hpp"
 #include "lint/mimic_queries.hpp"
 #include "lint/queries.hpp"
 
@@ -18,6 +19,11 @@ void check_end(const LinkedModel& model, const urdf::Joint& joint, std::string_v
   if (is_slip(model, holder, child ? "link" : end, findings)) return;
   Diagnostic& diagnostic = findings.report(child ? child.name_span() : name_place(model, joint),
                                            title(joint) + " has no " + std::string(end) + " link");
+  const std::string text(child ? trimmed(child.text()) : std::string_view());
+  if (!text.empty()) {
+    diagnostic.help("this is the way of SDF; in a URDF, write `<" + std::string(end) + " link=\"" +
+                    text + "\"/>`");
+  }
   if (name) diagnostic.when(kEmpty);
   if (joint.name && followed.contains(*joint.name)) diagnostic.when(kFollowed);
 }

@@ -116,7 +116,7 @@ extern constinit const Rule sml1207_self_joint{.id = "SML1207",
                                                .remedy = "Name two different links.",
                                                .check_model = check,
                                                .facts = kFacts,
-                                               .is_impossible = true,
+                                               .about = About::robot,
                                                .blocks_building = true};
 
 }  // namespace smurf::rules::sml1207_self_joint_file

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "base/findings/readers.hpp"
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 #include "readers/rigid_bodies.hpp"
 
@@ -31,30 +30,23 @@ class KeptNames {
 
 /// One finding per file, because authors name all parts by one scheme.
 void check(const LinkedModel& model, Findings& findings) {
-  Habit habit;
-  Span link_name;
   std::optional<KeptNames> kept;  // computed when it is needed
-  bool is_clash = false;
   std::size_t index = 0;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     const std::size_t at = index++;
     if (!joint.name || joint.name->empty()) return;
     const auto link = model.link_names.find(*joint.name);
     if (!link) return;
-    if (habit.is_first()) link_name = model.robot->links[*link].name.span;
     if (!kept) kept.emplace(model);
-    is_clash = is_clash || (kept->has_joint(at) && kept->has_link(*link));
-    habit.add(joint.name.span, "a link and a joint are both called " + quoted(*joint.name));
+    Diagnostic& finding = findings.report_habit(
+        joint.name.span, "a link and a joint are both called " + quoted(*joint.name), "such names");
+    finding.label(model.robot->links[*link].name.span, "the link");
+    if (kept->has_joint(at) && kept->has_link(*link)) {
+      finding.note("Gazebo has one name space for both, and refuses the model");
+    } else {
+      finding.when(kMerged).severity = Severity::info;  // no reader minds
+    }
   });
-  Diagnostic* diagnostic = habit.report("such names", findings);
-  if (diagnostic == nullptr) return;
-  diagnostic->label(link_name, "the link");
-  if (is_clash) {
-    diagnostic->note("Gazebo has one name space for both, and refuses the model");
-    return;
-  }
-  diagnostic->when(kMerged);
-  diagnostic->severity = Severity::info;  // no reader minds
 }
 
 constexpr Fact kFacts[] = {

@@ -44,6 +44,7 @@ extern constinit const Rule sml1304_duplicate_visual_or_collision_name{
     .summary = "Two visuals, or two collisions, have the same name.",
     .remedy = "Give each a different name.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1304_duplicate_visual_or_collision_name_file

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
-#include "lint/habit.hpp"
 #include "lint/name_queries.hpp"
 
 namespace smurf::rules::sml1309_slash_in_name_file {
@@ -10,17 +9,13 @@ constexpr Circumstance kLeading{"leading slash"};
 
 /// One finding per file, because authors name all parts by one scheme.
 void check(const LinkedModel& model, Findings& findings) {
-  Habit habit;
-  bool is_leading = false;
   for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
     if (name_fault(*name) != NameFault::slash) return;
-    is_leading = is_leading || name->starts_with('/');
-    habit.add(name.span, "the name " + quoted(*name) + " contains a slash");
+    Diagnostic& finding = findings.report_habit(
+        name.span, "the name " + quoted(*name) + " contains a slash", "such names");
+    finding.note("MuJoCo and USD treat it as the separator of a path");
+    if (name->starts_with('/')) finding.when(kLeading);
   });
-  Diagnostic* diagnostic = habit.report("such names", findings);
-  if (diagnostic == nullptr) return;
-  diagnostic->note("MuJoCo and USD treat it as the separator of a path");
-  if (is_leading) diagnostic->when(kLeading);
 }
 
 constexpr Fact kFacts[] = {

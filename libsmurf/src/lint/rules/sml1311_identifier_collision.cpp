@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/findings/readers.hpp"
 #include "lint/name_queries.hpp"
 
 namespace smurf::rules::sml1311_identifier_collision_file {
@@ -8,10 +9,16 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const auto& [kind, first, second] : name_collisions(model, as_identifier)) {
     Diagnostic& diagnostic = findings.report(
         second->span, quoted(**second) + " and " + quoted(**first) + " become the same name " +
-                          quoted(as_identifier(**first)) + " in Isaac and USD");
+                          quoted(as_identifier(**first)) + " in USD, and in Isaac Sim before 6");
     diagnostic.label(first->span, "the other " + std::string(kind));
   }
 }
+
+constexpr Fact kFacts[] = {
+    {&readers::isaac, Effect::loses, "makes one name of the two", "PathUtils.cpp:356-369",
+     before({6, 0})},
+    {&readers::isaac, Effect::changes, "renames both, to different names", kRun},
+};
 
 }  // namespace
 
@@ -24,6 +31,7 @@ extern constinit const Rule sml1311_identifier_collision{
         "USD replaces every character except letters, digits and underscores by `_`: one of the two overwrites the other.",
     .remedy = "Rename one of them.",
     .sources = "Isaac importer PathUtils.cpp:356-369.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1311_identifier_collision_file

@@ -48,6 +48,7 @@ extern constinit const Rule sml1407_limits_swapped{
     .summary = "The lower limit of a joint is above its upper limit.",
     .remedy = "Swap the values, or correct the one that is wrong.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1407_limits_swapped_file

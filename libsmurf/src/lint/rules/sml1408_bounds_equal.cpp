@@ -33,6 +33,7 @@ extern constinit const Rule sml1408_bounds_equal{
     .summary = "The two position limits of a joint are equal.",
     .remedy = "Make the joint fixed, or correct the limits.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1408_bounds_equal_file

@@ -42,6 +42,7 @@ extern constinit const Rule sml1409_continuous_with_bounds{
     .summary = "A continuous joint has position limits.",
     .remedy = "Make the joint revolute, or delete the limits.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1409_continuous_with_bounds_file

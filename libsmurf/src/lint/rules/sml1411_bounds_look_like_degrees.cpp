@@ -38,6 +38,7 @@ extern constinit const Rule sml1411_bounds_look_like_degrees{
     .why = "URDF angles are radians: a limit of 90 is 14 turns, so the joint has no limit at all.",
     .remedy = "Multiply by pi/180.",
     .sources = "Distribution of the limits of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1411_bounds_look_like_degrees_file

@@ -35,6 +35,7 @@ extern constinit const Rule sml1412_prismatic_bounds_look_like_millimetres{
     .remedy = "Divide by 1000.",
     .sources = "URDF specification; distribution of the limits of 322 files of the Tola/Corke "
                "dataset.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1412_prismatic_bounds_look_like_millimetres_file

@@ -58,6 +58,7 @@ extern constinit const Rule sml1413_zero_outside_bounds{
         "with `initial_value` of ros2_control.",
     .sources = "MoveIt and PyBullet start states; 65 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1413_zero_outside_bounds_file

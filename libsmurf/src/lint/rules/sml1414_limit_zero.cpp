@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
-#include "lint/habit.hpp"
 #include "lint/limit_queries.hpp"
 
 namespace smurf::rules::sml1414_limit_zero_file {
@@ -8,24 +7,24 @@ namespace {
 
 /// One finding for all efforts and one for all velocities: exporters write 0 at every joint.
 void check(const LinkedModel& model, Findings& findings) {
-  Habit efforts, velocities;
+  enum Habit { of_efforts, of_velocities };
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.has_one_axis() || joint.mimic || !joint.limit || has_equal_bounds(joint)) return;
     const Field<double>& effort = joint.limit->effort;
     const Field<double>& velocity = joint.limit->velocity;
     // Effort and velocity both zero is one placeholder.
     if (effort && *effort == 0) {
-      efforts.add(effort.span, "the effort limit of " + title(joint) + " is 0");
+      findings
+          .report_habit(effort.span, "the effort limit of " + title(joint) + " is 0", "such limits",
+                        of_efforts)
+          .note("in MuJoCo, 0 means no limit; in Gazebo and Bullet, no force");
     } else if (velocity && *velocity == 0) {
-      velocities.add(velocity.span, "the velocity limit of " + title(joint) + " is 0");
+      findings
+          .report_habit(velocity.span, "the velocity limit of " + title(joint) + " is 0",
+                        "such limits", of_velocities)
+          .note("in MoveIt, 0 means no limit; Drake and Bullet do not enforce it");
     }
   });
-  if (Diagnostic* found = efforts.report("such limits", findings)) {
-    found->note("in MuJoCo, 0 means no limit; in Gazebo and Bullet, no force");
-  }
-  if (Diagnostic* found = velocities.report("such limits", findings)) {
-    found->note("in MoveIt, 0 means no limit; in Drake and Bullet, the joint cannot move");
-  }
 }
 
 constexpr Fact kFacts[] = {
@@ -50,6 +49,7 @@ extern constinit const Rule sml1414_limit_zero{
     .remedy = "Write the effort that the drive can provide, and the speed that it reaches.",
     .sources = "88 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1414_limit_zero_file

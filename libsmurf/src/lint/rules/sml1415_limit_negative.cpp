@@ -74,6 +74,7 @@ extern constinit const Rule sml1415_limit_negative{
     .summary = "The effort or velocity limit of a joint is negative.",
     .remedy = "Write a positive number.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1415_limit_negative_file

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers/numbers.hpp"
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1418_limit_placeholder_file {
@@ -10,16 +9,16 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kEffort = 1e4;    // N m or N
   constexpr double kVelocity = 1e3;  // rad/s or m/s
-  Habit habit;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.has_one_axis() || !joint.limit) return;
     const bool is_effort = joint.limit->effort.value_or(0) >= kEffort;
     if (!is_effort && joint.limit->velocity.value_or(0) < kVelocity) return;
     const Field<double>& limit = is_effort ? joint.limit->effort : joint.limit->velocity;
-    habit.add(limit.span, std::string("the ") + (is_effort ? "effort" : "velocity") + " limit of " +
-                              title(joint) + " looks like a placeholder: " + format_number(*limit));
+    findings.report_habit(limit.span,
+                          std::string("the ") + (is_effort ? "effort" : "velocity") + " limit of " +
+                              title(joint) + " looks like a placeholder: " + format_number(*limit),
+                          "such limits");
   });
-  habit.report("such limits", findings);
 }
 
 }  // namespace
@@ -35,6 +34,7 @@ extern constinit const Rule sml1418_limit_placeholder{
     .sources =
         "Distribution of the limits of 322 files of the Tola/Corke dataset: 27 have such efforts, "
         "31 such velocities.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1418_limit_placeholder_file

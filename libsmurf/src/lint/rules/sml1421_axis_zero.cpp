@@ -67,6 +67,7 @@ extern constinit const Rule sml1421_axis_zero{
     .summary = "The axis of a joint is the zero vector.",
     .remedy = "Write the direction the joint turns about or moves along.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1421_axis_zero_file

@@ -1,46 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1424_irrelevant_child_file {
 namespace {
 
-/// Elements without effect of the same kind, and the edits that delete them.
-struct Useless {
-  Habit habit{};
-  std::vector<Edit> removals{};
-
-  void add(const urdf::Joint& joint, xml::View child) {
-    habit.add(child.name_span(), title(joint) + " is " + *joint.type_name + ", so its " +
-                                     quoted(child.name()) + " has no effect");
-    removals.push_back({child.span(), ""});
-  }
-
-  void report(Applicability applicability, std::string help, Findings& findings) {
-    Diagnostic* diagnostic = habit.report("such elements", findings);
-    if (diagnostic == nullptr) return;
-    diagnostic->help(std::move(help));
-    diagnostic->fixes.push_back({applicability, std::move(removals)});
-  }
-};
+enum Habit { axes, settings };
 
 /// One finding per file: an exporter writes such elements into all fixed joints.
+void report(const urdf::Joint& joint, xml::View child, Habit habit, Findings& findings) {
+  Diagnostic& finding =
+      findings.report_habit(child.name_span(),
+                            title(joint) + " is " + *joint.type_name + ", so its " +
+                                quoted(child.name()) + " has no effect",
+                            "such elements", habit);
+  finding.help(habit == axes ? "delete it" : "delete it, unless the joint is to move again");
+  finding.fixes.push_back(
+      {habit == axes ? Applicability::safe : Applicability::unsafe, {{child.span(), ""}}});
+}
+
 /// People fix a joint for an afternoon. Its limits and damping are lost when they are deleted,
 /// while an axis of a fixed joint is what exporters write.
 void check(const LinkedModel& model, Findings& findings) {
-  Useless axes;
-  Useless settings;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     const bool is_fixed = joint.type == urdf::JointType::fixed;
     if (!is_fixed && joint.type != urdf::JointType::floating) return;
     for (const xml::View child : xml::View(model.robot->document, joint.element)) {
       const bool is_setting = child.name() == "limit" || child.name() == "dynamics";
-      if (child.name() == "axis") axes.add(joint, child);
-      if (is_fixed && is_setting) settings.add(joint, child);
+      if (child.name() == "axis") report(joint, child, axes, findings);
+      if (is_fixed && is_setting) report(joint, child, settings, findings);
     }
   });
-  axes.report(Applicability::safe, "delete it", findings);
-  settings.report(Applicability::unsafe, "delete it, unless the joint is to move again", findings);
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ extern constinit const Rule sml1425_dynamics_empty{
     .summary = "A dynamics element has neither damping nor friction.",
     .remedy = "Delete it, or write damping and friction.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1425_dynamics_empty_file

@@ -46,6 +46,7 @@ extern constinit const Rule sml1426_dynamics_negative{
     .why = "In other readers, the joint gains energy.",
     .remedy = "Write a positive number.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1426_dynamics_negative_file

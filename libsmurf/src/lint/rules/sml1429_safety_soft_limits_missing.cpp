@@ -13,6 +13,11 @@ void check(const LinkedModel& model, Findings& findings) {
     if (safety.soft_lower_limit.written && safety.soft_upper_limit.written) return;
     // Without gain it is refused before anybody looks at its limits (SML1113).
     if (!safety.k_velocity.written) return;
+    const bool is_misspelt = (!safety.soft_lower_limit.written &&
+                              is_slip(model, safety.element, "soft_lower_limit", findings)) ||
+                             (!safety.soft_upper_limit.written &&
+                              is_slip(model, safety.element, "soft_upper_limit", findings));
+    if (is_misspelt) return;
     findings
         .report(tag_name(model, safety.element),
                 "the safety controller of " + title(joint) + " lacks a soft limit")
@@ -34,6 +39,7 @@ extern constinit const Rule sml1429_safety_soft_limits_missing{
     .summary = "A safety controller has no soft limits.",
     .remedy = "Write soft_lower_limit and soft_upper_limit.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1429_safety_soft_limits_missing_file

@@ -61,6 +61,7 @@ extern constinit const Rule sml1430_soft_limits_outside_hard{
         "hard ones, it never brakes.",
     .remedy = "Put the soft limits within the hard ones.",
     .sources = "PR2 safety limits on the ROS wiki; MoveIt robot_model.cpp:849-860.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1430_soft_limits_outside_hard_file

@@ -55,8 +55,9 @@ extern constinit const Rule sml1435_mimic_exceeds_limits{
     .remedy = "Widen the limits of the mimic joint, or narrow those of the joint it follows.",
     .sources = "MuJoCo, executed; 9 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .tolerance = {
-        .value = 0.01,
-        .meaning = "how far the joint may be moved beyond its limits, as a fraction of its range"}};
+    .tolerance =
+        {.value = 0.01,
+         .meaning = "how far the joint may be moved beyond its limits, as a fraction of its range"},
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1435_mimic_exceeds_limits_file

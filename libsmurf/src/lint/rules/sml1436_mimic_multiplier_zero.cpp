@@ -29,6 +29,7 @@ extern constinit const Rule sml1436_mimic_multiplier_zero{
     .why = "The joint never moves.",
     .remedy = "Make the joint fixed, or write the multiplier that is meant.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1436_mimic_multiplier_zero_file

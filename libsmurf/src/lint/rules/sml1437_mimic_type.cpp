@@ -46,6 +46,7 @@ extern constinit const Rule sml1437_mimic_type{
     .remedy = "Let only revolute, continuous and prismatic joints mimic one another.",
     .sources = "Pinocchio model.cpp:140, 213.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1437_mimic_type_file

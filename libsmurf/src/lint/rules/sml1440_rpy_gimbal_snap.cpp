@@ -54,6 +54,7 @@ extern constinit const Rule sml1440_rpy_gimbal_snap{
     .why = "Parts of the link no longer fit together.",
     .remedy = "Write the pitch with all digits: 1.5707963267948966.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1440_rpy_gimbal_snap_file

@@ -38,6 +38,7 @@ extern constinit const Rule sml1441_rpy_large{
         "meant in degrees.",
     .remedy = "Multiply by pi/180.",
     .sources = "URDF specification; urdfdom pose.h.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1441_rpy_large_file

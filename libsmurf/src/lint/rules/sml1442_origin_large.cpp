@@ -6,7 +6,6 @@
 #include "base/numbers/numbers.hpp"
 #include "base/text/words.hpp"
 #include "lint/body.hpp"
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1442_origin_large_file {
@@ -38,9 +37,6 @@ bool moves_mass(xml::View origin) {
 void check(const LinkedModel& model, Findings& findings) {
   const double far = findings.tolerance();
   if (!model.robot) return;
-  Habit habit;
-  double first = 0;
-  bool is_doubtful = false;
   const xml::Document& document = model.robot->document;
   for (std::size_t i = 0; i < document.elements.size(); ++i) {
     if (!is_same(document.elements[i].name(), "origin")) continue;
@@ -48,14 +44,13 @@ void check(const LinkedModel& model, Findings& findings) {
     const xml::Attribute* xyz = origin.attribute("xyz");
     const double farthest = xyz == nullptr ? 0 : farthest_in(xyz->value());
     if (std::fabs(farthest) <= far) continue;
-    if (habit.is_first()) first = farthest;
-    is_doubtful = is_doubtful || (std::fabs(farthest) > kRounded && moves_mass(origin));
-    habit.add(xyz->value_span(), "this origin lies " + format_rounded(std::fabs(farthest)) +
-                                     " m away; are millimetres meant?");
-  }
-  if (Diagnostic* diagnostic = habit.report("such origins", findings)) {
-    if (is_doubtful) diagnostic->when(kUncertain);
-    diagnostic->help(format_rounded(first) + " mm are " + format_rounded(first / 1000) + " m");
+    Diagnostic& finding =
+        findings.report_habit(xyz->value_span(),
+                              "this origin lies " + format_rounded(std::fabs(farthest)) +
+                                  " m away; are millimetres meant?",
+                              "such origins");
+    if (std::fabs(farthest) > kRounded && moves_mass(origin)) finding.when(kUncertain);
+    finding.help(format_rounded(farthest) + " mm are " + format_rounded(farthest / 1000) + " m");
   }
 }
 
@@ -81,6 +76,7 @@ extern constinit const Rule sml1442_origin_large{
     .tolerance = {.value = kFarthestOrigin,
                   .unit = "m",
                   .meaning = "how far a part may lie from the frame it is placed in"},
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1442_origin_large_file

@@ -37,6 +37,7 @@ extern constinit const Rule sml1443_transmission_joint_unknown{
     .remedy = "Correct the name.",
     .sources = "14 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1443_transmission_joint_unknown_file

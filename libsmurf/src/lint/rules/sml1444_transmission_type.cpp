@@ -52,6 +52,7 @@ extern constinit const Rule sml1444_transmission_type{
     .summary = "The type of a transmission looks misspelt.",
     .remedy = "Correct the name.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1444_transmission_type_file

@@ -61,6 +61,7 @@ extern constinit const Rule sml1445_gazebo_reference_dangling{
     .remedy = "Correct the reference, or delete the element.",
     .sources = "7 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1445_gazebo_reference_dangling_file

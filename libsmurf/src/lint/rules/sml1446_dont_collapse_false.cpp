@@ -29,6 +29,7 @@ extern constinit const Rule sml1446_dont_collapse_false{
         "being merged.",
     .remedy = "Delete the attribute.",
     .sources = "Isaac importer UrdfParser.cpp:1270-1274.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1446_dont_collapse_false_file

@@ -65,6 +65,7 @@ extern constinit const Rule sml1452_gazebo_value_repeated{
     .why = "Whoever changes the first one sees no effect.",
     .remedy = "Delete all but one of them.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1452_gazebo_value_repeated_file

@@ -10,7 +10,6 @@
 #include "base/ranges.hpp"
 #include "base/text/words.hpp"
 #include "link/gazebo_names.hpp"
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 #include "lint/sdf_checks.hpp"
 
@@ -60,13 +59,6 @@ class Check {
       if (gazebo.name() != "gazebo" || reference == nullptr) continue;
       const Target target = target_of(reference->value());
       for (const xml::View child : gazebo) check(child, target, reference->value());
-    }
-    for (const auto& [name, habit] : habits_) {
-      Diagnostic* diagnostic = habit.report("such settings", findings_);
-      const bool is_of_link = ranges::contains(kOfLinks, name);
-      if (diagnostic == nullptr) continue;
-      diagnostic->help(is_of_link ? "refer to the link"
-                                  : "refer to a joint that moves, or delete the setting");
     }
   }
 
@@ -121,13 +113,18 @@ class Check {
   }
 
   void add(xml::View setting, std::string message) {
-    habits_[setting.name()].add(setting.name_span(), std::move(message));
+    const bool is_of_link = ranges::contains(kOfLinks, setting.name());
+    findings_
+        .report_habit(setting.name_span(), std::move(message), "such settings",
+                      habits_.try_emplace(setting.name(), habits_.size()).first->second)
+        .help(is_of_link ? "refer to the link"
+                         : "refer to a joint that moves, or delete the setting");
   }
 
   const LinkedModel& model_;
   Findings& findings_;
   std::optional<std::set<std::string_view>> kept_;
-  std::map<std::string_view, Habit> habits_;
+  std::map<std::string_view, std::size_t> habits_;  ///< by the name of the setting
 };
 
 void check(const LinkedModel& model, Findings& findings) {

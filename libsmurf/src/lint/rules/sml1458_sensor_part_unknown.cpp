@@ -8,6 +8,7 @@
 #include "base/ranges.hpp"
 #include "base/text/edits.hpp"
 #include "base/text/suggest.hpp"
+#include "base/text/words.hpp"
 #include "lint/queries.hpp"
 #include "lint/sdf_checks.hpp"
 #include "readers/sdf_language.hpp"
@@ -41,6 +42,11 @@ std::vector<std::string_view> names_of(const sdf::Element& row) {
   return names;
 }
 
+/// Elements outside of SDF that sdformat copies and gz-sensors reads: SML3902 judges them.
+bool is_of_release(std::string_view name) {
+  return is_one_of(name, {"gz_frame_id", "ignition_frame_id", "frame_id", "optical_frame_id"});
+}
+
 /// Whether the names of all parts are known, also of those that cannot be wrong.
 bool is_complete(std::string_view kind) { return kind != "plugin" && kind != "pose"; }
 
@@ -61,14 +67,33 @@ class Check {
             .help("delete it, or correct the type");
       }
     }
+    plugin_parts(sensor, type);
     children(sensor, *sdf::find("sensor"));
   }
 
  private:
+  /// The part that describes such a sensor, in a plugin: the sensor itself then has the defaults.
+  void plugin_parts(xml::View sensor, const std::string& type) {
+    for (const auto& [part, types] : kOwnParts) {
+      const bool is_own = (" " + std::string(types)).find(" " + type) != std::string::npos;
+      if (!is_own || type == " " || sensor.child(part)) continue;
+      for (const xml::View child : sensor) {
+        const xml::View inner = child.name() == "plugin" ? child.child(part) : xml::View{};
+        if (!inner || inner.begin() == inner.end()) continue;
+        findings_
+            .report(inner.name_span(),
+                    "the sensor does not read " + quoted(part) + " in a `plugin`")
+            .help("move it from the `plugin` into the `sensor`");
+        return;
+      }
+    }
+  }
+
   // The recursion is as deep as the file, whose depth is limited.
   void children(xml::View parent, const sdf::Element& row) {
     for (const xml::View child : parent) {
       if (child.name().find(':') != std::string_view::npos) continue;  // somebody's own
+      if (is_of_release(child.name())) continue;
       const auto part = sdf::find_part(row.children, child.name());
       if (!part) {
         report(child, parent, row);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdint>
+#include <initializer_list>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -23,6 +25,32 @@ NameKinds kinds_of(std::string_view element) {
     return NameKind::link;
   }
   return {};
+}
+
+/// The words of an element's name before the kind of thing that it names: `emitter` of
+/// `emitter_link_name`; none if it ends in none of the kinds.
+std::optional<std::string> owner_of(std::string_view element,
+                                    std::initializer_list<std::string_view> kinds) {
+  std::string word = path::to_lower(element);
+  std::erase(word, '_');
+  if (word.ends_with("name")) word.erase(word.size() - 4);
+  for (const std::string_view kind : kinds) {
+    if (word.ends_with(kind)) return word.substr(0, word.size() - kind.size());
+  }
+  return std::nullopt;
+}
+
+/// Whether a sibling says that the element names a part of another model: `emitter_robot_name`
+/// beside `emitter_link_name`, `child_model` beside `child_link`.
+bool is_of_another_model(xml::View element, std::string_view own_model) {
+  const auto owner = owner_of(element.name(), {"joint", "link", "body"});
+  if (!owner) return false;
+  for (const xml::View sibling : element.parent()) {
+    const auto named = owner_of(sibling.name(), {"robot", "model"});
+    if (!named || trimmed(sibling.text()) == own_model) continue;
+    if (*named == *owner || named->empty() || owner->empty()) return true;
+  }
+  return false;
 }
 
 /// Whether a text can be a name at all.
@@ -63,6 +91,7 @@ class Check {
     const std::string_view text = trimmed(element.text());
     std::string_view name = text;
     if (!is_name(name)) return;
+    if (is_of_another_model(element, model_.robot->name.value_or(""))) return;
     if (name.find("::") != std::string_view::npos) {
       name = name.substr(name.rfind(':') + 1);  // of a model
     }

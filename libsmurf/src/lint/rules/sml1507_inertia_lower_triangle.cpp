@@ -54,6 +54,7 @@ extern constinit const Rule sml1507_inertia_lower_triangle{
            "every reader.",
     .remedy = "Delete it; the value belongs to `ixy`, `ixz` or `iyz`.",
     .sources = "urdfdom, MuJoCo and Bullet, executed; 44 uses in 941 public files.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::format};
 
 }  // namespace smurf::rules::sml1507_inertia_lower_triangle_file

@@ -86,6 +86,7 @@ extern constinit const Rule sml1508_mass_zero{
     .summary = "A link has an inertial with mass 0.",
     .remedy = "Write the mass, or remove the inertial of a link that is only a frame.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1508_mass_zero_file

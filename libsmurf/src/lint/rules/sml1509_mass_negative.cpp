@@ -49,6 +49,6 @@ extern constinit const Rule sml1509_mass_negative{.id = "SML1509",
                                                   .remedy = "Correct the sign.",
                                                   .check_model = check,
                                                   .facts = kFacts,
-                                                  .is_impossible = true};
+                                                  .about = About::robot};
 
 }  // namespace smurf::rules::sml1509_mass_negative_file

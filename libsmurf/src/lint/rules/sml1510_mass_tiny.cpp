@@ -82,6 +82,7 @@ extern constinit const Rule sml1510_mass_tiny{
     .remedy = "Write the real mass, or delete the inertial of a link that is only a frame.",
     .sources = "34 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1510_mass_tiny_file

@@ -73,6 +73,7 @@ extern constinit const Rule sml1511_inertia_all_zero{
     .why = "Other engines get a singular mass matrix.",
     .remedy = "Compute the inertia from the geometry and the mass.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1511_inertia_all_zero_file

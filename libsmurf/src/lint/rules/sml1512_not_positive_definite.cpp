@@ -92,6 +92,6 @@ extern constinit const Rule sml1512_not_positive_definite{
     .remedy = "Compute the inertia again, e.g. from the geometry and the mass.",
     .check_model = check,
     .facts = kFacts,
-    .is_impossible = true};
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1512_not_positive_definite_file

@@ -14,6 +14,7 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   InertialsTogether together(model);
+  const bool are_balanced = balances_inertias(model);  // the file is written for MuJoCo
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const std::size_t at = index++;
@@ -26,6 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is not physically possible");
     together.tell(at, diagnostic);
+    if (are_balanced) diagnostic.severity = Severity::warning;
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4) + ": " +
                        format_rounded(high, 4) + " > " + format_rounded(low, 4) + " + " +
@@ -67,6 +69,6 @@ extern constinit const Rule sml1513_triangle_violated{
     .sources = "62 links of the Tola/Corke dataset, all above 1 %.",
     .check_model = check,
     .facts = kFacts,
-    .is_impossible = true};
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1513_triangle_violated_file

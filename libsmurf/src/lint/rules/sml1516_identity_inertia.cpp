@@ -47,6 +47,7 @@ extern constinit const Rule sml1516_identity_inertia{
            "about two metres wide, so joints respond far too slowly.",
     .remedy = "Compute the inertia from the geometry and the mass.",
     .sources = "14 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1516_identity_inertia_file

@@ -42,6 +42,7 @@ extern constinit const Rule sml1517_copied_inertia{
            "differently from the real one.",
     .remedy = "Compute mass and inertia from the geometry of each link.",
     .sources = "23 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1517_copied_inertia_file

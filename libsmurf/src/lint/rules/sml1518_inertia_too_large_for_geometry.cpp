@@ -5,6 +5,7 @@
 #include "link/inertia.hpp"
 #include "lint/axis_order.hpp"
 #include "lint/body.hpp"
+#include "lint/exact_slip.hpp"
 #include "lint/likely_cause.hpp"
 #include "lint/queries.hpp"
 
@@ -45,6 +46,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const double excess = excess_over(*body, extent->grown(kMargin * extent->longest_edge()));
     if (excess <= (body->mass <= kNegligibleMass ? kLarge : kSlack)) return;
     if (likely_axis_order(model, link) != nullptr) return;  // SML1531
+    if (exact_slip(model, link)) return;                    // SML1534
     const auto parts = extent_of_rigid_parts(model, link);
     if (!parts || excess_over(*body, parts->grown(kMargin * parts->longest_edge())) <= kSlack)
       return;
@@ -86,6 +88,7 @@ extern constinit const Rule sml1518_inertia_too_large_for_geometry{
     .remedy = "Compute the inertia from the geometry and the mass, in kg m2.",
     .sources = "Bhatia-Davis inequality; MuJoCo documentation on URDF; 48 of 322 files of the "
                "Tola/Corke dataset.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1518_inertia_too_large_for_geometry_file

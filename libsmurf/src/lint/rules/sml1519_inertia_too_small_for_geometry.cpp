@@ -60,6 +60,7 @@ extern constinit const Rule sml1519_inertia_too_small_for_geometry{
         "of the box around the link.",
     .check_model = check,
     .tolerance = {.value = 0.01,
-                  .meaning = "the smallest inertia, as a fraction of that of a homogeneous block"}};
+                  .meaning = "the smallest inertia, as a fraction of that of a homogeneous block"},
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1519_inertia_too_small_for_geometry_file

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "base/numbers/numbers.hpp"
+#include "base/numbers/vectors.hpp"
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"
+#include "lint/likely_cause.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1521_center_of_mass_outside_geometry_file {
@@ -46,9 +49,56 @@ std::string center_of_shapes(const LinkedModel& model, const urdf::Link& link,
   return text;
 }
 
+/// Whether the shapes are too small or too large by a factor that also explains the centre.
+bool is_about_size(const LinkedModel& model, const urdf::Link& link, const Extent& extent) {
+  const auto body = body_of(*link.inertial);
+  if (!body) return false;
+  const double density = body->mass / extent.volume();
+  if (density <= kHeaviestMaterial && density >= kLightestMaterial) return false;
+  return likely_cause(model, link, *body, extent).culprit == Culprit::shape;
+}
+
+/// The centre in the frame of the link, if the written one fits the shapes in that of the parent.
+std::optional<Vector3> center_from_parent(const LinkedModel& model, const urdf::Link& link,
+                                          std::size_t index, const Extent& extent) {
+  constexpr double kSame = 0.01;  // of the longest edge
+  constexpr double kOther = 0.15;
+  const auto joint = model.tree.parent_joint[index];
+  if (!joint || !link.inertial->origin.xyz) return std::nullopt;
+  const std::optional<Solid> solid = solid_of(model, link);
+  if (!solid) return std::nullopt;
+  const Vector3 written = urdf::to_pose(link.inertial->origin).position;
+  const Pose X_LP = inverse(urdf::to_pose(model.joint(*joint).origin));
+  const Vector3 turned = rotate(X_LP.orientation, written);
+  const Vector3 meant{X_LP.position[0] + turned[0], X_LP.position[1] + turned[1],
+                      X_LP.position[2] + turned[2]};
+  const auto distance = [&](const Vector3& point) {
+    const Vector3 d = difference(point, solid->center);
+    return std::sqrt(dot(d, d)) / extent.longest_edge();
+  };
+  if (distance(meant) > kSame || distance(written) < kOther) return std::nullopt;
+  return meant;
+}
+
+/// Reports it; false if the centre is where it is written.
+bool report_from_parent(const LinkedModel& model, const urdf::Link& link, std::size_t index,
+                        const Extent& extent, Findings& findings) {
+  const auto meant = center_from_parent(model, link, index, extent);
+  if (!meant) return false;
+  findings
+      .report(link.inertial->origin.xyz.span, "the centre of mass of " + title(link) +
+                                                  " is that of its shapes, but in the frame of the "
+                                                  "parent")
+      .help("in the frame of the link, it is `" + format_rounded((*meant)[0], 4) + " " +
+            format_rounded((*meant)[1], 4) + " " + format_rounded((*meant)[2], 4) + "`");
+  return true;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
+  std::size_t next = 0;
   constexpr double kOfCollisions = 5;  // times; they need not hold the whole part
   for_each_link(model, [&](const urdf::Link& link) {
+    const std::size_t index = next++;
     const auto extent = extent_of(model, link);
     if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
     const urdf::Inertial& inertial = *link.inertial;
@@ -58,9 +108,11 @@ void check(const LinkedModel& model, Findings& findings) {
                     [](double x) { return std::fabs(x) > kFarthestOrigin; })) {
       return;  // SML1442
     }
+    if (report_from_parent(model, link, index, *extent, findings)) return;
     if (extent->grown(margin * extent->longest_edge()).contains(center)) return;
     const auto parts = extent_of_rigid_parts(model, link);
     if (!parts || parts->grown(margin * parts->longest_edge()).contains(center)) return;
+    if (is_about_size(model, link, *extent)) return;  // SML1520
     const bool has_origin = !inertial.origin.xyz.span.empty();
     if (has_origin && !inertial.origin.xyz) return;  // unreadable
     Diagnostic& diagnostic =
@@ -96,9 +148,10 @@ extern constinit const Rule sml1521_center_of_mass_outside_geometry{
     .remedy = "Write the origin of the inertial in metres, in the frame of the link.",
     .sources = "24 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .tolerance = {
-        .value = 0.1,
-        .meaning =
-            "how far outside the centre of mass may lie, as a fraction of the longest edge"}};
+    .tolerance =
+        {.value = 0.1,
+         .meaning =
+             "how far outside the centre of mass may lie, as a fraction of the longest edge"},
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1521_center_of_mass_outside_geometry_file

@@ -65,6 +65,7 @@ extern constinit const Rule sml1523_radius_of_gyration{
            "mm2). Joints then jitter or hardly move.",
     .remedy = "Write the inertia in kg m2.",
     .sources = "38 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1523_radius_of_gyration_file

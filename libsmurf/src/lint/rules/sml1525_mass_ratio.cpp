@@ -44,6 +44,7 @@ extern constinit const Rule sml1525_mass_ratio{
         "fixed to.",
     .sources = "ODE manual, stability; Bullet user manual, mass ratios.",
     .check_model = check,
-    .tolerance = {.value = 1000, .meaning = "how many times as heavy a link may be"}};
+    .tolerance = {.value = 1000, .meaning = "how many times as heavy a link may be"},
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1525_mass_ratio_file

@@ -113,6 +113,7 @@ extern constinit const Rule sml1529_sides_differ_in_joint{
     .remedy = "Compare the two joints, and correct the one that was not updated.",
     .sources = "Of 991 public URDFs, 23 differ in their bounds, and 5 in a joint type.",
     .check_model = check,
-    .tolerance = {.value = 0.05, .meaning = "how much the two sides may differ, as a fraction"}};
+    .tolerance = {.value = 0.05, .meaning = "how much the two sides may differ, as a fraction"},
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1529_sides_differ_in_joint_file

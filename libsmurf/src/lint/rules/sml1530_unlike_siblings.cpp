@@ -35,6 +35,7 @@ extern constinit const Rule sml1530_unlike_siblings{
     .sources = "A public robot with four wheels, one of which has a hundredth of the inertia.",
     .check_model = check,
     .tolerance = {.value = kOddFactor,
-                  .meaning = "the factor by which one may differ from the others"}};
+                  .meaning = "the factor by which one may differ from the others"},
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1530_unlike_siblings_file

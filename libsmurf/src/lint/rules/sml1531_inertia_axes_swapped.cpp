@@ -49,6 +49,7 @@ extern constinit const Rule sml1531_inertia_axes_swapped{
            "link resists turning about the wrong axis: a wheel spins up too slowly or too fast.",
     .remedy = "Swap the moments, or turn the inertial with `rpy`.",
     .sources = "The 12 rotors of the legs of a public quadruped.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1531_inertia_axes_swapped_file

@@ -83,6 +83,7 @@ extern constinit const Rule sml1532_inertial_in_mesh_frame{
            "of the visual moves or turns the mesh, the mass is then elsewhere than the part.",
     .remedy = "Move and turn the inertial in the same way as the mesh.",
     .sources = "The centre of the volume of the mesh, before and after the origin of the visual.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1532_inertial_in_mesh_frame_file

@@ -45,6 +45,7 @@ extern constinit const Rule sml1533_node_inertia{
               "so that MARS computes them.",
     .sources = "MARS NodeData.cpp and NodePhysics.cpp.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1533_node_inertia_file

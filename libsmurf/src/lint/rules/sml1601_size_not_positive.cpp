@@ -66,6 +66,7 @@ extern constinit const Rule sml1601_size_not_positive{
     .remedy =
         "Write a length above 0, in metres: the radius of a round shape, the whole sides of a box.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1601_size_not_positive_file

@@ -6,7 +6,6 @@
 #include "base/files/path.hpp"
 #include "base/findings/cases.hpp"
 #include "base/findings/readers.hpp"
-#include "base/findings/uncertain.hpp"
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 #include "link/mujoco_compiler.hpp"
@@ -22,6 +21,7 @@ constexpr Circumstance kMesh{"mesh"};
 constexpr Circumstance kFolder{"folder"};
 constexpr Circumstance kAbove{"found from above"};
 constexpr Circumstance kTexture{"texture"};
+constexpr Circumstance kShortUri{"file: without a host"};
 
 /// Whether a folder on the way to the URDF has this name, as far as the path is written.
 bool lies_in(const LinkedModel& model, std::string_view name) {
@@ -125,7 +125,7 @@ void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_
   }
   if (!mesh.meant.empty()) suggest(mesh, model, diagnostic);
   if (is_found_from_above(mesh, model)) diagnostic.when(kAbove);
-  if (is_uri_without_host(mesh.filename)) diagnostic.when(kUncertain);
+  if (is_uri_without_host(mesh.filename)) diagnostic.when(kShortUri);
   if (mesh.is_texture) diagnostic.severity = Severity::warning;
 }
 
@@ -181,8 +181,8 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfFindMeshFile.h, run", when(cases::kLostPackage)},
     ros_without_mesh(when(kMesh)),
     gazebo_without_mesh(when(kMesh)),
-    {&readers::dart, Effect::refuses, "reads it as a URI, and refuses the file if it is missing",
-     kRun, when(kUncertain)},
+    {&readers::dart, Effect::refuses, "reads it as a URI, and refuses the file", "6.20.0, run",
+     when(kShortUri)},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
      when(kMesh)},
     {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun,
@@ -204,6 +204,7 @@ constexpr Fact kFacts[] = {
      when(cases::kLostPackage)},
     {&readers::newton, Effect::refuses, "opens the folder, and refuses the file", kRun,
      when(kMesh, kFolder)},
+    {&readers::newton, Effect::refuses, "refuses a relative URI", kRun, when(kShortUri)},
     newton_without_mesh(),
     isaac_without_mesh(),
 };

@@ -36,6 +36,8 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     kMarsWithoutCollision,
     mars_without_mesh(),
+    {&readers::pybullet, Effect::takes, "does without a texture", kRun, at("texture")},
+    {&readers::pinocchio, Effect::takes, "does not look at textures", kRun, at("texture")},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",
      "Bullet UrdfFindMeshFile.h, run"},
     ros_without_mesh(),

@@ -37,7 +37,7 @@ constexpr Fact kFacts[] = {
     gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
     kMujocoLooksBeside,
-    {&readers::mujoco, Effect::takes, "treats it as a slash", kRun, when(kExists)},
+    {&readers::mujoco, Effect::takes, "treats it as a slash", kRun, when(kExists).since({3, 7})},
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
 };

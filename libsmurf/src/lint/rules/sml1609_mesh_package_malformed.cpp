@@ -18,6 +18,19 @@ std::optional<std::string> corrected(std::string_view filename) {
   return "package://" + std::string(rest);
 }
 
+/// Only the name of the package is missing, and the file lies in the folder of the URDF, or of one
+/// above it.
+constexpr Circumstance kFound{"found without a package"};
+constexpr Circumstance kInFolder{"found in the folder of the URDF"};
+
+/// The name of a package, without a file.
+constexpr Circumstance kBare{"no file"};
+
+bool are_all(const std::vector<PathUses>& paths, bool (*is_one)(const MeshReference&)) {
+  return std::all_of(paths.begin(), paths.end(),
+                     [&](const PathUses& path) { return is_one(path.first()); });
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   const std::vector<PathUses> paths = paths_with(model, PathFault::malformed_package);
   if (paths.empty()) return;
@@ -26,6 +39,12 @@ void check(const LinkedModel& model, Findings& findings) {
       paths.front().first().span, "the address " + quoted(first) + " names no package and file");
   if (paths.size() > 1) {
     diagnostic.note("this applies to " + std::to_string(paths.size()) + " addresses");
+  }
+  const bool are_found = are_all(paths, [](const MeshReference& one) { return one.exists; });
+  if (are_found) diagnostic.when(kFound);
+  if (!package_of(first).empty()) diagnostic.when(kBare);
+  if (are_found && are_all(paths, [](const MeshReference& one) { return one.lies_beside; })) {
+    diagnostic.when(kInFolder);
   }
   diagnostic.help("write package://NAME/PATH");
   Fix fix{Applicability::unsafe, {}};
@@ -40,6 +59,20 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::takes,
+     "looks for the rest of the path in the folders above the URDF", kRun, when(kFound)},
+    {&readers::pybullet, Effect::takes, "does without a texture", kRun, at("texture")},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun},
+    {&readers::newton, Effect::takes, "does not open textures that it does not find", kRun,
+     at("texture")},
+    {&readers::isaac, Effect::refuses, "refuses the address of a texture", kRun,
+     at("texture").when(kBare)},
+    {&readers::newton, Effect::refuses, "opens the folder, and refuses the file", kRun,
+     when(kBare)},
+    newton_without_mesh(),
+    {&readers::isaac, Effect::takes, "looks for the rest of the path in the folders above the URDF",
+     kRun, when(kFound)},
+    isaac_without_mesh(),
     {&readers::ros, Effect::loses, "looks for a folder called `package:`",
      "resource_retriever, read"},
     kMujocoLooksBeside,
@@ -47,6 +80,9 @@ constexpr Fact kFacts[] = {
     {&readers::drake, Effect::refuses, "refuses the file", kRun},
     gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun},
+    {&readers::pinocchio, Effect::takes, "finds it, if it is given the folder of the URDF", kRun,
+     when(kInFolder)},
+    {&readers::pinocchio, Effect::takes, "does not look at textures", kRun, at("texture")},
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
 };
 

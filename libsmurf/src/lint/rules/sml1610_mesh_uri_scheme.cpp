@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 
@@ -8,6 +7,7 @@ namespace smurf::rules::sml1610_mesh_uri_scheme_file {
 namespace {
 
 constexpr Circumstance kModel{"model"};
+constexpr Circumstance kNetwork{"of the network"};
 constexpr Circumstance kFound{"found"};
 constexpr Circumstance kAbsolute{"absolute"};  ///< `file:///...`
 
@@ -15,53 +15,52 @@ bool has_foreign_scheme(std::string_view path) {
   return path.find("://") != std::string_view::npos && !path.starts_with("package://");
 }
 
-/// The paths of a file that have a foreign scheme: one finding, because exporters write all alike.
-struct Paths {
-  Habit habit;
-  bool has_model_scheme = false, are_found = true, are_absolute = true;
-
-  void add(const MeshReference& reference) {
-    has_model_scheme = has_model_scheme || reference.filename.starts_with("model://");
-    are_found = are_found && reference.exists;
-    are_absolute = are_absolute && reference.filename.starts_with("file:///");
-    const std::string scheme = reference.filename.substr(0, reference.filename.find("://") + 3);
-    // Not the whole path: that of `$(find PACKAGE)` is absolute.
-    habit.add(reference.span,
-              reference.is_texture
-                  ? "some readers find no texture by a path that begins with " + quoted(scheme)
-                  : "MuJoCo and MARS refuse paths of meshes that begin with " + quoted(scheme));
-  }
-
-  void report(Findings& findings) {
-    Diagnostic* diagnostic = habit.report("such paths", findings);
-    if (diagnostic == nullptr) return;
-    if (has_model_scheme) diagnostic->when(kModel);
-    if (are_found) diagnostic->when(kFound);
-    if (are_absolute) diagnostic->when(kAbsolute);
-    // Where `$(find PACKAGE)` stands behind it in a xacro, only these two readers mind.
-    if (are_found && are_absolute) diagnostic->severity = Severity::info;
-  }
-};
+/// One finding for meshes, because exporters write all alike, and one for textures, which readers
+/// can do without.
+void report(const MeshReference& reference, Findings& findings) {
+  const bool is_absolute = reference.filename.starts_with("file:///");
+  const std::string scheme = reference.filename.substr(0, reference.filename.find("://") + 3);
+  // Not the whole path: that of `$(find PACKAGE)` is absolute.
+  Diagnostic& finding = findings.report_habit(
+      reference.span,
+      reference.is_texture
+          ? "some readers find no texture by a path that begins with " + quoted(scheme)
+          : "MuJoCo and MARS refuse paths of meshes that begin with " + quoted(scheme),
+      "such paths", reference.is_texture ? 1 : 0);
+  const bool is_found = reference.exists && !lies_outside(reference);
+  if (reference.filename.starts_with("model://")) finding.when(kModel);
+  if (reference.filename.starts_with("http")) finding.when(kNetwork);
+  if (is_found) finding.when(kFound);
+  if (is_absolute) finding.when(kAbsolute);
+  if (!reference.exists || !is_absolute) return;
+  // Where `$(find PACKAGE)` stands behind it in a xacro, only these two readers mind.
+  finding.severity = is_found ? Severity::info : Severity::warning;
+  if (is_found) return;
+  finding.note("it lies outside of the project, and was not looked up")
+      .note("absolute paths lead to nothing on other machines")
+      .help("write `package://NAME/PATH`, or a path relative to the URDF");
+}
 
 void check(const LinkedModel& model, Findings& findings) {
-  Paths meshes, textures;  // apart: readers that need a mesh do without a texture
   for (const MeshReference& reference : model.meshes) {
-    if (!has_foreign_scheme(reference.filename)) continue;
-    (reference.is_texture ? textures : meshes).add(reference);
+    if (has_foreign_scheme(reference.filename)) report(reference, findings);
   }
-  meshes.report(findings);
-  textures.report(findings);
 }
 
 constexpr Where kOpened = when(kAbsolute, kFound);
 
 constexpr Fact kFacts[] = {
     {&readers::drake, Effect::takes, "opens the file", kRun, kOpened},
+    {&readers::drake, Effect::takes, "looks for it as for a package", kRun, when(kModel, kFound)},
+    {&readers::pybullet, Effect::takes, "does without a texture", kRun, at("texture")},
+    {&readers::pinocchio, Effect::takes, "does not look at textures", kRun,
+     at("texture").unless(kNetwork)},
     {&readers::dart, Effect::takes, "opens the file", kRun, kOpened},
     {&readers::ros, Effect::takes, "opens the file", "resource_retriever", kOpened},
     {&readers::gazebo, Effect::takes, "opens the file", "sdformat keeps the address, run", kOpened},
-    {&readers::isaac, Effect::takes, "opens the file", kRun, kOpened},
-    {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun, when(kModel)},
+    {&readers::isaac, Effect::takes, "opens the file", kRun, when(kFound).unless(kModel)},
+    {&readers::isaac, Effect::refuses, "refuses the address of a texture", kRun,
+     at("texture").unless(kAbsolute)},
     {&readers::pybullet, Effect::takes, "opens the file", kRun, when(kFound)},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun},
     {&readers::drake, Effect::refuses, "refuses the file", kRun},
@@ -80,7 +79,9 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::loses, "does not look for the file, and may leave the shape out",
      "sdformat parser_urdf.cc:2416-2431"},
     {&readers::phobos, Effect::loses, "keeps a mesh that it cannot open", kRun},
-    {&readers::pinocchio, Effect::takes, "opens the file", kRun, when(kFound)},
+    {&readers::pinocchio, Effect::takes, "opens the file", kRun, kOpened},
+    {&readers::pinocchio, Effect::takes, "looks in the folders of packages that it was given", kRun,
+     when(kModel, kFound)},
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
     newton_without_mesh(when(kModel)),
     {&readers::newton, Effect::takes, "opens the file", kRun, kOpened},

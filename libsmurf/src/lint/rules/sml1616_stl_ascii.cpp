@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
+#include "link/mujoco_compiler.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1616_stl_ascii_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
+  const bool has_visuals = keeps_visuals(model);
   report_meshes(
       model,
-      [](const OpenedMesh& mesh) {
-        return mesh.facts.format == MeshFormat::stl_ascii && mesh.is_collision();
+      [&](const OpenedMesh& mesh) {
+        return mesh.facts.format == MeshFormat::stl_ascii && (mesh.is_collision() || has_visuals);
       },
       "the mesh is an ASCII STL, which MuJoCo and Bullet refuse",
       "are ASCII STL, which MuJoCo and Bullet refuse", findings);

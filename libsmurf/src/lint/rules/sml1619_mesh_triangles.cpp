@@ -12,23 +12,25 @@ constexpr std::uint64_t kMany = 10000;
 constexpr std::uint64_t kVeryMany = 50000;
 constexpr std::uint64_t kManyOfVisual = 100000;
 
-bool is_refused(const OpenedMesh& mesh) {
-  return mesh.is_collision() && mesh.facts.format == MeshFormat::stl_binary &&
+/// By MuJoCo, in a collision and, where it keeps them, in a visual.
+bool is_refused(const OpenedMesh& mesh, bool has_visuals) {
+  return (mesh.is_collision() || has_visuals) && mesh.facts.format == MeshFormat::stl_binary &&
          mesh.facts.triangles > kMostStlTrianglesOfMujoco;
 }
 
 bool is_collision_between(const OpenedMesh& mesh, std::uint64_t few, std::uint64_t many) {
-  return mesh.is_collision() && !is_refused(mesh) && mesh.facts.triangles > few &&
+  return mesh.is_collision() && !is_refused(mesh, false) && mesh.facts.triangles > few &&
          mesh.facts.triangles <= many;
 }
 
 void report_refused(const LinkedModel& model, Findings& findings) {
+  const bool has_visuals = keeps_visuals(model);
   for (const OpenedMesh& mesh : opened_meshes(model)) {
-    if (!is_refused(mesh)) continue;
+    if (!is_refused(mesh, has_visuals)) continue;
+    const std::string role = mesh.is_collision() ? "collision" : "visual";
     Diagnostic& diagnostic = findings.report(
         mesh.reference.span,
-        "the collision mesh has " + std::to_string(mesh.facts.triangles) + " triangles");
-    diagnostic.severity = Severity::error;
+        "the " + role + " mesh has " + std::to_string(mesh.facts.triangles) + " triangles");
     diagnostic.when(kStl);
   }
 }
@@ -48,10 +50,12 @@ void check(const LinkedModel& model, Findings& findings) {
       "the collision mesh has more than 10000 triangles",
       "of collisions have more than 10000 triangles", findings);
   if (large != nullptr) large->severity = Severity::info;
+  const bool has_visuals = keeps_visuals(model);
   Diagnostic* visuals = report_meshes(
       model,
-      [](const OpenedMesh& mesh) {
-        return mesh.facts.triangles > kManyOfVisual && !mesh.is_collision();
+      [&](const OpenedMesh& mesh) {
+        return mesh.facts.triangles > kManyOfVisual && !mesh.is_collision() &&
+               !is_refused(mesh, has_visuals);
       },
       "the visual mesh has more than 100000 triangles",
       "of visuals have more than 100000 triangles", findings);
@@ -59,6 +63,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::takes, "loads it", "Bullet, DART, Newton and Pinocchio, run",
+     when(kStl)},
     {&readers::mujoco, Effect::refuses, "refuses an STL of more than 200000 triangles",
      "MuJoCo stl_decoder.cc:70; 4.0.0, run", when(kStl)},
 };
@@ -78,6 +84,7 @@ extern constinit const Rule sml1619_mesh_triangles{
     .sources = "957 collision meshes of 322 public URDFs: median 854, 95 % below 8540; 733 visual "
                "meshes: 95 % below 34850, at most 82075.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1619_mesh_triangles_file

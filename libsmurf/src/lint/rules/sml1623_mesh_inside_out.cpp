@@ -31,6 +31,7 @@ extern constinit const Rule sml1623_mesh_inside_out{
     .remedy = "Flip the normals in a mesh editor.",
     .sources = "1 of 956 public collision meshes.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1623_mesh_inside_out_file

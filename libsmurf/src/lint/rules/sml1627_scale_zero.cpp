@@ -78,6 +78,7 @@ extern constinit const Rule sml1627_scale_zero{
     .why = "The mesh is flat, or smaller than any part of a robot.",
     .remedy = "Write the factor that was meant.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1627_scale_zero_file

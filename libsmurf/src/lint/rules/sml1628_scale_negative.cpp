@@ -3,23 +3,23 @@
 
 #include "base/findings/readers.hpp"
 #include "lint/geometry_queries.hpp"
-#include "lint/habit.hpp"
 
 namespace smurf::rules::sml1628_scale_negative_file {
 namespace {
 
 /// One finding per file, because authors mirror all parts of the left side to make the right one.
 void check(const LinkedModel& model, Findings& findings) {
-  Habit habit;
   for_each_geometry(model, [&](const GeometryUse& use) {
     const urdf::Mesh* mesh = use.mesh();
     if (mesh == nullptr || !mesh->scale) return;
     if (std::any_of(mesh->scale->begin(), mesh->scale->end(), [](double x) { return x < 0; })) {
-      habit.add(mesh->scale.span, "the mesh is mirrored by a negative scale");
+      findings.report_habit(mesh->scale.span, "the mesh is mirrored by a negative scale",
+                            "such scales");
     }
   });
-  habit.report("such scales", findings);
 }
+
+constexpr Where kCollisionMesh = at("collision");
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks,
@@ -27,6 +27,9 @@ constexpr Fact kFacts[] = {
      "MARS NodePhysics.cpp:626-634"},
     {&readers::pybullet, Effect::changes, "mirrors the mesh and leaves its faces inside out", kRun},
     {&readers::dart, Effect::crashes, "ends the process with an assertion", kRun, before({6, 20})},
+    {&readers::gazebo, Effect::loses,
+     "loads it; DART 6.12, the default engine, ends the simulator at such a collision",
+     "DART 6.12.1, run; gz-physics dartsim, read", kCollisionMesh},
     {&readers::mujoco, Effect::takes, "turns the faces with the mesh", kRun},
 };
 
@@ -39,6 +42,7 @@ extern constinit const Rule sml1628_scale_negative{.id = "SML1628",
                                                    .why = "It mirrors the mesh.",
                                                    .remedy = "Mirror the mesh file.",
                                                    .check_model = check,
-                                                   .facts = kFacts};
+                                                   .facts = kFacts,
+                                                   .about = About::robot};
 
 }  // namespace smurf::rules::sml1628_scale_negative_file

@@ -82,6 +82,7 @@ extern constinit const Rule sml1630_mesh_units{
         "40 of 322 public URDFs scale by 0.001; rerun issue 11290 and pinocchio issue 1370 are "
         "such cases.",
     .check_model = check,
-    .tolerance = {.value = 50, .unit = "m", .meaning = "how large a mesh may be"}};
+    .tolerance = {.value = 50, .unit = "m", .meaning = "how large a mesh may be"},
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1630_mesh_units_file

@@ -18,6 +18,10 @@ constexpr Fact kFacts[] = {
     {&readers::ros, Effect::changes, "applies the unit in RViz, and ignores it in MoveIt",
      "geometric_shapes mesh_operations.cpp:252-258"},
     {&readers::pybullet, Effect::takes, "applies the unit", kRun},
+    {&readers::gazebo, Effect::takes, "applies the unit", "gz-common ColladaLoader.cc, read"},
+    {&readers::pinocchio, Effect::changes, "ignores the unit: the shape has another size", kRun},
+    {&readers::newton, Effect::changes, "ignores the unit: the shape has another size", kRun},
+    {&readers::isaac, Effect::takes, "applies the unit", kRun},
 };
 
 }  // namespace

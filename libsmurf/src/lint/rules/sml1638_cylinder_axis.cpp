@@ -61,6 +61,7 @@ extern constinit const Rule sml1638_cylinder_axis{
            "cylinder is at a right angle to the part that it should cover.",
     .remedy = "Turn the origin of the collision.",
     .sources = "URDF specification; all readers agree.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1638_cylinder_axis_file

@@ -40,20 +40,20 @@ const MeshDependency* lost_buffer(const MeshFile& file) {
 }
 
 /// True when the file, or a buffer that it names, lies outside of the project.
-bool lies_outside(const MeshFile& file) {
+bool is_outside(const MeshFile& file) {
   const MeshDependency* buffer = lost_buffer(file);
   if (buffer != nullptr && buffer->is_denied) return true;
   return file.status == ReadStatus::denied &&
          file.reason.find("--allow-outside") != std::string::npos;
 }
 
+/// SML1607 and SML1610 are about such paths.
 bool is_absolute(std::string_view filename) {
   return filename.starts_with("/") || filename.starts_with("file:///");
 }
 
 /// These files may be sound, and all of them have the same cause.
-void report_outside(const std::vector<Span>& places, bool are_absolute, bool is_standard_input,
-                    Findings& findings) {
+void report_outside(const std::vector<Span>& places, bool is_standard_input, Findings& findings) {
   if (places.empty()) return;
   const bool is_one = places.size() == 1;
   // The same text for all robots of a repository, whatever their numbers of meshes.
@@ -63,11 +63,6 @@ void report_outside(const std::vector<Span>& places, bool are_absolute, bool is_
   if (!is_one) diagnostic.caret = "the first of " + std::to_string(places.size());
   diagnostic.severity = Severity::warning;
   diagnostic.when(kUncertain);
-  if (are_absolute) {
-    diagnostic.note("absolute paths lead to nothing on other machines");
-    diagnostic.help("write `package://NAME/PATH`, or a path relative to the URDF");
-    return;
-  }
   diagnostic.help("add `--allow-outside` to check " + std::string(is_one ? "it" : "them") +
                   (is_standard_input ? "; or, if the URDF belongs into another folder, add "
                                        "`--stdin-filename FOLDER/robot.urdf`"
@@ -77,7 +72,6 @@ void report_outside(const std::vector<Span>& places, bool are_absolute, bool is_
 void check(const LinkedModel& model, Findings& findings) {
   std::set<const MeshFile*> seen;
   std::vector<Span> outside;
-  bool are_absolute = true;
   // A mesh is reported once. Some readers drop visuals.
   for (const MeshReference* one : collisions_first(model)) {
     const MeshReference& reference = *one;
@@ -90,9 +84,8 @@ void check(const LinkedModel& model, Findings& findings) {
                                                                    ", too many to be checked here");
       diagnostic.severity = Severity::warning;
       diagnostic.help(raise_limit("mesh-bytes"));
-    } else if (lies_outside(*file)) {
-      outside.push_back(reference.span);
-      are_absolute = are_absolute && is_absolute(reference.filename);
+    } else if (is_outside(*file)) {
+      if (!is_absolute(reference.filename)) outside.push_back(reference.span);
     } else if (file->status != ReadStatus::ok) {
       report(reference, file->reason, findings);
     } else if (facts.bytes == 0) {
@@ -112,7 +105,7 @@ void check(const LinkedModel& model, Findings& findings) {
       if (facts.format == MeshFormat::obj) diagnostic.when(kEmptyObj);
     }
   }
-  report_outside(outside, are_absolute, model.urdf_path == kStandardInput, findings);
+  report_outside(outside, model.urdf_path == kStandardInput, findings);
 }
 
 /// Of a mesh that was not looked at.

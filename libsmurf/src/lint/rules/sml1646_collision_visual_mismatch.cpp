@@ -123,6 +123,7 @@ extern constinit const Rule sml1646_collision_visual_mismatch{
     .remedy = "Compare `scale` and `origin` of both.",
     .sources = "Bounding boxes of shapes and meshes.",
     .check_model = check,
-    .tolerance = {.value = 20, .meaning = "the largest ratio of their sizes that is accepted"}};
+    .tolerance = {.value = 20, .meaning = "the largest ratio of their sizes that is accepted"},
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1646_collision_visual_mismatch_file

@@ -86,6 +86,8 @@ constexpr Fact kFacts[] = {
     {&readers::newton, Effect::takes, "looks three folders above the URDF, too", kRun,
      when(kAbove)},
     newton_without_mesh(at("mesh")),
+    {&readers::isaac, Effect::takes, "looks for the rest of the path in the folders above the URDF",
+     kRun},
 };
 
 }  // namespace

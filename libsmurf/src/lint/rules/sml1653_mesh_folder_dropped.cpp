@@ -13,13 +13,16 @@ bool is_lost(const MeshReference& mesh) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (mujoco_compiler(model)) return;  // which says what is kept of a path, or SML1647 looks at it
+  const xml::View compiler = mujoco_compiler(model);
+  if (compiler && (compiler.attribute("strippath") || compiler.attribute("meshdir"))) {
+    return;  // SML1647
+  }
+  const bool has_visuals = keeps_visuals(model);
   const MeshReference* first = nullptr;
   std::size_t lost = 0;
   for_each_geometry(model, [&](const GeometryUse& use) {
-    if (use.role != GeometryRole::collision || use.mesh() == nullptr || !use.mesh()->filename) {
-      return;
-    }
+    const bool is_used = use.role == GeometryRole::collision || has_visuals;
+    if (!is_used || use.mesh() == nullptr || !use.mesh()->filename) return;
     const MeshReference* mesh = find_reference(model, *use.mesh());
     if (mesh == nullptr || !is_lost(*mesh)) return;
     if (lost++ == 0) first = mesh;

@@ -80,6 +80,7 @@ extern constinit const Rule sml1656_feet_uneven{
     .remedy = "Compare the origins of the joints and collisions of both.",
     .sources = "The lowest points of collisions, placed by forward kinematics.",
     .check_model = check,
-    .tolerance = {.value = 0.002, .unit = "m", .meaning = "how much the heights may differ"}};
+    .tolerance = {.value = 0.002, .unit = "m", .meaning = "how much the heights may differ"},
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1656_feet_uneven_file

@@ -25,8 +25,9 @@ bool is_weighed(const OpenedMesh& mesh) {
   });
 }
 
-void report(const LinkedModel& model, bool (*is_at_fault)(const MeshFacts&), std::string_view one,
-            std::string_view many, std::string_view help, Findings& findings) {
+Diagnostic* report(const LinkedModel& model, bool (*is_at_fault)(const MeshFacts&),
+                   std::string_view one, std::string_view many, std::string_view help,
+                   Findings& findings) {
   Diagnostic* diagnostic = report_meshes(
       model,
       [&](const OpenedMesh& mesh) {
@@ -34,16 +35,18 @@ void report(const LinkedModel& model, bool (*is_at_fault)(const MeshFacts&), std
                (is_flipped(mesh.facts) || is_weighed(mesh));
       },
       one, many, findings);
-  if (diagnostic == nullptr) return;
+  if (diagnostic == nullptr) return nullptr;
   diagnostic->note("it is weighed as the box around it");
   diagnostic->help(std::string(help));
+  return diagnostic;
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  report(model, is_flipped,
-         "some triangles of the collision mesh face inward: its volume is unknown",
-         "of collisions have triangles that face inward: their volumes are unknown",
-         "make all normals face outward, and export it again", findings);
+  Diagnostic* flipped = report(
+      model, is_flipped, "some triangles of the collision mesh face inward: its volume is unknown",
+      "of collisions have triangles that face inward: their volumes are unknown",
+      "make all normals face outward, and export it again", findings);
+  if (flipped != nullptr) flipped->severity = Severity::warning;
   report(model, is_open, "the collision mesh is not closed: its volume is unknown",
          "of collisions are not closed: their volumes are unknown",
          "close the holes, or use a primitive shape", findings);
@@ -62,6 +65,7 @@ extern constinit const Rule sml1657_mesh_open{
     .remedy = "Close the holes and make all normals face outward in a mesh editor, or use a "
               "primitive shape.",
     .sources = "Sums over the edges of the triangles.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1657_mesh_open_file

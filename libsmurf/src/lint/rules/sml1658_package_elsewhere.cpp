@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/files/path.hpp"
 #include "base/findings/readers.hpp"
-#include "lint/habit.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules::sml1658_package_elsewhere_file {
@@ -24,26 +23,23 @@ bool lies_in(const LinkedModel& model, const std::string& folder) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  Habit habit;
-  std::string folder;
-  bool are_outside = false;
   for (const MeshReference& mesh : model.meshes) {
     if (!mesh.exists || !mesh.is_package_elsewhere) continue;
-    if (habit.is_first()) folder = folder_of_package(mesh);
-    are_outside = are_outside || !lies_in(model, folder_of_package(mesh));
-    habit.add(mesh.span,
-              "no folder above the URDF holds " + quoted(mesh.filename.substr(kScheme.size())));
+    const std::string folder = folder_of_package(mesh);
+    Diagnostic& finding = findings.report_habit(
+        mesh.span, "no folder above the URDF holds " + quoted(mesh.filename.substr(kScheme.size())),
+        "such files");
+    finding.caret = "its package is in the folder " + quoted(folder);
+    if (!lies_in(model, folder)) finding.when(kOutside);
   }
-  Diagnostic* diagnostic = habit.report("such files", findings);
-  if (diagnostic == nullptr) return;
-  diagnostic->caret = "its package is in the folder " + quoted(folder);
-  if (are_outside) diagnostic->when(kOutside);
 }
 
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::refuses,
      "looks for the name of the package in the folders above the URDF, and refuses the robot", kRun,
      at("mesh")},
+    {&readers::pinocchio, Effect::refuses,
+     "looks for a folder of the name of the package, and refuses the shapes", kRun, at("mesh")},
     newton_without_mesh(at("mesh")),
     isaac_without_mesh(at("mesh").when(kOutside)),
 };

@@ -87,6 +87,7 @@ extern constinit const Rule sml1702_material_undefined{
     .summary = "A material is used or declared, but has no colour or texture anywhere.",
     .remedy = "Define the material at robot level, or give it a colour here.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1702_material_undefined_file

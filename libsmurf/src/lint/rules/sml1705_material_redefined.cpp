@@ -76,6 +76,7 @@ extern constinit const Rule sml1705_material_redefined{
     .summary = "A material is defined twice, with different colours or textures.",
     .remedy = "Name the second material differently, or write the colour once.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1705_material_redefined_file

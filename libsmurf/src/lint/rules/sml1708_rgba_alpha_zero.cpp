@@ -21,6 +21,7 @@ extern constinit const Rule sml1708_rgba_alpha_zero{
     .why = "The shape is not drawn; 1 is opaque.",
     .remedy = "Write 1 for an opaque material; delete the visual if it is meant to be invisible.",
     .sources = "URDF specification.",
-    .check_model = check};
+    .check_model = check,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml1708_rgba_alpha_zero_file

@@ -2,7 +2,6 @@
 #include <string>
 
 #include "base/findings/readers.hpp"
-#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1713_rviz_material_file {
@@ -22,23 +21,22 @@ bool is_different(const urdf::Visual& first, const urdf::Visual& other) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  Habit habit;
   for_each_link(model, [&](const urdf::Link& link) {
     for (const urdf::Visual& visual : link.visuals) {
       if (!is_different(link.visuals.front(), visual)) continue;
       const std::string first = name_of(link.visuals.front());
-      habit.add(tag_name(model, visual.material->element),
-                "RViz 2 shows this visual of " + title(link) +
-                    (link.visuals.front().material
-                         ? " in the material of the first one" +
-                               (first.empty() ? std::string() : ", " + quoted(first))
-                         : std::string(" in red: the first one has no material")));
+      findings
+          .report_habit(tag_name(model, visual.material->element),
+                        "RViz 2 shows this visual of " + title(link) +
+                            (link.visuals.front().material
+                                 ? " in the material of the first one" +
+                                       (first.empty() ? std::string() : ", " + quoted(first))
+                                 : std::string(" in red: the first one has no material")),
+                        "such links")
+          .help("split the link, or use one mesh with its own colours");
       return;
     }
   });
-  Diagnostic* diagnostic = habit.report("such links", findings);
-  if (diagnostic != nullptr)
-    diagnostic->help("split the link, or use one mesh with its own colours");
 }
 
 constexpr Fact kFacts[] = {

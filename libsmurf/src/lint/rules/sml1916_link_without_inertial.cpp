@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <optional>
 
 #include "base/findings/readers.hpp"
 #include "base/numbers/numbers.hpp"
-#include "base/text/counted.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
@@ -12,6 +12,7 @@ namespace smurf::rules::sml1916_link_without_inertial_file {
 namespace {
 
 constexpr Circumstance kRoot{"root"};
+constexpr Circumstance kOfShapes{"with collisions, in a moving body"};
 
 /// Reported as a whole (SML1502).
 bool is_without_mass(const LinkedModel& model) {
@@ -58,26 +59,27 @@ bool loses_all(const LinkedModel& model) {
   return !has_fixed_mass(model, root) || (is_light && is_left_without_links(model));
 }
 
+/// One finding per file, because exporters leave the inertials of all frames out.
 void check(const LinkedModel& model, Findings& findings) {
   if (model.robot) check_unread_masses(model, findings);
-  std::vector<const urdf::Link*> links;
-  for_each_link(model, [&](const urdf::Link& link) {
-    if (!link.inertial && link.name.value_or("") != "world") links.push_back(&link);
-  });
-  if (links.empty() || is_without_mass(model)) return;
-  const bool has_root = model.tree.roots.size() == 1;
-  const bool is_root_lost = has_root && loses_all(model);
-  const urdf::Link& shown = is_root_lost ? model.link(model.tree.roots.front()) : *links.front();
-  Diagnostic& diagnostic =
-      findings.report(name_place(model, shown), title(shown) + " has no inertial");
-  if (is_root_lost) diagnostic.when(kRoot);
-  // SML1501 reports single links only when some other link has an inertial.
-  const std::vector<bool> massless = massless_bodies(model);
-  if (std::find(massless.begin(), massless.end(), true) != massless.end()) {
-    diagnostic.when(kMasslessBody);
-  }
-  if (links.size() > 1) {
-    diagnostic.note(counted(links.size() - 1, "more link has none", "more links have none"));
+  if (!model.robot || is_without_mass(model)) return;
+  const bool is_root_lost = model.tree.roots.size() == 1 && loses_all(model);
+  std::optional<BodiesOfMujoco> bodies;  // computed when they are needed
+  const auto report = [&](std::size_t index) {
+    const urdf::Link& link = model.robot->links[index];
+    if (link.inertial || link.name.value_or("") == "world") return;
+    if (!bodies) bodies.emplace(model);
+    Diagnostic& finding = findings.report_habit(name_place(model, link),
+                                                title(link) + " has no inertial", "such links");
+    if (is_root_lost && index == to_size(model.tree.roots.front())) finding.when(kRoot);
+    if (bodies->is_massless(index)) finding.when(kMasslessBody);
+    if (bodies->adds_mass_of_shapes(index)) finding.when(kOfShapes);
+  };
+  // The root speaks for the others, if all is lost with it.
+  const std::size_t first = is_root_lost ? to_size(model.tree.roots.front()) : 0;
+  if (is_root_lost) report(first);
+  for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
+    if (!is_root_lost || i != first) report(i);
   }
 }
 
@@ -92,6 +94,9 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::changes, "gives each such link 1 kg and 1 kg m2", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without mass or collision", kRun,
      when(kMasslessBody)},
+    {&readers::mujoco, Effect::changes,
+     "adds the mass of its collisions, as dense as water, to the body that it is fixed to",
+     "2.3.7 to 4.0.0, run", when(kOfShapes)},
 };
 
 }  // namespace

@@ -104,6 +104,7 @@ extern constinit const Rule sml2016_misspelt_section{
     .remedy = "Correct the name, or give a custom section a name that differs more.",
     .check_model = check,
     .check_scene = check_data,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml2016_misspelt_section_file

@@ -33,6 +33,7 @@ extern constinit const Rule sml3117_texture_missing{
     .summary = "The annotation of a material names an image that does not exist.",
     .remedy = "Correct the path; it starts at the folder of the .smurf.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml3117_texture_missing_file

@@ -33,6 +33,7 @@ extern constinit const Rule sml3201_motor_on_immovable_joint{
     .why = "A fixed joint stays fixed in every reader.",
     .remedy = "Drive another joint, or change the type of this one.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml3201_motor_on_immovable_joint_file

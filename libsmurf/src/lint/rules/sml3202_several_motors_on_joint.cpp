@@ -38,6 +38,7 @@ extern constinit const Rule sml3202_several_motors_on_joint{
     .summary = "Two motors drive one joint.",
     .remedy = "Drive each joint by one motor.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml3202_several_motors_on_joint_file

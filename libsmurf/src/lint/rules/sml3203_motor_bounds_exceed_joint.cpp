@@ -97,6 +97,7 @@ extern constinit const Rule sml3203_motor_bounds_exceed_joint{
     .why = "Readers of the URDF stop at the joint's limits.",
     .remedy = "Give the motor the bounds of its joint.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml3203_motor_bounds_exceed_joint_file

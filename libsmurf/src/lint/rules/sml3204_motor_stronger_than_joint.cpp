@@ -58,6 +58,7 @@ extern constinit const Rule sml3204_motor_stronger_than_joint{
     .check_model = check,
     .tolerance = {.value = 1.1,
                   .meaning = "how many times as strong or fast as the joint allows a motor may be"},
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml3204_motor_stronger_than_joint_file

@@ -71,6 +71,7 @@ extern constinit const Rule sml3207_mimic_disagrees{
     .why = "Readers of the URDF follow the mimic element.",
     .remedy = "Make the two agree.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml3207_mimic_disagrees_file

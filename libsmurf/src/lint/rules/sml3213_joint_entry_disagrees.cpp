@@ -60,6 +60,7 @@ extern constinit const Rule sml3213_joint_entry_disagrees{
     .why = "Readers of the URDF ignore the entry.",
     .remedy = "Make the two agree.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml3213_joint_entry_disagrees_file

@@ -50,6 +50,7 @@ extern constinit const Rule sml3221_material_color_disagrees{
     .why = "Readers of the URDF alone show the colour of the URDF.",
     .remedy = "Make the two agree, if the robot should look the same everywhere.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml3221_material_color_disagrees_file

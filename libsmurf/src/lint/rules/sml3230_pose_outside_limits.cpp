@@ -51,6 +51,7 @@ extern constinit const Rule sml3230_pose_outside_limits{
     .summary = "A joint pose lies outside the limits of the joint.",
     .remedy = "Correct the position, or the limits.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml3230_pose_outside_limits_file

@@ -40,6 +40,7 @@ extern constinit const Rule sml3240_mass_of_collisions{
     .tolerance = {.value = 0.1,
                   .meaning = "the largest added mass, as a fraction of the mass of "
                              "the link"},
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml3240_mass_of_collisions_file

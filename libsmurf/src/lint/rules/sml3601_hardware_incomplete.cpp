@@ -83,6 +83,11 @@ void check_plugin(xml::View element, const Hardware& hardware, Findings& finding
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
   for (const Hardware& one : hardware_of(model)) {
     check_element(one.element, findings);
+    if (!one.element.child("hardware")) {
+      findings.report(one.element.name_span(), title_of(one) + " has no `hardware`")
+          .help("write `<hardware><plugin>PACKAGE/CLASS</plugin></hardware>`")
+          .when(kNoPlugin);
+    }
     for (const xml::View child : one.element) {
       if (is_one_of(child.name(), {"hardware", "transmission"})) {
         check_plugin(child, one, findings);

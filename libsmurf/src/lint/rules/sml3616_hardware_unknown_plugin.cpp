@@ -44,10 +44,16 @@ void check_plugin(const xml::View plugin, const Companions& companions, Findings
   }
   const std::vector<std::string_view> own = exported_by(companions, package_of(name));
   known.insert(known.end(), kKnown.begin(), kKnown.end());
-  const auto near = findings.suggest(name, known);
+  auto near = findings.suggest(name, known);
   // Another package exports it, unless the name is nearly that of a known one.
   constexpr int kMostEdits = 2;
-  const bool is_slip = near && edit_distance(*near, name, kMostEdits) <= kMostEdits;
+  // The packages of the known classes have no others.
+  const auto of_package = std::find_if(kKnown.begin(), kKnown.end(), [&](std::string_view one) {
+    return package_of(one) == package_of(name);
+  });
+  if (own.empty() && of_package != kKnown.end()) near = *of_package;
+  const bool is_slip =
+      near && (of_package != kKnown.end() || edit_distance(*near, name, kMostEdits) <= kMostEdits);
   if (own.empty() && !is_slip) return;
   Diagnostic& found = findings.report(plugin.text_span(),
                                       own.empty() ? "no known hardware has the name " + quoted(name)

@@ -3,13 +3,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/text/suggest.hpp"
 #include "lint/companions/controllers.hpp"
+#include "lint/companions/frames.hpp"
 
 namespace smurf::rules::sml3701_controller_unknown_joint_file {
 namespace {
@@ -34,13 +37,29 @@ struct Section {
     }
   }
 
-  /// Whether the robot has none of the joints of the controller, which is then for another robot.
-  bool is_foreign() const {
-    return std::none_of(references.begin(), references.end(), [](const Reference* one) {
-      return one->is_known() && one->kind == NameKind::joint;
+  /// Whether the robot has none of the joints of the controller, and none of a similar name: it is
+  /// then for another robot.
+  bool is_foreign(const LinkedModel& model) const {
+    return std::none_of(references.begin(), references.end(), [&](const Reference* one) {
+      return (one->is_known() && one->kind == NameKind::joint) ||
+             (one->kinds == NameKind::joint && !one->is_vague &&
+              near_name(one->name, model.joint_names.names()));
     });
   }
 };
+
+/// A movable joint that the section does not list and that is one edit away, also in a digit:
+/// `joint3` for `joint33`. A joint of a larger robot has none, because the section lists all of
+/// this one.
+std::optional<std::string_view> numbered_joint(const LinkedModel& model, const Section& section,
+                                               std::string_view name) {
+  std::vector<std::string_view> unused;
+  for (const urdf::Joint& one : model.robot->joints) {
+    if (!one.name || !one.is_movable() || section.listed_joints.contains(*one.name)) continue;
+    if (edit_distance(*one.name, name, 1) <= 1) unused.push_back(*one.name);
+  }
+  return unused.size() == 1 ? std::optional(unused.front()) : std::nullopt;
+}
 
 /// The sections of a file in its order. One section may be that of several controllers; the first
 /// has the references.
@@ -55,12 +74,15 @@ std::vector<Section> sections_of(const LinkedModel& model, const ControllerFile&
     sections.emplace_back(model, one);
   }
   for (const Reference& one : references) {
+    // The nearest section around it: one that is written in two parts lies around others.
     auto after = by_begin.upper_bound({one.span.source, one.span.begin});
-    if (after == by_begin.begin()) continue;
-    Section& section = sections[(--after)->second];
-    const Span span = section.controller->section.span();
-    if (span.source == one.span.source && one.span.end <= span.end) {
+    while (after != by_begin.begin()) {
+      Section& section = sections[(--after)->second];
+      const Span span = section.controller->section.span();
+      if (span.source != one.span.source) break;
+      if (one.span.end > span.end) continue;
       section.references.push_back(&one);
+      break;
     }
   }
   return sections;
@@ -98,10 +120,14 @@ void check_reference_of(const LinkedModel& model, const Section& section, const 
                                          return joint.name && *joint.name != one.name &&
                                                 differ_only_in_digits(*joint.name, one.name);
                                        });
-  if (found != nullptr && is_numbered) {
-    found->severity = Severity::warning;
-    found->when(kNumberedJoint);
+  if (found == nullptr || !is_numbered) return;
+  if (const auto near = numbered_joint(model, section, one.name)) {
+    found->help("did you mean " + quoted(*near) + "?");
+    found->fixes = {{Applicability::unsafe, {{one.span, std::string(*near)}}}};
+    return;
   }
+  found->severity = Severity::warning;
+  found->when(kNumberedJoint);
 }
 
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
@@ -109,7 +135,7 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
   const std::vector<Reference> references = companion_references(model, companions);
   for_each_controller_file(companions, [&](const ControllerFile& file) {
     for (const Section& section : sections_of(model, file, references)) {
-      if (section.is_foreign()) continue;
+      if (section.is_foreign(model)) continue;
       for (const Reference* one : section.references) {
         if (one->kinds != NameKind::joint || is_placeholder(one->name)) continue;
         check_reference_of(model, section, *one, findings);

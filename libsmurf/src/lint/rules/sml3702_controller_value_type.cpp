@@ -2,30 +2,13 @@
 #include <cctype>
 #include <string>
 
-#include "base/files/path.hpp"
-#include "base/text/words.hpp"
 #include "lint/companions/controllers.hpp"
 
 namespace smurf::rules::sml3702_controller_value_type_file {
 namespace {
 
-/// The type that rclcpp gives to a scalar; 0 for one that it fills in later.
-char type_of(yaml::View value) {
-  if (value.is_null() || is_placeholder(value.text())) return 0;
-  switch (value.type()) {
-  case yaml::ScalarType::integer: return 'i';
-  case yaml::ScalarType::number: return 'd';
-  case yaml::ScalarType::boolean: return 'b';
-  case yaml::ScalarType::null: return 0;
-  case yaml::ScalarType::text: break;
-  }
-  const std::string lower = path::to_lower(value.text());
-  const bool is_plain = value.style() == yaml::Style::plain;
-  return is_plain && is_one_of(lower, {"yes", "no", "on", "off", "y", "n"}) ? 'b' : 's';
-}
-
 void report(yaml::View value, const std::string& subject, char wanted, Findings& findings) {
-  const char got = type_of(value);
+  const char got = rcl_type_of(value);
   Diagnostic& found =
       findings.report(value.span(), subject + " is " + (got == 'i' ? "an " : "a ") +
                                         std::string(parameter_type_name(got)) + ", but must be a " +
@@ -47,7 +30,7 @@ void check_value(yaml::View value, const std::string& path, const RosParameter& 
   const bool is_list = std::isupper(static_cast<unsigned char>(parameter.type)) != 0;
   const std::string subject = quoted(path) + " of " + title_of(controller);
   if (value.is_scalar() && is_list) {
-    if (type_of(value) == 0) return;
+    if (rcl_type_of(value) == 0) return;
     findings.report(value.span(), subject + " must be a " + std::string(type_name(parameter)))
         .help("write `[" + std::string(value.text()) + "]`");
   } else if (value.is_sequence() && !is_list) {
@@ -56,12 +39,12 @@ void check_value(yaml::View value, const std::string& path, const RosParameter& 
                 subject + " is a list, but must be a " + std::string(type_name(parameter)))
         .help("write one value");
   } else if (value.is_scalar()) {
-    const char got = type_of(value);
+    const char got = rcl_type_of(value);
     if (got != 0 && got != parameter.type) report(value, subject, parameter.type, findings);
   } else if (value.is_sequence()) {
     const char wanted = static_cast<char>(std::tolower(static_cast<unsigned char>(parameter.type)));
     for (const yaml::View item : value) {
-      const char got = item.is_scalar() ? type_of(item) : '\0';
+      const char got = item.is_scalar() ? rcl_type_of(item) : '\0';
       if (got == 0 || got == wanted) continue;
       report(item, "a value in " + subject, wanted, findings);
       return;  // one finding per list

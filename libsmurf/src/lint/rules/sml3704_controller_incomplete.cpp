@@ -113,6 +113,16 @@ void check_section(const RosController& controller, const std::set<std::string_v
       controller.place, title_of(controller) + " has a type, but no section with parameters");
   found.severity = Severity::info;
   found.when(kSection).when(kUncertain);
+  const bool is_misplaced = std::any_of(all.begin(), all.end(), [&](const RosParameter& one) {
+    return one.is_required && controller.declared.find(one.path);
+  });
+  if (is_misplaced) {
+    found.severity = Severity::warning;
+    found.message = title_of(controller) + " has no section: its parameters stand in the one of "
+                                           "`controller_manager`";
+    found.help("move them into a section " + quoted(controller.name) + " at the left margin");
+    return;
+  }
   found.help("write `" + std::string(controller.name) + ": ros__parameters: ...`");
 }
 

@@ -18,6 +18,16 @@ constexpr Circumstance kTrajectory{"trajectory"};
 constexpr Version kKilted{5};
 constexpr Version kRolling{6};
 
+/// What replaces a class in later distributions: ros2_controllers, branches kilted and master.
+std::string_view successor_of(std::string_view name) {
+  if (name.ends_with("_controllers/GripperActionController")) {
+    return "parallel_gripper_action_controller/GripperActionController";
+  }
+  return name.find("_controllers/JointGroup") != std::string_view::npos
+             ? std::string_view("forward_command_controller/ForwardCommandController")
+             : std::string_view();
+}
+
 void mark(std::string_view distributions, Diagnostic& found) {
   const auto lacks = [&](char one) { return distributions.find(one) == std::string_view::npos; };
   if (lacks('h')) found.when(kNoHumble);
@@ -70,7 +80,9 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
                                                         quoted(controller.known->name));
         mark(all, found);
         found.when(kClass);
-        found.help("use the controller of that version");
+        const std::string_view next = successor_of(controller.known->name);
+        found.help(next.empty() ? std::string("use the controller of that version")
+                                : "use " + quoted(next));
       }
       if (!controller.section) continue;
       check_trajectory(controller, findings);

@@ -133,6 +133,7 @@ extern constinit const Rule sml4010_unlike_the_others{
         "Some reader needs each of these keys. A single entry without the key is rarely intended.",
     .remedy = "Add the key.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml4010_unlike_the_others_file

@@ -66,6 +66,7 @@ extern constinit const Rule sml4103_dead_motor{
     .summary = "A motor has no speed, no effort or no gain, so it never moves.",
     .remedy = "Write the missing values; the limits of the URDF joint are a good start.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml4103_dead_motor_file

@@ -79,6 +79,7 @@ extern constinit const Rule sml4113_minimum_above_maximum{
     .why = "Swapped stops, distances or fog limits leave no range.",
     .remedy = "Swap the two.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml4113_minimum_above_maximum_file

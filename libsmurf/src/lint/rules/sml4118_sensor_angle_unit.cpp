@@ -99,6 +99,7 @@ extern constinit const Rule sml4118_sensor_angle_unit{
         "A camera that opens by 1.57 degrees sees almost nothing, and 90 rad are 14 turns. Roll, pitch and yaw of an offset are degrees.",
     .remedy = "Convert the value.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml4118_sensor_angle_unit_file

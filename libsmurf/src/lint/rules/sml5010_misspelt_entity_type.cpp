@@ -48,6 +48,7 @@ extern constinit const Rule sml5010_misspelt_entity_type{
     .summary = "The type of an entity is almost one of the known types.",
     .remedy = "Write the type as suggested. A type of a plug-in may have any other name.",
     .check_scene = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml5010_misspelt_entity_type_file

@@ -58,6 +58,7 @@ extern constinit const Rule sml5016_rotation_like_radians{
     .why = "1.5708 is read as one and a half degrees. URDF uses radians, scenes use degrees.",
     .remedy = "Write degrees: 90 instead of 1.5708.",
     .check_scene = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml5016_rotation_like_radians_file

@@ -57,6 +57,7 @@ extern constinit const Rule sml5017_quaternion_order{
     .why = "[0, 0, 0, 1] is the identity rotation in one order and half a turn in the other.",
     .remedy = "Put w first, or write {w: , x: , y: , z: }, which is the same in both orders.",
     .check_scene = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml5017_quaternion_order_file

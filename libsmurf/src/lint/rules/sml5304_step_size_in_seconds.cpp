@@ -50,6 +50,7 @@ extern constinit const Rule sml5304_step_size_in_seconds{
     .why = "A simulation runs a thousand times slower than it should.",
     .remedy = "Write milliseconds: 1 for a thousand steps a second.",
     .check_scene = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .about = About::robot};
 
 }  // namespace smurf::rules::sml5304_step_size_in_seconds_file

@@ -12,7 +12,7 @@
 #include "write/mjcf/mujoco_sensors.hpp"
 #include "write/pages/viewer_sensors.hpp"
 #include "write/parts/gazebo_elements.hpp"
-#include "write/parts/joint_drives.hpp"
+#include "write/parts/loops.hpp"
 #include "write/parts/scene_parts.hpp"
 
 namespace smurf::things {
@@ -66,62 +66,6 @@ void add_undefined(xml::View element, const urdf::ElementSpec& spec, int depth, 
 Undefined find_undefined(const LinkedModel& model) {
   Undefined found;
   add_undefined(model.robot->document.view(), *urdf::find_element_spec("robot"), 0, found);
-  return found;
-}
-
-/// Whether a format has actuators.
-bool has_drives(SceneColumn column) {
-  return column == SceneColumn::mjcf || column == SceneColumn::usda;
-}
-
-/// Whether an actuator or drive has what this part of a transmission or ros2_control states. Its
-/// own parts are considered separately. Drives of USD have no limits of positions.
-bool is_said_by_drive(xml::View part, const std::set<xml::ElementId>& commands,
-                      SceneColumn column) {
-  const std::string_view name = part.name();
-  if (name == "mechanicalReduction") return import::text_of(part) == "1";
-  if (name == "command_interface") return commands.contains(part.id());
-  if (name == "param" && commands.contains(part.parent().id())) {
-    const std::string_view limit = import::attribute_of(part, "name");
-    const bool is_position = import::attribute_of(part.parent(), "name") == "position";
-    return is_position ? column == SceneColumn::mjcf && (limit == "min" || limit == "max")
-                       : limit == "max";
-  }
-  return name == "type" || name == "joint" || name == "actuator" || name == "hardwareInterface";
-}
-
-void add_unsaid_settings(xml::View element, const std::string& driver,
-                         const std::set<xml::ElementId>& commands, SceneColumn column,
-                         Found& found) {
-  for (const xml::View part : element) {
-    if (is_said_by_drive(part, commands, column)) {
-      add_unsaid_settings(part, driver, commands, column, found);
-    } else {
-      found.push_back({part.name_span(), std::string(part.name()) + " of " + driver});
-    }
-  }
-}
-
-Found drivers(const LinkedModel& model, SceneColumn column, std::string_view element) {
-  Found found;
-  if (!model.robot) return found;
-  std::set<xml::ElementId> written;
-  std::set<xml::ElementId> commands;
-  if (has_drives(column)) {
-    for (const JointDrive& drive : joint_drives(model)) {
-      written.insert(drive.element);
-      commands.insert(drive.command);
-    }
-  }
-  for (const xml::ElementId id : model.robot->extensions) {
-    const xml::View view(model.robot->document, id);
-    if (view.name() != element) continue;
-    if (written.contains(id)) {
-      add_unsaid_settings(view, shortened(name_of(view), kMostOfName), commands, column, found);
-    } else {
-      found.push_back({view.name_span(), name_of(view)});
-    }
-  }
   return found;
 }
 
@@ -179,15 +123,38 @@ Found textures(const LinkedModel& model, SceneColumn column) {
   return found;
 }
 
-Found efforts(const LinkedModel& model, SceneColumn column) {
-  std::set<const urdf::Joint*> driven;
-  if (column == SceneColumn::mjcf) {
-    for (const JointDrive& drive : joint_drives(model)) driven.insert(drive.joint);
+Found closing_joints(const LinkedModel& model, SceneColumn column) {
+  Found found;
+  if (!model.robot) return found;
+  std::set<const urdf::Joint*> kept;
+  if (column == SceneColumn::mjcf || column == SceneColumn::sdf || column == SceneColumn::sdf16) {
+    for (const Loop& loop : loops_of(model)) kept.insert(loop.joint);
   }
-  return joints_with(model, [&](const urdf::Joint& joint) -> std::optional<Span> {
-    if (!joint.limit || !joint.limit->effort || driven.contains(&joint)) return std::nullopt;
-    return joint.limit->effort.span;
-  });
+  for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
+    const urdf::Joint& joint = model.robot->joints[i];
+    if (!closes_loop(model, i) || kept.contains(&joint)) continue;
+    found.push_back({joint.span, joint.name.value_or({})});
+  }
+  return found;
+}
+
+Found unreached_parts(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (!model.robot) return found;
+  const KinematicTree& tree = model.tree;
+  for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
+    const auto& parent = tree.joint_parent[i];
+    const auto& child = tree.joint_child[i];
+    if (parent && child && *parent != *child) continue;
+    const urdf::Joint& joint = model.robot->joints[i];
+    found.push_back({joint.span, joint.name.value_or({})});
+  }
+  const std::vector<std::optional<Pose>> poses = forward_kinematics(model, {});
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const urdf::Link& link = model.robot->links[i];
+    if (!poses[i]) found.push_back({link.span, link.name.value_or({})});
+  }
+  return found;
 }
 
 Found velocities(const LinkedModel& model, SceneColumn) {
@@ -237,29 +204,11 @@ Found newer_limits(const LinkedModel& model, SceneColumn) {
   return found;
 }
 
-Found chosen_gains(const LinkedModel& model, SceneColumn) {
-  Found found;
-  for (const JointDrive& drive : joint_drives(model)) {
-    if (drive.kind == DriveKind::effort) continue;
-    found.push_back({drive.motor != nullptr ? drive.motor->span : drive.joint->span,
-                     shortened(drive.name, kMostOfName)});
-  }
-  return found;
-}
-
-Found transmissions(const LinkedModel& model, SceneColumn column) {
-  return drivers(model, column, "transmission");
-}
-
-Found ros2_controls(const LinkedModel& model, SceneColumn column) {
-  return drivers(model, column, "ros2_control");
-}
-
 namespace {
 
 /// The elements in <gazebo> that a format loses: all except the sensors that it has, plus the
 /// settings of those sensors that it does not have.
-Found other_than_sensors(const LinkedModel& model, const auto& sensors,
+Found other_than_sensors(const LinkedModel& model, SceneColumn column, const auto& sensors,
                          std::vector<xml::View> (*lost_settings)(xml::View sensor)) {
   Found found;
   std::set<xml::ElementId> written;
@@ -268,6 +217,7 @@ Found other_than_sensors(const LinkedModel& model, const auto& sensors,
     const xml::View gazebo(model.robot->document, id);
     if (gazebo.name() != "gazebo") continue;
     for (const xml::View child : gazebo) {
+      if (column == SceneColumn::mjcf && is_loop_of_gazebo(model, child)) continue;
       if (!written.contains(child.id())) {
         found.push_back({child.name_span(), name_of(child)});
         continue;
@@ -287,10 +237,10 @@ Found gazebo_elements(const LinkedModel& model, SceneColumn column) {
   Found found;
   if (!model.robot) return found;
   if (column == SceneColumn::mjcf) {
-    return other_than_sensors(model, mujoco_sensors(model), unsaid_by_mujoco);
+    return other_than_sensors(model, column, mujoco_sensors(model), unsaid_by_mujoco);
   }
   if (column == SceneColumn::html) {
-    return other_than_sensors(model, viewer_sensors(model), unshown_settings);
+    return other_than_sensors(model, column, viewer_sensors(model), unshown_settings);
   }
   const bool is_sdf = column == SceneColumn::sdf || column == SceneColumn::sdf16;
   for (const xml::ElementId id : model.robot->extensions) {
@@ -323,29 +273,6 @@ Found other_extensions(const LinkedModel& model, SceneColumn) {
 
 Found other_attributes(const LinkedModel& model, SceneColumn) {
   return model.robot ? find_undefined(model).attributes : Found();
-}
-
-Found motors(const LinkedModel& model, SceneColumn column) {
-  if (!has_drives(column)) return entries<&Annotations::motors>(model, column);
-  Found found;
-  for (const Motor* motor : idle_motors(model)) {
-    found.push_back({motor->span, motor->name.value_or({})});
-  }
-  return found;
-}
-
-Found motor_keys(const LinkedModel& model, SceneColumn column) {
-  std::vector<std::string_view> said{"name",        "joint",     "type",        "p",
-                                     "maxSpeed",    "maxEffort", "mimic_motor", "mimic_multiplier",
-                                     "mimic_offset"};
-  if (column == SceneColumn::mjcf) {
-    said.insert(said.end(), {"minValue", "maxValue", "minPosition", "maxPosition"});
-  }
-  Found found;
-  for (const Motor& motor : model.annotations.motors) {
-    append(found, other_keys(model, motor, said));
-  }
-  return found;
 }
 
 Found sensors(const LinkedModel& model, SceneColumn column) {
@@ -444,6 +371,20 @@ Found start_positions(const SceneExport& scene, SceneColumn) {
     const Entity& entity = *scene.flat.instances[i].entity;
     found.push_back(
         {entity.pose.written ? entity.pose.span : place_of(entity), scene.flat.instances[i].path});
+  }
+  return found;
+}
+
+Found free_robots(const SceneExport& scene, SceneColumn) {
+  Found found;
+  // A robot alone at the origin is where it would be without the joint.
+  const auto& all = scene.flat.instances;
+  if (all.size() == 1 && all.front().X_WE && *all.front().X_WE == Pose{}) return found;
+  for (std::size_t i = 0; i < scene.flat.instances.size(); ++i) {
+    const FlatInstance& instance = scene.flat.instances[i];
+    const bool is_free = instance.anchor.kind == Attachment::Kind::none && instance.X_WE;
+    if (!is_free || robot_of(scene.scene, i) == nullptr) continue;
+    found.push_back({place_of(*instance.entity), instance.path});
   }
   return found;
 }

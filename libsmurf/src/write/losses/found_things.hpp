@@ -15,20 +15,25 @@ Found collision_shapes(const LinkedModel& model, SceneColumn);
 /// The collision meshes whose convex hull has a much larger volume than they have, with the ratio.
 Found concave_meshes(const LinkedModel& model, SceneColumn);
 Found movable_joints(const LinkedModel& model, SceneColumn);
+/// Joints to a link that already has a parent joint.
+Found closing_joints(const LinkedModel& model, SceneColumn);
+/// Joints without both links, and links that the first root does not reach.
+Found unreached_parts(const LinkedModel& model, SceneColumn);
 /// MJCF: only textures that MuJoCo does not read. HTML: none, because the writer reports them.
 Found textures(const LinkedModel& model, SceneColumn column);
 /// MJCF: only efforts of joints without a motor.
-Found efforts(const LinkedModel& model, SceneColumn column);
+Found efforts(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 Found velocities(const LinkedModel& model, SceneColumn);
 Found joint_frictions(const LinkedModel& model, SceneColumn);
 Found own_collisions(const LinkedModel& model, SceneColumn);
 Found safety_controllers(const LinkedModel& model, SceneColumn);
 Found calibrations(const LinkedModel& model, SceneColumn);
 Found newer_limits(const LinkedModel& model, SceneColumn);
-Found chosen_gains(const LinkedModel& model, SceneColumn);
-/// MJCF and USD: only transmissions without a joint.
-Found transmissions(const LinkedModel& model, SceneColumn column);
-Found ros2_controls(const LinkedModel& model, SceneColumn column);
+Found chosen_gains(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
+/// MJCF and USD: only transmissions without a joint. Drake directives: only those of ros2_control
+/// whose joint has no transmission.
+Found transmissions(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
+Found ros2_controls(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// SDF: only elements that Gazebo does not convert. MJCF: all elements except sensors.
 Found gazebo_elements(const LinkedModel& model, SceneColumn column);
 /// Sensors that need plug-ins of the world in Gazebo.
@@ -50,7 +55,7 @@ Found entries(const LinkedModel& model, SceneColumn) {
   return found;
 }
 /// MJCF and USD: only motors that move no joint.
-Found motors(const LinkedModel& model, SceneColumn column);
+Found motors(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// Keys that actuators of MuJoCo, or drives of USD, do not have.
 Found motor_keys(const LinkedModel& model, SceneColumn column);
 /// SDF and MJCF: only sensors that the format does not have.
@@ -74,6 +79,8 @@ Found ambient_lights(const SceneExport& scene, SceneColumn);
 Found light_details(const SceneExport& scene, SceneColumn);
 /// Start positions of joints that do not start at zero.
 Found start_positions(const SceneExport& scene, SceneColumn);
+/// Robots that no anchor holds.
+Found free_robots(const SceneExport& scene, SceneColumn);
 /// Entities with another name in the result.
 Found changed_names(const SceneExport& scene, SceneColumn column);
 /// Entities without an anchor whose root is fixed to the world because of its name.

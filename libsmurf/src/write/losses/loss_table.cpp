@@ -16,6 +16,9 @@ constexpr std::array<std::string_view, kSceneColumns> kLostEverywhere{kLost, kLo
                                                                       kLost, kLost, kLost, kLost};
 constexpr std::string_view kShown = "shown";
 constexpr std::string_view kNoPlace = "lost: SDF has no element for them";
+constexpr std::string_view kTree = "lost: their links have another parent joint";
+constexpr std::string_view kLoop = "partly: hinges and rigid ones, as joints to a second parent";
+constexpr std::string_view kUnreached = "lost: nothing says where they are";
 constexpr std::string_view kSpeed = "lost: MuJoCo does not limit speeds";
 constexpr std::string_view kEffort =
     "lost: only actuators have them in MuJoCo, and these joints have no motor; `urdf2smurf --motors "
@@ -33,6 +36,9 @@ constexpr std::string_view kNearest = "changed: to the nearest inertia that the 
 constexpr std::string_view kTenGrams = "added: 10 g in a ball of 1 cm, the default of MARS";
 constexpr std::string_view kOfShapes =
     "added: those of the shapes, filled with the mass, if the shapes are closed";
+constexpr std::string_view kUseful =
+    "added: those of the shapes, filled with the mass; without closed shapes those of a ball of the "
+    "density of water";
 constexpr std::string_view kReadMeshes =
     "kept: meshes that are STL, OBJ, bobj, COLLADA or glTF, without skins and textures";
 constexpr std::string_view kFixedWorld =
@@ -40,12 +46,22 @@ constexpr std::string_view kFixedWorld =
     "frees them, as in MARS";
 constexpr std::string_view kGains =
     "added: a damping of 10 times the largest effort divided by the largest speed, 100 without "
-    "these limits, and for positions a stiffness of `p` times that, 20 times without `p`";
+    "these limits, and for positions a stiffness of `p` times that, 20 times without `p`; --kp, --kv "
+    "and --actuator choose others";
+constexpr std::string_view kStableGains =
+    "added: a damping of 10 times the largest effort divided by the largest speed, 100 without "
+    "these limits, and for positions a stiffness of `p` times that, 20 times without `p`; where this "
+    "damping is too fast for the inertia and the step, the rest of it is that of the joint, at most "
+    "the largest effort divided by the largest speed, or a motor of speeds has an armature; --kp, "
+    "--kv, --armature and --actuator choose others";
 constexpr std::string_view kPlainName =
     "changed: names have ASCII letters, digits and _ only, are unique, and are not reserved";
 constexpr std::string_view kHulls =
     "changed: MuJoCo uses the convex hull, which has this multiple of the volume, so that gaps are "
     "full; divide the mesh into convex parts, each in one `collision`";
+constexpr std::string_view kSquare =
+    "changed: Gazebo refuses images that are not square with 2^n + 1 pixels a side, such as 129; "
+    "give the image such a size";
 constexpr std::string_view kColours = "lost: shapes have colours";
 
 constexpr SceneThing kThings[] = {
@@ -57,6 +73,8 @@ constexpr SceneThing kThings[] = {
      .cells = {kTenGrams, kTenGrams, kTenGrams, kKept, kKept, kKept, kKept, kTenGrams}},
     {.title = kAbsentInertias,
      .cells = {kOfShapes, kOfShapes, kOfShapes, kKept, kKept, kKept, kKept, kOfShapes}},
+    {.title = kUselessInertias,
+     .cells = {kUseful, kUseful, kUseful, kKept, kKept, kKept, kKept, kUseful}},
     {.title = kRefusedInertias,
      .cells = {kNearest, kNearest, kNearest, kKept, kKept, kKept, kKept,
                "changed: USD computes moments of inertia of 0 from shapes"}},
@@ -91,6 +109,14 @@ constexpr SceneThing kThings[] = {
      .cells = {"kept: planar ones as fixed", "kept: planar ones as fixed",
                "kept: planar and floating ones as fixed", kKept, kKept,
                "kept: planar and floating ones as fixed", kShown, kKept}},
+    {.title = "joints that close a loop",
+     .in_model = things::closing_joints,
+     .cells = {kLoop, kLoop, "partly: hinges and rigid ones, as `connect` and `weld`", kKept, kKept,
+               kShown, kShown, kTree}},
+    {.title = "joints and links that the root does not reach",
+     .in_model = things::unreached_parts,
+     .cells = {kUnreached, kUnreached, kUnreached, kKept, kKept, kUnreached, kUnreached,
+               kUnreached}},
     {.title = "mimicking joints",
      .cells = {"changed: for Gazebo Harmonic and later; before, they move without their leader",
                "changed: they move without their leader", "kept: as equalities", kKept, kKept,
@@ -98,7 +124,7 @@ constexpr SceneThing kThings[] = {
     {.title = "position limits",
      .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, kKept}},
     {.title = "effort limits",
-     .in_model = things::efforts,
+     .in_motors = things::efforts,
      .cells = {kKept, kKept, kEffort, kKept, kKept, kKept, kShown, "kept: of drives"}},
     {.title = "velocity limits",
      .in_model = things::velocities,
@@ -116,22 +142,24 @@ constexpr SceneThing kThings[] = {
      .in_model = things::joint_frictions,
      .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown, "kept: friction for PhysX"}},
     {.title = "transmissions",
-     .in_model = things::transmissions,
+     .in_motors = things::transmissions,
      .cells = {kPlugin, kPlugin, kActuator, kKept, kKept, kShown, kShown, kDrive}},
     {.title = "elements of ros2_control",
-     .in_model = things::ros2_controls,
-     .cells = {kPlugin, kPlugin, kActuator, kKept, kKept, kShown, kShown, kDrive}},
+     .in_motors = things::ros2_controls,
+     .cells = {kPlugin, kPlugin, kActuator, kKept,
+               "lost: Drake makes actuators of `<transmission>` only", kShown, kShown, kDrive}},
     {.title = "collisions within a robot",
      .in_model = things::own_collisions,
      .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown,
                "added: none, as in NVIDIA's importer of URDFs, because convex hulls overlap"}},
     {.title = "gains of motors",
-     .in_model = things::chosen_gains,
-     .cells = {kKept, kKept, kGains, kKept, kKept, kKept, kKept, kGains}},
+     .in_motors = things::chosen_gains,
+     .cells = {kKept, kKept, kStableGains, kKept, kKept, kKept, kKept, kGains}},
     {.title = "elements in <gazebo>",
      .in_model = things::gazebo_elements,
-     .cells = {kAsGazebo, kAsGazebo, "partly: sensors that MuJoCo has", kKept, kKept, kFields,
-               kShown, kGazeboOnly}},
+     .cells = {kAsGazebo, kAsGazebo,
+               "partly: sensors that MuJoCo has, and joints that close a loop", kKept, kKept,
+               kFields, kShown, kGazeboOnly}},
     {.title = kLostContacts,
      .cells = {"lost: a contact sensor of Gazebo belongs to one link",
                "lost: a contact sensor of Gazebo belongs to one link", kKept, kKept, kKept, kKept,
@@ -149,7 +177,7 @@ constexpr SceneThing kThings[] = {
     // Annotations.
     {.title = "motor",
      .of = ThingOf::annotation,
-     .in_model = things::motors,
+     .in_motors = things::motors,
      .cells = {kLost, kLost, "partly: motors that drive a joint, as actuators", kLost, kLost, kLost,
                kLost, "partly: motors that drive a joint, as drives"}},
     {.title = "motor setting",
@@ -296,6 +324,9 @@ constexpr SceneThing kThings[] = {
                "changed: MuJoCo stretches the red part of the image from the darkest pixel to the "
                "brightest one",
                kKept, kKept, kKept, kKept, kKept}},
+    {.title = kOddHeights,
+     .of = ThingOf::scene,
+     .cells = {kSquare, kSquare, kKept, kKept, kKept, kKept, kKept, kKept}},
     {.title = "entities of other types",
      .of = ThingOf::scene,
      .cells = {kLost, kLost, kLost, kLost, kLost, "kept: in the tree", "kept: as nodes",
@@ -308,6 +339,13 @@ constexpr SceneThing kThings[] = {
      .in_scene = things::world_roots,
      .cells = {kFixedWorld, kFixedWorld, kFixedWorld, kFixedWorld, kKept, kKept, kKept,
                kFixedWorld}},
+    {.title = "robots that move freely",
+     .of = ThingOf::scene,
+     .in_scene = things::free_robots,
+     .cells = {kKept, kKept, kKept,
+               "changed: a floating joint from `world` holds each; PyBullet makes it fixed, and "
+               "Drake ignores its origin",
+               kKept, kKept, kKept, kKept}},
     {.title = "names of entities",
      .of = ThingOf::scene,
      .in_scene = things::changed_names,

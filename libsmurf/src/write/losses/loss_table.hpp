@@ -58,17 +58,22 @@ enum class WorldSetting : std::uint8_t {
 inline constexpr std::string_view kInventedMasses = "masses of moving links that have none";
 inline constexpr std::string_view kEmptyShapes = "shapes with a size of 0";
 inline constexpr std::string_view kAbsentInertias = "moments of inertia that are not written";
+inline constexpr std::string_view kUselessInertias = "moments of inertia of 0 and placeholders";
 inline constexpr std::string_view kRefusedInertias = "inertias that simulators refuse";
 inline constexpr std::string_view kColorsOfMeshes = "colours of parts of mesh files";
 inline constexpr std::string_view kLostContacts = "collisions of contact sensors on several links";
+inline constexpr std::string_view kOddHeights = "heightmaps that are not square";
 inline constexpr std::string_view kUnsureHeights = "heightmaps in colour or out of reach";
 
 struct SceneThing {
   std::string_view title;  ///< plural: "effort limits"; of an annotation singular: "motor"
   ThingOf of = ThingOf::urdf;
   /// Finds the things in a model, or in a scene, that are not kept. Called if the cell is not
-  /// "kept". If both are null, the writers report the loss themselves.
+  /// "kept". If all are null, the writers report the loss themselves.
   std::vector<FoundThing> (*in_model)(const LinkedModel& model, SceneColumn column) = nullptr;
+  /// The same for what depends on the motors that the caller asks for.
+  std::vector<FoundThing> (*in_motors)(const LinkedModel& model, SceneColumn column,
+                                       const MotorOptions& motors) = nullptr;
   std::vector<FoundThing> (*in_scene)(const SceneExport& scene, SceneColumn column) = nullptr;
   WorldSetting setting = WorldSetting::none;
   /// By column: "kept", or "kept: how", "partly: what", "changed: how", "lost: why", "added: what",

@@ -172,9 +172,12 @@ void SceneLosses::of_model(const LinkedModel& model) {
   const SceneColumn column = is_named ? SceneColumn::dmd : column_;
   for (const SceneThing& thing : scene_things()) {
     const Fate fate = fate_of(thing.cells[to_size(column)]);
-    if (fate == Fate::kept || thing.in_model == nullptr) continue;
-    if (thing.of == ThingOf::urdf && is_named) continue;
-    const std::vector<FoundThing> found = thing.in_model(model, column);
+    const bool is_searched = thing.in_model != nullptr || thing.in_motors != nullptr;
+    if (fate == Fate::kept || !is_searched) continue;
+    if (thing.of == ThingOf::urdf && is_named && column_ != SceneColumn::dmd) continue;
+    const std::vector<FoundThing> found = thing.in_model != nullptr
+                                              ? thing.in_model(model, column)
+                                              : thing.in_motors(model, column, scene_.motors);
     if (found.empty()) continue;
     if (thing.of == ThingOf::annotation) {
       const bool is_of_kept = thing.title.ends_with("setting");

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/mjcf/mjcf_actuators.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/numbers/numbers.hpp"
+#include "base/numbers/vectors.hpp"
+#include "link/link_overlaps.hpp"
+#include "write/parts/body_inertia.hpp"
 
 namespace smurf {
 namespace {
@@ -10,24 +16,67 @@ std::string around_zero(double most) { return join_numbers({-most, most}); }
 
 }  // namespace
 
+const std::vector<MjcfActuators::Motor>& MjcfActuators::motors_of(std::size_t i) {
+  const LinkedModel& model = *robot_of(i);
+  const bool is_free = flat(i).anchor.kind == Attachment::Kind::none;
+  const auto [known, is_new] = motors_.try_emplace({&model, flat(i).joint_pose, is_free});
+  if (!is_new) return known->second;
+  const std::vector<JointDrive> drives = joint_drives(model, scene_.motors);
+  if (drives.empty()) return known->second;
+  std::vector<std::optional<LinkInertial>> masses;
+  for (const urdf::Link& link : model.robot->links) masses.push_back(link_mass(model, link).mass);
+  const Vector3 gravity = scene_.flat.physics.gravity.value_or(kUsualGravity);
+  const std::vector<JointInertia> inertias = joint_inertias(
+      model, frames_of(scene_, i, frames_), masses, is_free, std::sqrt(dot(gravity, gravity)));
+  const double step = scene_.flat.physics.step_size.value_or(kUsualStep);
+  for (const JointDrive& drive : drives) {
+    const auto joint = static_cast<std::size_t>(drive.joint - model.robot->joints.data());
+    known->second.push_back({drive, smurf::gains_of(drive, inertias[joint], step)});
+  }
+  return known->second;
+}
+
+double MjcfActuators::start_of(std::size_t i, const urdf::Joint& joint) {
+  const LinkedModel& model = *robot_of(i);
+  const JointPositions& given = scene_.joint_positions(i);
+  if (scene_.motors.kind != MotorKind::automatic) return start_position(model, joint, given);
+  const auto [known, is_new] = starts_.try_emplace({&model, flat(i).joint_pose});
+  if (is_new) {
+    known->second = given;
+    for (const auto& [name, position] : rest_positions(model)) {
+      const urdf::Joint* bounded = model.find_joint(name);
+      if (bounded == nullptr || bounded->mimic) continue;
+      double& start = known->second[name];
+      if (start == 0) start = position;
+    }
+  }
+  return start_position(model, joint, known->second);
+}
+
+DriveGains MjcfActuators::gains_of(std::size_t i, const urdf::Joint& joint) {
+  const std::vector<Motor>& motors = motors_of(i);
+  // Motors are in the order of the joints.
+  const auto found = std::lower_bound(
+      motors.begin(), motors.end(), &joint,
+      [](const Motor& motor, const urdf::Joint* one) { return motor.drive.joint < one; });
+  return found != motors.end() && found->drive.joint == &joint ? found->gains : DriveGains();
+}
+
 void MjcfActuators::add_actuators() {
   bool is_open = false;
-  std::map<const LinkedModel*, std::vector<JointDrive>> drives;
   for (std::size_t i = 0; i < count(); ++i) {
-    const LinkedModel* model = robot_of(i);
-    if (model == nullptr || !flat(i).X_WE) continue;
-    const auto [known, is_new] = drives.try_emplace(model);
-    if (is_new) known->second = joint_drives(*model);
-    for (const JointDrive& drive : known->second) {
+    if (robot_of(i) == nullptr || !flat(i).X_WE) continue;
+    for (const Motor& motor : motors_of(i)) {
       if (!is_open) xml_.open("actuator");
       is_open = true;
-      add_actuator(i, drive);
+      add_actuator(i, motor);
     }
   }
   if (is_open) xml_.close();
 }
 
-void MjcfActuators::add_actuator(std::size_t i, const JointDrive& drive) {
+void MjcfActuators::add_actuator(std::size_t i, const Motor& motor) {
+  const auto& [drive, gains] = motor;
   std::vector<XmlText::Attribute> actuator{{"name", name(i, drive.name)},
                                            {"joint", name(i, *drive.joint->name)}};
   const auto limit = [&](std::string_view what, std::string_view range, std::string numbers) {
@@ -39,15 +88,12 @@ void MjcfActuators::add_actuator(std::size_t i, const JointDrive& drive) {
     if (drive.effort) limit("ctrllimited", "ctrlrange", around_zero(*drive.effort));
     xml_.empty("motor", actuator);
   } else {
-    const double kv = speed_gain(drive);
     const bool is_position = drive.kind == DriveKind::position;
-    const double kp = is_position ? drive.gain * kv : 0;
     actuator.emplace_back("biastype", "affine");
-    actuator.emplace_back("gainprm", format_number(is_position ? kp : kv));
-    actuator.emplace_back("biasprm", join_numbers({0, -kp, -kv}));
+    actuator.emplace_back("gainprm", format_number(is_position ? gains.kp : gains.kv));
+    actuator.emplace_back("biasprm", join_numbers({0, -gains.kp, -gains.kv}));
     if (is_position) {
-      const LinkedModel& model = *robot_of(i);
-      command = start_position(model, *drive.joint, scene_.joint_positions(i));
+      command = start_of(i, *drive.joint);
       if (drive.lower && drive.upper && *drive.lower < *drive.upper) {
         limit("ctrllimited", "ctrlrange", join_numbers({*drive.lower, *drive.upper}));
       }

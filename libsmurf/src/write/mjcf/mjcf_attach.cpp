@@ -28,7 +28,10 @@ class AttachWriter : MjcfParts {
     add_lights();
     for (std::size_t i = 0; i < count(); ++i) {
       if (!flat(i).X_WE) continue;
-      if (robot_of(i) != nullptr) {
+      if (floating_.contains(robot_of(i))) {
+        losses_.entity(i, "MuJoCo attaches no model that has a floating joint; --form expand "
+                          "writes it");
+      } else if (robot_of(i) != nullptr) {
         attach(i);
       } else {
         add_solid(i);
@@ -55,6 +58,10 @@ class AttachWriter : MjcfParts {
       }
       for (const urdf::Joint& joint : model.robot->joints) {
         if (joint.has_one_axis() || joint.type == urdf::JointType::fixed) continue;
+        if (joint.type == urdf::JointType::floating) {
+          floating_.insert(&model);
+          continue;
+        }
         losses_.joint(joint, "what MuJoCo makes of it");
         has_keyframe_ = false;
       }
@@ -68,6 +75,7 @@ class AttachWriter : MjcfParts {
   void add_models() {
     std::unordered_set<std::size_t> used;
     for (std::size_t i = 0; i < count(); ++i) {
+      if (floating_.contains(robot_of(i))) continue;
       if (robot_of(i) == nullptr || !flat(i).X_WE || !used.insert(*flat(i).model).second) continue;
       xml_.empty("model",
                  {{"name", model_id(i)}, {"file", scene_.flat.models[*flat(i).model].urdf}});
@@ -131,6 +139,7 @@ class AttachWriter : MjcfParts {
   }
 
   std::vector<std::size_t> welded_;
+  std::unordered_set<const LinkedModel*> floating_;  ///< models with a floating joint
   bool has_keyframe_ = true;
 };
 

@@ -15,7 +15,7 @@
 namespace smurf {
 namespace {
 
-bool is_mesh_of_mujoco(const FlatMesh& mesh) {
+bool is_named_for_mujoco(const FlatMesh& mesh) {
   const std::string extension = path::to_lower(path::extension(mesh.file));
   return extension == ".stl" || extension == ".obj";
 }
@@ -93,6 +93,11 @@ bool has_volume(double volume, const Vector3& scale) {
 
 }  // namespace
 
+bool is_mesh_of_mujoco(std::string_view extension, std::string_view bytes) {
+  if (extension == ".stl") return is_stl_of_mujoco(bytes);
+  return extension == ".obj" && !has_faces_after_first_group(bytes);
+}
+
 std::string MjcfMeshes::key_of(const FlatMesh& mesh) {
   return mesh.file + " " + join_numbers(mesh.scale);
 }
@@ -134,14 +139,13 @@ std::string MjcfMeshes::declare(const FlatMesh& mesh, Span place) {
 /// only. A file that may not be read here, such
 /// as one outside of the project, may be sound.
 void MjcfMeshes::examine(const FlatMesh& mesh, MeshOfFile& of_file) const {
-  of_file.is_named = is_mesh_of_mujoco(mesh);
+  of_file.is_named = is_named_for_mujoco(mesh);
   if (!of_file.is_named || !scene_.meshes.image || !scene_.meshes.triangles) return;
   const FileContent content = scene_.meshes.image(mesh.file);
   of_file.is_readable = content.status == ReadStatus::ok || content.status == ReadStatus::not_found;
   if (content.status != ReadStatus::ok) return;
-  const bool is_stl = path::to_lower(path::extension(mesh.file)) == ".stl";
   of_file.is_named =
-      is_stl ? is_stl_of_mujoco(content.text) : !has_faces_after_first_group(content.text);
+      smurf::is_mesh_of_mujoco(path::to_lower(path::extension(mesh.file)), content.text);
 }
 
 void MjcfMeshes::declare_triangles(const std::string& name, const Vector3& scale,

@@ -14,6 +14,10 @@
 
 namespace smurf {
 
+/// Whether MuJoCo reads all of a mesh file: binary STL without other bytes after the triangles, and
+/// OBJ, of which it reads the faces of the first group only. `extension` is in lower case.
+bool is_mesh_of_mujoco(std::string_view extension, std::string_view bytes);
+
 class MjcfMeshes {
  public:
   MjcfMeshes(const SceneExport& scene, XmlText& xml, SceneLosses& losses)

@@ -76,9 +76,17 @@ void MjcfParts::add_settings() {
                           {"inertiafromgeom", "false"}});
   const FlatPhysics& physics = scene_.flat.physics;
   // Uses an integrator in which dampers and motors with velocity gains are stable at any stiffness.
-  xml_.empty("option", {{"timestep", format_number(physics.step_size.value_or(kUsualStep))},
-                        {"gravity", join_numbers(physics.gravity.value_or(kUsualGravity))},
-                        {"integrator", "implicit"}});
+  const XmlText::Attributes option{
+      {"timestep", format_number(physics.step_size.value_or(kUsualStep))},
+      {"gravity", join_numbers(physics.gravity.value_or(kUsualGravity))},
+      {"integrator", "implicit"}};
+  if (scene_.contacts.choice == SelfCollision::all) {
+    xml_.open("option", option);
+    xml_.empty("flag", {{"filterparent", "disable"}});
+    xml_.close();
+  } else {
+    xml_.empty("option", option);
+  }
   xml_.open("default");
   add_class("visual", {{"contype", "0"}, {"conaffinity", "0"}, {"group", "2"}});
   // Shapes without a bitmask collide with all that have one, as in MARS.
@@ -296,9 +304,13 @@ void MjcfParts::add_solid(std::size_t i) {
       const auto known = heightmaps_.find(&shape);
       if (known == heightmaps_.end()) continue;
       const auto& [heights, lift] = known->second;
-      add_geom({{"class", "solid"}, {"type", "hfield"}, {"hfield", heights}},
+      add_geom({{"class", "solid"},
+                {"type", "hfield"},
+                {"hfield", heights},
+                {"name", geom_names_.add(instance.path)}},
                pose * Pose{{0, 0, lift}, {}}, shape.color, contacts);
     } else if (auto geom = geom_of("solid", shape.geometry)) {
+      geom->emplace_back("name", geom_names_.add(instance.path));
       add_geom(std::move(*geom), pose, shape.color, contacts);
     }
   }

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "base/text/unique_names.hpp"
 #include "write/losses/scene_losses.hpp"
 #include "write/mjcf/mjcf_meshes.hpp"
 #include "write/parts/contacts.hpp"
@@ -61,6 +62,7 @@ class MjcfParts {
   SceneLosses losses_;
   LinkFrames frames_;
   XmlText xml_{scene_.most_bytes};
+  UniqueNames geom_names_;
   std::string start_;     ///< qpos
   std::string commands_;  ///< ctrl
   MjcfMeshes meshes_;

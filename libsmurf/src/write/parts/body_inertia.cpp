@@ -4,9 +4,14 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "link/inertia.hpp"
 #include "link/possible_inertia.hpp"
+#include "link/shape_solids.hpp"
+#include "write/losses/loss_table.hpp"
 
 namespace smurf {
 namespace {
@@ -40,7 +45,55 @@ LinkInertial principal(const LinkInertial& mass, const Eigen::Vector3d& moments,
   return result;
 }
 
+/// The moment of a ball of 1 mm about its centre, per kg: no real part has less.
+constexpr double kLeastPerMass = 0.4e-6;  // m^2
+
+/// A ball as dense as water, for a body of unknown shape.
+LinkInertial ball_of_water(const LinkInertial& body) {
+  constexpr double kDensity = 1000;  // kg/m^3
+  const double radius = std::cbrt(body.mass / kDensity * 3 / (4 * std::numbers::pi));
+  LinkInertial ball{.mass = body.mass, .X_LC = body.X_LC};
+  ball.ixx = ball.iyy = ball.izz = 0.4 * body.mass * radius * radius;
+  return ball;
+}
+
+LinkInertial filled(const Solid& solid, const LinkInertial& body) {
+  const auto [xx, yy, zz, xy, xz, yz] = unit_inertia(solid);
+  const double mass = body.mass;
+  return {mass,     {body.X_LC.position, {}}, mass * xx, mass * xy, mass * xz, mass * yy, mass * yz,
+          mass * zz};
+}
+
+/// The tensor of one, which templates and CAD tools write, where the shapes have a much smaller
+/// one.
+bool is_placeholder(const urdf::Inertial& inertial, const LinkInertial& of_shapes) {
+  constexpr double kMuch = 10;
+  return is_unit_tensor(inertial) &&
+         kMuch * std::max({of_shapes.ixx, of_shapes.iyy, of_shapes.izz}) < 1;
+}
+
 }  // namespace
+
+LinkMass link_mass(const LinkedModel& model, const urdf::Link& link) {
+  const std::optional<LinkInertial> body = inertial_of(link);
+  if (!body) return {smallest_mass(), kInventedMasses};
+  const auto entries = entries_of(*link.inertial);
+  const bool is_written = std::any_of(entries.begin(), entries.end(),
+                                      [](const Field<double>* entry) { return entry->written; });
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor_of(*body));
+  const bool is_useless =
+      solver.eigenvalues()[2] < kLeastPerMass * body->mass || !(solver.eigenvalues()[0] > 1e-14);
+  if (is_written && !is_useless && !is_unit_tensor(*link.inertial)) return {*body, {}};
+  const std::optional<Solid> solid = solid_of(model, link);
+  if (!is_written) {
+    if (solid) return {filled(*solid, *body), kAbsentInertias};
+    return is_useless ? LinkMass{ball_of_water(*body), kAbsentInertias} : LinkMass{*body, {}};
+  }
+  const LinkInertial of_shapes = solid ? filled(*solid, *body) : ball_of_water(*body);
+  if (is_useless) return {of_shapes, kUselessInertias};
+  const bool is_known = solid && is_placeholder(*link.inertial, of_shapes);
+  return is_known ? LinkMass{of_shapes, kUselessInertias} : LinkMass{*body, {}};
+}
 
 std::array<double, 6> tensor_in_link(const LinkInertial& mass) {
   const Eigen::Matrix3d I = tensor_of(mass);

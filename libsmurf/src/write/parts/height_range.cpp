@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "base/numbers/inflate.hpp"
+#include "archive/inflate.hpp"
 
 namespace smurf {
 namespace {
@@ -175,14 +175,16 @@ bool read_passes(const PngImage& image, std::string_view bytes, HeightRange& ran
 HeightRange height_range(std::string_view png, std::uint64_t most) {
   HeightRange range;
   PngImage image;
-  if (!read_chunks(png, image) || !is_sound(image)) return {0, 0, true, "is damaged"};
+  if (!read_chunks(png, image) || !is_sound(image)) return {.fault = "is damaged"};
+  range.width = image.width;
+  range.height = image.height;
   const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
-  if (pixels > most) return {0, 0, true, "has more than " + std::to_string(most) + " pixels"};
+  if (pixels > most) return {.fault = "has more than " + std::to_string(most) + " pixels"};
   // A row has one byte for its filter; the passes of an interlaced image have more rows.
   const std::uint64_t row =
       (std::uint64_t{image.width} * image.channels() * image.depth + 7) / 8 + 8;
   const auto bytes = inflate_zlib(image.packed, 2 * (row + 1) * (std::uint64_t{image.height} + 8));
-  if (!bytes || !read_passes(image, *bytes, range)) return {0, 0, true, "is damaged"};
+  if (!bytes || !read_passes(image, *bytes, range)) return {.fault = "is damaged"};
   return range;
 }
 

@@ -11,8 +11,9 @@ namespace smurf {
 /// Both are 0 for black and 1 for white.
 struct HeightRange {
   double darkest = 0, brightest = 0;
-  bool is_grey = true;  ///< no pixel has a colour
-  std::string fault;    ///< why the image cannot be read: "is damaged"; empty if it can
+  std::uint32_t width = 0, height = 0;  ///< pixels
+  bool is_grey = true;                  ///< no pixel has a colour
+  std::string fault;  ///< why the image cannot be read: "is damaged"; empty if it can
 };
 
 /// Of a PNG file with at most `most` pixels. MuJoCo uses the red part of coloured pixels, and so

@@ -2,10 +2,12 @@
 #include "write/parts/joint_drives.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/numbers/numbers.hpp"
 #include "base/numbers/quantity.hpp"
+#include "base/text/wildcards.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/import.hpp"
 #include "convert/joint_commands.hpp"
@@ -27,8 +29,8 @@ DriveKind kind_of(std::string_view interface) {
 
 class DriveReader {
  public:
-  explicit DriveReader(const LinkedModel& model)
-      : model_(model), drives_(model.robot->joints.size()) {}
+  DriveReader(const LinkedModel& model, const MotorOptions& options)
+      : model_(model), options_(options), drives_(model.robot->joints.size()) {}
 
   std::vector<JointDrive> read() {
     const AnnotationValues values(model_);
@@ -37,9 +39,12 @@ class DriveReader {
     }
     of_extensions("ros2_control", &DriveReader::of_ros2_control);
     of_extensions("transmission", &DriveReader::of_transmission);
+    if (options_.kind != MotorKind::as_written) add_missing();
     std::vector<JointDrive> found;
     for (std::optional<JointDrive>& drive : drives_) {
-      if (drive) found.push_back(std::move(*drive));
+      if (!drive) continue;
+      apply_options(*drive);
+      found.push_back(std::move(*drive));
     }
     return found;
   }
@@ -65,6 +70,44 @@ class DriveReader {
     constexpr double kUsualGain = 20;
     drive.gain = kUsualGain;
     return &drive;
+  }
+
+  /// A joint that no followed motor moves either.
+  void add_missing() {
+    std::set<const urdf::Joint*> followers;
+    for (const DrivenFollower& follower : driven_followers(model_)) {
+      followers.insert(follower.joint);
+    }
+    for (const urdf::Joint& joint : model_.robot->joints) {
+      if (!followers.contains(&joint)) drive_of(&joint);
+    }
+  }
+
+  void apply_options(JointDrive& drive) const {
+    switch (options_.kind) {
+    case MotorKind::as_written: break;
+    case MotorKind::automatic:
+      // A program commands the effort so that the joint gets to a position.
+      if (drive.kind == DriveKind::effort) drive.kind = DriveKind::position;
+      break;
+    case MotorKind::position: drive.kind = DriveKind::position; break;
+    case MotorKind::velocity: drive.kind = DriveKind::velocity; break;
+    case MotorKind::effort: drive.kind = DriveKind::effort; break;
+    }
+    const std::string& joint = *drive.joint->name;
+    drive.kp = number_for(options_.kp, joint);
+    drive.kv = number_for(options_.kv, joint);
+    drive.armature = number_for(options_.armature, joint);
+  }
+
+  /// The last pattern that fits decides.
+  static std::optional<double> number_for(const std::vector<JointNumber>& numbers,
+                                          std::string_view joint) {
+    std::optional<double> found;
+    for (const JointNumber& number : numbers) {
+      if (number.joints.empty() || matches(joint, number.joints)) found = number.value;
+    }
+    return found;
   }
 
   const urdf::Joint* joint_named(xml::View element) const {
@@ -146,20 +189,78 @@ class DriveReader {
   }
 
   const LinkedModel& model_;
+  const MotorOptions& options_;
   std::vector<std::optional<JointDrive>> drives_;  ///< by joint
 };
 
 }  // namespace
 
-std::vector<JointDrive> joint_drives(const LinkedModel& model) {
-  return model.robot ? DriveReader(model).read() : std::vector<JointDrive>();
+std::vector<JointDrive> joint_drives(const LinkedModel& model, const MotorOptions& options) {
+  return model.robot ? DriveReader(model, options).read() : std::vector<JointDrive>();
 }
 
-double speed_gain(const JointDrive& drive) {
+DriveGains gains_of(const JointDrive& drive) {
+  DriveGains gains;
+  gains.armature = drive.armature.value_or(0);
+  if (drive.kind == DriveKind::effort) return gains;
   constexpr double kWithoutLimits = 100;
-  const double gain =
+  const double kv =
       drive.effort && drive.speed ? 10 * *drive.effort / *drive.speed : kWithoutLimits;
-  return is_quantity(gain) ? gain : kWithoutLimits;
+  gains.kv = drive.kv.value_or(is_quantity(kv) ? kv : kWithoutLimits);
+  if (drive.kind != DriveKind::position) return gains;
+  gains.kp = drive.kp.value_or(drive.gain * gains.kv);
+  // A stated stiffness alone gets the damping at which its joint does not swing.
+  if (drive.kp && !drive.kv) gains.kv = *drive.kp / drive.gain;
+  return gains;
+}
+
+namespace {
+
+/// What holds the weight of all that a joint carries to 1.5 % of 0.3 rad, or of a tenth of its
+/// range.
+double stiffness_against(double weight, const JointDrive& drive) {
+  constexpr double kSag = 0.015;
+  double way = 0.3;
+  if (drive.lower && drive.upper && *drive.lower < *drive.upper) {
+    const double tenth = 0.1 * (*drive.upper - *drive.lower);
+    const bool is_linear = drive.joint->type == urdf::JointType::prismatic;
+    way = is_linear ? tenth : std::min(way, tenth);
+  }
+  return weight / (kSag * way);
+}
+
+}  // namespace
+
+DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double step) {
+  DriveGains gains = gains_of(drive);
+  if (drive.kind == DriveKind::position && !drive.kp && !drive.kv) {
+    gains.kp = std::max(gains.kp, stiffness_against(inertia.gravity, drive));
+  }
+  const double free = inertia.free + gains.armature;
+  // The speed that a motor has to correct is gone after four steps, or two of twice the length.
+  const double most = free / (4 * step);
+  if (drive.kind == DriveKind::effort || gains.kv <= most) return gains;
+  const bool has_limits = drive.effort && drive.speed;
+  if (!has_limits && !drive.kv && !drive.kp && drive.kind == DriveKind::position) {
+    // Without limits, 100 says nothing about a joint so light: 20 rad/s without swinging, or what
+    // holds its weight.
+    constexpr double kRate = 20;
+    gains.kp = std::max(kRate * kRate * (inertia.locked + gains.armature),
+                        stiffness_against(inertia.gravity, drive));
+    gains.kv = std::max(2 * std::sqrt(gains.kp * (inertia.locked + gains.armature)),
+                        gains.kp / kRate);  // with joints that follow it
+  }
+  if (!drive.effort) return gains;  // without a limit of the force, it is integrated implicitly
+  if (drive.kind == DriveKind::velocity) {
+    if (!drive.armature) gains.armature = 4 * step * gains.kv - inertia.free;
+    return gains;
+  }
+  // The torque of a motor falls to zero at its largest speed.
+  const double braking = drive.speed ? *drive.effort / *drive.speed : gains.kv;
+  const double rest = gains.kv - most;
+  gains.kv = std::min(gains.kv, most);
+  gains.damping = drive.kv ? rest : std::min(rest, braking);
+  return gains;
 }
 
 std::vector<DrivenFollower> driven_followers(const LinkedModel& model) {

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "smurf/linked.hpp"
+#include "smurf/write_scene.hpp"
+#include "write/parts/joint_inertia.hpp"
 
 namespace smurf {
 
@@ -24,15 +26,26 @@ struct JointDrive {
   std::optional<double> effort, speed;       ///< largest value; N m or N, rad/s or m/s; above 0
   std::optional<double> lower, upper;        ///< limits of the position, rad or m
   double gain = 0;                           ///< gain of a position, 1/s
+  std::optional<double> kp, kv, armature;    ///< that the caller asks for
 };
 
 /// One drive per joint, in the order of the model, for joints with one axis that do not mimic
 /// another joint.
-std::vector<JointDrive> joint_drives(const LinkedModel& model);
+std::vector<JointDrive> joint_drives(const LinkedModel& model, const MotorOptions& options = {});
 
-/// How strongly a motor resists a wrong speed, N m s/rad or N s/m. MARS's motors reach their speed
-/// within a step; these use their full effort at a difference of a tenth of the largest speed.
-double speed_gain(const JointDrive& drive);
+/// The numbers of a motor: its force is kp (command - position) - kv speed, within its effort; that
+/// of an effort is the command. N m/rad and N m s/rad, or N/m and N s/m.
+struct DriveGains {
+  double kp = 0, kv = 0;
+  double damping = 0;   ///< of the joint, besides what the URDF says; not within the effort
+  double armature = 0;  ///< of the joint, kg m^2 or kg
+};
+/// How strongly a motor resists a wrong speed. MARS's motors reach their speed within a step; these
+/// use their full effort at a difference of a tenth of the largest speed.
+DriveGains gains_of(const JointDrive& drive);
+/// The same, stable in steps of this length and of twice it, in a simulator that integrates the
+/// damping of joints implicitly, and the force of a motor explicitly while it is at its limit.
+DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double step);
 
 /// A motor that makes its joint follow another joint.
 struct DrivenFollower {

@@ -10,9 +10,7 @@
 #include "base/text/unique_names.hpp"
 #include "base/text/words.hpp"
 #include "flatten/scene_shapes.hpp"
-#include "link/inertia.hpp"
 #include "link/kinematics.hpp"
-#include "link/shape_solids.hpp"
 
 namespace smurf {
 namespace {
@@ -103,6 +101,12 @@ std::optional<std::size_t> carried_link(const LinkedModel& model, std::size_t jo
   return parent && to_size(*parent) == joint ? std::optional<std::size_t>(child) : std::nullopt;
 }
 
+bool closes_loop(const LinkedModel& model, std::size_t joint) {
+  const auto& parent = model.tree.joint_parent[joint];
+  const auto& child = model.tree.joint_child[joint];
+  return parent && child && *parent != *child && !carried_link(model, joint);
+}
+
 std::vector<std::size_t> anchor_groups(const FlatScene& scene) {
   const std::size_t count = scene.instances.size();
   constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
@@ -152,21 +156,6 @@ std::optional<LinkInertial> inertial_of(const urdf::Link& link) {
                       inertial.ixx.value_or(0), inertial.ixy.value_or(0),
                       inertial.ixz.value_or(0), inertial.iyy.value_or(0),
                       inertial.iyz.value_or(0), inertial.izz.value_or(0)};
-}
-
-std::optional<LinkInertial> inertial_of_shapes(const LinkedModel& model, const urdf::Link& link) {
-  const auto body = inertial_of(link);
-  if (!body) return std::nullopt;
-  for (const Field<double>* entry : entries_of(*link.inertial)) {
-    if (entry->written) return std::nullopt;
-  }
-  const auto solid = solid_of(model, link);
-  if (!solid) return std::nullopt;
-  const auto [xx, yy, zz, xy, xz, yz] = unit_inertia(*solid);
-  const double mass = body->mass;
-  return LinkInertial{
-      mass,     {body->X_LC.position, {}}, mass * xx, mass * xy, mass * xz, mass * yy, mass * yz,
-      mass * zz};
 }
 
 LinkInertial smallest_mass() { return SolidMass(0.01)(FlatSphere{0.01}); }

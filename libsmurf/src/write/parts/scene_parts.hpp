@@ -24,6 +24,9 @@ std::string root_link_name(const LinkedModel& model);
 /// The child of a joint; none if it is unknown, or has another parent joint.
 std::optional<std::size_t> carried_link(const LinkedModel& model, std::size_t joint);
 
+/// Whether a joint leads to a link that another joint carries.
+bool closes_loop(const LinkedModel& model, std::size_t joint);
+
 /// By instance: the instance at the end of its chain of anchors, which identifies a group. In a
 /// cycle of anchors, it is the first instance of the cycle.
 std::vector<std::size_t> anchor_groups(const FlatScene& scene);
@@ -42,9 +45,6 @@ struct LinkInertial {
 };
 /// None if the link has no mass.
 std::optional<LinkInertial> inertial_of(const urdf::Link& link);
-/// That of its shapes, filled with the mass, at the written centre, if the link has a mass and no
-/// `<inertia>`, and shapes of known volume; otherwise none.
-std::optional<LinkInertial> inertial_of_shapes(const LinkedModel& model, const urdf::Link& link);
 /// For a body without mass in a format that requires one: MARS uses a ball of 10 g and 1 cm radius
 /// (mars_core Frame.cpp:601-619).
 LinkInertial smallest_mass();

@@ -2,9 +2,11 @@
 #include "write/sdf/sdf_parts.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numbers>
 
 #include "base/numbers/numbers.hpp"
+#include "write/parts/height_range.hpp"
 
 namespace smurf {
 namespace {
@@ -175,6 +177,16 @@ void add_sdf_surface(XmlText& xml, const Contacts& contacts, const GazeboElement
     xml.close();
   }
   xml.close();
+}
+
+/// "Heightmap image size must be square, with a size of 2^n+1" (gazebo-classic Heightmap.cc), and
+/// the world does not load.
+bool is_heightmap_of_gazebo(const MeshSource& files, const FlatHeightmap& map) {
+  const FileContent image = files.image ? files.image(map.file) : FileContent{};
+  if (!files.image || image.status != ReadStatus::ok) return true;
+  const HeightRange range = height_range(image.text, files.most_pixels);
+  return !range.fault.empty() ||
+         (range.width == range.height && range.width > 1 && std::has_single_bit(range.width - 1));
 }
 
 }  // namespace smurf

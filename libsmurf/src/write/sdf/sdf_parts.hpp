@@ -33,4 +33,7 @@ void add_sdf_material(XmlText& xml, const SdfMaterial& material);
 void add_sdf_surface(XmlText& xml, const Contacts& contacts, const GazeboElements* gazebo,
                      std::string_view link);
 
+/// False if Gazebo refuses the size of an image. True for a file that cannot be read here.
+bool is_heightmap_of_gazebo(const MeshSource& files, const FlatHeightmap& map);
+
 }  // namespace smurf

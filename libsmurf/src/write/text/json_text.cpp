@@ -9,10 +9,9 @@
 namespace smurf {
 namespace {
 
-/// YAML readers treat U+2028 and U+2029 as line ends, and some remove U+FEFF.
-bool is_escaped(char32_t c) {
-  return utf8::is_control(c) || c == 0x2028 || c == 0x2029 || c == 0xFEFF;
-}
+/// Marks that change the direction of writing would show a name as another one. YAML readers treat
+/// U+2028 and U+2029 as line ends, and some remove U+FEFF.
+bool is_escaped(char32_t c) { return utf8::is_control(c) || utf8::is_layout(c) || c == 0xFEFF; }
 
 void append_character(std::string& out, const utf8::CodePoint& point, std::string_view text) {
   switch (point.value) {

@@ -29,10 +29,10 @@ bool is_plain(std::string_view text) {
          kOtherTypes.end();
 }
 
-/// Not printable in YAML, or a line break in YAML 1.1, or, like U+FEFF, removed by some readers.
+/// Not printable in YAML, or a line break in YAML 1.1, or a mark that changes the direction of
+/// writing, or, like U+FEFF, removed by some readers.
 bool is_escaped_in_yaml(char32_t c) {
-  return utf8::is_control(c) || c == 0x2028 || c == 0x2029 || c == 0xFEFF || c == 0xFFFE ||
-         c == 0xFFFF;
+  return utf8::is_control(c) || utf8::is_layout(c) || c == 0xFEFF || c == 0xFFFE || c == 0xFFFF;
 }
 
 bool is_one_line(std::string_view text) {

@@ -93,7 +93,8 @@ const UsdPhysics::Model& UsdPhysics::model_of(std::size_t instance) {
   if (!is_new) return model;
   model.layout = usd_layout(robot);
   find_joints(robot, model);
-  for (const JointDrive& drive : joint_drives(robot)) model.drives.emplace(drive.joint, drive);
+  for (const JointDrive& drive : joint_drives(robot, scene_.motors))
+    model.drives.emplace(drive.joint, drive);
   find_followers(robot, model);
   return model;
 }
@@ -209,19 +210,15 @@ bool UsdPhysics::is_body(std::size_t instance) const {
 
 void UsdPhysics::add_mass(std::size_t instance, std::size_t link) {
   const urdf::Link& written = robot(instance).robot->links[link];
-  auto mass = inertial_of(written);
-  if (auto of_shapes = inertial_of_shapes(robot(instance), written)) {
-    mass = std::move(of_shapes);
-    losses_.note(kAbsentInertias, written.span, written.name.value_or({}));
+  const LinkMass mass = link_mass(robot(instance), written);
+  const bool is_root = link == to_size(robot(instance).tree.roots.front());
+  const bool is_held =
+      is_root && scene_.flat.instances[instance].anchor.kind == Attachment::Kind::world;
+  const bool is_said = mass.chosen != kInventedMasses || !is_held;
+  if (!mass.chosen.empty() && is_said) {
+    losses_.note(mass.chosen, written.span, written.name.value_or({}));
   }
-  if (!mass) {
-    mass = smallest_mass();
-    const bool is_root = link == to_size(robot(instance).tree.roots.front());
-    const bool is_held =
-        is_root && scene_.flat.instances[instance].anchor.kind == Attachment::Kind::world;
-    if (!is_held) losses_.note(kInventedMasses, written.span, written.name.value_or({}));
-  }
-  write_mass(*mass, written.span, written.name.value_or({}));
+  write_mass(mass.mass, written.span, written.name.value_or({}));
 }
 
 void UsdPhysics::add_mass(std::size_t instance) {
@@ -374,14 +371,14 @@ void UsdPhysics::add_drive(std::size_t i, const urdf::Joint& joint, const JointD
   const std::string prefix =
       std::string("drive:") + (is_linear(joint) ? "linear" : "angular") + ":physics:";
   const bool is_position = drive != nullptr && drive->kind == DriveKind::position;
-  const double kv = drive != nullptr && drive->kind != DriveKind::effort ? speed_gain(*drive) : 0;
+  const DriveGains gains = drive != nullptr ? gains_of(*drive) : DriveGains();
   const double damping = joint.dynamics ? joint.dynamics->damping.value_or(0) : 0;
   const double effort = drive != nullptr && drive->effort ? *drive->effort
                         : joint.limit                     ? joint.limit->effort.value_or(0)
                                                           : 0;
   text_.line("uniform token " + prefix + "type = \"force\"");
-  number(prefix + "stiffness", is_position ? drive->gain * kv / unit : 0);
-  number(prefix + "damping", (kv + damping) / unit);
+  number(prefix + "stiffness", gains.kp / unit);
+  number(prefix + "damping", (gains.kv + damping) / unit);
   if (effort > 0) number(prefix + "maxForce", effort);
   if (is_position) number(prefix + "targetPosition", start_of(i, joint) * unit);
 }

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check/seen_companions.hpp"
+
+#include <algorithm>
+
+#include "base/text/counted.hpp"
+#include "base/text/quoted.hpp"
+#include "link/companions/library.hpp"
+#include "plan/companion_robots.hpp"
+#include "syntax/yaml_reader.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr std::size_t kMostHelpers = 24;
+
+}  // namespace
+
+void SeenCompanions::read(const Plan& plan) {
+  for (const auto* robots : {&plan.models, &plan.others}) {
+    for (const PlannedFile& one : *robots) {
+      if (!one.is_named || is_companion_path(one.path)) continue;
+      named_robots_.insert(id_of(one.path));
+      near_ += one.path + "\n";
+    }
+  }
+  const auto add = [&](const PlannedFile& one) {
+    const SeenCompanion& seen = search_.companions->look_at(one.path, context_.files);
+    if (seen.what.spec == nullptr) return;
+    near_ += one.path + (one.is_named ? "\t\n" : "\n");
+    files_.emplace(id_of(one.path), File{one, &seen});
+  };
+  for (const PlannedFile& one : plan.companions) add(one);
+  // An SRDF is checked alone as well, if no robot has it.
+  for (const PlannedFile& one : plan.others) {
+    if (is_companion_path(one.path)) add(one);
+  }
+  tell(*search_.companions);
+}
+
+void SeenCompanions::tell(CompanionLibrary& library) const {
+  library.named_robots = named_robots_;
+  library.near.clear();
+  for (const auto& [id, file] : files_) {
+    library.near.push_back({file.planned.path, file.planned.is_named});
+  }
+}
+
+void SeenCompanions::add_rejected(const std::string& file, const RejectedCompanion& one) {
+  const auto [known, is_new] = rejected_.emplace(file, one);
+  if (!is_new && known->second.known_names < one.known_names) known->second = one;
+}
+
+std::vector<PlannedFile>
+SeenCompanions::helpers(const std::set<std::string>& known,
+                        const std::vector<std::vector<CompanionTie>>& ties) const {
+  std::vector<PlannedFile> found;
+  std::set<std::string> seen = known;
+  CompanionRobots robots(context_.files, context_.limits);
+  for (const auto& [id, file] : files_) {
+    const bool is_open = !known.contains(id) && !file.seen->what.spec->is_xml &&
+                         file.seen->what.state != CompanionState::a_template;
+    if (!is_open) continue;
+    for (const std::string& path :
+         robots.of(file.planned.path, *file.seen, ties[file.planned.config])) {
+      if (found.size() >= kMostHelpers || !seen.insert(id_of(path)).second) continue;
+      PlannedFile& helper = found.emplace_back();
+      helper.path = path;
+      helper.config = file.planned.config;
+      helper.may_be_part = xacro::is_xacro_file(path);
+      helper.is_helper = true;
+    }
+  }
+  return found;
+}
+
+NotCompared SeenCompanions::judge(const std::string& id, const File& file) const {
+  NotCompared one{file.planned.path, file.seen->what.spec->title, "", ""};
+  const std::string tie = "tie it to its robot with `companions` in .smurf-lint.yaml";
+  const auto rejected = rejected_.find(id);
+  if (file.seen->what.state == CompanionState::a_template) {
+    one.reason = "it is a template, which a launch file fills in";
+    one.next = "name the file that is made of it";
+  } else if (!unknown_robots_.empty()) {
+    const std::string& robot = *unknown_robots_.begin();
+    one.reason = unknown_robots_.size() == 1
+                     ? quoted(robot) + " could not be expanded here"
+                     : counted(unknown_robots_.size(), "robot") + ", such as " + quoted(robot) +
+                           ", could not be expanded here";
+    one.next = "--min-severity info says what each of them needs";
+  } else if (rejected != rejected_.end() && rejected->second.names > 0) {
+    const RejectedCompanion& best = rejected->second;
+    one.reason = best.known_names == 0
+                     ? (best.names == 1 ? std::string("its only name")
+                                        : "none of its " + counted(best.names, "name")) +
+                           (best.names == 1 ? " is not known here" : " is known here")
+                     : "no robot here has more than " + std::to_string(best.known_names) +
+                           " of its " + counted(best.names, "name");
+    one.next = tie;
+  } else {
+    one.reason = "no robot was found in its package, or in a package that names this one in its "
+                 "package.xml";
+    one.next = "name the robot as well, or " + tie;
+  }
+  return one;
+}
+
+void SeenCompanions::report_broken(const std::set<std::string>& known, SourceMap& sources,
+                                   std::vector<Judged>& found) {
+  for (const auto& [id, file] : files_) {
+    if (file.seen->what.state != CompanionState::broken || known.contains(id)) continue;
+    const FileContent content = context_.files.read(file.planned.path, context_.limits.file_bytes);
+    if (content.status != ReadStatus::ok) continue;
+    const SourceId source = sources.add(file.planned.path, content.text);
+    DiagnosticSink sink(context_.limits);
+    parse_yaml(sources, source, context_.limits, sink);
+    append(sink.take(), found[file.planned.config].diagnostics);
+    broken_.insert(id);
+  }
+}
+
+std::vector<NotCompared> SeenCompanions::not_compared(const std::set<std::string>& known) const {
+  std::vector<NotCompared> found;
+  for (const auto& [id, file] : files_) {
+    if (!known.contains(id) && !broken_.contains(id)) found.push_back(judge(id, file));
+  }
+  std::sort(found.begin(), found.end(),
+            [](const NotCompared& a, const NotCompared& b) { return a.path < b.path; });
+  return found;
+}
+
+}  // namespace smurf

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/surroundings/launch_texts.hpp"
+
+#include <algorithm>
+
+#include "base/text/words.hpp"
+
+namespace smurf::launch {
+
+std::vector<Value> words_of(const Value& command) {
+  std::vector<Value> words;
+  bool is_open = false;
+  for (const Piece& piece : command.pieces) {
+    if (piece.kind != Piece::Kind::literal) {
+      if (!is_open) words.emplace_back();
+      is_open = true;
+      words.back().kind = Value::Kind::text;
+      if (words.back().pieces.empty()) words.back().span = piece.span;
+      words.back().pieces.push_back(piece);
+      continue;
+    }
+    std::string part;
+    const auto flush = [&] {
+      if (part.empty()) return;
+      if (!is_open) words.emplace_back();
+      is_open = true;
+      words.back().kind = Value::Kind::text;
+      if (words.back().pieces.empty()) words.back().span = piece.span;
+      words.back().pieces.push_back({Piece::Kind::literal, part, piece.span});
+      part.clear();
+    };
+    for (const char c : piece.text) {
+      if (is_blank(c)) {
+        flush();
+        is_open = false;
+      } else if (c != '"' && c != '\'') {
+        part += c;
+      }
+    }
+    flush();
+  }
+  return words;
+}
+
+LaunchPath path_of(const LaunchText& text, const FindLaunchPath& find) {
+  LaunchPath path;
+  path.text = text;
+  find(path);
+  return path;
+}
+
+void read_command(const Value& command, const Texts& texts, const FindLaunchPath& find,
+                  LaunchDescription& description) {
+  description.form = LaunchDescription::Form::command;
+  const std::vector<Value> words = words_of(command);
+  for (const Value& word : words) {
+    const LaunchText text = texts.of(word);
+    const bool is_first = &word == &words.front();
+    const std::string* begin =
+        word.pieces.front().kind == Piece::Kind::literal ? &word.pieces.front().text : nullptr;
+    const std::size_t equals = begin != nullptr ? begin->find(":=") : std::string::npos;
+    if (is_first) {
+      description.program = text;
+    } else if (equals != std::string::npos) {
+      LaunchDescription::Argument argument;
+      argument.name = begin->substr(0, equals);
+      argument.span = word.pieces.front().span;
+      argument.value = text;
+      argument.value.text = text.text.substr(std::min(equals + 2, text.text.size()));
+      description.arguments.push_back(std::move(argument));
+    } else if (begin != nullptr && begin->starts_with("-")) {
+      description.options.insert(*begin);
+    } else if (!description.file) {
+      description.file = path_of(text, find);
+    } else {
+      description.has_unknown_words = true;
+    }
+  }
+}
+
+}  // namespace smurf::launch

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Texts in launch files that are put together of parts.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "link/surroundings/launch_reader.hpp"
+#include "link/surroundings/python_calls.hpp"
+
+namespace smurf::launch {
+
+using python::Piece;
+using python::Value;
+
+/// Pieces as one text; arguments are replaced by their defaults.
+class Texts {
+ public:
+  void declare(const std::string& name, const Value& fallback) {
+    const auto [known, is_new] = defaults_.try_emplace(name, fallback);
+    if (!is_new) known->second = Value{};  // declared twice
+  }
+
+  LaunchText of(const Value& value) const {
+    LaunchText text;
+    text.span = value.span;
+    if (!value.is_text()) return text;
+    text.is_known = true;
+    add(value.pieces, 0, text);
+    return text;
+  }
+
+  /// Pieces with the defaults of their arguments.
+  std::vector<Piece> resolved(const std::vector<Piece>& pieces, bool& by_default,
+                              int depth = 0) const {
+    std::vector<Piece> all;
+    for (const Piece& one : pieces) {
+      const auto known =
+          one.kind == Piece::Kind::argument ? defaults_.find(one.text) : defaults_.end();
+      if (known == defaults_.end() || !known->second.is_text() || depth > 4) {
+        all.push_back(one);
+        continue;
+      }
+      by_default = true;
+      for (Piece& inner : resolved(known->second.pieces, by_default, depth + 1)) {
+        all.push_back(std::move(inner));
+      }
+    }
+    return all;
+  }
+
+ private:
+  void add(const std::vector<Piece>& pieces, int depth, LaunchText& text) const {
+    const std::vector<Piece> all = resolved(pieces, text.by_default, depth);
+    for (const Piece& one : all) {
+      if (one.kind == Piece::Kind::literal) {
+        text.text += one.text;
+        if (!one.span.empty()) text.span = one.span;
+      } else if (one.kind == Piece::Kind::share && &one == &all.front()) {
+        text.package = one.text;
+      } else {
+        text.is_known = false;
+      }
+    }
+  }
+
+  std::map<std::string, Value> defaults_;
+};
+
+/// A text of a command, split at blanks outside of quotes.
+std::vector<python::Value> words_of(const python::Value& command);
+LaunchPath path_of(const LaunchText& text, const FindLaunchPath& find);
+/// The words of `xacro FILE NAME:=VALUE`.
+void read_command(const python::Value& command, const Texts& texts, const FindLaunchPath& find,
+                  LaunchDescription& description);
+
+}  // namespace smurf::launch

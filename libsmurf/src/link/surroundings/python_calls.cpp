@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/surroundings/python_calls.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <optional>
+
+#include "base/text/words.hpp"
+#include "link/surroundings/python_tokens.hpp"
+
+namespace smurf::python {
+namespace {
+
+Value text_of(std::string text, Span span) {
+  Value value;
+  value.kind = Value::Kind::text;
+  value.span = span;
+  value.pieces.push_back({Piece::Kind::literal, std::move(text), span});
+  return value;
+}
+
+Value unknown(Span span) {
+  Value value;
+  value.span = span;
+  return value;
+}
+
+/// What may stand in a text.
+bool is_textual(const Value& value) { return value.is_text(); }
+
+class Reader {
+ public:
+  Reader(std::string_view text, SourceId source) : tokens_(tokens_of(text, source)) {
+    tokens_.emplace_back();
+    tokens_.back().span = {source, static_cast<std::uint32_t>(text.size()),
+                           static_cast<std::uint32_t>(text.size())};
+    count_assignments();
+  }
+
+  File run() {
+    while (peek().kind != Token::Kind::end) statement();
+    return std::move(file_);
+  }
+
+ private:
+  static constexpr int kDeepest = 60;
+
+  const Token& peek(std::size_t ahead = 0) const {
+    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+  }
+  bool is(std::string_view sign) const {
+    const Token& token = peek();
+    return token.kind != Token::Kind::text && token.text == sign;
+  }
+  bool take(std::string_view sign) {
+    if (!is(sign)) return false;
+    ++at_;
+    return true;
+  }
+  bool is_end() const {
+    return peek().kind == Token::Kind::line || peek().kind == Token::Kind::end;
+  }
+
+  /// A name that is assigned more than once, or in a way that is not read, is unknown.
+  void count_assignments() {
+    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+      const Token& token = tokens_[i];
+      if (token.kind != Token::Kind::name) continue;
+      const bool is_first = i == 0 || tokens_[i - 1].kind == Token::Kind::line;
+      const std::string_view next = tokens_[i + 1].text;
+      if (is_first && tokens_[i + 1].kind == Token::Kind::sign && next == "=") {
+        ++assigned_[token.text];
+      } else if (is_first && next.size() == 2 && next[1] == '=' && next != "==") {
+        assigned_[token.text] += 2;
+      } else if (i > 0 && (tokens_[i - 1].text == "for" || tokens_[i - 1].text == "as")) {
+        assigned_[token.text] += tokens_[i - 1].text == "for" ? 2 : 1;
+      }
+    }
+  }
+
+  void statement() {
+    if (peek().kind == Token::Kind::line) {
+      ++at_;
+      return;
+    }
+    const std::uint32_t column = peek().column;
+    while (!blocks_.empty() && column <= blocks_.back()) blocks_.pop_back();
+    const std::string_view word = peek().kind == Token::Kind::name ? peek().text : "";
+    const bool is_branch = is_one_of(
+        word, {"if", "elif", "else", "for", "while", "try", "except", "finally", "match", "case"});
+    if (is_branch) blocks_.push_back(column);
+    if (word == "for" || word == "while") file_.has_loops = true;
+    if (is_one_of(word, {"import", "from", "def", "class", "pass", "global", "nonlocal", "del",
+                         "break", "continue", "raise", "assert"})) {
+      skip_line();
+      return;
+    }
+    if (is_branch || is_one_of(word, {"return", "with", "yield", "await", "async"})) ++at_;
+    if (!is_branch && word.empty() && is("@")) return skip_line();
+    assignment_or_expression(word == "with");
+    // What follows on the line is not read, but its calls are.
+    while (!is_end()) {
+      if (peek().kind == Token::Kind::name || is("(") || is("[") || is("{")) {
+        const std::size_t before = at_;
+        expression(0);
+        if (at_ == before) ++at_;
+      } else {
+        ++at_;
+      }
+    }
+  }
+
+  void skip_line() {
+    while (!is_end()) ++at_;
+  }
+
+  void assignment_or_expression(bool is_with) {
+    if (is_end()) return;
+    const bool is_assignment = peek().kind == Token::Kind::name &&
+                               peek(1).kind == Token::Kind::sign && peek(1).text == "=";
+    if (is_assignment) {
+      const std::string_view name = peek().text;
+      at_ += 2;
+      bind(name, expression(0));
+      return;
+    }
+    Value value = expression(0);
+    if (is_with && take("as") && peek().kind == Token::Kind::name) {
+      bind(peek().text, std::move(value));
+      ++at_;
+    }
+  }
+
+  void bind(std::string_view name, Value value) {
+    if (assigned_[name] != 1 || !blocks_.empty()) return;
+    file_.names.emplace_back(std::string(name), value);
+    values_[name] = std::move(value);
+  }
+
+  /// An expression up to a comma or a closing bracket.
+  Value expression(int depth) {
+    if (depth > kDeepest) {
+      skip_line();
+      return {};
+    }
+    const Span begin = peek().span;
+    if (take("*") || take("**")) {
+      expression(depth + 1);
+      return unknown(begin);
+    }
+    if (is("lambda")) return skip_part(begin);
+    Value left = sum(depth);
+    bool is_known = true;
+    while (!is_end() && !is(",") && !is(")") && !is("]") && !is("}") && !is(":") && !is("=") &&
+           !is("as")) {
+      is_known = false;  // a comparison, a condition, a comprehension
+      if (is("for")) file_.has_loops = true;
+      const std::size_t before = at_;
+      ++at_;
+      if (!is_end() && !is(",") && !is(")") && !is("]") && !is("}")) sum(depth);
+      if (at_ == before) ++at_;
+    }
+    return is_known ? std::move(left) : unknown(begin);
+  }
+
+  Value skip_part(Span begin) {
+    int open = 0;
+    while (!is_end()) {
+      if (open == 0 && (is(",") || is(")") || is("]") || is("}"))) break;
+      if (is("(") || is("[") || is("{")) ++open;
+      if (is(")") || is("]") || is("}")) --open;
+      ++at_;
+    }
+    return unknown(begin);
+  }
+
+  /// Texts with `+` and paths with `/` between them.
+  Value sum(int depth) {
+    Value left = operand(depth);
+    while (is("+") || is("/") || is("%") || is("-") || is("*")) {
+      const std::string_view sign = peek().text;
+      ++at_;
+      Value right = operand(depth);
+      if (sign == "+" && is_textual(left) && is_textual(right)) {
+        left = join_texts({left, right}, "");
+      } else if (sign == "+" && left.is_text()) {
+        left = join_texts({left, right}, "");
+      } else if (sign == "+" && right.is_text()) {
+        left = join_texts({left, right}, "");
+      } else if (sign == "/" && left.is_text() && (right.is_text() || !right.is_list())) {
+        left = join_texts({left, right}, "/");
+      } else if (sign == "+" && left.is_list() && right.is_list()) {
+        left.items.insert(left.items.end(), right.items.begin(), right.items.end());
+      } else {
+        left = unknown(left.span);
+      }
+    }
+    return left;
+  }
+
+  Value operand(int depth) {
+    if (take("-") || take("+") || take("~") || take("not") || take("await")) {
+      operand(depth + 1);
+      return {};
+    }
+    Value value = atom(depth);
+    while (true) {
+      if (is("(")) {
+        value = call(std::move(value), depth);
+      } else if (is(".") && peek(1).kind == Token::Kind::name) {
+        ++at_;
+        member(value, peek().text);
+        ++at_;
+      } else if (is("[")) {
+        ++at_;
+        elements("]", depth);
+        value = unknown(value.span);
+      } else {
+        return value;
+      }
+    }
+  }
+
+  /// `value.name`: the name of what is called, or a method of a value.
+  void member(Value& value, std::string_view name) {
+    method_of_.reset();
+    if (value.kind == Value::Kind::unknown && !value.callee.empty()) {
+      value.callee += "." + std::string(name);
+    } else {
+      method_of_ = value;
+      value = unknown(value.span);
+      value.callee = name;
+    }
+  }
+
+  Value atom(int depth) {
+    const Token& token = peek();
+    Value value = unknown(token.span);
+    if (is_end()) return value;
+    ++at_;
+    if (token.kind == Token::Kind::text) {
+      if (token.is_format) {
+        value.kind = Value::Kind::text;
+        value.pieces.push_back({Piece::Kind::unknown, "", token.span});
+      } else {
+        value = text_of(token.value, token.span);
+      }
+      while (peek().kind == Token::Kind::text) {
+        Value next = peek().is_format ? unknown(peek().span) : text_of(peek().value, peek().span);
+        ++at_;
+        value = join_texts({value, next}, "");
+      }
+    } else if (token.kind == Token::Kind::name) {
+      const auto known = values_.find(token.text);
+      if (known != values_.end() && !(peek().kind == Token::Kind::sign && peek().text == "(")) {
+        return known->second;
+      }
+      value.callee = token.text;
+    } else if (token.kind == Token::Kind::sign && (token.text == "[" || token.text == "(")) {
+      const bool is_list = token.text == "[";
+      bool has_comma = false;
+      const bool had_loops = file_.has_loops;
+      file_.has_loops = false;
+      value.items = elements(is_list ? "]" : ")", depth, &has_comma);
+      const bool is_computed = file_.has_loops;
+      file_.has_loops = had_loops || is_computed;
+      if (!is_list && !has_comma && value.items.size() == 1) return std::move(value.items.front());
+      value.kind = Value::Kind::list;
+      if (is_computed) value = unknown(token.span);
+    } else if (token.kind == Token::Kind::sign && token.text == "{") {
+      value.kind = Value::Kind::mapping;
+      while (!is("}") && !is_end()) {
+        const std::size_t before = at_;
+        Value key = expression(depth + 1);
+        Value item = take(":") ? expression(depth + 1) : Value{};
+        value.items.push_back(std::move(key));
+        value.items.push_back(std::move(item));
+        if (!take(",") && at_ == before) ++at_;
+      }
+      take("}");
+    }
+    return value;
+  }
+
+  std::vector<Value> elements(std::string_view close, int depth, bool* has_comma = nullptr) {
+    std::vector<Value> items;
+    while (!is(close) && !is_end()) {
+      const std::size_t before = at_;
+      items.push_back(expression(depth + 1));
+      if (take(",")) {
+        if (has_comma != nullptr) *has_comma = true;
+      } else if (at_ == before || is(":") || is("=")) {
+        ++at_;
+      }
+    }
+    take(close);
+    return items;
+  }
+
+  Value call(Value callee, int depth) {
+    std::optional<Value> object = std::move(method_of_);
+    method_of_.reset();
+    Value value;
+    value.kind = Value::Kind::call;
+    value.span = callee.span;
+    value.callee = callee.callee;
+    value.is_conditional = !blocks_.empty();
+    take("(");
+    while (!is(")") && !is_end()) {
+      const std::size_t before = at_;
+      const bool is_named = peek().kind == Token::Kind::name && peek(1).kind == Token::Kind::sign &&
+                            peek(1).text == "=";
+      if (is_named) {
+        const std::string name(peek().text);
+        at_ += 2;
+        value.named.emplace_back(name, expression(depth + 1));
+      } else {
+        value.items.push_back(expression(depth + 1));
+      }
+      if (!take(",") && at_ == before) ++at_;
+    }
+    take(")");
+    return finish(std::move(value), std::move(object));
+  }
+
+  /// The value of a call that makes a text; others are kept as calls.
+  Value finish(Value value, std::optional<Value> object) {
+    const std::size_t dot = value.callee.rfind('.');
+    const std::string last = value.callee.substr(dot == std::string::npos ? 0 : dot + 1);
+    const Value* first = value.items.empty() ? nullptr : &value.items.front();
+    if (object) {
+      const bool is_same = is_one_of(last, {"as_posix", "perform", "resolve", "strip", "items"});
+      if (is_same) return std::move(*object);
+      if (object->is_text() && is_one_of(last, {"joinpath"})) {
+        std::vector<Value> parts{*object};
+        parts.insert(parts.end(), value.items.begin(), value.items.end());
+        return join_texts(parts, "/");
+      }
+      if (object->kind == Value::Kind::call) {
+        value.callee = object->callee + "." + last;
+        value.items.insert(value.items.begin(), object->items.begin(), object->items.end());
+        value.named.insert(value.named.end(), object->named.begin(), object->named.end());
+        value.span = object->span;
+        file_.calls.push_back(value);
+        return value;
+      }
+      if (object->is_text()) return unknown(object->span);  // format, replace, ...
+    }
+    if (is_one_of(last,
+                  {"get_package_share_directory", "get_package_share_path", "FindPackageShare"})) {
+      const Value* name = first != nullptr ? first : value.find("package");
+      const std::string* package = name != nullptr ? name->literal() : nullptr;
+      Value share = unknown(value.span);
+      share.kind = Value::Kind::text;
+      share.pieces.push_back({package != nullptr ? Piece::Kind::share : Piece::Kind::unknown,
+                              package != nullptr ? *package : "", value.span});
+      return share;
+    }
+    if (is_one_of(value.callee, {"os.path.join", "path.join", "join", "osp.join"})) {
+      return join_texts(value.items, "/");
+    }
+    if (last == "PathJoinSubstitution" || last == "PathSubstitution") {
+      std::vector<Value> parts = first != nullptr && first->is_list() ? first->items : value.items;
+      for (Value& part : parts) {
+        if (part.is_list()) part = join_texts(part.items, "");
+      }
+      return join_texts(parts, "/");
+    }
+    if (is_one_of(last, {"str", "Path", "PurePath", "abspath", "normpath", "realpath"})) {
+      return first != nullptr ? *first : unknown(value.span);
+    }
+    if (last == "TextSubstitution") {
+      const Value* text = value.find("text");
+      return text != nullptr ? *text : unknown(value.span);
+    }
+    if (last == "LaunchConfiguration") {
+      const Value* name = first != nullptr ? first : value.find("variable_name");
+      Value argument = unknown(value.span);
+      argument.kind = Value::Kind::text;
+      const std::string* text = name != nullptr ? name->literal() : nullptr;
+      argument.pieces.push_back({text != nullptr ? Piece::Kind::argument : Piece::Kind::unknown,
+                                 text != nullptr ? *text : "", value.span});
+      return argument;
+    }
+    value.callee = last == "read" || value.callee.starts_with("xacro") ? value.callee : last;
+    file_.calls.push_back(value);
+    return value;
+  }
+
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;
+  std::map<std::string_view, int> assigned_;
+  std::map<std::string_view, Value> values_;
+  std::vector<std::uint32_t> blocks_;  ///< columns of the `if` and loops around the statement
+  std::optional<Value> method_of_;     ///< the object of the method that is called next
+  File file_;
+};
+
+}  // namespace
+
+const Value* Value::find(std::string_view name) const {
+  const auto found =
+      std::find_if(named.begin(), named.end(), [&](const auto& one) { return one.first == name; });
+  return found == named.end() ? nullptr : &found->second;
+}
+
+const std::string* Value::literal() const {
+  const bool is_known =
+      is_text() && pieces.size() == 1 && pieces.front().kind == Piece::Kind::literal;
+  return is_known ? &pieces.front().text : nullptr;
+}
+
+Value join_texts(const std::vector<Value>& parts, std::string_view between) {
+  Value all;
+  all.kind = Value::Kind::text;
+  for (const Value& part : parts) {
+    if (&part != &parts.front() && !between.empty()) {
+      all.pieces.push_back({Piece::Kind::literal, std::string(between), part.span});
+    }
+    if (all.pieces.empty()) all.span = part.span;
+    if (part.is_text()) {
+      all.pieces.insert(all.pieces.end(), part.pieces.begin(), part.pieces.end());
+    } else {
+      all.pieces.push_back({Piece::Kind::unknown, "", part.span});
+    }
+  }
+  // Literals that follow each other are one; the last one is the place.
+  std::vector<Piece> joined;
+  for (Piece& one : all.pieces) {
+    const bool is_next = one.kind == Piece::Kind::literal && !joined.empty() &&
+                         joined.back().kind == Piece::Kind::literal;
+    if (!is_next) {
+      joined.push_back(std::move(one));
+      continue;
+    }
+    joined.back().text += one.text;
+    if (one.text != between) joined.back().span = one.span;
+  }
+  all.pieces = std::move(joined);
+  return all;
+}
+
+File read_file(std::string_view text, SourceId source) { return Reader(text, source).run(); }
+
+}  // namespace smurf::python

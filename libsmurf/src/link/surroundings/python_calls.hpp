@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The calls in a Python file that describes something, such as a launch file or a setup.py, read
+// without executing it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "smurf/source.hpp"
+
+namespace smurf::python {
+
+/// A part of a text that is put together.
+struct Piece {
+  enum class Kind : std::uint8_t {
+    literal,
+    share,     ///< the installed share folder of the package `text`
+    argument,  ///< the launch argument `text`
+    unknown,
+  };
+  Kind kind = Kind::unknown;
+  std::string text;
+  Span span;
+};
+
+/// The value of an expression, as far as it is known.
+struct Value {
+  enum class Kind : std::uint8_t { unknown, text, list, mapping, call };
+  Kind kind = Kind::unknown;
+  Span span;
+  std::vector<Piece> pieces;  ///< text: one after the other
+  std::vector<Value> items;   ///< list; of a call: its arguments; of a mapping: keys and values
+  std::vector<std::pair<std::string, Value>> named;  ///< keyword arguments of a call
+  std::string callee;                                ///< "Node"; "open.read" of open(..).read()
+  bool is_conditional = false;                       ///< below an `if`, a loop or the like
+
+  bool is_text() const { return kind == Kind::text; }
+  bool is_list() const { return kind == Kind::list; }
+  bool is_call(std::string_view name) const { return kind == Kind::call && callee == name; }
+  /// A keyword argument; null if it is not written.
+  const Value* find(std::string_view name) const;
+  /// Null if it is not known as a whole.
+  const std::string* literal() const;
+};
+
+struct File {
+  std::vector<Value> calls;                          ///< in the order in which they end
+  std::vector<std::pair<std::string, Value>> names;  ///< that are assigned once, in their order
+  /// Whether names are bound or texts are made in ways that are not read: loops, `+=`, functions.
+  bool has_loops = false;
+};
+/// Never fails: what it does not understand is unknown.
+File read_file(std::string_view text, SourceId source);
+
+/// A text of pieces that begin one after the other; an item of another kind is unknown.
+Value join_texts(const std::vector<Value>& parts, std::string_view between);
+
+}  // namespace smurf::python

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tokens of a Python file, with their places.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/source.hpp"
+
+namespace smurf::python {
+
+struct Token {
+  enum class Kind : std::uint8_t { name, text, number, sign, line, end };
+  Kind kind = Kind::end;
+  std::string_view text;  ///< as written
+  std::string value;      ///< of a text
+  bool is_format = false;
+  Span span;
+  std::uint32_t column = 0;  ///< of the first token of a line
+};
+
+/// Lines in brackets are one line. Never fails.
+std::vector<Token> tokens_of(std::string_view text, SourceId source);
+
+}  // namespace smurf::python

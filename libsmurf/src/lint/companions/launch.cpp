@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Source: geometry2 static_transform_broadcaster_program.cpp, branches humble and rolling.
+#include "lint/companions/launch.hpp"
+
+#include <algorithm>
+
+#include "base/text/words.hpp"
+
+namespace smurf {
+
+void for_each_launch(const Companions& companions,
+                     const std::function<void(const LaunchFile&)>& visit) {
+  for (const LaunchFile& one : companions.surroundings.launch_files) visit(one);
+}
+
+bool runs(const LaunchNode& node, std::string_view package, std::string_view executable) {
+  return node.package.is_known && node.executable.is_known && node.package.text == package &&
+         node.executable.text == executable;
+}
+
+std::optional<StaticTransform> static_transform_of(const LaunchNode& node) {
+  if (!node.executable.is_known || node.executable.text != "static_transform_publisher" ||
+      node.has_unknown_arguments) {
+    return std::nullopt;
+  }
+  StaticTransform found{&node, nullptr, nullptr};
+  std::vector<const LaunchText*> words;
+  for (std::size_t i = 0; i < node.arguments.size(); ++i) {
+    const LaunchText& one = node.arguments[i];
+    const LaunchText* next = i + 1 < node.arguments.size() ? &node.arguments[i + 1] : nullptr;
+    if (one.text == "--frame-id") found.parent = next;
+    if (one.text == "--child-frame-id") found.child = next;
+    words.push_back(&one);
+  }
+  const bool has_options = std::any_of(words.begin(), words.end(), [](const LaunchText* one) {
+    return one->text.starts_with("--");
+  });
+  constexpr std::size_t kEuler = 8, kQuaternion = 9;  // x y z yaw pitch roll PARENT CHILD
+  if (!has_options &&
+      (words.size() == kEuler || words.size() == kQuaternion || words.size() == kQuaternion + 1)) {
+    // ROS 1 has a period at the end.
+    const std::size_t end = words.back()->text.find_first_not_of("0123456789.") == std::string::npos
+                                ? words.size() - 1
+                                : words.size();
+    found.parent = words[end - 2];
+    found.child = words[end - 1];
+  }
+  return found;
+}
+
+bool is_published_elsewhere(const Surroundings& surroundings, std::string_view frame) {
+  for (const LaunchFile& launch : surroundings.launch_files) {
+    for (const LaunchNode& node : launch.nodes) {
+      const auto transform = static_transform_of(node);
+      if (transform && transform->child != nullptr && transform->child->text == frame) return true;
+    }
+  }
+  const std::string quoted = "\"" + std::string(frame) + "\"";
+  return std::any_of(surroundings.other_robots.begin(), surroundings.other_robots.end(),
+                     [&](const std::string& text) {
+                       return text.find(quoted) != std::string::npos ||
+                              text.find("}" + std::string(frame) + "\"") != std::string::npos;
+                     });
+}
+
+}  // namespace smurf

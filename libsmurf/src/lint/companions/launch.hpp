@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The launch files around a robot, and questions that several rules ask about them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/findings/readers.hpp"
+#include "lint/queries.hpp"
+#include "smurf/companions.hpp"
+
+namespace smurf {
+
+void for_each_launch(const Companions& companions,
+                     const std::function<void(const LaunchFile&)>& visit);
+
+/// Whether a node runs this program of a package.
+bool runs(const LaunchNode& node, std::string_view package, std::string_view executable);
+
+/// A static transform between two frames.
+struct StaticTransform {
+  const LaunchNode* node = nullptr;
+  const LaunchText* parent = nullptr;  ///< null if they are not written
+  const LaunchText* child = nullptr;
+};
+std::optional<StaticTransform> static_transform_of(const LaunchNode& node);
+
+/// Whether a frame is one of another description, or published by a launch file.
+bool is_published_elsewhere(const Surroundings& surroundings, std::string_view frame);
+
+}  // namespace smurf

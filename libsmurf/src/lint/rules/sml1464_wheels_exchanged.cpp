@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/files/path.hpp"
+#include "base/numbers/vectors.hpp"
+#include "base/ranges.hpp"
+#include "base/text/words.hpp"
+#include "lint/queries.hpp"
+#include "lint/sides.hpp"
+
+namespace smurf::rules::sml1464_wheels_exchanged_file {
+namespace {
+
+/// The elements of a plugin that name joints of one side.
+struct Wheels {
+  std::vector<xml::View> left, right;
+};
+
+Wheels wheels_of(xml::View plugin) {
+  Wheels wheels;
+  for (const xml::View child : plugin) {
+    const std::string name = path::to_lower(child.name());
+    if (name.find("joint") == std::string::npos) continue;
+    const bool is_left = name.find("left") != std::string::npos;
+    const bool is_right = name.find("right") != std::string::npos;
+    if (is_left == is_right) continue;
+    (is_left ? wheels.left : wheels.right).push_back(child);
+  }
+  return wheels;
+}
+
+/// Whether `left` is the name of the right one of two sides, and `right` that of the left one.
+bool are_exchanged(std::string_view left, std::string_view right) {
+  return ranges::contains(right_names_of(right), std::string(left));
+}
+
+/// The axis in the frame of the root, while all joints are at zero.
+std::optional<Vector3> axis_of(const LinkedModel& model, std::string_view name) {
+  const auto index = model.joint_index(name);
+  if (!index) return std::nullopt;
+  const auto child = model.tree.joint_child[to_size(*index)];
+  if (!child) return std::nullopt;
+  const auto poses = forward_kinematics(model, {});
+  const auto& pose = poses[to_size(*child)];
+  const Vector3 axis = model.joint(*index).axis.value_or({1, 0, 0});
+  const double length = std::sqrt(dot(axis, axis));
+  if (!pose || !(length > 0)) return std::nullopt;
+  return rotate(pose->orientation, {axis[0] / length, axis[1] / length, axis[2] / length});
+}
+
+void check_pair(const LinkedModel& model, xml::View left, xml::View right, Findings& findings) {
+  const std::string_view one = trimmed(left.text());
+  const std::string_view other = trimmed(right.text());
+  if (are_exchanged(one, other)) {
+    if (left.name() == "left_joint") return;  // SML3903
+    findings
+        .report(left.text_span(), "the plugin takes " + quoted(one) + " for a left wheel and " +
+                                      quoted(other) + " for a right one")
+        .label(right.text_span(), "the other side")
+        .help("exchange the two names, or the robot turns the wrong way");
+    return;
+  }
+  constexpr double kOpposite = -0.9;  // cosine
+  const auto a = axis_of(model, one);
+  const auto b = axis_of(model, other);
+  if (!a || !b || dot(*a, *b) > kOpposite) return;
+  findings
+      .report(left.text_span(), "the axes of the wheel joints " + quoted(one) + " and " +
+                                    quoted(other) + " point in opposite directions")
+      .label(right.text_span(), "the other side")
+      .help("write the same `axis` for both: the plugin gives both the same sign to drive "
+            "straight, and the robot would turn");
+}
+
+void find_plugins(const LinkedModel& model, xml::View element, Findings& findings) {
+  for (const xml::View child : element) {
+    if (child.name() != "plugin") {
+      find_plugins(model, child, findings);
+      continue;
+    }
+    const Wheels wheels = wheels_of(child);
+    for (std::size_t i = 0; i < std::min(wheels.left.size(), wheels.right.size()); ++i) {
+      check_pair(model, wheels.left[i], wheels.right[i], findings);
+    }
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    if (gazebo.name() == "gazebo") find_plugins(model, gazebo, findings);
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1464_wheels_exchanged{
+    .id = "SML1464",
+    .name = "wheels-exchanged",
+    .severity = Severity::warning,
+    .summary = "A plugin drives the wheels of the two sides in a way that turns the robot.",
+    .why = "The robot turns away from the goal, or spins when it should drive straight, while its "
+           "odometry says that it drives.",
+    .remedy = "Name the joints of the left side as left ones, and give both sides the same axis.",
+    .sources = "create_robot issue 77, ros2_controllers issue 597. By the words for sides in the "
+               "names of the elements and joints.",
+    .check_model = check,
+    .about = About::robot};
+
+}  // namespace smurf::rules::sml1464_wheels_exchanged_file

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What actuators and equalities say about joints; what a URDF cannot say of them is a loss at its
+// place.
+#include <algorithm>
+#include <cmath>
+
+#include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
+#include "mjcf/robot.hpp"
+
+namespace smurf::mjcf {
+namespace {
+
+class Facts {
+ public:
+  Facts(const Model& model, Reporter& reporter) : model_(model), reporter_(reporter) {
+    for (const Body& body : model.bodies) {
+      for (const Joint& joint : body.joints) joints_.emplace(joint.name, &joint);
+    }
+  }
+
+  JointFacts run() {
+    for (const Reference& one : model_.sections) {
+      const std::string_view section = one.section;
+      if (section == "equality") equality(one);
+      if (section == "actuator") actuator(one);
+      if (section == "tendon") lost(one.element, "tendons");
+      if (section == "deformable") lost(one.element, "soft bodies");
+    }
+    return std::move(facts_);
+  }
+
+ private:
+  void lost(View element, const std::string& what) {
+    reporter_
+        .report(rules::sml9304_lost_in_urdf, element.name_span(),
+                "a URDF has no " + what + ", so this one is lost")
+        .help("keep the MJCF for it");
+  }
+
+  const Joint* joint(const Attribute* name, const Surroundings& around) const {
+    if (name == nullptr) return nullptr;
+    const auto found = joints_.find(full_name(name->value(), around));
+    return found != joints_.end() ? found->second : nullptr;
+  }
+
+  /// Copies of a joint take the references to it with them.
+  std::vector<const Joint*> copies(const Attribute& name, const Surroundings& around) const {
+    std::vector<const Joint*> all;
+    for (const Body& body : model_.bodies) {
+      for (const Joint& one : body.joints) {
+        const Attribute* own = one.settings.element().attribute("name");
+        if (own != nullptr && own->value() == name.value() && one.file == around.file &&
+            one.name.starts_with(around.prefix))
+          all.push_back(&one);
+      }
+    }
+    return all;
+  }
+
+  void equality(const Reference& one) {
+    const View element = one.element;
+    const DefaultClass* of_class = one.around.file->find_class("main");
+    if (const Attribute* written = element.attribute("class"))
+      of_class = one.around.file->find_class(written->value());
+    bool is_active = true;
+    if (of_class != nullptr) {
+      const auto found = of_class->elements.find("equality");
+      if (found != of_class->elements.end()) {
+        for (const Attribute* attribute : found->second) {
+          if (attribute->name() == "active") is_active = attribute->value() != "false";
+        }
+      }
+    }
+    if (const Attribute* active = element.attribute("active"))
+      is_active = truth_of(*active, reporter_).value_or(true);
+    if (!is_active) return;
+    if (element.name() == "connect" || element.name() == "weld") {
+      const std::string ends = end_of(element, "1") + " and " + end_of(element, "2");
+      reporter_
+          .report(rules::sml9304_lost_in_urdf, element.name_span(),
+                  "a URDF is a tree, and " + quoted(element.name()) + " of " + ends +
+                      " closes a loop, so it is lost")
+          .help("keep the MJCF for it");
+      return;
+    }
+    if (element.name() != "joint") return lost(element, "equality of this kind");
+    const Attribute* first = element.attribute("joint1");
+    const Joint* follower = joint(first, one.around);
+    if (follower == nullptr) return;
+    std::array<double, 5> coefficients{0, 1, 0, 0, 0};
+    const Settings s(element, of_class);
+    s.numbers("polycoef", coefficients, 1, reporter_);
+    const Attribute* second = element.attribute("joint2");
+    const Joint* leader = joint(second, one.around);
+    if (second != nullptr && leader == nullptr) return;
+    if (leader == nullptr) {
+      reporter_
+          .report(rules::sml9304_lost_in_urdf, element.name_span(),
+                  "a joint of a URDF cannot be held at a value, so this is lost")
+          .help("delete the joint, so that its body is fixed");
+      return;
+    }
+    if (coefficients[2] != 0 || coefficients[3] != 0 || coefficients[4] != 0) {
+      reporter_
+          .report(
+              rules::sml9304_lost_in_urdf, s.place({"polycoef"}).origin,
+              "a joint of a URDF follows another in proportion, so the other coefficients, and the coupling, are lost")
+          .help("write two coefficients if the difference does not matter");
+      return;
+    }
+    Follower result;
+    result.leader = leader->name;
+    result.multiplier = coefficients[1];
+    result.offset = follower->reference + coefficients[0] - coefficients[1] * leader->reference;
+    result.element = element;
+    facts_.followers.emplace(follower->name, result);
+  }
+
+  static std::string end_of(View element, std::string_view number) {
+    for (const std::string_view kind : {"body", "site"}) {
+      const Attribute* name = element.attribute(std::string(kind) + std::string(number));
+      if (name != nullptr) return quoted(name->value());
+    }
+    return "the world";
+  }
+
+  void actuator(const Reference& one) {
+    const Attribute* name = one.element.attribute("joint");
+    if (name == nullptr) name = one.element.attribute("jointinparent");
+    if (name == nullptr) {
+      for (const std::string_view target : {"tendon", "site", "body", "slidersite", "cranksite"}) {
+        if (one.element.attribute(target) == nullptr) continue;
+        reporter_
+            .report(rules::sml9304_lost_in_urdf, one.element.name_span(),
+                    "a motor of SMURF moves a joint, not a " + std::string(target) +
+                        ", so this actuator is lost")
+            .help("keep the MJCF for it");
+        return;
+      }
+      if (one.element.name() != "plugin")
+        reporter_.refuse(one.element.name_span(), "the actuator moves nothing", "write `joint`");
+      return;
+    }
+    std::vector<const Joint*> moved;
+    if (const Joint* single = joint(name, one.around)) {
+      moved.push_back(single);
+    } else {
+      moved = copies(*name, one.around);
+    }
+    const ModelFile& file = *one.around.file;
+    const Attribute* class_name = one.element.attribute("class");
+    const Settings s(one.element,
+                     file.find_class(class_name != nullptr ? class_name->value() : "main"));
+    const auto effort = effort_of(s, reporter_);
+    if (!effort) return;
+    for (const Joint* each : moved)
+      facts_.efforts.emplace(each->name,
+                             std::pair{*effort, s.place({"forcerange", "ctrlrange", "gear"})});
+  }
+
+  const Model& model_;
+  Reporter& reporter_;
+  std::map<std::string, const Joint*> joints_;
+  JointFacts facts_;
+};
+
+}  // namespace
+
+std::optional<double> effort_of(const Settings& s, Reporter& reporter) {
+  std::array<double, 6> gear{1, 0, 0, 0, 0, 0};
+  s.numbers("gear", gear, 1, reporter);
+  std::array<double, 2> force{};
+  s.numbers("forcerange", force, 2, reporter);
+  std::array<double, 2> control{};
+  s.numbers("ctrlrange", control, 2, reporter);
+  const auto largest = [](const std::array<double, 2>& range) {
+    return std::max(std::fabs(range[0]), std::fabs(range[1]));
+  };
+  if (s.text("forcelimited") != "false" && force[0] < force[1])
+    return std::fabs(gear[0]) * largest(force);
+  const bool is_motor = s.element().name() == "motor";
+  if (is_motor && s.text("ctrllimited") != "false" && control[0] < control[1])
+    return std::fabs(gear[0]) * largest(control);
+  return std::nullopt;
+}
+
+JointFacts facts_of_joints(const Model& model, Reporter& reporter) {
+  return Facts(model, reporter).run();
+}
+
+}  // namespace smurf::mjcf

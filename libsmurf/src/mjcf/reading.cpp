@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mjcf/reading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
+#include "base/numbers/floating.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/did_you_mean.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
+
+namespace smurf::mjcf {
+namespace {
+
+constexpr std::string_view kSeparators = " \t\r\n\v\f";
+
+/// As strtod(): with a sign, in base 16, "inf" and "nan".
+std::optional<double> number_in(std::string_view word) {
+  const bool is_negative = word.starts_with('-');
+  if (is_negative || word.starts_with('+')) word.remove_prefix(1);
+  if (word.empty() || word.front() == '-' || word.front() == '+') return std::nullopt;
+  const double sign = is_negative ? -1 : 1;
+  std::string lower(word);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  if (lower == "inf" || lower == "infinity") return sign * std::numeric_limits<double>::infinity();
+  if (lower == "nan") return std::numeric_limits<double>::quiet_NaN();
+  double value = 0;
+  const bool is_hexadecimal = lower.starts_with("0x");
+  const std::string_view digits = is_hexadecimal ? std::string_view(lower).substr(2) : word;
+  const auto result =
+      is_hexadecimal ? read_hexadecimal(digits, value) : read_floating(digits, value);
+  if (result.ptr != digits.data() + digits.size()) return std::nullopt;
+  return sign * value;
+}
+
+}  // namespace
+
+Diagnostic& Reporter::report(const Rule& rule, Span place, std::string message) {
+  if (!known_.insert({&rule, place.source, place.begin}).second) return ignored_ = {};
+  return context_.sink.report(rule, place, std::move(message));
+}
+
+Diagnostic& Reporter::refuse(Span place, std::string message, std::string help) {
+  has_refused_ = true;
+  return report(rules::sml9301_mujoco_refuses, place, "MuJoCo refuses this: " + std::move(message))
+      .help(std::move(help));
+}
+
+Diagnostic& Reporter::exceed(Span place, std::string message, std::string_view name) {
+  has_refused_ = true;
+  return report(rules::sml9303_mjcf_limit, place, std::move(message)).help(raise_limit(name));
+}
+
+Diagnostic& Reporter::miss(Span place, std::string message, std::string help) {
+  return report(rules::sml9302_mjcf_file_missing, place, std::move(message)).help(std::move(help));
+}
+
+std::vector<double> numbers_of(const Attribute& attribute, std::size_t least, std::size_t most,
+                               Reporter& reporter) {
+  std::vector<double> numbers;
+  std::string_view rest = attribute.value();
+  while (true) {
+    const std::size_t begin = rest.find_first_not_of(kSeparators);
+    if (begin == std::string_view::npos) break;
+    rest.remove_prefix(begin);
+    const std::size_t end = std::min(rest.find_first_of(kSeparators), rest.size());
+    const auto number = number_in(rest.substr(0, end));
+    if (!number) {
+      reporter.refuse(attribute.value_span(),
+                      quoted(rest.substr(0, end)) + " in " + quoted(attribute.name()) +
+                          " is not a number",
+                      "write a number such as `0.5`");
+      return numbers;
+    }
+    if (numbers.size() == most) {
+      reporter.refuse(attribute.value_span(),
+                      quoted(attribute.name()) + " has more than " + std::to_string(most) +
+                          (most == 1 ? " number" : " numbers"),
+                      "delete the others");
+      return numbers;
+    }
+    numbers.push_back(*number);
+    rest.remove_prefix(end);
+  }
+  if (numbers.empty()) return numbers;  // as if it were not written
+  if (numbers.size() < least) {
+    reporter.refuse(attribute.value_span(),
+                    quoted(attribute.name()) + " has " + std::to_string(numbers.size()) + " of " +
+                        std::to_string(least) + " numbers",
+                    "write all of them");
+  }
+  return numbers;
+}
+
+std::optional<std::size_t> word_of(const Attribute& attribute,
+                                   std::span<const std::string_view> words, Reporter& reporter) {
+  const auto found = std::find(words.begin(), words.end(), attribute.value());
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string known;
+  for (const std::string_view word : words)
+    known += (known.empty() ? "`" : ", `") + std::string(word) + "`";
+  reporter.refuse(attribute.value_span(),
+                  quoted(attribute.value()) + " is no value of " + quoted(attribute.name()),
+                  "write one of " + known);
+  return std::nullopt;
+}
+
+std::string words_of(const Vector3& numbers) {
+  return format_number(numbers[0]) + " " + format_number(numbers[1]) + " " +
+         format_number(numbers[2]);
+}
+
+std::optional<bool> truth_of(const Attribute& attribute, Reporter& reporter) {
+  constexpr std::string_view kWords[] = {"false", "true"};
+  const auto word = word_of(attribute, kWords, reporter);
+  return word ? std::optional(*word == 1) : std::nullopt;
+}
+
+Auto auto_of(const Attribute& attribute, Reporter& reporter) {
+  constexpr std::string_view kWords[] = {"false", "true", "auto"};
+  return static_cast<Auto>(word_of(attribute, kWords, reporter).value_or(2));
+}
+
+}  // namespace smurf::mjcf

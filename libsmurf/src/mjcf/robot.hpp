@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The results of a model: a URDF and annotations.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "mjcf/model.hpp"
+
+namespace smurf::mjcf {
+
+/// A joint follows another: `<equality><joint>`.
+struct Follower {
+  std::string leader;
+  double multiplier = 1, offset = 0;
+  View element;
+};
+
+/// What sections outside of the tree say about joints.
+struct JointFacts {
+  std::map<std::string, Follower> followers;
+  std::map<std::string, std::pair<double, Place>> efforts;  ///< of the actuators
+};
+JointFacts facts_of_joints(const Model& model, Reporter& reporter);
+
+/// The largest torque or force of an actuator: the range of the force, or of the control of a
+/// motor, times the gear.
+std::optional<double> effort_of(const Settings& settings, Reporter& reporter);
+
+/// "" if there are neither motors nor poses.
+std::string write_annotations(const Model& model, Reporter& reporter, xacro::Expansion& expansion);
+std::string write_robot(const Model& model, const JointFacts& facts, Reporter& reporter,
+                        xacro::Expansion& expansion);
+
+}  // namespace smurf::mjcf

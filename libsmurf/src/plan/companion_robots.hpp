@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The robots to which a companion may belong that a user named without them.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "link/companions/library.hpp"
+#include "link/package_search.hpp"
+#include "plan/xacro_files.hpp"
+#include "smurf/limits.hpp"
+#include "smurf/load.hpp"
+
+namespace smurf {
+
+/// Looks into each project once.
+class CompanionRobots {
+ public:
+  CompanionRobots(const FileReader& files, const Limits& limits)
+      : files_(files), limits_(limits), packages_(files) {}
+
+  /// The robots of the configuration; else, of the robots of the project, the likeliest first, at
+  /// most six: those in the package of the file, in packages that it depends on or that depend on
+  /// it, then others; of these, those that write most of its names.
+  std::vector<std::string> of(const std::string& path, const SeenCompanion& seen,
+                              std::span<const CompanionTie> ties);
+
+ private:
+  struct Project {
+    std::vector<std::string> robots;
+    std::optional<XacroFiles> xacro;
+  };
+  const Project& project_of(const std::string& path);
+  std::size_t count_in(const Project& project, const std::string& robot, const SeenCompanion& seen);
+
+  const FileReader& files_;
+  const Limits& limits_;
+  PackageSearch packages_;
+  std::map<std::string, Project> projects_;
+  std::map<std::string, std::string> texts_;  ///< of robots, with what they include
+};
+
+}  // namespace smurf

@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which robot a companion is compared with: for reasons, whichever way it is named; and what is not compared is said.
+
+ownership_test.py SMURF-LINT [SHARED-FOLDER]: with that folder, companions of public repositories are tried, too.
+"""
+import collections
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import cli  # noqa: E402
+
+SHARED = pathlib.Path(sys.argv.pop(2)) if len(sys.argv) > 2 and not sys.argv[2].startswith("-") else None
+JOINTS = ("shoulder", "elbow", "wrist", "hand")
+MASS = '<inertial><mass value="0.5"/><inertia ixx="0.00013" ixy="0" ixz="0" iyy="0.00013" iyz="0" izz="0.00013"/></inertial>'
+
+
+def robot(name, joints=JOINTS, root="base"):
+    text, parent = f'<robot name="{name}" xmlns:xacro="http://www.ros.org/wiki/xacro">\n  <link name="{root}"/>\n', root
+    for joint in joints:
+        text += (f'  <link name="{joint}_link">{MASS}</link>\n  <joint name="{joint}" type="revolute">\n    <parent link="{parent}"/>'
+                 f'<child link="{joint}_link"/><axis xyz="0 0 1"/>\n    <limit lower="-1" upper="1" effort="1" velocity="1"/>\n  </joint>\n')
+        parent = joint + "_link"
+    return text + "</robot>\n"
+
+
+def controllers(*joints):
+    return ("controller_manager:\n  ros__parameters:\n    jtc: {type: joint_trajectory_controller/JointTrajectoryController}\n"
+            f"jtc:\n  ros__parameters:\n    joints: [{', '.join(joints)}]\n    command_interfaces: [position]\n    state_interfaces: [position]\n")
+
+
+class Ownership(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.enter_workspace()
+        self.write("bot_description/package.xml", cli.package("bot_description"))
+        self.write("bot_description/urdf/bot.urdf.xacro", robot("bot"))
+        self.config = "bot_description/config/controllers.yaml"
+
+    def report(self, *words):
+        return json.loads(self.run_tool("--format", "json", "--min-severity", "info", *words).stdout)
+
+    def found(self, *words):
+        return {(one["id"], one["message"]) for one in self.report(*words)["diagnostics"] if one["id"].startswith("SML37")}
+
+    def test_the_answer_is_the_same_whichever_way_the_file_is_named(self):
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "hand"))
+        ways = [("--only-listed", self.config), (self.config,), ("bot_description/urdf/bot.urdf.xacro",), ("bot_description",), (".",)]
+        for way in ways:
+            self.assertEqual(len(self.found(*way)), 1, way)
+            self.assertIn("`elbw`", self.found(*way).pop()[1], way)
+        done = self.expect(1, self.config)
+        self.assertNotIn("1 model", done.stdout)
+        self.assertIn("checked with 1 controllers.yaml, compared with `bot_description/urdf/bot.urdf.xacro`", done.stdout)
+
+    def test_one_joint_is_enough(self):
+        self.write("bot_description/urdf/bot.urdf.xacro", robot("bot", ["slide"]))
+        self.write(self.config, controllers("slidee"))
+        self.assertIn("did you mean `slide`?", self.expect(1, ".").stdout)
+
+    def test_the_flow_form_and_any_name(self):
+        text = json.dumps({"controller_manager": {"ros__parameters": {"jtc": {"type": "joint_trajectory_controller/JointTrajectoryController"}}},
+                           "jtc": {"ros__parameters": {"joints": ["shoulder", "elbw", "wrist"], "command_interfaces": ["position"]}}})
+        self.write("bot_description/config/tournament.yaml", text)
+        self.assertIn("`elbw`", self.expect(1, ".").stdout)
+
+    def test_a_file_that_is_no_yaml_is_an_error(self):
+        for old, new in (("    joints", "\tjoints"), ("hand]", "hand"), ("  ros__parameters:\n    joints", " ros__parameters:\n      - joints")):
+            self.write(self.config, controllers(*JOINTS).replace(old, new))
+            self.assertIn("SML0010", self.expect(1, ".").stdout, new)
+        self.write(self.config, controllers(*JOINTS).replace("    joints", "\tjoints").replace("hand]", "{{ hand }}]"))
+        self.assertRegex(self.expect(0, ".").stdout, "not compared: `.*controllers.yaml`: it is a template")
+
+    def test_a_key_that_is_written_twice(self):
+        self.write(self.config, controllers(*JOINTS).replace("    joints", "    joints: [nobody]\n    joints").replace("elbow", "elbw"))
+        found = self.run_tool(".").stdout
+        self.assertIn("warning[SML0011]", found)
+        self.assertIn("`elbw`", found)
+        self.assertNotIn("nobody`", found)
+
+    def test_parameters_of_a_node_that_is_written_twice_are_joined(self):
+        text = controllers("shoulder", "elbw", "wrist")
+        self.write(self.config, text.replace("    command_interfaces", "jtc:\n  ros__parameters:\n    command_interfaces"))
+        found = self.expect(1, ".").stdout
+        self.assertNotIn("SML0011", found)
+        self.assertIn("`elbw`", found)
+        self.assertNotIn("SML3702", found)
+
+    def test_an_install_folder_is_no_second_robot(self):
+        self.write("install/COLCON_IGNORE", "")
+        self.write("install/bot_description/urdf/bot.urdf.xacro", robot("bot"))
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "hand"))
+        report = self.report(".")
+        self.assertEqual(report["summary"]["models"], 1)
+
+    def test_a_better_robot_owns_the_file(self):
+        self.write("bot_description/urdf/six.urdf.xacro", robot("six", [*JOINTS, "thumb", "index"]))
+        self.write(self.config, controllers(*JOINTS, "thumb", "indx"))
+        self.assertEqual({one[1].split("`")[3] for one in self.found(".")}, {"indx"})
+
+    def test_robots_that_nothing_tells_apart(self):
+        self.write("bot_description/urdf/twin.urdf.xacro", robot("twin"))
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "hand"))
+        self.assertEqual(len(self.found(".")), 1)
+
+    def test_what_is_not_compared_is_said(self):
+        self.write("bot_description/config/other.yaml", controllers("one", "two", "three"))
+        done = self.expect(0, ".")
+        self.assertRegex(done.stdout, "not compared: `.*other.yaml`: none of its 3 names is known here; tie it")
+        left = self.report(".")["summary"]["not_compared"]
+        self.assertEqual([(one["path"], one["kind"]) for one in left], [("bot_description/config/other.yaml", "controllers.yaml")])
+
+    def test_values_of_launch_files(self):
+        self.write("bot_description/urdf/bot.urdf.xacro", robot("bot", root="$(arg model)_base"))
+        self.write("bot_description/launch/d.launch.py",
+                   'DeclareLaunchArgument("model", default_value="mk3")\nCommand(["xacro ", "bot.urdf.xacro", " model:=", LaunchConfiguration("model")])\n')
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "hand"))
+        done = self.expect(1, ".")
+        self.assertIn("checked `bot_description/urdf/bot.urdf.xacro` with `model:=mk3`, from `bot_description/launch/d.launch.py`", done.stdout)
+        self.assertIn("`elbw`", done.stdout)
+        self.assertNotIn("not checked", done.stdout)
+        self.expect(0, "--init")
+        self.assertIn('model: "mk3"', self.read(".smurf-lint.yaml"))
+        done = self.run_tool(".")
+        self.assertNotIn("SML33", done.stdout)
+        self.assertNotIn("not checked", done.stdout)
+
+
+@unittest.skipUnless(SHARED and (SHARED / "xacro/corpus").is_dir(), "there is no shared corpus")
+class Corpus(cli.CliTest):
+    """One joint is misspelt in companions of public repositories whose joints stand in a robot of the repository."""
+
+    def setUp(self):
+        super().setUp()
+        self.enter_workspace()
+
+    def lint(self, folder):
+        done = subprocess.run([cli.TOOL, "--isolated", "--no-ignore-files", "--format", "json", "--exit-zero", "."], cwd=folder,
+                              capture_output=True, text=True, errors="replace", check=False)
+        return json.loads(done.stdout)
+
+    def test_a_misspelt_joint(self):
+        shown = collections.Counter()
+        for repository in sorted((SHARED / "xacro/corpus").iterdir()):
+            files = [path for path in sorted(repository.rglob("*")) if path.is_file()]
+            robots = "".join(path.read_text(errors="replace") for path in files if path.suffix in (".urdf", ".xacro"))
+            tried = []
+            for path in files:
+                text = path.read_text(errors="surrogateescape") if path.suffix == ".yaml" else ""
+                names = re.search(r"^ *joints:\s*\n\s*- *\"?([A-Za-z]\w{3,})", text, re.M)
+                is_companion = "ros__parameters" in text and "command_interfaces" in text or "controller_names" in text
+                if is_companion and names and re.search(r"[}\"']" + names[1] + r"[\"'$]", robots):
+                    tried.append((path.relative_to(repository), text, names[1]))
+            if not tried:
+                continue
+            copy = self.folder / "r"
+            shutil.copytree(repository, copy, symlinks=True)
+            before = sum(self.lint(copy)["summary"].get("companions", {}).values())
+            for name, text, joint in tried[:2]:
+                wrong = joint[:-1] + ("qx" if joint.endswith("q") else "q")
+                path = copy / name
+                path.write_text(re.sub(r"(?<!\w)" + joint + r"(?!\w)", wrong, text), errors="surrogateescape")
+                report = self.lint(copy)
+                path.write_text(text, errors="surrogateescape")
+                shown["files"] += 1
+                is_shown = any(wrong in one["message"] and one["severity"] != "info" for one in report["diagnostics"])
+                left = {one["path"] for one in report["summary"].get("not_compared", [])}
+                # The robots of some repositories need packages that are not there. The file is then named with the reason.
+                shown["shown"] += is_shown
+                shown["told"] += is_shown or str(name) in left
+                shown["kept"] += sum(report["summary"].get("companions", {}).values()) >= before
+            shutil.rmtree(copy)
+        self.assertGreater(shown["files"], 10)
+        self.assertGreaterEqual(shown["kept"], 0.95 * shown["files"], shown)
+        self.assertGreaterEqual(shown["told"], 0.75 * shown["files"], shown)
+        self.assertGreaterEqual(shown["shown"], 0.35 * shown["files"], shown)
+
+
+if __name__ == "__main__":
+    cli.main()
