@@ -19,7 +19,7 @@ double thickness_of(const Box& box) {
   return std::min({size[0], size[1], size[2]});
 }
 
-/// Whether a ball of this diameter may be in both boxes.
+/// Whether a ball of this diameter fits into the intersection of two boxes.
 bool have_room(const Box& a, const Box& b, double diameter) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (std::min(a.high[i], b.high[i]) - std::max(a.low[i], b.low[i]) < diameter) return false;

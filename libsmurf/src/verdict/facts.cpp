@@ -31,7 +31,7 @@ constexpr Fact kNoExpansion{.effect = Effect::refuses,
 /// Faults of xacro, which runs before all readers.
 bool is_about_expansion(const Rule& rule) { return rule.id.starts_with("SML33"); }
 
-/// References from annotations, and their keys.
+/// Whether a rule is about references from annotations, or about their keys.
 bool is_about_annotations(const Rule& rule) {
   return rule.id.starts_with("SML3") || rule.id.starts_with("SML4");
 }
