@@ -54,7 +54,7 @@ def compare(one, other, folders):
         paths = [one.attrib["filename"], attributes.pop("filename")]
         places = [os.path.normpath(folder / path.removeprefix("file://")) for folder, path in zip(folders, paths)]
         if paths[0].startswith("package://") and pathlib.Path(places[1]).is_file():
-            below = paths[0].split("/", 3)[3]  # the folder of a package may have another name
+            below = os.path.normpath(paths[0].split("/", 3)[3])  # the folder of a package may have another name
             places = [below, places[1][-len(below):]]
         same("G1: mesh files", *places)
         attributes["filename"] = one.attrib["filename"]

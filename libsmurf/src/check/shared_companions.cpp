@@ -39,7 +39,8 @@ Accompanied load_robot(const std::string& path, bool was_found, std::span<const 
 
 std::vector<CompanionFindings::Found> CompanionFindings::finish() {
   std::vector<Found> all;
-  for (auto& [file, entry] : files_) {
+  for (auto& one_file : files_) {
+    auto& entry = one_file.second;  // a lambda cannot capture a part of a structured binding
     std::vector<std::size_t> owners = choose_owners(entry.claims);
     // The variants of a configuration are all meant.
     const bool has_variants = std::any_of(owners.begin(), owners.end(), [&](std::size_t one) {

@@ -10,7 +10,8 @@
 namespace smurf {
 namespace {
 
-constexpr int kLevels = 12;  // of folders, upward and downward
+constexpr int kLevels = 12;             // of folders, upward and downward
+constexpr int kLevelsAbovePackage = 2;  // where no repository tells how far the workspace reaches
 constexpr std::uint64_t kMostEntries = 200'000;
 
 /// Folders of packages seldom have a point in their name; files nearly always do.
@@ -46,6 +47,7 @@ const PackageSearch::Folder& PackageSearch::look_into(const std::string& path) {
   std::vector<std::string> names = files_.list(path);
   folder.entries = names.size();
   folder.has_package = std::binary_search(names.begin(), names.end(), kPackageFile);
+  folder.is_repository = std::binary_search(names.begin(), names.end(), ".git");
   // A file is listed as an empty folder. To ask what it is would make it an input of the run.
   std::erase_if(
       names, [](const std::string& name) { return name.starts_with('.') || !may_be_folder(name); });
@@ -170,22 +172,37 @@ std::optional<std::string> PackageSearch::find(const std::string& name, const st
   return keep(answers_, {name, folder}, std::move(answer));
 }
 
+int PackageSearch::levels_above(std::string folder, const std::string& own) {
+  int last = kLevels - 1;
+  for (int level = 0; level < kLevels; ++level) {
+    // Repositories of a workspace lie beside each other.
+    if (look_into(folder).is_repository) return level + 1;
+    if (folder == own) last = level + kLevelsAbovePackage;
+    std::string above = path::join(folder, "..");
+    // `..` of the outermost folder is this folder.
+    if (files_.identity(above) == files_.identity(folder)) return std::min(last, level);
+    folder = std::move(above);
+  }
+  return last;
+}
+
 std::optional<std::string> PackageSearch::search_upward(const std::string& name,
                                                         const std::string& near,
                                                         const std::string& own, Depth depth) {
   std::string folder = near;
   bool is_in_own = depth == Depth::packages && !own.empty();
-  for (int level = 0; level < kLevels; ++level) {
+  const int last = levels_above(near, own);
+  for (int level = 0; level <= last; ++level) {
     is_in_own = is_in_own && folder != own;
     // Before all that is in the folder, which may be much.
     if (is_package(folder, name)) return folder;
     if (std::string inner = path::join(folder, name); is_package(inner, name)) return inner;
     if (!is_in_own) {
       if (auto found = nearest(folder, name, depth)) return found;
+      const Tree* searched = known_tree(folder, depth);
+      if (searched != nullptr && searched->is_cut) break;  // so are those that contain it
     }
-    const std::string above = path::join(folder, "..");
-    if (above == folder) break;
-    folder = above;
+    folder = path::join(folder, "..");
   }
   return nearest(".", name, depth);
 }

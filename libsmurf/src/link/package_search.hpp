@@ -30,8 +30,9 @@ class PackageSearch {
   const std::shared_ptr<CompanionLibrary> companions;
 
   /// The folder of a package: that of the file at `near`; then the one nearest to it, as far as
-  /// files may be read; then one in the folders that contain packages. Of several in one folder,
-  /// the one that is nested least; of these, one in a folder of the name of the package.
+  /// files may be read, up to the folder that contains the repository of the file; then one in the
+  /// folders that contain packages. Of several in one folder, the one that is nested least; of
+  /// these, one in a folder of the name of the package.
   std::optional<std::string> find(const std::string& name, const std::string& near,
                                   const std::vector<std::string>& package_folders);
 
@@ -45,6 +46,7 @@ class PackageSearch {
   /// What is in a folder.
   struct Folder {
     bool has_package = false;
+    bool is_repository = false;
     std::size_t entries = 0;
     std::vector<std::string> names;  ///< of what may be folders
   };
@@ -60,6 +62,8 @@ class PackageSearch {
   std::optional<std::string> search_around(const std::string& name, const std::string& folder);
   std::optional<std::string> search_upward(const std::string& name, const std::string& folder,
                                            const std::string& own, Depth depth);
+  /// How many folders above `near` are searched: without a limit, it would be the whole disk.
+  int levels_above(std::string near, const std::string& own);
   /// The nearest folder with a package.xml, from `folder` upward; "" if there is none.
   std::string package_around(std::string folder);
   /// The name in the package.xml of a folder; "" if there is none.

@@ -76,8 +76,11 @@ class Resolver {
     constexpr std::string_view kFile = "file://";
     if (filename.starts_with("package:///"))
       return find_upward(filename.substr(kPackage.size() + 1));
-    constexpr std::string_view kModel = "model://";  // folders of models are searched like packages
-    if (filename.starts_with(kModel)) return packages_.find(filename.substr(kModel.size())).path;
+    constexpr std::string_view kModel = "model://";
+    if (filename.starts_with(kModel)) {  // folders of models are searched like packages
+      Packages::Place place = packages_.find(filename.substr(kModel.size()));
+      return place.is_guess ? std::string() : std::move(place.path);
+    }
     if (filename.starts_with(kPackage)) {
       Packages::Place place = packages_.find(filename.substr(kPackage.size()));
       if (reference != nullptr) {

@@ -105,7 +105,6 @@ class ModelFile {
   std::map<SourceId, Span> include_places_;
   Compiler compiler_;
   std::map<std::string, DefaultClass, std::less<>> classes_;
-  std::size_t depth_ = 0;
 };
 
 /// What is set for an element: by itself, or by its class.

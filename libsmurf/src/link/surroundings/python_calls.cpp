@@ -314,7 +314,7 @@ class Reader {
       if (is_named) {
         const std::string name(peek().text);
         at_ += 2;
-        value.named.emplace_back(name, expression(depth + 1));
+        value.named.push_back({name, expression(depth + 1)});
       } else {
         value.items.push_back(expression(depth + 1));
       }
@@ -400,9 +400,9 @@ class Reader {
 }  // namespace
 
 const Value* Value::find(std::string_view name) const {
-  const auto found =
-      std::find_if(named.begin(), named.end(), [&](const auto& one) { return one.first == name; });
-  return found == named.end() ? nullptr : &found->second;
+  const auto found = std::find_if(named.begin(), named.end(),
+                                  [&](const Keyword& one) { return one.name == name; });
+  return found == named.end() ? nullptr : &found->value;
 }
 
 const std::string* Value::literal() const {

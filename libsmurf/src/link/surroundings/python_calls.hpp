@@ -25,16 +25,18 @@ struct Piece {
   Span span;
 };
 
+struct Keyword;
+
 /// The value of an expression, as far as it is known.
 struct Value {
   enum class Kind : std::uint8_t { unknown, text, list, mapping, call };
   Kind kind = Kind::unknown;
   Span span;
-  std::vector<Piece> pieces;  ///< text: one after the other
-  std::vector<Value> items;   ///< list; of a call: its arguments; of a mapping: keys and values
-  std::vector<std::pair<std::string, Value>> named;  ///< keyword arguments of a call
-  std::string callee;                                ///< "Node"; "open.read" of open(..).read()
-  bool is_conditional = false;                       ///< below an `if`, a loop or the like
+  std::vector<Piece> pieces;    ///< text: one after the other
+  std::vector<Value> items;     ///< list; of a call: its arguments; of a mapping: keys and values
+  std::vector<Keyword> named;   ///< keyword arguments of a call
+  std::string callee;           ///< "Node"; "open.read" of open(..).read()
+  bool is_conditional = false;  ///< below an `if`, a loop or the like
 
   bool is_text() const { return kind == Kind::text; }
   bool is_list() const { return kind == Kind::list; }
@@ -43,6 +45,11 @@ struct Value {
   const Value* find(std::string_view name) const;
   /// Null if it is not known as a whole.
   const std::string* literal() const;
+};
+
+struct Keyword {
+  std::string name;
+  Value value;
 };
 
 struct File {

@@ -23,7 +23,7 @@ std::optional<std::string> corrected(std::string_view filename) {
 constexpr Circumstance kFound{"found without a package"};
 constexpr Circumstance kInFolder{"found in the folder of the URDF"};
 
-/// The name of a package, without a file.
+/// The name of a package without a file, or nothing.
 constexpr Circumstance kBare{"no file"};
 
 bool are_all(const std::vector<PathUses>& paths, bool (*is_one)(const MeshReference&)) {
@@ -42,7 +42,7 @@ void check(const LinkedModel& model, Findings& findings) {
   }
   const bool are_found = are_all(paths, [](const MeshReference& one) { return one.exists; });
   if (are_found) diagnostic.when(kFound);
-  if (!package_of(first).empty()) diagnostic.when(kBare);
+  if (first == "package://" || !package_of(first).empty()) diagnostic.when(kBare);
   if (are_found && are_all(paths, [](const MeshReference& one) { return one.lies_beside; })) {
     diagnostic.when(kInFolder);
   }
