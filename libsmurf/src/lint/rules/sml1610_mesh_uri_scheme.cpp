@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
+#include "lint/mesh_queries.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 
+#include "base/findings/readers.hpp"
 #include "base/text/quoted.hpp"
 #include "lint/companions/pipelines.hpp"
 
