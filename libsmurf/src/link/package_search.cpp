@@ -27,6 +27,17 @@ bool may_be_folder(const std::string& name) {
   return std::find(kOfFiles.begin(), kOfFiles.end(), ending) == kOfFiles.end();
 }
 
+/// Whether a folder is marked as one without packages to use: by its owner, or as one that a build,
+/// npm or Python fills.
+bool is_left_out(const std::string& path, const std::vector<std::string>& names) {
+  constexpr std::array<std::string_view, 4> kMarks = {"AMENT_IGNORE", "CMakeCache.txt",
+                                                      "COLCON_IGNORE", "pyvenv.cfg"};
+  return path::file_name(path) == "node_modules" ||
+         std::any_of(kMarks.begin(), kMarks.end(), [&](std::string_view mark) {
+           return std::binary_search(names.begin(), names.end(), mark);
+         });
+}
+
 }  // namespace
 
 std::optional<std::string> PackageSearch::best(const std::vector<std::string>& folders,
@@ -48,6 +59,7 @@ const PackageSearch::Folder& PackageSearch::look_into(const std::string& path) {
   folder.entries = names.size();
   folder.has_package = std::binary_search(names.begin(), names.end(), kPackageFile);
   folder.is_repository = std::binary_search(names.begin(), names.end(), ".git");
+  if (is_left_out(path, names)) names.clear();
   // A file is listed as an empty folder. To ask what it is would make it an input of the run.
   std::erase_if(
       names, [](const std::string& name) { return name.starts_with('.') || !may_be_folder(name); });
