@@ -313,8 +313,8 @@ std::optional<std::string> baseline_to_write(const LintOptions& options, const s
   return std::nullopt;
 }
 
-/// Whether a file is a baseline, which is read before it is written again: the search for companions
-/// looks at every YAML file.
+/// Whether a file is a baseline, which is read before it is written again: the search for
+/// companions looks at every YAML file.
 bool is_old_baseline(const std::string& path, const LintOptions& options) {
   const FileContent old = DiskFiles().read(path, options.limits.file_bytes);
   return old.status == ReadStatus::ok && is_baseline(old.text);
