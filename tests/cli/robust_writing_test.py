@@ -168,6 +168,23 @@ class WritingTest(unittest.TestCase):
         self.assertEqual(self.texts(self.target), files)
         self.assertEqual(self.run_job(job).returncode, 0)
 
+    @unittest.skipUnless(shutil.which("strace"), "strace is not installed")
+    def test_interrupted_at_any_step(self):
+        """Ctrl-C and SIGTERM wait until the set is complete, or all steps are undone: no file is left over or alone."""
+        fault = '<robot name="r{}"><link name="a"/><link name="b"/><joint name="j" type="Fixed"><parent link="a"/><child link="b"/></joint></robot>'
+        files = {f"r{i}.urdf": fault.format(i) for i in range(12)}
+        for call in ("fsync", "linkat", "renameat", "unlinkat"):
+            for step in (1, 7, 12):
+                with self.subTest(call, step=step):
+                    self.prepare(files)
+                    done = subprocess.run(["strace", "-f", "-qq", "-e", f"trace={call}", "-e", f"inject={call}:signal=TERM:when={step}",
+                                           TOOLS / "smurf-lint", "-q", "--fix", "--unsafe-fixes", "."], cwd=self.target,
+                                          capture_output=True, timeout=600, check=False)
+                    self.assertIn(done.returncode, (-signal.SIGTERM, 0), done.stderr)
+                    left = self.texts(self.target)
+                    self.assertEqual(sorted(left), sorted(files))
+                    self.assertIn(sum("Fixed" in text for text in left.values()), (0, 12))
+
     @for_each_job
     def test_killed_at_any_time(self, job, files):
         self.assertEqual(self.run_job(job).returncode, 0)
