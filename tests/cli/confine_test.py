@@ -396,7 +396,7 @@ class Confine(cli.CliTest):
 
         tool = self.folder / "smurf-lint"
         shutil.copy(cli.TOOL, tool)
-        done = subprocess.run([tool, "--isolated", "--format", "concise", "."], capture_output=True, text=True, timeout=30,
+        done = subprocess.run([tool, "--isolated", "--format", "concise", "."], capture_output=True, text=True, timeout=600,
                               preexec_fn=become_nobody, check=False)
         os.close(inner)
         os.chmod(self.folder / "closed", 0o755)

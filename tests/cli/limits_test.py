@@ -41,7 +41,7 @@ class LimitsTest(unittest.TestCase):
 
     def run_tool(self, tool, *words, stdin="", **settings):
         return subprocess.run([TOOLS / tool, *words], cwd=self.folder, input=stdin, capture_output=True,
-                              encoding="utf-8", timeout=60, check=False, **settings)
+                              encoding="utf-8", timeout=600, check=False, **settings)
 
     def test_without_memory(self):
         def limit():

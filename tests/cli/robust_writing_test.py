@@ -111,7 +111,7 @@ class WritingTest(unittest.TestCase):
         return [str(TOOLS / job.split()[0]), *JOBS[job][0]]
 
     def run_job(self, job, *wrapper, **keywords):
-        return subprocess.run([*wrapper, *self.command(job)], cwd=self.folder, timeout=60,
+        return subprocess.run([*wrapper, *self.command(job)], cwd=self.folder, timeout=600,
                               encoding="utf-8", capture_output=True, check=False, **keywords)
 
     @staticmethod
@@ -252,7 +252,7 @@ class WritingTest(unittest.TestCase):
         if job.split()[0] not in ("smurf2urdf", "urdf2smurf"):
             return
         (self.folder / "in/meshes/forearm.obj").unlink(missing_ok=True)
-        done = subprocess.run([*self.command(job), "--fail-on", "error"], cwd=self.folder, timeout=60,
+        done = subprocess.run([*self.command(job), "--fail-on", "error"], cwd=self.folder, timeout=600,
                               encoding="utf-8", capture_output=True, check=False)
         self.assertEqual(done.returncode, 1)
         self.assertIn("1 error: see smurf-lint", done.stderr)
@@ -341,7 +341,7 @@ class WritingTest(unittest.TestCase):
             with self.subTest(tool):
                 reading, writing = os.pipe()
                 os.close(reading)
-                done = subprocess.run([TOOLS / tool, *arguments], cwd=self.folder, timeout=60,
+                done = subprocess.run([TOOLS / tool, *arguments], cwd=self.folder, timeout=600,
                                       stdout=writing, stderr=subprocess.PIPE, encoding="utf-8",
                                       check=False)
                 os.close(writing)
@@ -356,7 +356,7 @@ class WritingTest(unittest.TestCase):
             for output in ([], ["-o", "/dev/full"]):
                 with self.subTest(tool, output=output), open("/dev/full", "w") as full:
                     done = subprocess.run([TOOLS / tool, *arguments, *output], cwd=self.folder,
-                                          timeout=60, stdout=full, stderr=subprocess.PIPE,
+                                          timeout=600, stdout=full, stderr=subprocess.PIPE,
                                           encoding="utf-8", check=False)
                     self.assertEqual(done.returncode, 2)
                     self.assertIn("No space left on device", done.stderr)
