@@ -129,6 +129,12 @@ std::string from_user(std::string_view path) { return std::string(path); }
 std::string_view for_others(std::string_view path) { return path; }
 bool is_named_so(const std::string& /*path*/) { return true; }
 std::string_view without_drive(std::string_view path) { return path; }
+#ifdef __EMSCRIPTEN__
+// A module of WebAssembly gets no signals.
+HeldSignals::HeldSignals() = default;
+HeldSignals::~HeldSignals() = default;
+bool HeldSignals::has_one() const { return held_ != 0; }
+#else
 namespace {
 
 constexpr std::array kEndings{SIGINT, SIGTERM, SIGHUP};
@@ -166,6 +172,7 @@ bool HeldSignals::has_one() const {
   }
   return false;
 }
+#endif
 
 double thread_seconds() {
   timespec now{};
