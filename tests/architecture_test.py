@@ -125,6 +125,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/text/counted.hpp",
     "base/text/did_you_mean.hpp",
     "base/text/edits.hpp",
+    "base/deadline.hpp",
     "base/findings/limits.hpp",
     "base/numbers/numbers.hpp",
     "base/files/path.hpp",

@@ -384,7 +384,8 @@ Command lint_command(LintOptions& options) {
   for (Option& option : std::vector<Option>{
            stdin_filename_option(options.stdin_filename), package_option(options.packages),
            xacro_env_option(options.xacro.environment), allow_outside_option(options.allow_outside),
-           limit_option(options.limits), color_option(options.color), jobs_option(options.jobs),
+           limit_option(options.limits), max_seconds_option(options.max_seconds),
+           color_option(options.color), jobs_option(options.jobs),
            quiet_option(options.quiet, "Show findings only, no summary.")}) {
     command.options.push_back(std::move(option));
   }

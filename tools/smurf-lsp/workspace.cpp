@@ -162,6 +162,7 @@ Plan readers_of(const Files& files, const Plan& all, const tools::LoadedNames& l
 CheckSettings settings_of_check() {
   CheckSettings settings = tools::check_settings({});
   settings.remembers = true;
+  settings.max_seconds = kSecondsInEditor;
   return settings;
 }
 

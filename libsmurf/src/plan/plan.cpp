@@ -2,6 +2,7 @@
 #include "smurf/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <deque>
 #include <functional>
@@ -209,11 +210,14 @@ class Planner {
     if (planned_.insert(identity(path, files_)).second) to.push_back({path, config_of_entry(path)});
   }
 
-  /// Whether a link leads to a file that may not be read.
+  /// Whether a link leads out of the project in which it lies. The link itself would stand for the
+  /// project of what it leads to: whoever made the folder may have chosen that.
   bool leads_outside(const std::string& link) const {
     if (!files_.is_denied(link)) return false;
+    const std::string folder(path::parent(link));
+    const std::array around{folder.empty() ? std::string(".") : folder};
     ConfinedFiles project;
-    confine_to_projects(project, {&link, 1});
+    confine_to_projects(project, around);
     return project.is_denied(link);
   }
 

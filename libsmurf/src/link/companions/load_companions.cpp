@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "ast/companions/srdf_reader.hpp"
+#include "base/deadline.hpp"
 #include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
 #include "link/companions/companion_names.hpp"
@@ -340,21 +343,54 @@ class Finder {
   /// names in an SRDF.
   bool has_better_robot(const Companion& companion) {
     if (companion.known_names == companion.names) return false;
-    std::set<std::string> names;
-    for (const Reference& one : names_in_companion(model_, companion)) {
-      names.insert("\"" + std::string(one.name) + "\"");
-    }
-    const auto score = [&](std::string_view text) {
-      return std::count_if(names.begin(), names.end(), [&](const std::string& name) {
-        return text.find(name) != std::string_view::npos;
-      });
+    std::vector<std::size_t> names;
+    const std::vector<Reference> references = names_in_companion(model_, companion);
+    for (const Reference& one : references) names.push_back(hash_of(one.name));
+    sort_without_repetitions(names);
+    const auto score = [&](const std::vector<std::size_t>& words) {
+      std::vector<std::size_t> common;
+      std::set_intersection(names.begin(), names.end(), words.begin(), words.end(),
+                            std::back_inserter(common));
+      return common.size();
     };
-    const auto own = score(context_.sources.text(model_.robot->document.source));
-    return std::any_of(robots().begin(), robots().end(), [&](const std::string& path) {
+    const auto own = score(words_in(context_.sources.text(model_.robot->document.source)));
+    return std::any_of(variants().begin(), variants().end(),
+                       [&](const auto& words) { return score(words) > own; });
+  }
+
+  static std::size_t hash_of(std::string_view text) { return std::hash<std::string_view>()(text); }
+
+  static void sort_without_repetitions(std::vector<std::size_t>& all) {
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  }
+
+  /// Hashes of what is between two quotes: names may be.
+  static std::vector<std::size_t> words_in(std::string_view text) {
+    Deadline::look(1 + text.size() / 64);
+    std::vector<std::size_t> words;
+    for (std::size_t begin = text.find('"'); begin != text.npos;) {
+      const std::size_t end = text.find('"', ++begin);
+      if (end == text.npos) break;
+      words.push_back(hash_of(text.substr(begin, end - begin)));
+      begin = end;
+    }
+    sort_without_repetitions(words);
+    return words;
+  }
+
+  /// The words of the robots of the same name. Each text is read once for all SRDFs: a package may
+  /// have dozens of both.
+  const std::vector<std::vector<std::size_t>>& variants() {
+    if (variants_) return *variants_;
+    variants_.emplace();
+    for (const std::string& path : robots()) {
       const FileContent content = context_.files.read(path, context_.limits.file_bytes);
       const bool is_same = robot_name_in(content.text) == model_.robot->name.value_or("");
-      return content.status == ReadStatus::ok && is_same && score(content.text) > own;
-    });
+      if (content.status != ReadStatus::ok || !is_same) continue;
+      variants_->push_back(words_in(content.text));
+    }
+    return *variants_;
   }
 
   const LinkedModel& model_;
@@ -364,6 +400,7 @@ class Finder {
   Companions found_;
   CompanionPlaces places_;
   std::optional<std::vector<std::string>> robots_;  ///< around it, also in xacro
+  std::optional<std::vector<std::vector<std::size_t>>> variants_;
   std::set<std::string> own_;  ///< files of the model, of others, and those looked at, by identity
 };
 
@@ -416,6 +453,7 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
   if (!is_tied) robots = robots_of(*companion, context);
   std::size_t best = 0;  // names of the best robot
   for (const std::string& robot : robots) {
+    Deadline::look();
     LinkedModel found = load_model(robot, context);
     count_names(found, *companion);
     if (!found.robot || (!is_tied && !may_belong_to(found, *companion))) continue;
