@@ -115,6 +115,20 @@ class Ownership(cli.CliTest):
         left = self.report(".")["summary"]["not_compared"]
         self.assertEqual([(one["path"], one["kind"]) for one in left], [("bot_description/config/other.yaml", "controllers.yaml")])
 
+    def test_a_controller_whose_type_is_in_its_own_section(self):
+        for kind in ("joint_trajectory_controller/JointTrajectoryController", "bot_controllers/Own"):
+            self.write(self.config, f"jtc:\n  ros__parameters:\n    type: {kind}\n    joints: [shoulder, elbw]\n    command_interfaces: [position]\n")
+            self.assertIn("did you mean `elbow`?", self.expect(1, ".").stdout, kind)
+
+    def test_a_plugin_of_a_urdf_that_is_not_named_as_xacro(self):
+        for name in ("a", "b"):
+            plugin = ('<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+                      f"<parameters>$(find bot_description)/config/{name}.yaml</parameters></plugin></gazebo></robot>")
+            self.write(f"bot_description/urdf/{name}.urdf", robot(name, [f"{name}_joint", "hand"]).replace("</robot>", plugin))
+            self.write(f"bot_description/config/{name}.yaml", controllers(f"{name}_jint", "hand"))
+        names = {one[1].split("`")[3] for one in self.found(".")}
+        self.assertEqual(names, {"a_jint", "b_jint"})
+
     def test_values_of_launch_files(self):
         self.write("bot_description/urdf/bot.urdf.xacro", robot("bot", root="$(arg model)_base"))
         self.write("bot_description/launch/d.launch.py",

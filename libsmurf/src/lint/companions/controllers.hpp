@@ -17,7 +17,8 @@ namespace smurf {
 /// A controller that a controller_manager may load.
 struct RosController {
   std::string_view name;
-  yaml::View declared;  ///< its mapping below controller_manager; none if it is not there
+  yaml::View declared;  ///< its mapping below controller_manager; none if it is not there, but its
+                        ///< type is in its section
   yaml::View type;      ///< none if it is missing
   yaml::View section;   ///< the `ros__parameters` of its node; none if there is none
   Span place;           ///< its name
