@@ -7,6 +7,7 @@
 
 #include "base/text/quoted.hpp"
 #include "check/excuses.hpp"
+#include "verdict/targets.hpp"
 
 namespace smurf {
 namespace {
@@ -63,6 +64,7 @@ std::vector<CompanionFindings::Found> CompanionFindings::finish() {
         if (!has_variants && !is_of_all) {
           if (is_about_name(found)) continue;
           found.severity = Severity::info;
+          found.when(kExcused);  // a target makes it no error either
           found.note("only with " + quoted(robot.robot) + "; the file fits other robots as well");
         }
         own.insert(key);

@@ -204,7 +204,7 @@ class Finder {
       own_.insert(context_.files.identity(context_.sources.path(file.source)));
     }
     read_ties();
-    found_.plugin_files = plugin_files_of(model_, context_.files);
+    found_.plugin_files = plugin_files_of(model_, context_);
     for (const PluginFile& one : found_.plugin_files) {
       if (one.state == PluginFile::State::controllers) look_at(one.path, Evidence::plugin);
     }

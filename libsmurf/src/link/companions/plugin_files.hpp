@@ -12,6 +12,6 @@ namespace smurf {
 bool is_control_plugin(std::string_view file_name);
 
 /// The elements `parameters` of such plugins, with the state of the files.
-std::vector<PluginFile> plugin_files_of(const LinkedModel& model, const FileReader& files);
+std::vector<PluginFile> plugin_files_of(const LinkedModel& model, LoadContext& context);
 
 }  // namespace smurf
