@@ -76,6 +76,25 @@ class Ownership(cli.CliTest):
         self.write(self.config, controllers(*JOINTS).replace("    joints", "\tjoints").replace("hand]", "{{ hand }}]"))
         self.assertRegex(self.expect(0, ".").stdout, "not compared: `.*controllers.yaml`: it is a template")
 
+    def test_what_a_launch_file_fills_in_makes_no_yaml_of_a_tab(self):
+        text = controllers(*JOINTS).replace("hand]", "hand, $(arg more)]")
+        self.write(self.config, text)
+        self.expect(0, ".")
+        self.write(self.config, text.replace("    joints", "\tjoints"))
+        self.assertIn("SML0010", self.expect(1, ".").stdout)
+
+    def test_limits_in_degrees(self):
+        text = "joint_limits:\n  hnd: {has_velocity_limits: true, max_velocity: !degrees %s}\n"
+        limits = "bot_description/config/joint_limits.yaml"
+        self.write(limits, text % "57.0")
+        self.assertIn("did you mean `hand`?", self.expect(0, ".").stdout)
+        self.write(limits, (text % "57").replace("hnd", "hand"))
+        self.expect(0, ".")
+        self.write(limits, (text % "58.0").replace("hnd", "hand"))
+        self.assertIn("joint `hand` may move with 1.01229, faster than the 1 of the URDF", self.expect(0, ".").stdout)
+        self.write(limits, (text % "58.0").replace("  hnd", "\thnd"))
+        self.assertIn("SML0010", self.expect(1, ".").stdout)
+
     def test_a_key_that_is_written_twice(self):
         self.write(self.config, controllers(*JOINTS).replace("    joints", "    joints: [nobody]\n    joints").replace("elbow", "elbw"))
         found = self.run_tool(".").stdout

@@ -124,6 +124,7 @@ class Loader {
     }
     if (companion.document) {
       keep_last_keys(*companion.document, companion.kind == CompanionKind::controllers);
+      convert_degrees(*companion.document, text);
     }
   }
 
