@@ -148,6 +148,24 @@ class Ownership(cli.CliTest):
         names = {one[1].split("`")[3] for one in self.found(".")}
         self.assertEqual(names, {"a_jint", "b_jint"})
 
+    def test_a_robot_that_cannot_be_expanded_is_compared_by_its_text(self):
+        text = robot("bot").replace('name="elbow"', 'name="${prefix}elbow"')
+        include = '<xacro:arg name="prefix" default=""/><xacro:include filename="$(find nowhere_description)/x.xacro"/><link name="base"/>'
+        self.write("bot_description/urdf/bot.urdf.xacro", text.replace('<link name="base"/>', include))
+        self.write(self.config, controllers(*JOINTS))
+        self.assertEqual(self.found("."), set())
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "hand"))
+        done = self.run_tool(".")
+        self.assertIn("no file of the robot writes the joint `elbw`", done.stdout)
+        self.assertIn("did you mean `elbow`?", done.stdout)
+        self.assertIn("not compared: `bot_description/config/controllers.yaml`", done.stdout)
+        # A name that nobody writes, or that another robot writes, may be one of another variant.
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "gripper"))
+        self.assertEqual(self.found("."), set())
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "hand"))
+        self.write("bot_description/urdf/other.urdf.xacro", robot("other", ["elbw"]))
+        self.assertFalse(any("writes" in one[1] for one in self.found(".")))
+
     def test_values_of_launch_files(self):
         self.write("bot_description/urdf/bot.urdf.xacro", robot("bot", root="$(arg model)_base"))
         self.write("bot_description/launch/d.launch.py",

@@ -109,6 +109,7 @@ class Run {
       found_[one.config].diagnostics.push_back(std::move(one.diagnostic));
     }
     seen_.report_broken(compared(), sources_, found_);
+    seen_.report_misspelt(compared(), ties_of(memory_.groups), sources_, found_);
     join_missing_packages(found_, sources_, context_.check.files);
     Report report = make_report(std::move(found_), memory_.groups, context_.check, sources_);
     report.summary.models = models_.size();
@@ -135,9 +136,7 @@ class Run {
 
   /// Loads robots that nobody asked for, for companions that no robot has so far.
   void check_helpers() {
-    std::vector<std::vector<CompanionTie>> ties;
-    for (const CheckGroup& group : memory_.groups) ties.push_back(group.ties);
-    const std::vector<PlannedFile> helpers = seen_.helpers(compared(), ties);
+    const std::vector<PlannedFile> helpers = seen_.helpers(compared(), ties_of(memory_.groups));
     expected_ += helpers.size();
     check(helpers);
   }
