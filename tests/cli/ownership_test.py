@@ -166,6 +166,24 @@ class Ownership(cli.CliTest):
         self.write("bot_description/urdf/other.urdf.xacro", robot("other", ["elbw"]))
         self.assertFalse(any("writes" in one[1] for one in self.found(".")))
 
+    def test_an_argument_that_the_robot_does_not_have(self):
+        text = robot("bot", root="$(arg model)_base").replace("<link", '<xacro:arg name="model" default="mk1"/><link', 1)
+        self.write("bot_description/urdf/bot.urdf.xacro", text)
+        path = "bot_description/urdf/bot.urdf.xacro"
+        self.expect(0, path, "model:=mk2")
+        for words in ((path, "modle:=mk2"), (".", "modle:=mk2")):
+            done = self.expect(1, *words)
+            self.assertIn("has no argument `modle`", done.stdout)
+            self.assertIn("did you mean `model`?", done.stdout)
+        self.assertIn("write one of its arguments: `model`", self.expect(1, path, "speed:=2").stdout)
+        self.write(".smurf-lint.yaml", f'xacro:\n- file: {path}\n  arguments: {{modl: "mk2"}}\n')
+        self.assertRegex(self.expect(1, ".").stdout, r"has no argument `modl`\n *--> .smurf-lint.yaml:3:15")
+        self.write(".smurf-lint.yaml", f'xacro:\n- file: {path}\n  arguments: {{model: "mk2"}}\n')
+        self.expect(0, ".")
+        # Another robot may have it.
+        self.write("bot_description/urdf/other.urdf.xacro", robot("other", root="$(arg speed)_base"))
+        self.expect(0, ".", "speed:=2")
+
     def test_values_of_launch_files(self):
         self.write("bot_description/urdf/bot.urdf.xacro", robot("bot", root="$(arg model)_base"))
         self.write("bot_description/launch/d.launch.py",

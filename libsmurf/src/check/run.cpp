@@ -13,6 +13,7 @@
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "check/excuses.hpp"
+#include "check/given_arguments.hpp"
 #include "check/launched_values.hpp"
 #include "check/missing_packages.hpp"
 #include "check/parallel.hpp"
@@ -37,17 +38,6 @@ void shift(Diagnostic& diagnostic, const SourceShift& by) {
   }
 }
 
-/// Whether a query was only about a text that is a source. A new answer then leaves meshes
-/// unchanged.
-bool is_of_source(const Recorder::Question& question, const Recorder::Answer& answer,
-                  const SourceMap& sources) {
-  if (question.kind != Recorder::Kind::content) return false;
-  const std::string wanted = path::normalize(question.path);
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < sources.size(); ++i) count += sources.path(SourceId{i}) == wanted;
-  return count == answer.count;
-}
-
 class Run {
  public:
   Run(const CheckSettings& settings, const RunContext& context, SourceMap& sources)
@@ -57,7 +47,8 @@ class Run {
         sources_(sources),
         jobs_(count_of_jobs(settings.jobs)),
         shared_search_(std::make_shared<PackageSearch>(context.check.files)),
-        seen_(context.check, *shared_search_) {}
+        seen_(context.check, *shared_search_),
+        given_(context.check) {}
 
   void configure(std::vector<std::string> configs) {
     if (configs.empty()) configs.emplace_back();
@@ -110,6 +101,7 @@ class Run {
     }
     seen_.report_broken(compared(), sources_, found_);
     seen_.report_misspelt(compared(), ties_of(memory_.groups), sources_, found_);
+    given_.report(settings_.xacro.arguments, memory_.groups, sources_, found_);
     join_missing_packages(found_, sources_, context_.check.files);
     Report report = make_report(std::move(found_), memory_.groups, context_.check, sources_);
     report.summary.models = models_.size();
@@ -306,8 +298,10 @@ class Run {
       if (!planned.shown.empty()) {
         for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
       }
-      if (xacro::is_xacro_file(planned.path) && !model.robot)
-        outcome.notes.unknown_robot = model.path;
+      if (xacro::is_xacro_file(planned.path)) {
+        outcome.notes.arguments = arguments_of(outcome.sources, memory_.sources.size());
+        if (!model.robot) outcome.notes.unknown_robot = model.path;
+      }
       if (!values.empty() && model.robot) {
         outcome.notes.assumption = quoted(model.path) + " with " + values;
       }
@@ -429,6 +423,11 @@ class Run {
     robots_of_srdfs_.merge(outcome.notes.robots_of_srdfs);
     if (!outcome.notes.assumption.empty()) assumptions_.insert(outcome.notes.assumption);
     for (const auto& [file, one] : outcome.notes.rejected) seen_.add_rejected(file, one);
+    if (xacro::is_xacro_file(planned.path) && !is_companion_path(planned.path) &&
+        !outcome.models.empty()) {
+      given_.take(planned.path, planned.config, outcome.notes.arguments,
+                  outcome.notes.unknown_robot.empty());
+    }
     if (!outcome.notes.unknown_robot.empty()) seen_.add_unknown_robot(outcome.notes.unknown_robot);
     const auto file_of = [&](const Diagnostic& one) {
       return identity_of(sources_.path(one.span.source));
@@ -457,6 +456,7 @@ class Run {
   ToldFindings told_;                                ///< in the surroundings of robots
   std::set<std::string> assumptions_;                ///< see Summary
   SeenCompanions seen_;                              ///< of the plan
+  GivenArguments given_;                             ///< of the robots
   CompanionFindings shared_;                         ///< findings in them
   std::set<std::string> sources_read_;               ///< by identity
   std::uint64_t rechecked_ = 0;                      ///< bytes of files that were read before
