@@ -184,6 +184,25 @@ class Ownership(cli.CliTest):
         self.write("bot_description/urdf/other.urdf.xacro", robot("other", root="$(arg speed)_base"))
         self.expect(0, ".", "speed:=2")
 
+    def test_names_that_lack_a_prefix(self):
+        text = robot("bot", [f"left_{one}_joint" for one in JOINTS])
+        self.write("bot_description/urdf/bot.urdf.xacro", text)
+        self.write(self.config, controllers(*(f"{one}_joint" for one in JOINTS)))
+        done = self.run_tool(".").stdout
+        self.assertEqual(done.count("[SML3701]"), 1)
+        self.assertIn("such as `shoulder_joint`, lack the prefix `left_` of the joints of the robot", done)
+        self.write(self.config, controllers(*(f"left_{one}_joint" for one in JOINTS)))
+        self.assertEqual(self.found("."), set())
+
+    def test_hardware_of_gazebo_whose_plugin_nobody_writes(self):
+        hardware = ('<ros2_control name="bot" type="system"><hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>'
+                    '<joint name="hand"><command_interface name="position"/><state_interface name="position"/></joint></ros2_control></robot>')
+        self.write("bot_description/urdf/bot.urdf.xacro", robot("bot").replace("</robot>", hardware))
+        self.assertIn("warning[SML3613]", self.run_tool(".").stdout)
+        self.write("bot_description/urdf/sim.xacro", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="sim"><gazebo>'
+                   '<plugin filename="gz_ros2_control-system" name="x"/></gazebo></xacro:macro></robot>')
+        self.assertIn("info[SML3613]", self.run_tool(".").stdout)
+
     def test_values_of_launch_files(self):
         self.write("bot_description/urdf/bot.urdf.xacro", robot("bot", root="$(arg model)_base"))
         self.write("bot_description/launch/d.launch.py",

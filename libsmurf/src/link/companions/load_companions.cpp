@@ -215,6 +215,7 @@ class Finder {
     }
     places_ = companion_places(std::string(path::parent(model_.urdf_path)), context_.files,
                                search_of(context_));
+    found_.lacks_simulation = lacks_simulation();
     look_in(0, places_.own, Evidence::package);
     look_in(places_.own, places_.folders.size(), Evidence::dependency);
     for (const NearCompanion& one : library_.near) look_at(one.path, Evidence::below);
@@ -333,6 +334,21 @@ class Finder {
       robots_ =
           candidates(places_.folders, {&NamesInFolder::urdfs, &NamesInFolder::xacros}, context_);
     return *robots_;
+  }
+
+  /// Whether hardware of Gazebo has no plugin, also not in other descriptions.
+  bool lacks_simulation() {
+    const std::string_view own = context_.sources.text(model_.robot->document.source);
+    const bool is_simulated = own.find("GazeboSimSystem") != own.npos ||
+                              own.find("IgnitionSystem") != own.npos ||
+                              own.find("GazeboSystem") != own.npos;
+    if (!is_simulated || !found_.plugin_files.empty()) return false;
+    return std::none_of(robots().begin(), robots().end(), [&](const std::string& path) {
+      const std::string text = context_.files.read(path, context_.limits.file_bytes).text;
+      return text.find("ROS2Control") != text.npos ||
+             text.find("ros2_control-system") != text.npos ||
+             text.find("gazebo_ros2_control.so") != text.npos;
+    });
   }
 
   bool is_only_robot() { return robots().size() <= 1; }

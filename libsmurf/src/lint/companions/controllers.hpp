@@ -57,6 +57,9 @@ void for_each_parameter(
 /// SML3701: a joint of a robot with another number of joints.
 inline constexpr Circumstance kNumberedJoint{"numbered"};
 
+/// SML3701: all names of the file lack a prefix.
+inline constexpr Circumstance kLostPrefix{"prefix"};
+
 /// The type that rcl and rclcpp give to a scalar, in the letters of RosParameter; 0 for one that is
 /// empty or filled in later.
 char rcl_type_of(yaml::View value);
