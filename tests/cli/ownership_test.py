@@ -134,6 +134,19 @@ class Ownership(cli.CliTest):
         left = self.report(".")["summary"]["not_compared"]
         self.assertEqual([(one["path"], one["kind"]) for one in left], [("bot_description/config/other.yaml", "controllers.yaml")])
 
+    def test_strict_makes_an_error_of_what_is_not_compared(self):
+        self.expect(0, "--strict", ".")
+        self.write("bot_description/config/other.yaml", controllers("one", "two", "three"))
+        self.expect(0, ".")
+        self.assertIn("error: not compared: `bot_description/config/other.yaml`", self.expect(1, "--strict", ".").stdout)
+        self.expect(0, "--strict", "--exit-zero", ".")
+        for words, level in (((), "warning"), (("--strict",), "error")):
+            log = json.loads(self.run_tool("--format", "sarif", *words, ".").stdout)
+            [note] = log["runs"][0]["invocations"][0]["toolExecutionNotifications"]
+            self.assertEqual(note["level"], level)
+            self.assertIn("none of its 3 names is known here", note["message"]["text"])
+            self.assertEqual(note["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "bot_description/config/other.yaml")
+
     def test_a_controller_whose_type_is_in_its_own_section(self):
         for kind in ("joint_trajectory_controller/JointTrajectoryController", "bot_controllers/Own"):
             self.write(self.config, f"jtc:\n  ros__parameters:\n    type: {kind}\n    joints: [shoulder, elbw]\n    command_interfaces: [position]\n")
