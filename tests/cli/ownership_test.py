@@ -197,6 +197,18 @@ class Ownership(cli.CliTest):
         self.write("bot_description/urdf/other.urdf.xacro", robot("other", root="$(arg speed)_base"))
         self.expect(0, ".", "speed:=2")
 
+    def test_a_file_that_the_plugin_of_another_robot_names(self):
+        for name in ("a", "b"):
+            plugin = ('<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+                      f"<parameters>$(find bot_description)/config/{name}.yaml</parameters></plugin></gazebo></robot>")
+            self.write(f"bot_description/urdf/{name}.urdf.xacro", robot(name, ["slide", f"{name}_joint"]).replace("</robot>", plugin))
+            self.write(f"bot_description/config/{name}.yaml", controllers("slide", f"{name}_joint"))
+        before = self.read("bot_description/config/b.yaml")
+        self.expect(0, "--rename", "joint:slide=rail", "bot_description/urdf/a.urdf.xacro")
+        self.assertIn("joints: [rail, a_joint]", self.read("bot_description/config/a.yaml"))
+        self.assertEqual(self.read("bot_description/config/b.yaml"), before)
+        self.assertEqual(self.found("."), set())
+
     def test_names_that_lack_a_prefix(self):
         text = robot("bot", [f"left_{one}_joint" for one in JOINTS])
         self.write("bot_description/urdf/bot.urdf.xacro", text)

@@ -28,8 +28,9 @@
 namespace smurf {
 namespace {
 
-constexpr std::size_t kMostCandidates = 400;  // files that may be companions
-constexpr std::size_t kMostRobots = 6;        // that are tried for an SRDF
+constexpr std::size_t kMostCandidates = 400;                // files that may be companions
+constexpr std::size_t kMostRobots = 6;                      // that are tried for an SRDF
+constexpr std::uint64_t kMostBytesOfPlugins = 256U << 10U;  // of a description
 
 using NameLists = std::initializer_list<std::vector<std::string> NamesInFolder::*>;
 
@@ -264,6 +265,7 @@ class Finder {
     const SeenCompanion& seen = library_.look_at(path, context_.files);
     if (seen.what.spec == nullptr || seen.what.state == CompanionState::a_template) return;
     if (!own_.insert(context_.files.identity(path)).second) return;
+    if (evidence >= Evidence::package && is_of_other_plugin(path)) return;
     const bool is_xacro = xacro::is_xacro_file(path);
     const bool is_bound = is_tie(evidence);
     if (seen.what.spec->is_xml) {
@@ -336,6 +338,23 @@ class Finder {
     return *robots_;
   }
 
+  /// Whether the plugin of another robot names the file, while that of this robot names others.
+  bool is_of_other_plugin(const std::string& path) {
+    const bool has_own =
+        std::any_of(found_.plugin_files.begin(), found_.plugin_files.end(),
+                    [](const auto& one) { return one.state == PluginFile::State::controllers; });
+    if (!has_own) return false;
+    if (!of_other_plugins_) {
+      of_other_plugins_.emplace();
+      for (const std::string& robot : robots()) {
+        if (own_.contains(context_.files.identity(robot))) continue;
+        const FileContent content = context_.files.read(robot, kMostBytesOfPlugins);
+        add_plugin_files(content.text, *of_other_plugins_);
+      }
+    }
+    return of_other_plugins_->contains(path::file_name(path));
+  }
+
   /// Whether hardware of Gazebo has no plugin, also not in other descriptions.
   bool lacks_simulation() {
     const std::string_view own = context_.sources.text(model_.robot->document.source);
@@ -381,6 +400,8 @@ class Finder {
   Companions found_;
   CompanionPlaces places_;
   std::optional<std::vector<std::string>> robots_;  ///< around it, also in xacro
+  /// Names of files that plugins of other robots have.
+  std::optional<std::set<std::string, std::less<>>> of_other_plugins_;
   std::set<std::string> own_;  ///< files of the model, of others, and those looked at, by identity
 };
 

@@ -4,6 +4,7 @@
 
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
+#include "link/companions/places.hpp"
 #include "link/package_search.hpp"
 
 namespace smurf {
@@ -79,6 +80,17 @@ std::vector<PluginFile> plugin_files_of(const LinkedModel& model, LoadContext& c
     }
   }
   return found;
+}
+
+void add_plugin_files(std::string_view text, std::set<std::string, std::less<>>& names) {
+  constexpr std::string_view kOpen = "<parameters>";
+  if (robot_name_in(text).empty()) return;  // a part of robots, perhaps of this one
+  for (std::size_t at = text.find(kOpen); at != text.npos; at = text.find(kOpen, at + 1)) {
+    const std::size_t begin = at + kOpen.size();
+    const std::string_view path = trimmed(text.substr(begin, text.find('<', begin) - begin));
+    const std::string_view name = path::file_name(path);
+    if (name.find_first_of("${}") == name.npos) names.emplace(name);
+  }
 }
 
 }  // namespace smurf

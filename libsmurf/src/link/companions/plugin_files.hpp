@@ -2,6 +2,10 @@
 // The parameter files that plugins of Gazebo for ros2_control name.
 #pragma once
 
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "smurf/companions.hpp"
@@ -13,5 +17,8 @@ bool is_control_plugin(std::string_view file_name);
 
 /// The elements `parameters` of such plugins, with the state of the files.
 std::vector<PluginFile> plugin_files_of(const LinkedModel& model, LoadContext& context);
+
+/// Adds the names of the files in the elements `parameters` of a robot, from its text.
+void add_plugin_files(std::string_view text, std::set<std::string, std::less<>>& names);
 
 }  // namespace smurf
