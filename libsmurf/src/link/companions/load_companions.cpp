@@ -352,7 +352,9 @@ class Finder {
         add_plugin_files(content.text, *of_other_plugins_);
       }
     }
-    return of_other_plugins_->contains(path::file_name(path));
+    const std::string whole = "/" + path::normalize(path);
+    return std::any_of(of_other_plugins_->begin(), of_other_plugins_->end(),
+                       [&](const std::string& end) { return whole.ends_with(end); });
   }
 
   /// Whether hardware of Gazebo has no plugin, also not in other descriptions.
@@ -400,7 +402,7 @@ class Finder {
   Companions found_;
   CompanionPlaces places_;
   std::optional<std::vector<std::string>> robots_;  ///< around it, also in xacro
-  /// Names of files that plugins of other robots have.
+  /// Ends of the paths of files that plugins of other robots name.
   std::optional<std::set<std::string, std::less<>>> of_other_plugins_;
   std::set<std::string> own_;  ///< files of the model, of others, and those looked at, by identity
 };

@@ -82,14 +82,17 @@ std::vector<PluginFile> plugin_files_of(const LinkedModel& model, LoadContext& c
   return found;
 }
 
-void add_plugin_files(std::string_view text, std::set<std::string, std::less<>>& names) {
+void add_plugin_files(std::string_view text, std::set<std::string, std::less<>>& ends) {
   constexpr std::string_view kOpen = "<parameters>";
   if (robot_name_in(text).empty()) return;  // a part of robots, perhaps of this one
   for (std::size_t at = text.find(kOpen); at != text.npos; at = text.find(kOpen, at + 1)) {
     const std::size_t begin = at + kOpen.size();
     const std::string_view path = trimmed(text.substr(begin, text.find('<', begin) - begin));
-    const std::string_view name = path::file_name(path);
-    if (name.find_first_of("${}") == name.npos) names.emplace(name);
+    // What stands behind `$(find x)`: files in several folders often have one name.
+    // An argument in the path may be any folder.
+    const std::string_view rest = path.substr(path.find(')') + 1);
+    const bool is_literal = rest.find_first_of("${}") == rest.npos;
+    if (rest.starts_with('/') && is_literal) ends.emplace(rest);
   }
 }
 
