@@ -179,6 +179,19 @@ class Ownership(cli.CliTest):
         self.write("bot_description/urdf/other.urdf.xacro", robot("other", ["elbw"]))
         self.assertFalse(any("writes" in one[1] for one in self.found(".")))
 
+    def test_init_adds_no_finding(self):
+        text = robot("bot", root="$(arg prefix)base").replace('name="', 'name="$(arg prefix)').replace('name="$(arg prefix)bot"', 'name="bot"')
+        text = text.replace('link="', 'link="$(arg prefix)').replace("$(arg prefix)$(arg prefix)", "$(arg prefix)")
+        text = text.replace("<link", '<xacro:arg name="prefix" default=""/><link', 1)
+        self.write("bot_description/urdf/bot.urdf.xacro", text)
+        self.write("bot_description/launch/d.launch.py", "DeclareLaunchArgument('prefix', default_value='\"\"')\n"
+                   "Command(['xacro ', 'bot.urdf.xacro', ' prefix:=', LaunchConfiguration('prefix')])\n")
+        self.write(self.config, controllers(*JOINTS))
+        before = self.found(".")
+        self.assertEqual(before, set())
+        self.run_tool("--init")
+        self.assertEqual(self.found("."), before)
+
     def test_an_argument_that_the_robot_does_not_have(self):
         text = robot("bot", root="$(arg model)_base").replace("<link", '<xacro:arg name="model" default="mk1"/><link', 1)
         self.write("bot_description/urdf/bot.urdf.xacro", text)

@@ -55,7 +55,12 @@ std::string literal_at(std::string_view text, std::size_t at) {
   const std::size_t end =
       is_quoted ? text.find(text[at], begin) : text.find_first_of(" \t\r\n\"'<>,;)]}", begin);
   if (end == std::string_view::npos || end - begin > kMostValue) return {};
-  const std::string_view value = text.substr(begin, end - begin);
+  std::string_view value = text.substr(begin, end - begin);
+  // Quotes for the shell that runs xacro: `default_value='""'` is an empty text.
+  while (value.size() > 1 && value.front() == value.back() &&
+         (value.front() == '"' || value.front() == '\'')) {
+    value = value.substr(1, value.size() - 2);
+  }
   return value.find_first_of("${}\n") == std::string_view::npos ? std::string(value) : "";
 }
 
