@@ -313,8 +313,8 @@ std::optional<std::string> baseline_to_write(const LintOptions& options, const s
   return std::nullopt;
 }
 
-/// Whether a file is a baseline, which is read before it is written again: the search for companions
-/// looks at every YAML file.
+/// Whether a file is a baseline, which is read before it is written again: the search for
+/// companions looks at every YAML file.
 bool is_old_baseline(const std::string& path, const LintOptions& options) {
   const FileContent old = DiskFiles().read(path, options.limits.file_bytes);
   return old.status == ReadStatus::ok && is_baseline(old.text);
@@ -396,6 +396,7 @@ Report run_check(const LintOptions& options, const LintPlan& plan, Session& sess
   };
   Report report = session.check(plan, settings);
   report.summary.links = plan.links;
+  report.summary.is_strict = options.threshold.is_strict;
   // A configuration alone: there is nothing that a target could load.
   if (report.summary.models + report.summary.scenes + report.problems.size() == 0) {
     report.targets.clear();

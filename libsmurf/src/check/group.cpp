@@ -127,4 +127,10 @@ bool is_same(const CheckSettings& a, const CheckSettings& b) {
   return a.selection.paths.empty() && b.selection.paths.empty() && values(a) == values(b);
 }
 
+std::vector<std::vector<CompanionTie>> ties_of(const CheckGroups& groups) {
+  std::vector<std::vector<CompanionTie>> all;
+  for (const CheckGroup& group : groups) all.push_back(group.ties);
+  return all;
+}
+
 }  // namespace smurf

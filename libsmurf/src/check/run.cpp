@@ -14,6 +14,7 @@
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "check/excuses.hpp"
+#include "check/given_arguments.hpp"
 #include "check/in_time.hpp"
 #include "check/launched_values.hpp"
 #include "check/missing_packages.hpp"
@@ -38,7 +39,8 @@ class Run {
         sources_(sources),
         jobs_(count_of_jobs(settings.jobs)),
         shared_search_(std::make_shared<PackageSearch>(context.check.files)),
-        seen_(context.check, *shared_search_) {}
+        seen_(context.check, *shared_search_),
+        given_(context.check) {}
 
   void configure(std::vector<std::string> configs) {
     if (configs.empty()) configs.emplace_back();
@@ -98,6 +100,8 @@ class Run {
       found_[one.config].diagnostics.push_back(std::move(one.diagnostic));
     }
     seen_.report_broken(compared(), sources_, found_);
+    seen_.report_misspelt(compared(), ties_of(memory_.groups), sources_, found_);
+    given_.report(settings_.xacro.arguments, memory_.groups, sources_, found_);
     join_missing_packages(found_, sources_, context_.check.files);
     Report report = make_report(std::move(found_), memory_.groups, context_.check, sources_);
     report.summary.models = models_.size();
@@ -124,9 +128,7 @@ class Run {
 
   /// Loads robots that nobody asked for, for companions that no robot has so far.
   void check_helpers() {
-    std::vector<std::vector<CompanionTie>> ties;
-    for (const CheckGroup& group : memory_.groups) ties.push_back(group.ties);
-    const std::vector<PlannedFile> helpers = seen_.helpers(compared(), ties);
+    const std::vector<PlannedFile> helpers = seen_.helpers(compared(), ties_of(memory_.groups));
     expected_ += helpers.size();
     check(with_variants(helpers));
   }
@@ -301,8 +303,10 @@ class Run {
       if (!planned.shown.empty()) {
         for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
       }
-      if (xacro::is_xacro_file(planned.path) && !model.robot)
-        outcome.notes.unknown_robot = model.path;
+      if (xacro::is_xacro_file(planned.path)) {
+        outcome.notes.arguments = arguments_of(outcome.sources, memory_.sources.size());
+        if (!model.robot) outcome.notes.unknown_robot = model.path;
+      }
       if (!values.empty() && model.robot) {
         outcome.notes.assumption = quoted(model.path) + " with " + values;
       }
@@ -424,6 +428,11 @@ class Run {
     robots_of_srdfs_.merge(outcome.notes.robots_of_srdfs);
     if (!outcome.notes.assumption.empty()) assumptions_.insert(outcome.notes.assumption);
     for (const auto& [file, one] : outcome.notes.rejected) seen_.add_rejected(file, one);
+    if (xacro::is_xacro_file(planned.path) && !is_companion_path(planned.path) &&
+        !outcome.models.empty()) {
+      given_.take(planned.path, planned.config, outcome.notes.arguments,
+                  outcome.notes.unknown_robot.empty());
+    }
     if (!outcome.notes.unknown_robot.empty()) seen_.add_unknown_robot(outcome.notes.unknown_robot);
     const auto file_of = [&](const Diagnostic& one) {
       return identity_of(sources_.path(one.span.source));
@@ -452,6 +461,7 @@ class Run {
   ToldFindings told_;                                ///< in the surroundings of robots
   std::set<std::string> assumptions_;                ///< see Summary
   SeenCompanions seen_;                              ///< of the plan
+  GivenArguments given_;                             ///< of the robots
   CompanionFindings shared_;                         ///< findings in them
   std::set<std::string> sources_read_;               ///< by identity
   std::uint64_t rechecked_ = 0;                      ///< bytes of files that were read before

@@ -29,6 +29,7 @@ struct OutcomeNotes {
   std::map<std::string, RejectedCompanion> rejected;  ///< by identity
   std::string unknown_robot;                          ///< its path, if it could not be expanded
   std::string assumption;                             ///< see Summary::assumptions
+  std::set<std::string> arguments;                    ///< of a robot of xacro
 };
 
 /// The outcome of one planned file with all files that it loads.

@@ -31,8 +31,9 @@
 namespace smurf {
 namespace {
 
-constexpr std::size_t kMostCandidates = 400;  // files that may be companions
-constexpr std::size_t kMostRobots = 6;        // that are tried for an SRDF
+constexpr std::size_t kMostCandidates = 400;                // files that may be companions
+constexpr std::size_t kMostRobots = 6;                      // that are tried for an SRDF
+constexpr std::uint64_t kMostBytesOfPlugins = 256U << 10U;  // of a description
 
 using NameLists = std::initializer_list<std::vector<std::string> NamesInFolder::*>;
 
@@ -127,6 +128,7 @@ class Loader {
     }
     if (companion.document) {
       keep_last_keys(*companion.document, companion.kind == CompanionKind::controllers);
+      convert_degrees(*companion.document, text);
     }
   }
 
@@ -207,7 +209,7 @@ class Finder {
       own_.insert(context_.files.identity(context_.sources.path(file.source)));
     }
     read_ties();
-    found_.plugin_files = plugin_files_of(model_, context_.files);
+    found_.plugin_files = plugin_files_of(model_, context_);
     for (const PluginFile& one : found_.plugin_files) {
       if (one.state == PluginFile::State::controllers) look_at(one.path, Evidence::plugin);
     }
@@ -217,6 +219,7 @@ class Finder {
     }
     places_ = companion_places(std::string(path::parent(model_.urdf_path)), context_.files,
                                search_of(context_));
+    found_.lacks_simulation = lacks_simulation();
     look_in(0, places_.own, Evidence::package);
     look_in(places_.own, places_.folders.size(), Evidence::dependency);
     for (const NearCompanion& one : library_.near) look_at(one.path, Evidence::below);
@@ -265,6 +268,7 @@ class Finder {
     const SeenCompanion& seen = library_.look_at(path, context_.files);
     if (seen.what.spec == nullptr || seen.what.state == CompanionState::a_template) return;
     if (!own_.insert(context_.files.identity(path)).second) return;
+    if (evidence >= Evidence::package && is_of_other_plugin(path)) return;
     const bool is_xacro = xacro::is_xacro_file(path);
     const bool is_bound = is_tie(evidence);
     if (seen.what.spec->is_xml) {
@@ -337,6 +341,40 @@ class Finder {
     return *robots_;
   }
 
+  /// Whether the plugin of another robot names the file, while that of this robot names others.
+  bool is_of_other_plugin(const std::string& path) {
+    const bool has_own =
+        std::any_of(found_.plugin_files.begin(), found_.plugin_files.end(),
+                    [](const auto& one) { return one.state == PluginFile::State::controllers; });
+    if (!has_own) return false;
+    if (!of_other_plugins_) {
+      of_other_plugins_.emplace();
+      for (const std::string& robot : robots()) {
+        if (own_.contains(context_.files.identity(robot))) continue;
+        const FileContent content = context_.files.read(robot, kMostBytesOfPlugins);
+        add_plugin_files(content.text, *of_other_plugins_);
+      }
+    }
+    const std::string whole = "/" + path::normalize(path);
+    return std::any_of(of_other_plugins_->begin(), of_other_plugins_->end(),
+                       [&](const std::string& end) { return whole.ends_with(end); });
+  }
+
+  /// Whether hardware of Gazebo has no plugin, also not in other descriptions.
+  bool lacks_simulation() {
+    const std::string_view own = context_.sources.text(model_.robot->document.source);
+    const bool is_simulated = own.find("GazeboSimSystem") != own.npos ||
+                              own.find("IgnitionSystem") != own.npos ||
+                              own.find("GazeboSystem") != own.npos;
+    if (!is_simulated || !found_.plugin_files.empty()) return false;
+    return std::none_of(robots().begin(), robots().end(), [&](const std::string& path) {
+      const std::string text = context_.files.read(path, context_.limits.file_bytes).text;
+      return text.find("ROS2Control") != text.npos ||
+             text.find("ros2_control-system") != text.npos ||
+             text.find("gazebo_ros2_control.so") != text.npos;
+    });
+  }
+
   bool is_only_robot() { return robots().size() <= 1; }
 
   /// Whether another robot of the same name, such as a variant with a gripper, has more of the
@@ -401,6 +439,8 @@ class Finder {
   CompanionPlaces places_;
   std::optional<std::vector<std::string>> robots_;  ///< around it, also in xacro
   std::optional<std::vector<std::vector<std::size_t>>> variants_;
+  /// Ends of the paths of files that plugins of other robots name.
+  std::optional<std::set<std::string, std::less<>>> of_other_plugins_;
   std::set<std::string> own_;  ///< files of the model, of others, and those looked at, by identity
 };
 
