@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/text/quoted.hpp"
-#include "mjcf/mjcf.hpp"
+#include "imports/imports.hpp"
 
 namespace smurf {
 namespace {
@@ -74,7 +74,7 @@ void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& source
   std::erase_if(found, [&](const Diagnostic& diagnostic) {
     const auto expansion = expansions.find(diagnostic.span.source);
     return expansion != expansions.end() && diagnostic.severity != Severity::error &&
-           mjcf::is_made(expansion->second, diagnostic.span);
+           imports::is_made(expansion->second, diagnostic.span);
   });
   for (Diagnostic& diagnostic : found) {
     const auto expansion = expansions.find(diagnostic.span.source);

@@ -293,8 +293,8 @@ class ModelLoader {
     case Language::xacro: return keep(expand_xacro(file, context_));
     case Language::mjcf: break;
     }
-    mjcf::Context context{context_.sources, context_.files, context_.sink, context_.limits};
-    mjcf::Imported made = mjcf::expand(file, context);
+    imports::Context context{context_.sources, context_.files, context_.sink, context_.limits};
+    imports::Imported made = mjcf::expand(file, context);
     if (const auto annotations = keep(std::move(made.annotations))) made_annotations(*annotations);
     return keep(std::move(made.robot));
   }

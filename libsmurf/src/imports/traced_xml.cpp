@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mjcf/traced_xml.hpp"
+#include "imports/traced_xml.hpp"
 
 #include "base/numbers/numbers.hpp"
-#include "mjcf/mjcf.hpp"
+#include "imports/imports.hpp"
 
-namespace smurf::mjcf {
+namespace smurf::imports {
 
 using xacro::Leaf;
 
@@ -84,4 +84,4 @@ void TracedXml::close() {
   open_.pop_back();
 }
 
-}  // namespace smurf::mjcf
+}  // namespace smurf::imports

@@ -10,7 +10,7 @@
 
 #include "smurf/xacro.hpp"
 
-namespace smurf::mjcf {
+namespace smurf::imports {
 
 /// Where a value was written, and where it acts.
 struct Place {
@@ -50,4 +50,4 @@ class TracedXml {
   std::vector<Open> open_;
 };
 
-}  // namespace smurf::mjcf
+}  // namespace smurf::imports
