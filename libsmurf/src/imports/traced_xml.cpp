@@ -23,7 +23,12 @@ Leaf& TracedXml::leaf(Leaf::Kind kind, std::size_t begin, const Place& place, bo
 }
 
 void TracedXml::end_tag_head() {
-  if (open_.empty() || !open_.back().is_empty) return;
+  if (open_.empty()) return;
+  if (open_.back().has_text) {
+    open_.back().has_text = false;
+    text_ += "\n";
+  }
+  if (!open_.back().is_empty) return;
   open_.back().is_empty = false;
   text_ += ">\n";
 }
@@ -47,6 +52,14 @@ void TracedXml::attribute(std::string_view name, std::string_view value, const P
   leaf(Leaf::Kind::attribute, name_begin, place, is_made);
   text_ += "=\"";
   const std::size_t begin = text_.size();
+  escaped(value);
+  Leaf& made = leaf(Leaf::Kind::value, begin, place, is_made);
+  made.is_exact = place.is_exact && text_.size() - begin == value.size() &&
+                  place.origin.end - place.origin.begin == value.size();
+  text_ += "\"";
+}
+
+void TracedXml::escaped(std::string_view value) {
   for (const char c : value) {
     switch (c) {
     case '&': text_ += "&amp;"; break;
@@ -59,10 +72,18 @@ void TracedXml::attribute(std::string_view name, std::string_view value, const P
     default: text_.push_back(c);
     }
   }
-  Leaf& made = leaf(Leaf::Kind::value, begin, place, is_made);
+}
+
+void TracedXml::text(std::string_view value, const Place& place) {
+  Open& element = open_.back();
+  element.is_empty = false;
+  element.has_text = true;
+  text_ += ">";
+  const std::size_t begin = text_.size();
+  escaped(value);
+  Leaf& made = leaf(Leaf::Kind::text, begin, place);
   made.is_exact = place.is_exact && text_.size() - begin == value.size() &&
                   place.origin.end - place.origin.begin == value.size();
-  text_ += "\"";
 }
 
 void TracedXml::number(std::string_view name, double value, const Place& place, bool is_made) {
@@ -76,7 +97,7 @@ void TracedXml::close() {
     open_.pop_back();
     return;
   }
-  text_.append(2 * (open_.size() - 1), ' ');
+  if (!last.has_text) text_.append(2 * (open_.size() - 1), ' ');
   const std::size_t begin = text_.size();
   text_ += "</" + last.name + ">";
   leaf(Leaf::Kind::end_tag, begin, last.place);

@@ -31,6 +31,8 @@ class TracedXml {
   void attribute(std::string_view name, std::string_view value, const Place& place,
                  bool is_made = false);
   void number(std::string_view name, double value, const Place& place, bool is_made = false);
+  /// What is between the tags of an element; before all elements in it.
+  void text(std::string_view value, const Place& place);
   void close();
   std::string take() { return std::move(text_); }
 
@@ -40,10 +42,12 @@ class TracedXml {
     Place place;
     bool is_made = false;
     bool is_empty = true;
+    bool has_text = false;
   };
   xacro::Leaf& leaf(xacro::Leaf::Kind kind, std::size_t begin, const Place& place,
                     bool is_made = false);
   void end_tag_head();
+  void escaped(std::string_view value);
 
   std::vector<xacro::Leaf>& leaves_;
   std::string text_;
