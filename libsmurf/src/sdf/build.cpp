@@ -47,6 +47,17 @@ class Builder {
       add_model(models.front(), *file, nullptr, {});
       return true;
     }
+    for (const View one : file->root) {
+      if (!worlds.empty() || (one.name() != "light" && one.name() != "actor")) continue;
+      // A file of one of these is sound, but holds no robot.
+      Scope& scope = model_.scopes.emplace_back();
+      scope.is_world = true;
+      scope.element = file->root;
+      scope.file = file;
+      model_.element = one;
+      model_.name = attribute_of(one, "name");
+      return true;
+    }
     if (worlds.empty()) {
       reporter_.refuse(file->root.name_span(), "the file has neither a model nor a world",
                        "name a file with a `<model>`");
@@ -121,7 +132,7 @@ class Builder {
     if (pose) {
       vertex.raw = pose_in(pose).value_or(Pose{});
       vertex.relative_to = attribute_of(pose, "relative_to");
-      if (vertex.relative_to.empty() && scope.file->version <= 6)
+      if (scope.file->version <= 6 && !attribute_of(pose, "frame").empty())
         vertex.relative_to = attribute_of(pose, "frame");
     }
     scope.names.emplace(name, &vertex);

@@ -131,10 +131,31 @@ void ExtensionWriter::write(const Joint& joint) {
   xml_.close();
 }
 
+/// Gazebo reads prefixes that nothing declares, and readers of XML with namespaces do not.
+void ExtensionWriter::declare(View element, const Place& tag) {
+  const auto declare_one = [&](std::string_view name) {
+    const std::size_t colon = name.find(':');
+    if (colon == std::string_view::npos || name.starts_with("xmlns")) return;
+    const std::string key = "xmlns:" + std::string(name.substr(0, colon));
+    if (element.attribute(key) != nullptr) return;  // copied with the others
+    std::string_view uri = "http://gazebosim.org/schema";
+    for (View at = element; at; at = at.parent()) {
+      if (const Attribute* one = at.attribute(key)) uri = one->value();
+    }
+    if (std::find(declared_.begin(), declared_.end(), key) != declared_.end()) return;
+    declared_.push_back(key);
+    xml_.attribute(key, uri, tag, true);
+  };
+  declared_.clear();
+  declare_one(element.name());
+  for (const Attribute& one : element.attributes()) declare_one(one.name());
+}
+
 void ExtensionWriter::copy(View element, xacro::FrameId frame, const Link* link) {
   const Place tag = tag_of(element, frame);
   const bool is_pose = link != nullptr && element.name() == "pose";
   xml_.open(element.name(), tag);
+  declare(element, tag);
   if (!is_pose) {
     for (const Attribute& one : element.attributes()) {
       xml_.attribute(one.name(), one.value(), {one.value_span(), element.tag_span(), frame, true});

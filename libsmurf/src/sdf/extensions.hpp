@@ -23,10 +23,13 @@ class ExtensionWriter {
   /// given.
   void copy(View element, xacro::FrameId frame, const Link* link);
 
+  void declare(View element, const Place& tag);
+
   Model& model_;
   Reporter& reporter_;
   TracedXml& xml_;
   Frames frames_;
+  std::vector<std::string> declared_;  ///< of the element that is open
 };
 
 }  // namespace smurf::sdformat

@@ -119,7 +119,7 @@ void Files::check_value(View element, ValueKind kind) {
     break;
   case ValueKind::numbers2: numbers(2); break;
   case ValueKind::numbers3: numbers(3); break;
-  case ValueKind::color: numbers(4); break;
+  case ValueKind::color: numbers(3); break;
   case ValueKind::pose:
     if (!pose_in(element)) {
       const bool is_quaternion = attribute_of(element, "rotation_format") == "quat_xyzw";

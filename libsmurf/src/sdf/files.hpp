@@ -44,8 +44,9 @@ class Files {
   void check(View element, const Grammar& grammar, int version);
   void check_attributes(View element, const Grammar& grammar, int version);
   void check_value(View element, ValueKind kind);
-  /// The folder of a model; "" if there is none.
-  const std::string& folder_of(const std::string& name, const std::string& near);
+  /// The file or the folder of a model that `NAME/REST` names; "" if there is none.
+  const std::string& place_of_name(const std::string& name, const std::string& near);
+  bool is_there(const std::string& path);
   std::string search(const std::string& name, const std::string& near);
   std::string search_below(const std::string& top, const std::string& name);
   bool holds_model(const std::string& folder);
@@ -58,7 +59,8 @@ class Files {
   std::deque<xml::Document> documents_;
   std::map<std::string, SdfFile> files_;
   std::map<std::string, bool> broken_;
-  std::map<std::pair<std::string, std::string>, std::string> folders_;
+  std::map<std::pair<std::string, std::string>, std::string> places_;
+  int searches_ = 0;
 };
 
 }  // namespace smurf::sdformat

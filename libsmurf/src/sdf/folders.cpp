@@ -15,6 +15,7 @@ namespace {
 constexpr int kMostAbove = 6;                // folders around a file in which models are
 constexpr std::size_t kMostSearched = 3000;  // folders below the highest of these
 constexpr std::size_t kDeepestFolder = 5;
+constexpr int kMostSearches = 200;  // names that are nowhere cost the most
 constexpr std::string_view kModelFolders[] = {"", "models", "model"};
 
 bool has_scheme(std::string_view uri) { return uri.find("://") != std::string_view::npos; }
@@ -34,6 +35,10 @@ bool Files::holds_model(const std::string& folder) {
          files.is_file(path::join(folder, "model.sdf"));
 }
 
+bool Files::is_there(const std::string& path) {
+  return reporter_.context().files.is_file(path) || holds_model(path);
+}
+
 std::string Files::search_below(const std::string& top, const std::string& name) {
   const FileReader& files = reporter_.context().files;
   struct Folder {
@@ -44,12 +49,12 @@ std::string Files::search_below(const std::string& top, const std::string& name)
   for (std::size_t count = 0; !open.empty() && count < kMostSearched; ++count) {
     const Folder at = std::move(open.front());
     open.pop_front();
-    const std::string here = path::join(at.path, name);
-    if (holds_model(here)) return here;
+    std::string here = path::join(at.path, name);
+    if (is_there(here)) return here;
     if (at.depth == kDeepestFolder) continue;
     for (const std::string& inner : files.list(at.path)) {
       // Folders have no ending, with few exceptions; hidden ones hold no models.
-      if (inner.starts_with('.') || inner.find('.') != std::string::npos) continue;
+      if (inner.find('.') != std::string::npos) continue;
       open.push_back({path::join(at.path, inner), at.depth + 1});
     }
   }
@@ -57,24 +62,23 @@ std::string Files::search_below(const std::string& top, const std::string& name)
 }
 
 std::string Files::search(const std::string& name, const std::string& near) {
-  const FileReader& files = reporter_.context().files;
   std::string folder = near;
   std::string highest = near;
   for (int level = 0; level <= kMostAbove; ++level) {
     for (const std::string_view inner : kModelFolders) {
-      const std::string here = path::join(path::join(folder, inner), name);
-      if (holds_model(here)) return here;
+      std::string here = path::join(path::join(folder, inner), name);
+      if (is_there(here)) return here;
     }
-    if (!files.list(folder).empty()) highest = folder;
+    if (!reporter_.context().files.list(folder).empty()) highest = folder;
     if (path::normalize(folder) == "/") break;
     folder = path::join(folder.empty() ? "." : folder, "..");
   }
   return search_below(highest, name);
 }
 
-const std::string& Files::folder_of(const std::string& name, const std::string& near) {
-  const auto [known, is_new] = folders_.emplace(std::pair{name, near}, std::string());
-  if (is_new) {
+const std::string& Files::place_of_name(const std::string& name, const std::string& near) {
+  const auto [known, is_new] = places_.emplace(std::pair{name, near}, std::string());
+  if (is_new && searches_++ < kMostSearches) {
     known->second = search(name, near);
     if (known->second.empty() && near != folder_) known->second = search(name, folder_);
   }
@@ -120,18 +124,10 @@ std::optional<std::string> Files::find_model(const std::string& uri, const SdfFi
     if (files.is_file(here)) return path::normalize(here);
     if (holds_model(here)) return path::normalize(file_in(here));
   }
-  const std::size_t slash = rest.find('/');
-  const std::string name(rest.substr(0, slash));
-  if (!name.empty() && name != ".." && name != ".") {
-    const std::string& folder = folder_of(name, from.folder);
-    const std::string_view inner =
-        slash == std::string_view::npos ? std::string_view() : rest.substr(slash + 1);
-    if (!folder.empty() && inner.empty()) return path::normalize(file_in(folder));
-    if (!folder.empty()) {
-      const std::string there = path::join(folder, inner);
-      if (files.is_file(there)) return path::normalize(there);
-      if (holds_model(there)) return path::normalize(file_in(there));
-    }
+  if (!rest.empty() && !rest.starts_with('.')) {
+    const std::string& there = place_of_name(std::string(rest), from.folder);
+    if (!there.empty())
+      return path::normalize(files.is_file(there) ? there : file_in(there));
   }
   reporter_.miss(place, "there is no model " + quoted(uri),
                  "put its folder, with `model.config`, beside that of this model or into `models`");
@@ -143,13 +139,8 @@ std::string Files::path_of(std::string_view uri, const SdfFile& from) {
   std::string there;
   if (!has_scheme(uri)) {
     there = path::join(from.folder, uri);
-  } else if (uri.starts_with("model://")) {
-    const std::string_view rest = after_scheme(uri);
-    const std::size_t slash = rest.find('/');
-    if (slash == std::string_view::npos) return {};
-    const std::string& folder = folder_of(std::string(rest.substr(0, slash)), from.folder);
-    if (folder.empty()) return {};
-    there = path::join(folder, rest.substr(slash + 1));
+  } else if (uri.starts_with("model://") || uri.starts_with("package://")) {
+    there = place_of_name(std::string(after_scheme(uri)), from.folder);
   }
   return !there.empty() && files.is_file(there) ? path::normalize(there) : std::string();
 }

@@ -172,16 +172,12 @@ class Resolver {
     }
     for (double& one : v) one /= length;
     const int version = joint.vertex->scope->file->version;
-    std::string_view frame;  // that of the joint
-    bool is_model = version <= 4;
-    if (version <= 6) {
-      is_model = is_model || truth_in(element, "use_parent_model_frame", false);
-    } else {
-      frame = attribute_of(xyz, "expressed_in");
-    }
-    if (is_model) frame = "__model__";
+    const Attribute* written = xyz ? xyz.attribute("expressed_in") : nullptr;
+    std::string_view frame = attribute_of(xyz, "expressed_in");  // "": that of the joint
+    if (version <= 4 || (version <= 6 && truth_in(element, "use_parent_model_frame", false)))
+      frame = "__model__";
     if (!frame.empty()) {
-      const Span place = version >= 7 ? xyz.attribute("expressed_in")->value_span() : Span{};
+      const Span place = written != nullptr ? written->value_span() : Span{};
       Scope& scope = *joint.vertex->scope;
       const Pose X_SF = frames_.express(scope, frame, place);
       const Pose X_FJ = inverse(frames_.in_scope(*joint.vertex)) * X_SF;

@@ -80,12 +80,12 @@ Pose pose_of_shape(View owner, const Link& link, Frames& frames) {
   if (!pose) return {};
   const Pose raw = pose_in(pose).value_or(Pose{});
   Scope& scope = *link.vertex->scope;
-  const std::string_view name =
-      scope.file->version <= 6 ? attribute_of(pose, "frame") : attribute_of(pose, "relative_to");
-  if (name.empty()) return raw;
-  const Attribute* place = pose.attribute(scope.file->version <= 6 ? "frame" : "relative_to");
-  return inverse(frames.in_scope(*link.vertex)) * frames.express(scope, name, place->value_span()) *
-         raw;
+  const Attribute* name = pose.attribute("frame");
+  if (scope.file->version > 6 || name == nullptr || name->value().empty())
+    name = pose.attribute("relative_to");
+  if (name == nullptr || name->value().empty()) return raw;
+  return inverse(frames.in_scope(*link.vertex)) * 
+         frames.express(scope, name->value(), name->value_span()) * raw;
 }
 
 bool ShapeWriter::has_geometry(const Shape& shape) {
@@ -203,7 +203,8 @@ std::optional<ShapeWriter::Colour> ShapeWriter::colour(View visual, xacro::Frame
   Colour result;
   if (const View diffuse = material.child("diffuse")) {
     const auto numbers = leading_numbers(text_of(diffuse), 4);
-    if (numbers.size() != 4) return std::nullopt;
+    if (numbers.size() < 3) return std::nullopt;
+    result.rgba[3] = 1;
     std::copy(numbers.begin(), numbers.end(), result.rgba.begin());
     result.place = place_of(diffuse, frame);
   } else if (const auto known = colour_of(named)) {

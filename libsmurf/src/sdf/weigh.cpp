@@ -114,7 +114,10 @@ class Scales {
       }
       sum.add(moved);
     }
-    if (!is_known) return;  // the mass is unknown, which has been reported
+    if (!is_known) {  // which has been reported; libsdformat then keeps its defaults
+      link.mass = MassProperties{1, {}, {1, 1, 1, 0, 0, 0}};
+      return;
+    }
     if (!(sum.mass > 0)) {
       reporter_.refuse(inertial.name_span(),
                        "the mass of " + quoted(link.vertex->name) +
@@ -164,13 +167,13 @@ class Scales {
     FileContent content;
     if (!path.empty()) content = context.files.read(path, context.limits.mesh_bytes);
     if (path.empty() || content.status != ReadStatus::ok) {
-      reporter_.miss(place, "cannot read " + quoted(text_of(uri)) + ", so the mass is unknown",
+      reporter_.miss(place, "cannot read " + quoted(text_of(uri)) + ", so the link weighs 1 kg",
                      "correct the address, or write `<mass>` and `<inertia>`");
       return std::nullopt;
     }
     const MeshFacts facts = read_mesh(content.text, path::to_lower(path::extension(path)));
     if (!facts.solid || !(facts.solid->volume > 0)) {
-      reporter_.miss(place, quoted(text_of(uri)) + " encloses no volume, so the mass is unknown",
+      reporter_.miss(place, quoted(text_of(uri)) + " encloses no volume, so the link weighs 1 kg",
                      "close the mesh, or write `<mass>` and `<inertia>`");
       return std::nullopt;
     }
