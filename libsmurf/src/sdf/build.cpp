@@ -5,6 +5,7 @@
 
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "sdf/model.hpp"
 
 namespace smurf::sdformat {
@@ -180,8 +181,72 @@ class Builder {
     Link& link = model_.links.emplace_back();
     link.vertex = add_vertex(Vertex::Kind::link, element, scope, *name, element.child("pose"));
     link.name = scope.prefix + *name;
+    check_names_in(element);
     for (const Scope* at = &scope; at != nullptr; at = at->outer)
       link.is_static = link.is_static || at->is_static;
+  }
+
+  /// Visuals, collisions and sensors of a link or a joint have names of their own.
+  void check_names_in(View element) {
+    std::map<std::pair<std::string_view, std::string_view>, Span> names;
+    for (const View one : element) {
+      if (!is_one_of(one.name(), {"visual", "collision", "sensor"})) continue;
+      const auto [first, is_new] =
+          names.emplace(std::pair{one.name(), attribute_of(one, "name")}, one.name_span());
+      if (!is_new) {
+        reporter_
+            .refuse(name_place(one),
+                    "there is a second " + quoted(one.name()) + " " +
+                        quoted(attribute_of(one, "name")),
+                    "choose another name")
+            .label(first->second, "the first one");
+      }
+      if (one.name() == "sensor") check_sensor(one);
+    }
+  }
+
+  void check_sensor(View sensor) {
+    constexpr std::string_view kTypes[] = {"air_pressure",
+                                           "air_speed",
+                                           "altimeter",
+                                           "boundingbox",
+                                           "boundingbox_camera",
+                                           "camera",
+                                           "contact",
+                                           "custom",
+                                           "depth",
+                                           "depth_camera",
+                                           "force_torque",
+                                           "gps",
+                                           "gpu_lidar",
+                                           "gpu_ray",
+                                           "imu",
+                                           "lidar",
+                                           "logical_camera",
+                                           "magnetometer",
+                                           "multicamera",
+                                           "navsat",
+                                           "ray",
+                                           "rfid",
+                                           "rfidtag",
+                                           "rgbd",
+                                           "rgbd_camera",
+                                           "segmentation",
+                                           "segmentation_camera",
+                                           "sonar",
+                                           "thermal",
+                                           "thermal_camera",
+                                           "wide_angle_camera",
+                                           "wideanglecamera",
+                                           "wireless_receiver",
+                                           "wireless_transmitter"};
+    const Attribute* type = sensor.attribute("type");
+    if (type == nullptr || type->value().empty()) return;  // reported with the attributes
+    if (std::find(std::begin(kTypes), std::end(kTypes), type->value()) != std::end(kTypes)) return;
+    const auto near = reporter_.context().sink.suggest(type->value(), kTypes);
+    reporter_.refuse(type->value_span(), quoted(type->value()) + " is no type of a sensor",
+                     near ? "did you mean " + quoted(*near) + "?"
+                          : "write `camera`, `imu`, `lidar` or another known type");
   }
 
   void add_joint(View element, Scope& scope) {
@@ -192,6 +257,7 @@ class Builder {
     Joint& joint = model_.joints.emplace_back();
     joint.vertex = add_vertex(Vertex::Kind::joint, element, scope, *name, element.child("pose"));
     joint.name = scope.prefix + *name;
+    check_names_in(element);
     joint.parent_name = text_in(element, "parent");
     joint.child_name = text_in(element, "child");
     joint.vertex->attached_to = joint.child_name;

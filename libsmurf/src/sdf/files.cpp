@@ -7,6 +7,7 @@
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "syntax/xml_reader.hpp"
 
 namespace smurf::sdformat {
@@ -75,6 +76,11 @@ bool Files::read_version(SdfFile& file) {
     return false;
   }
   const std::string_view text = version->value();
+  if (!text.empty() && !leading_number(text)) {
+    reporter_.refuse(version->value_span(), quoted(text) + " is not a version of SDF",
+                     "write a version from 1.4 to 1.12");
+    return false;
+  }
   const auto minor =
       text.starts_with("1.") ? parse_integer(text.substr(2, text.find('.', 2) - 2)) : std::nullopt;
   if (minor && *minor >= 0 && *minor <= kNewest) {
@@ -88,8 +94,10 @@ bool Files::read_version(SdfFile& file) {
   return true;
 }
 
-void Files::check_value(View element, ValueKind kind) {
+void Files::check_value(View element, const Grammar& known) {
   const std::string_view text = text_of(element);
+  // An empty element is as good as none, unless there must be one.
+  if (text.empty() && known.count != '!' && known.count != '+') return;
   const Span place = text.empty() ? element.name_span() : element.text_span();
   const auto wrong = [&](const std::string& what, std::string help) {
     reporter_.refuse(place,
@@ -101,13 +109,13 @@ void Files::check_value(View element, ValueKind kind) {
     if (leading_numbers(text, count).size() < count)
       wrong(std::to_string(count) + " numbers", "separate the numbers by blanks");
   };
-  switch (kind) {
+  switch (known.kind) {
   case ValueKind::boolean:
     if (!truth_in(text)) wrong("a truth value", "write `true` or `false`");
     break;
   case ValueKind::integer:
   case ValueKind::number:
-    if (!leading_number(text)) {
+    if (!text.empty() && !leading_number(text)) {
       wrong("a number", "write a number such as `0.5`");
     } else if (text.find(',') != std::string_view::npos) {
       reporter_
@@ -119,12 +127,22 @@ void Files::check_value(View element, ValueKind kind) {
     break;
   case ValueKind::numbers2: numbers(2); break;
   case ValueKind::numbers3: numbers(3); break;
-  case ValueKind::color: numbers(3); break;
+  case ValueKind::color:
+    if (!colour_in(text)) wrong("a colour", "write red, green, blue and alpha, such as `1 0 0 1`");
+    break;
+  case ValueKind::text:
+    if (text.empty()) wrong("a text", "write one");
+    break;
   case ValueKind::pose:
     if (!pose_in(element)) {
       const bool is_quaternion = attribute_of(element, "rotation_format") == "quat_xyzw";
       wrong("a pose", is_quaternion ? "write x y z and the quaternion x y z w, without `degrees`"
                                     : "write six numbers: x y z roll pitch yaw");
+    } else if (text.find(',') != std::string_view::npos) {
+      reporter_
+          .report(rules::sml9314_ignored_by_sdformat, place,
+                  "libsdformat reads the numbers of a pose up to a comma")
+          .help("write points instead of commas");
     }
     break;
   default: break;
@@ -142,7 +160,7 @@ void Files::check_attributes(View element, const Grammar& known, int version) {
       reporter_.refuse(one->value_span(),
                        quoted(one->value()) + " in " + quoted(row.name) + " is not a truth value",
                        "write `true` or `false`");
-    } else if (row.name == "name" && version >= 8 &&
+    } else if (row.name == "name" && version >= 8 && known.name != "plugin" &&
                one->value().find("::") != std::string_view::npos) {
       reporter_.refuse(one->value_span(), "since SDF 1.8, a name has no `::`",
                        "nest the element in a model, or write `_`");
@@ -176,12 +194,26 @@ void Files::check_attributes(View element, const Grammar& known, int version) {
 void Files::check(View element, const Grammar& known, int version) {
   check_attributes(element, known, version);
   if (known.kind == ValueKind::any) return;
-  check_value(element, known.kind);
+  check_value(element, known);
   if (known.name == "joint" && known.kind == ValueKind::none && known.attribute("type")) {
     for (const std::string_view needed : {"parent", "child"}) {
       if (element.child(needed)) continue;
       reporter_.refuse(element.name_span(), "`joint` needs `<" + std::string(needed) + ">`",
                        "name the link or the frame there");
+    }
+  }
+  if (known.name == "light" && known.attribute("type") != nullptr) {
+    const Attribute* type = element.attribute("type");
+    if (type != nullptr && !is_one_of(type->value(), {"point", "directional", "spot", ""})) {
+      reporter_.refuse(type->value_span(), quoted(type->value()) + " is no type of a light",
+                       "write `point`, `directional` or `spot`");
+    }
+  }
+  if (known.name == "script" && element.parent().name() == "material") {
+    for (const std::string_view needed : {"uri", "name"}) {
+      if (!text_in(element, needed).empty()) continue;
+      reporter_.refuse(element.name_span(), "`script` needs `<" + std::string(needed) + ">`",
+                       "write it");
     }
   }
   std::map<std::string_view, Span> once;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
 #include "sdf/files.hpp"
@@ -114,8 +115,10 @@ std::optional<std::string> Files::find_model(const std::string& uri, const SdfFi
                                              Span place) {
   const FileReader& files = reporter_.context().files;
   if (uri.starts_with("http://") || uri.starts_with("https://")) {
-    reporter_.miss(place, quoted(uri) + " is on a server, and nothing is fetched",
-                   "download the model, and write `model://` and its name");
+    reporter_
+        .report(rules::sml9304_lost_in_urdf, place,
+                quoted(uri) + " is on a server, and nothing is fetched, so the model is lost")
+        .help("download the model, and write `model://` and its name");
     return std::nullopt;
   }
   const std::string_view rest = after_scheme(uri);
@@ -126,8 +129,7 @@ std::optional<std::string> Files::find_model(const std::string& uri, const SdfFi
   }
   if (!rest.empty() && !rest.starts_with('.')) {
     const std::string& there = place_of_name(std::string(rest), from.folder);
-    if (!there.empty())
-      return path::normalize(files.is_file(there) ? there : file_in(there));
+    if (!there.empty()) return path::normalize(files.is_file(there) ? there : file_in(there));
   }
   reporter_.miss(place, "there is no model " + quoted(uri),
                  "put its folder, with `model.config`, beside that of this model or into `models`");

@@ -52,6 +52,21 @@ std::optional<double> take_number(std::string_view& text) {
   return sign * value;
 }
 
+/// The number at the beginning of each word; none if one has none, or if it is not finite.
+std::optional<std::vector<double>> numbers_of_words(std::string_view rest) {
+  std::vector<double> numbers;
+  while (true) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
+    if (rest.empty()) return numbers;
+    const std::size_t end = std::min(rest.find_first_of(kBlanks), rest.size());
+    std::string_view word = rest.substr(0, end);
+    const auto number = take_number(word);
+    if (!number || !std::isfinite(*number) || numbers.size() > 8) return std::nullopt;
+    numbers.push_back(*number);
+    rest.remove_prefix(end);
+  }
+}
+
 }  // namespace
 
 std::string_view text_of(View element) {
@@ -106,6 +121,15 @@ Vector3 vector_in(View element, std::string_view child, const Vector3& usual) {
   return numbers.size() == 3 ? Vector3{numbers[0], numbers[1], numbers[2]} : usual;
 }
 
+std::optional<std::array<double, 4>> colour_in(std::string_view text) {
+  const auto numbers = numbers_of_words(text);
+  if (!numbers || numbers->size() < 3 || numbers->size() > 4) return std::nullopt;
+  if (std::any_of(numbers->begin(), numbers->end(), [](double one) { return one < 0; }))
+    return std::nullopt;
+  return std::array<double, 4>{(*numbers)[0], (*numbers)[1], (*numbers)[2],
+                               numbers->size() == 4 ? (*numbers)[3] : 1};
+}
+
 std::optional<Pose> pose_in(View pose) {
   const std::string_view text = text_of(pose);
   if (text.empty()) return Pose{};
@@ -114,14 +138,9 @@ std::optional<Pose> pose_in(View pose) {
   if (!format.empty() && !is_quaternion && format != "euler_rpy") return std::nullopt;
   const bool is_degree = truth_in(attribute_of(pose, "degrees")).value_or(false);
   if (is_degree && is_quaternion) return std::nullopt;
-  std::string_view rest = text;
-  std::vector<double> numbers;
-  while (rest.find_first_not_of(kBlanks) != std::string_view::npos) {
-    const auto number = take_number(rest);
-    const bool ends = rest.empty() || kBlanks.find(rest.front()) != std::string_view::npos;
-    if (!number || !ends || !std::isfinite(*number) || numbers.size() == 7) return std::nullopt;
-    numbers.push_back(*number);
-  }
+  const auto written = numbers_of_words(text);
+  if (!written) return std::nullopt;
+  const std::vector<double>& numbers = *written;
   if (numbers.size() != (is_quaternion ? 7U : 6U)) return std::nullopt;
   Pose result{{numbers[0], numbers[1], numbers[2]}, {}};
   if (is_quaternion) {

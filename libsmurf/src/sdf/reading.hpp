@@ -2,6 +2,7 @@
 // What all parts of the reader have in common: how libsdformat reads numbers, words and poses.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -47,6 +48,9 @@ std::optional<bool> truth_in(std::string_view text);
 double number_in(View element, std::string_view child, double usual);
 bool truth_in(View element, std::string_view child, bool usual);
 Vector3 vector_in(View element, std::string_view child, const Vector3& usual);
+
+/// Red, green, blue and alpha, which may be missing; none if libsdformat cannot read it.
+std::optional<std::array<double, 4>> colour_in(std::string_view text);
 
 /// The pose that a `<pose>` gives; none if libsdformat cannot read it. An absent or empty one is
 /// the identity.

@@ -67,7 +67,8 @@ class Resolver {
     const Span place =
         element && !name.empty() ? element.text_span() : joint.vertex->element.name_span();
     auto body = frames_.body_of(*joint.vertex->scope, name);
-    if (body && (name.empty() || (which == "child" && !body->link))) body.reset();
+    if (body && (name.empty() || name == "__model__" || (which == "child" && !body->link)))
+      body.reset();
     if (!body) {
       reporter_.refuse(place,
                        which == "child" && name == "world"
@@ -161,6 +162,14 @@ class Resolver {
 
   void direction(const Joint& joint, View element, Axis& axis) {
     const View xyz = element.child("xyz");
+    const int version = joint.vertex->scope->file->version;
+    const bool is_in_model =
+        version <= 4 || (version <= 6 && truth_in(element, "use_parent_model_frame", false));
+    if (!xyz && is_in_model) {
+      reporter_.refuse(element.name_span(), "an axis in the frame of the model needs `<xyz>`",
+                       "write a direction such as `0 0 1`");
+      return;
+    }
     Vector3 v = vector_in(element, "xyz", {0, 0, 1});
     const double length = hypotenuse(v[0], v[1], v[2]);
     constexpr double kLeast = 1e-6;  // libsdformat compares the length with zero by this tolerance
@@ -171,11 +180,9 @@ class Resolver {
       return;
     }
     for (double& one : v) one /= length;
-    const int version = joint.vertex->scope->file->version;
     const Attribute* written = xyz ? xyz.attribute("expressed_in") : nullptr;
     std::string_view frame = attribute_of(xyz, "expressed_in");  // "": that of the joint
-    if (version <= 4 || (version <= 6 && truth_in(element, "use_parent_model_frame", false)))
-      frame = "__model__";
+    if (is_in_model) frame = "__model__";
     if (!frame.empty()) {
       const Span place = written != nullptr ? written->value_span() : Span{};
       Scope& scope = *joint.vertex->scope;

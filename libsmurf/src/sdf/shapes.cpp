@@ -84,7 +84,7 @@ Pose pose_of_shape(View owner, const Link& link, Frames& frames) {
   if (scope.file->version > 6 || name == nullptr || name->value().empty())
     name = pose.attribute("relative_to");
   if (name == nullptr || name->value().empty()) return raw;
-  return inverse(frames.in_scope(*link.vertex)) * 
+  return inverse(frames.in_scope(*link.vertex)) *
          frames.express(scope, name->value(), name->value_span()) * raw;
 }
 
@@ -202,10 +202,9 @@ std::optional<ShapeWriter::Colour> ShapeWriter::colour(View visual, xacro::Frame
   const std::string_view named = script ? text_in(script, "name") : std::string_view();
   Colour result;
   if (const View diffuse = material.child("diffuse")) {
-    const auto numbers = leading_numbers(text_of(diffuse), 4);
-    if (numbers.size() < 3) return std::nullopt;
-    result.rgba[3] = 1;
-    std::copy(numbers.begin(), numbers.end(), result.rgba.begin());
+    const auto rgba = colour_in(text_of(diffuse));
+    if (!rgba) return std::nullopt;
+    result.rgba = *rgba;
     result.place = place_of(diffuse, frame);
   } else if (const auto known = colour_of(named)) {
     result.rgba = {(*known)[0], (*known)[1], (*known)[2], 1};

@@ -167,14 +167,18 @@ class Scales {
     FileContent content;
     if (!path.empty()) content = context.files.read(path, context.limits.mesh_bytes);
     if (path.empty() || content.status != ReadStatus::ok) {
-      reporter_.miss(place, "cannot read " + quoted(text_of(uri)) + ", so the link weighs 1 kg",
-                     "correct the address, or write `<mass>` and `<inertia>`");
+      reporter_
+          .report(rules::sml9315_mass_by_default, place,
+                  "cannot read " + quoted(text_of(uri)) + ", so the link weighs 1 kg")
+          .help("correct the address, or write `<mass>` and `<inertia>`");
       return std::nullopt;
     }
     const MeshFacts facts = read_mesh(content.text, path::to_lower(path::extension(path)));
     if (!facts.solid || !(facts.solid->volume > 0)) {
-      reporter_.miss(place, quoted(text_of(uri)) + " encloses no volume, so the link weighs 1 kg",
-                     "close the mesh, or write `<mass>` and `<inertia>`");
+      reporter_
+          .report(rules::sml9315_mass_by_default, place,
+                  quoted(text_of(uri)) + " encloses no volume, so the link weighs 1 kg")
+          .help("close the mesh, or write `<mass>` and `<inertia>`");
       return std::nullopt;
     }
     return scaled(*facts.solid, shape.size);

@@ -87,9 +87,9 @@ extern constinit const Rule sml9312_sdf_file_missing{
     .id = "SML9312",
     .name = "sdf-file-missing",
     .severity = Severity::error,
-    .summary = "A model or mesh that an SDF file needs cannot be read.",
+    .summary = "A model that an SDF file includes cannot be read.",
     .why = "Gazebo loads no file with an include that it does not find. Here, the robot lacks the "
-           "model, or the mass of a link stays unknown. Nothing is fetched from a server.",
+           "model.",
     .remedy = "Put the folder of the model beside that of the file, or correct the address.",
     .sources = "libsdformat 12.3.0, run."};
 
