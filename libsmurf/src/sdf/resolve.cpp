@@ -151,13 +151,6 @@ class Resolver {
     axis.damping = number_in(dynamics, "damping", 0);
     axis.friction = number_in(dynamics, "friction", 0);
     direction(joint, element, axis);
-    if (limit && axis.lower > axis.upper && joint.type != Joint::Type::fixed) {
-      reporter_
-          .report(rules::sml9316_inverted_limits,
-                  (limit.child("lower") ? limit.child("lower") : limit.child("upper")).text_span(),
-                  "the lower limit of " + quoted(joint.vertex->name) + " is above the upper one")
-          .help("write the smaller number as `lower`");
-    }
   }
 
   void direction(const Joint& joint, View element, Axis& axis) {

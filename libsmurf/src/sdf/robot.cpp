@@ -119,7 +119,9 @@ class RobotWriter {
   void write(const Link& link) {
     const Place tag = tag_of(link.vertex->element, link.vertex->scope->frame);
     xml_.open("link", tag);
-    xml_.attribute("name", link.name, name_place(*link.vertex, link.name));
+    // Rules on names are not meant for those that nesting makes.
+    xml_.attribute("name", link.name, name_place(*link.vertex, link.name),
+                   link.name != link.vertex->name);
     inertial(link);
     shapes_.write(link);
     xml_.close();
@@ -145,13 +147,13 @@ class RobotWriter {
       const bool is_written = in && in.child(name);
       xml_.number(as, value, is_written ? number_place(in, name, value, frame) : usual);
     };
-    xml_.open("inertial", tag);
+    xml_.open("inertial", tag, !element);  // what nobody wrote is reported as such (SML9315)
     origin(link.X_inertial * Pose{mass.center, {}}, tag, link.of_center);
     xml_.open("mass", tag);
     number(element, "mass", "value", mass.mass, link.of_mass);
     xml_.close();
-    xml_.open("inertia", tag);
     const View inertia = element ? element.child("inertia") : View();
+    xml_.open("inertia", tag, !inertia);
     constexpr std::pair<std::string_view, std::size_t> kMoments[] = {
         {"ixx", 0}, {"ixy", 3}, {"ixz", 4}, {"iyy", 1}, {"iyz", 5}, {"izz", 2}};
     for (const auto& [name, i] : kMoments)
@@ -164,7 +166,7 @@ class RobotWriter {
                   const std::string& from, const std::string& to, const Pose& X, const Place& tag,
                   const Place& of_pose, bool is_made) {
     xml_.open("joint", tag, is_made);
-    xml_.attribute("name", name, of_name);
+    xml_.attribute("name", name, of_name, name.find("::") != std::string_view::npos);
     xml_.attribute("type", type, of_type_);
     xml_.open("parent", tag);
     xml_.attribute("link", from, of_parent_);

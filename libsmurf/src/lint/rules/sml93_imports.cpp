@@ -124,14 +124,4 @@ extern constinit const Rule sml9315_mass_by_default{
     .remedy = "Write `<inertial>` with the mass and the inertia of the link.",
     .sources = "libsdformat 12.3.0, run."};
 
-extern constinit const Rule sml9316_inverted_limits{
-    .id = "SML9316",
-    .name = "inverted-limits",
-    .severity = Severity::warning,
-    .summary = "The lower limit of a joint of an SDF file is above the upper one.",
-    .why = "libsdformat reads such limits without a message, engines of physics do with them as "
-           "they please, and Drake refuses them.",
-    .remedy = "Write the smaller number as `<lower>`.",
-    .sources = "libsdformat 12.3.0 and Drake 1.51.1, run."};
-
 }  // namespace smurf::rules
