@@ -60,7 +60,6 @@ class SdfTest(unittest.TestCase):
         self.assertEqual(joint.find("limit").get("effort"), "5")
         self.assertEqual(joint.find("dynamics").get("damping"), "0.5")
         self.assertEqual(robot.find("link[@name='tip']/inertial/inertia").get("ixx"), "1")
-        self.assertIn("SML9315", result.stderr)
 
     def test_axis_of_versions(self):
         for got, want in zip(self.axis("1.4"), [0, -1, 0]):  # in the frame of the model
@@ -131,7 +130,6 @@ class SdfTest(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual([one.get("name") for one in robot.findall("link")],
                          ["world", "arm::base", "arm::tip", "other::base", "other::tip"])
-        self.assertIn("SML9304", result.stderr)
 
     def compare(self, kind, *arguments):
         command = [sys.executable, str(SHARED / "compare.py"), kind, *arguments, "--tool", TOOL + " {file} -o {out}"]

@@ -34,6 +34,8 @@ void TracedXml::end_tag_head() {
 }
 
 void TracedXml::open(std::string_view name, const Place& place, bool is_made) {
+  is_full_ = is_full_ || text_.size() > most_;
+  if (is_full_) return;
   end_tag_head();
   const bool is_in_made = !open_.empty() && open_.back().is_made;
   text_.append(2 * open_.size(), ' ');
@@ -46,6 +48,7 @@ void TracedXml::open(std::string_view name, const Place& place, bool is_made) {
 
 void TracedXml::attribute(std::string_view name, std::string_view value, const Place& place,
                           bool is_made) {
+  if (is_full_) return;
   text_ += " ";
   const std::size_t name_begin = text_.size();
   text_ += name;
@@ -75,6 +78,7 @@ void TracedXml::escaped(std::string_view value) {
 }
 
 void TracedXml::text(std::string_view value, const Place& place) {
+  if (is_full_) return;
   Open& element = open_.back();
   element.is_empty = false;
   element.has_text = true;
@@ -91,6 +95,7 @@ void TracedXml::number(std::string_view name, double value, const Place& place, 
 }
 
 void TracedXml::close() {
+  if (is_full_) return;
   const Open last = open_.back();
   if (last.is_empty) {
     text_ += "/>\n";

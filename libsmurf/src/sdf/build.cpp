@@ -11,6 +11,8 @@
 namespace smurf::sdformat {
 namespace {
 
+constexpr int kDeepestModel = 250;
+
 bool is_reserved(std::string_view name) {
   return name == "world" || (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"));
 }
@@ -74,15 +76,23 @@ class Builder {
   /// A body needs ten times the memory of a part of a URDF.
   std::uint64_t most_parts() const { return reporter_.context().limits.urdf_parts / 10; }
 
-  bool has_room(View element) {
-    if (++parts_ <= most_parts()) return true;
-    if (!is_full_) {
-      reporter_.exceed(element.name_span(),
-                       "the model has more than " + std::to_string(most_parts()) + " parts",
-                       "urdf-parts");
+  bool has_room(View element, const Scope* scope) {
+    // Names repeat those of all models around them.
+    bytes_ += scope != nullptr ? scope->prefix.size() : 0;
+    if (bytes_ > reporter_.context().limits.xacro_bytes / 10) {
+      if (!is_full_)
+        reporter_.exceed(element.name_span(), "the names of nested models are too long",
+                         "xacro-bytes");
+      is_full_ = true;
     }
-    is_full_ = true;
-    return false;
+    if (++parts_ > most_parts()) {
+      if (!is_full_)
+        reporter_.exceed(element.name_span(),
+                         "the model has more than " + std::to_string(most_parts()) + " parts",
+                         "urdf-parts");
+      is_full_ = true;
+    }
+    return !is_full_;
   }
 
   void add_world(View element, const SdfFile& file, bool is_one_of_many) {
@@ -174,7 +184,7 @@ class Builder {
   }
 
   void add_link(View element, Scope& scope) {
-    if (!has_room(element)) return;
+    if (!has_room(element, &scope)) return;
     const auto name = name_for(element, scope, std::string(attribute_of(element, "name")), "_link",
                                name_place(element));
     if (!name) return;
@@ -191,6 +201,7 @@ class Builder {
     std::map<std::pair<std::string_view, std::string_view>, Span> names;
     for (const View one : element) {
       if (!is_one_of(one.name(), {"visual", "collision", "sensor"})) continue;
+      if (!has_room(one, nullptr)) return;
       const auto [first, is_new] =
           names.emplace(std::pair{one.name(), attribute_of(one, "name")}, one.name_span());
       if (!is_new) {
@@ -250,7 +261,7 @@ class Builder {
   }
 
   void add_joint(View element, Scope& scope) {
-    if (!has_room(element)) return;
+    if (!has_room(element, &scope)) return;
     const auto name = name_for(element, scope, std::string(attribute_of(element, "name")), "_joint",
                                name_place(element));
     if (!name) return;
@@ -265,7 +276,7 @@ class Builder {
   }
 
   void add_frame(View element, Scope& scope) {
-    if (!has_room(element)) return;
+    if (!has_room(element, &scope)) return;
     const auto name = name_for(element, scope, std::string(attribute_of(element, "name")), "_frame",
                                name_place(element));
     if (!name) return;
@@ -274,7 +285,15 @@ class Builder {
   }
 
   void add_model(View element, const SdfFile& file, Scope* outer, const Overrides& overrides) {
-    if (!has_room(element)) return;
+    if (!has_room(element, outer)) return;
+    if (outer != nullptr && outer->depth >= kDeepestModel) {
+      reporter_.exceed(element.name_span(),
+                       "models are nested in more than " + std::to_string(kDeepestModel) +
+                           " levels",
+                       "include-depth");
+      is_full_ = true;
+      return;
+    }
     std::string name(overrides.name.empty() ? attribute_of(element, "name")
                                             : std::string_view(overrides.name));
     const View pose = overrides.pose ? overrides.pose : element.child("pose");
@@ -295,6 +314,7 @@ class Builder {
     scope.element = element;
     scope.file = &file;
     scope.outer = outer;
+    scope.depth = outer != nullptr ? outer->depth + 1 : 0;
     scope.vertex = vertex;
     scope.is_merged = overrides.is_merged;
     if (vertex != nullptr) vertex->inner = &scope;
@@ -339,7 +359,7 @@ class Builder {
   }
 
   void include(View element, Scope& scope) {
-    if (!has_room(element)) return;
+    if (!has_room(element, &scope)) return;
     const View address = element.child("uri");
     const std::string uri(text_of(address));
     if (uri.empty()) {
@@ -406,7 +426,7 @@ class Builder {
   Reporter& reporter_;
   Model& model_;
   std::set<std::string> open_;
-  std::uint64_t parts_ = 0;
+  std::uint64_t parts_ = 0, bytes_ = 0;
   bool is_full_ = false;
 };
 

@@ -152,6 +152,7 @@ void ExtensionWriter::declare(View element, const Place& tag) {
 }
 
 void ExtensionWriter::copy(View element, xacro::FrameId frame, const Link* link) {
+  if (xml_.is_full()) return;
   const Place tag = tag_of(element, frame);
   const bool is_pose = link != nullptr && element.name() == "pose";
   xml_.open(element.name(), tag);

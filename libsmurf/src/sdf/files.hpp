@@ -47,6 +47,7 @@ class Files {
   /// The file or the folder of a model that `NAME/REST` names; "" if there is none.
   const std::string& place_of_name(const std::string& name, const std::string& near);
   bool is_there(const std::string& path);
+  std::optional<std::string> search_model(const std::string& uri, const SdfFile& from, Span place);
   std::string search(const std::string& name, const std::string& near);
   std::string search_below(const std::string& top, const std::string& name);
   bool holds_model(const std::string& folder);
@@ -61,6 +62,7 @@ class Files {
   std::map<std::string, bool> broken_;
   std::map<std::pair<std::string, std::string>, std::string> places_;
   int searches_ = 0;
+  std::map<std::pair<std::string, std::string>, std::optional<std::string>> models_;
 };
 
 }  // namespace smurf::sdformat

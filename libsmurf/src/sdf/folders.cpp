@@ -113,6 +113,14 @@ std::string Files::file_in(const std::string& folder) {
 
 std::optional<std::string> Files::find_model(const std::string& uri, const SdfFile& from,
                                              Span place) {
+  const auto key = std::pair{uri, from.folder};
+  const auto known = models_.find(key);
+  if (known != models_.end() && known->second) return known->second;
+  return models_[key] = search_model(uri, from, place);
+}
+
+std::optional<std::string> Files::search_model(const std::string& uri, const SdfFile& from,
+                                               Span place) {
   const FileReader& files = reporter_.context().files;
   if (uri.starts_with("http://") || uri.starts_with("https://")) {
     reporter_

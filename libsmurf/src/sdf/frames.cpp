@@ -40,7 +40,10 @@ const Pose& Frames::in_scope(Vertex& vertex) {
   if (vertex.state == Vertex::State::done) return vertex.X_S;
   if (vertex.state == Vertex::State::visiting || depth_ > kDeepest) {
     reporter_.refuse(relative_place(vertex),
-                     "the pose of " + quoted(vertex.name) + " is relative to itself",
+                     vertex.state == Vertex::State::visiting
+                         ? "the pose of " + quoted(vertex.name) + " is relative to itself"
+                         : "more than " + std::to_string(kDeepest) +
+                               " poses are relative to each other, one after the other",
                      "name another frame");
     vertex.state = Vertex::State::done;
     vertex.X_S = vertex.raw;

@@ -43,6 +43,7 @@ struct Scope {
   const SdfFile* file = nullptr;
   Scope* outer = nullptr;
   Vertex* vertex = nullptr;  ///< that of the model in the outer scope; null for the outermost one
+  int depth = 0;             ///< models around it
   bool is_world = false;
   bool is_static = false;
   bool is_merged = false;  ///< its elements belong to the outer scope, too

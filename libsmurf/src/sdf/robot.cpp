@@ -34,7 +34,7 @@ class RobotWriter {
   RobotWriter(Model& model, Files& files, Reporter& reporter, xacro::Expansion& expansion)
       : model_(model),
         reporter_(reporter),
-        xml_(expansion),
+        xml_(expansion, reporter.context().limits.xacro_bytes / 2),
         shapes_(model, files, reporter, xml_),
         extensions_(model, reporter, xml_),
         frames_(reporter) {}
@@ -65,7 +65,7 @@ class RobotWriter {
                   "a URDF has no place in a world, so the pose of the model is lost")
           .help("give the pose to the program that puts the robot into a world");
     }
-    for (std::size_t i = 0; i < model_.links.size(); ++i) {
+    for (std::size_t i = 0; i < model_.links.size() && !xml_.is_full(); ++i) {
       const Link& link = model_.links[i];
       if (holders_[i] != nullptr) {
         joint_to(link, *holders_[i]);
@@ -76,6 +76,12 @@ class RobotWriter {
     }
     extensions_.write_all();
     xml_.close();
+    if (xml_.is_full()) {
+      reporter_.exceed(place.origin,
+                       "the robot has more than " +
+                           std::to_string(reporter_.context().limits.xacro_bytes / 2) + " bytes",
+                       "xacro-bytes");
+    }
     return xml_.take();
   }
 
