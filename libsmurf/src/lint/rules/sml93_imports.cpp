@@ -42,7 +42,7 @@ extern constinit const Rule sml9304_lost_in_urdf{
     .why =
         "The robot that is made from the file lacks this part: closed loops, tendons, soft bodies, limits of ball joints, lights and some shapes have no form in a URDF.",
     .remedy = "Keep the file for simulators that need the part, or describe it in another way.",
-    .sources = "The elements of URDF; MuJoCo 4.0.0 and libsdformat 12.3.0, run."};
+    .sources = "The elements of URDF; MuJoCo 4.0.0 and libsdformat 12, run."};
 
 extern constinit const Rule sml9305_range_without_limit{
     .id = "SML9305",
@@ -78,9 +78,9 @@ extern constinit const Rule sml9311_sdformat_refuses{
     .name = "sdformat-refuses",
     .severity = Severity::error,
     .summary = "libsdformat refuses the SDF file.",
-    .why = "It reports an error, and Gazebo loads no file with an error.",
+    .why = "It reports an error, and simulators that are built on it load no file with an error.",
     .remedy = "Correct the value or the element, as the message says.",
-    .sources = "libsdformat 12.3.0, run; the descriptions of SDF 1.9.",
+    .sources = "libsdformat 12, run; the descriptions of SDF 1.9.",
     .blocks_building = true};
 
 extern constinit const Rule sml9312_sdf_file_missing{
@@ -88,10 +88,11 @@ extern constinit const Rule sml9312_sdf_file_missing{
     .name = "sdf-file-missing",
     .severity = Severity::error,
     .summary = "A model that an SDF file includes cannot be read.",
-    .why = "Gazebo loads no file with an include that it does not find. Here, the robot lacks the "
-           "model.",
+    .why =
+        "libsdformat reports an error for an include that it does not find. Here, the robot lacks "
+        "the model.",
     .remedy = "Put the folder of the model beside that of the file, or correct the address.",
-    .sources = "libsdformat 12.3.0, run."};
+    .sources = "libsdformat 12, run."};
 
 extern constinit const Rule sml9313_sdf_limit{
     .id = "SML9313",
@@ -110,9 +111,9 @@ extern constinit const Rule sml9314_ignored_by_sdformat{
     .severity = Severity::warning,
     .summary = "libsdformat ignores a part of an SDF file.",
     .why = "An element or attribute of another name, a second one where there can be one, and what "
-           "follows a comma in a number have no effect. Gazebo loads the file.",
+           "follows a comma in a number have no effect, and nothing tells of it.",
     .remedy = "Correct the name or the number, or delete the part.",
-    .sources = "libsdformat 12.3.0, run."};
+    .sources = "libsdformat 12, run."};
 
 extern constinit const Rule sml9315_mass_by_default{
     .id = "SML9315",
@@ -122,6 +123,6 @@ extern constinit const Rule sml9315_mass_by_default{
     .why = "In SDF, a link without a mass weighs 1 kg, and without `<inertia>` its moments are "
            "1 kg m^2, which few parts of a robot have. In a URDF it has no mass.",
     .remedy = "Write `<inertial>` with the mass and the inertia of the link.",
-    .sources = "libsdformat 12.3.0, run."};
+    .sources = "libsdformat 12, run."};
 
 }  // namespace smurf::rules
