@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sdf/files.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/files/path.hpp"
@@ -231,9 +232,15 @@ void Files::check(View element, const Grammar& known, int version) {
           .help("did you mean " + quoted(*near) + "?");
       continue;
     }
-    if (inner->count == '?' || inner->count == '!') {
+    // Of others, such as sensors, there may be several, whatever their descriptions say.
+    constexpr std::string_view kSingle[] = {
+        "pose",     "inertial", "mass",     "inertia",  "geometry", "parent", "child",
+        "axis",     "axis2",    "xyz",      "limit",    "lower",    "upper",  "effort",
+        "velocity", "dynamics", "damping",  "friction", "radius",   "length", "size",
+        "scale",    "static",   "material", "diffuse"};
+    if (std::find(std::begin(kSingle), std::end(kSingle), child.name()) != std::end(kSingle)) {
       const auto [first, is_new] = once.emplace(child.name(), child.name_span());
-      if (!is_new && known.name != "geometry" && known.name != "sdf") {
+      if (!is_new) {
         reporter_
             .report(rules::sml9314_ignored_by_sdformat, child.name_span(),
                     "libsdformat reads the first " + quoted(child.name()) + " only")

@@ -153,7 +153,8 @@ class RobotWriter {
       const bool is_written = in && in.child(name);
       xml_.number(as, value, is_written ? number_place(in, name, value, frame) : usual);
     };
-    xml_.open("inertial", tag, !element);  // what nobody wrote is reported as such (SML9315)
+    // What nobody wrote is reported as such (SML9315), and what cannot move needs no mass.
+    xml_.open("inertial", tag, !element || link.is_static);
     origin(link.X_inertial * Pose{mass.center, {}}, tag, link.of_center);
     xml_.open("mass", tag);
     number(element, "mass", "value", mass.mass, link.of_mass);

@@ -132,7 +132,9 @@ void ShapeWriter::one(const Link& link, View element) {
   const bool is_visual = element.name() == "visual";
   xml_.open(element.name(), tag);
   if (const Attribute* name = element.attribute("name")) {
-    xml_.attribute("name", name->value(), {name->value_span(), element.tag_span(), frame, true});
+    // In SDF, each link has names of its own, so rules on names of a robot are not meant for it.
+    xml_.attribute("name", name->value(), {name->value_span(), element.tag_span(), frame, true},
+                   true);
   }
   Pose X = pose_of_shape(element, link, frames_);
   if (shape.kind == Shape::Kind::plane)
@@ -168,7 +170,7 @@ void ShapeWriter::geometry(const Shape& shape, const Link& link) {
     break;
   case Shape::Kind::plane: {
     const bool touches = e.parent().parent().name() == "collision";
-    xml_.open("box", tag);
+    xml_.open("box", tag, true);
     xml_.attribute("size",
                    words_of({touches ? std::max(s[0], kEndless) : s[0],
                              touches ? std::max(s[1], kEndless) : s[1], kThickness}),
