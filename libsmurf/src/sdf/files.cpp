@@ -102,8 +102,9 @@ void Files::check_value(View element, const Grammar& known) {
   const Span place = text.empty() ? element.name_span() : element.text_span();
   const auto wrong = [&](const std::string& what, std::string help) {
     reporter_.refuse(place,
-                     (text.empty() ? "this" : quoted(text)) + std::string(" in ") +
-                         quoted(element.name()) + " is not " + what,
+                     text.empty()
+                         ? quoted(element.name()) + " is empty, not " + what
+                         : quoted(text) + " in " + quoted(element.name()) + " is not " + what,
                      std::move(help));
   };
   const auto numbers = [&](std::size_t count) {
@@ -116,7 +117,7 @@ void Files::check_value(View element, const Grammar& known) {
     break;
   case ValueKind::integer:
   case ValueKind::number:
-    if (!text.empty() && !leading_number(text)) {
+    if (!leading_number(text)) {
       wrong("a number", "write a number such as `0.5`");
     } else if (text.find(',') != std::string_view::npos) {
       reporter_

@@ -37,7 +37,9 @@ std::optional<double> take_number(std::string_view& text) {
     rest.remove_prefix(3);
     value = std::numeric_limits<double>::quiet_NaN();
   } else {
-    const bool is_hexadecimal = word.starts_with("0x");
+    constexpr std::string_view kDigits = "0123456789abcdef.";
+    const bool is_hexadecimal = word.size() > 2 && word.starts_with("0x") &&
+                                kDigits.find(word[2]) != std::string_view::npos;
     if (is_hexadecimal) rest.remove_prefix(2);
     if (rest.starts_with('-') || rest.starts_with('+')) return std::nullopt;
     const auto result = is_hexadecimal ? read_hexadecimal(rest, value) : read_floating(rest, value);
