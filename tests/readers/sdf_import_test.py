@@ -102,6 +102,28 @@ class SdfTest(unittest.TestCase):
         self.assertNotEqual(result.returncode, 0)
         self.assertIn("SML9312", result.stderr)
 
+    def test_merged_model(self):
+        text = '<sdf version="1.9"><model name="m"><include merge="true"><uri>arm.sdf</uri><pose>1 0 0 0 0 0</pose></include>' \
+               '<link name="tool"><pose relative_to="tip">0 0 2 0 0 0</pose></link><joint name="f" type="fixed">' \
+               '<parent>tip</parent><child>tool</child></joint></model></sdf>'
+        result, robot = self.run_tool(text, files={"arm.sdf": arm()})
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual({one.get("name") for one in robot.findall("link")}, {"base", "tip", "tool"})
+        self.assertEqual(robot.find("joint[@name='f']/origin").get("xyz"), "0 0 2")
+
+    def test_prefix_that_nothing_declares(self):
+        sensor = '<sensor name="s" type="custom" gz:type="flow"><gz:flow>1</gz:flow></sensor></link>'
+        result, robot = self.run_tool(arm().replace("</link>", sensor, 1))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(robot.find("gazebo").get("reference"), "base")
+
+    def test_parts_that_hang_on_nothing(self):
+        text = '<sdf version="1.9"><model name="m">{}<link name="a"><pose>0 0 1 0 0 0</pose></link><link name="b"/></model></sdf>'
+        _, robot = self.run_tool(text.format(""))
+        self.assertEqual([one.get("type") for one in robot.findall("joint")], ["floating"] * 2)
+        _, robot = self.run_tool(text.format("<static>true</static>"))
+        self.assertEqual([one.get("type") for one in robot.findall("joint")], ["fixed"] * 2)
+
     def test_model_that_includes_itself(self):
         text = '<sdf version="1.9"><model name="m"><link name="a"/><include><uri>robot.sdf</uri></include></model></sdf>'
         begin = time.monotonic()

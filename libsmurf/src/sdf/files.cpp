@@ -17,6 +17,17 @@ namespace {
 
 constexpr int kNewest = 12;
 
+/// libsdformat reads prefixes that nothing declares, so they are no mistake here.
+std::optional<xml::Document> parse_sdf(SourceId source, Context& context) {
+  DiagnosticSink found(context.limits);
+  auto document = parse_xml(context.sources, source, context.limits, found);
+  for (Diagnostic& one : found.take()) {
+    if (one.rule == &rules::sml1002_xml_undeclared_prefix) continue;
+    context.sink.report(*one.rule, one.span, {}) = std::move(one);
+  }
+  return document;
+}
+
 }  // namespace
 
 Files::Files(SourceId root, Reporter& reporter)
@@ -54,7 +65,7 @@ const SdfFile* Files::open(const std::string& path, Span place) {
 
 const SdfFile* Files::parse(SourceId source, const std::string& path) {
   Context& context = reporter_.context();
-  auto document = parse_xml(context.sources, source, context.limits, context.sink);
+  auto document = parse_sdf(source, context);
   if (!document) return nullptr;
   documents_.push_back(*std::move(document));
   SdfFile file{documents_.back().view(), path, std::string(path::parent(path))};
