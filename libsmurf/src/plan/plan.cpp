@@ -17,6 +17,7 @@
 #include "base/files/places.hpp"
 #include "base/findings/limits.hpp"
 #include "mjcf/mjcf.hpp"
+#include "sdf/sdf.hpp"
 #include "plan/ignore_files.hpp"
 #include "plan/models_around.hpp"
 #include "plan/paths.hpp"
@@ -294,7 +295,8 @@ class Planner {
   bool is_other_xml(const std::string& path) const {
     if (path::to_lower(path::extension(path)) != ".xml") return false;
     const FileContent content = files_.read(path, settings_.limits.file_bytes);
-    return content.status == ReadStatus::ok && !mjcf::is_mjcf(content.text);
+    return content.status == ReadStatus::ok && !mjcf::is_mjcf(content.text) &&
+           !sdformat::is_sdf(content.text);
   }
 
   void mark_named(const std::string& path) {
@@ -332,7 +334,7 @@ class Planner {
     if (is_companion_path(path)) return add(plan_.others, path);
     fail(
         "cannot check '" + path +
-        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .mjcf, .srdf or .yml file; to check a URDF of "
+        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .mjcf, .sdf, .world, .srdf or .yml file; to check a URDF of "
         "another name: smurf-lint --stdin-filename NAME.urdf - < FILE");
   }
 
