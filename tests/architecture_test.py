@@ -371,6 +371,22 @@ def check_sizes():
             yield path, size, f"{size} lines; split it below {LONGEST_FILE}"
 
 
+def check_types():
+    """Two types of one name in one namespace break each other: the linker takes the functions of one of them for both."""
+    first = {}
+    for path in sorted(p for folder in (SOURCE, PUBLIC, ROOT / "tools") for p in sources(folder)):
+        spaces = []
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if space := re.match(r"namespace ?([\w:]*) ?\{", line):
+                spaces.append(space[1])
+            elif line.startswith("}  // namespace") and spaces:
+                spaces.pop()
+            elif (kind := re.match(r"(?:struct|class) (\w+)(?: final)?(?: :.*)?\s*\{", line)) and "" not in spaces:
+                name = "::".join([*spaces, kind[1]])
+                if first.setdefault(name, path) != path:
+                    yield path, number, f"{name} is also a type in {first[name].relative_to(ROOT)}"
+
+
 def main():
     faults = [
         *check_orders(),
@@ -386,6 +402,7 @@ def main():
         *check_pipeline(),
         *check_tools(),
         *check_sizes(),
+        *check_types(),
     ]
     for path, number, fault in faults:
         print(f"{path.relative_to(ROOT)}:{number}: {fault}")

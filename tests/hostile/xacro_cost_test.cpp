@@ -41,8 +41,10 @@ void give_back(void* place) {
 }  // namespace
 
 void* operator new(std::size_t size) { return take(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return take(size); }
 void operator delete(void* place) noexcept { give_back(place); }
 void operator delete(void* place, std::size_t) noexcept { give_back(place); }
+void operator delete(void* place, const std::nothrow_t&) noexcept { give_back(place); }
 
 namespace smurf::xacro {
 namespace {

@@ -230,7 +230,7 @@ class MjcfWriter : MjcfLoops {
     if (joint != nullptr) moves = add_joint(i, model, *joint);
     const urdf::Link& written = model.robot->links[link];
     if (moves) {
-      const LinkMass mass = link_mass(model, written);
+      const ChosenMass mass = link_mass(model, written);
       if (!mass.chosen.empty()) losses_.note(mass.chosen, written.span, link_name(model, link));
       add_inertial(mass.mass, moves, written.span, link_name(model, link));
     } else if (const auto mass = inertial_of(written)) {

@@ -262,7 +262,7 @@ class SdfWriter {
     xml_.open("link", {{"name", links_of(model)[body]}});
     add_pose(*X_EL[body]);
     const urdf::Link& whole = model.robot->links[body];
-    const LinkMass mass = link_mass(model, whole);
+    const ChosenMass mass = link_mass(model, whole);
     if (!mass.chosen.empty()) losses_.note(mass.chosen, whole.span, link_name(model, body));
     const BodyInertia inertia = body_inertia(mass.mass, 0, 0);
     if (inertia.is_changed) losses_.note(kRefusedInertias, whole.span, link_name(model, body));

@@ -387,7 +387,7 @@ class Loader {
   void judge_installation() {
     std::set<std::string> told;
     const auto judge = [&](const std::string& package_name, const std::string& rest,
-                           std::string by) {
+                           const std::string& by) {
       for (SurroundingPackage& package : found_.packages) {
         if (package.name != package_name || !package.build_file) continue;
         const Installation& known = installations_[package.name];
@@ -398,8 +398,7 @@ class Loader {
         if (!is_here || !installed_source(package_name, rest).empty() ||
             !told.insert(package_name + "/" + folder).second)
           return;
-        package.faults.push_back(
-            {InstallFault::Kind::not_installed, known.place, folder, std::move(by)});
+        package.faults.push_back({InstallFault::Kind::not_installed, known.place, folder, by});
       }
     };
     constexpr std::string_view kScheme = "package://";

@@ -41,7 +41,7 @@ std::string_view root_link(const LinkedModel& model) {
   for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
     if (model.tree.parent_joint[i]) continue;
     if (!root.empty()) return {};
-    root = model.robot->links[i].name.value_or("");
+    if (const auto& name = model.robot->links[i].name) root = *name;
   }
   return root;
 }

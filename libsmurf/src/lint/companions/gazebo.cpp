@@ -24,7 +24,7 @@ void find_plugins(xml::View element, xml::View gazebo, xml::View sensor,
   }
 }
 
-void find_sensors(xml::View element, xml::View gazebo, std::vector<GazeboSensor>& found) {
+void find_sensors(xml::View element, xml::View gazebo, std::vector<WrittenSensor>& found) {
   for (const xml::View child : element) {
     if (child.name() == "plugin") continue;
     if (child.name() != "sensor") {
@@ -53,8 +53,8 @@ std::vector<GazeboPlugin> gazebo_plugins(const LinkedModel& model) {
   return found;
 }
 
-std::vector<GazeboSensor> gazebo_sensors(const LinkedModel& model) {
-  std::vector<GazeboSensor> found;
+std::vector<WrittenSensor> gazebo_sensors(const LinkedModel& model) {
+  std::vector<WrittenSensor> found;
   for_each_gazebo(model, [&](xml::View gazebo) { find_sensors(gazebo, gazebo, found); });
   return found;
 }

@@ -24,11 +24,11 @@ struct GazeboPlugin {
 std::vector<GazeboPlugin> gazebo_plugins(const LinkedModel& model);
 
 /// A `sensor` in an element `gazebo`.
-struct GazeboSensor {
+struct WrittenSensor {
   xml::View element, gazebo;
   std::string_view name, type;
 };
-std::vector<GazeboSensor> gazebo_sensors(const LinkedModel& model);
+std::vector<WrittenSensor> gazebo_sensors(const LinkedModel& model);
 
 /// Whether a robot is written for Gazebo, not for Gazebo Classic: it has systems of gz-sim, and no
 /// plugin of Gazebo Classic.

@@ -72,7 +72,7 @@ void check_classic(const GazeboPlugin& plugin, Findings& findings) {
 }
 
 /// What a release reads as the frame of a sensor.
-void check_frames(const GazeboSensor& sensor, Findings& findings) {
+void check_frames(const WrittenSensor& sensor, Findings& findings) {
   const auto has = [&](std::string_view name) { return bool(sensor.element.child(name)); };
   const xml::View own = sensor.element.child("frame_id");
   const xml::View gz = sensor.element.child("gz_frame_id");
@@ -94,7 +94,7 @@ void check_frames(const GazeboSensor& sensor, Findings& findings) {
   }
 }
 
-void check_sensor(const GazeboSensor& sensor, Findings& findings) {
+void check_sensor(const WrittenSensor& sensor, Findings& findings) {
   check_frames(sensor, findings);
   const Span place = place_of(sensor.element, "type");
   if (sensor.type == "air_speed" || sensor.type == "wide_angle_camera") {
@@ -121,7 +121,7 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
       check_plugin(plugin, findings);
     }
   }
-  for (const GazeboSensor& sensor : gazebo_sensors(model)) check_sensor(sensor, findings);
+  for (const WrittenSensor& sensor : gazebo_sensors(model)) check_sensor(sensor, findings);
 }
 
 constexpr auto kPlugins = gazebo::facts_of_releases(

@@ -23,7 +23,7 @@ bool is_controlled(const std::vector<Hardware>& all, std::string_view sensor) {
   return false;
 }
 
-void check_sensor(const LinkedModel& model, const GazeboSensor& sensor,
+void check_sensor(const LinkedModel& model, const WrittenSensor& sensor,
                   const std::vector<Hardware>& hardware, bool is_gazebo, Findings& findings) {
   bool has_frame = false;
   const auto look_at = [&](xml::View element) {
@@ -62,11 +62,11 @@ void check_sensor(const LinkedModel& model, const GazeboSensor& sensor,
 
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
   if (!model.robot || !model.is_complete) return;
-  const std::vector<GazeboSensor> sensors = gazebo_sensors(model);
+  const std::vector<WrittenSensor> sensors = gazebo_sensors(model);
   if (sensors.empty()) return;
   const std::vector<Hardware> hardware = hardware_of(model);
   const bool is_gazebo = is_for_gazebo(model);
-  for (const GazeboSensor& sensor : sensors) {
+  for (const WrittenSensor& sensor : sensors) {
     check_sensor(model, sensor, hardware, is_gazebo, findings);
   }
 }

@@ -14,7 +14,7 @@ void check(const LinkedModel& model, const Companions&, Findings& findings) {
   for (const GazeboPlugin& one : gazebo_plugins(model)) {
     has_classic = has_classic || gazebo::is_classic(one.file);
   }
-  for (const GazeboSensor& sensor : gazebo_sensors(model)) {
+  for (const WrittenSensor& sensor : gazebo_sensors(model)) {
     if (!is_one_of(sensor.type, {"ray", "lidar"})) continue;
     // A file for both simulators, or a sensor whose plugin is of Gazebo Classic.
     if (has_classic || sensor.element.child("plugin")) continue;

@@ -28,7 +28,7 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
   for (const LaunchWorld& world : companions.surroundings.worlds) {
     if (world.plugins.empty()) continue;  // the server may add them
     std::vector<std::string_view> told;
-    for (const GazeboSensor& sensor : gazebo_sensors(model)) {
+    for (const WrittenSensor& sensor : gazebo_sensors(model)) {
       const std::string_view system = gazebo::system_of_sensor(sensor.type);
       if (system.empty() || has_system(world, own, system)) continue;
       if (std::find(told.begin(), told.end(), system) != told.end()) continue;

@@ -74,7 +74,7 @@ bool is_placeholder(const urdf::Inertial& inertial, const LinkInertial& of_shape
 
 }  // namespace
 
-LinkMass link_mass(const LinkedModel& model, const urdf::Link& link) {
+ChosenMass link_mass(const LinkedModel& model, const urdf::Link& link) {
   const std::optional<LinkInertial> body = inertial_of(link);
   if (!body) return {smallest_mass(), kInventedMasses};
   const auto entries = entries_of(*link.inertial);
@@ -87,12 +87,12 @@ LinkMass link_mass(const LinkedModel& model, const urdf::Link& link) {
   const std::optional<Solid> solid = solid_of(model, link);
   if (!is_written) {
     if (solid) return {filled(*solid, *body), kAbsentInertias};
-    return is_useless ? LinkMass{ball_of_water(*body), kAbsentInertias} : LinkMass{*body, {}};
+    return is_useless ? ChosenMass{ball_of_water(*body), kAbsentInertias} : ChosenMass{*body, {}};
   }
   const LinkInertial of_shapes = solid ? filled(*solid, *body) : ball_of_water(*body);
   if (is_useless) return {of_shapes, kUselessInertias};
   const bool is_known = solid && is_placeholder(*link.inertial, of_shapes);
-  return is_known ? LinkMass{of_shapes, kUselessInertias} : LinkMass{*body, {}};
+  return is_known ? ChosenMass{of_shapes, kUselessInertias} : ChosenMass{*body, {}};
 }
 
 std::array<double, 6> tensor_in_link(const LinkInertial& mass) {

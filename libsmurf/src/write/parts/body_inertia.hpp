@@ -23,12 +23,12 @@ BodyInertia body_inertia(const LinkInertial& mass, double least, double least_in
 BodyInertia principal_inertia(const LinkInertial& mass, double least);
 
 /// The inertial that a link gets in a simulator.
-struct LinkMass {
+struct ChosenMass {
   LinkInertial mass;
   std::string_view chosen;  ///< the row of the table of losses that says so; "": as written
 };
 /// That of the link; where it has none, or one with which nothing can move, that of its shapes.
-LinkMass link_mass(const LinkedModel& model, const urdf::Link& link);
+ChosenMass link_mass(const LinkedModel& model, const urdf::Link& link);
 
 /// R I R^T: the tensor in the axes of the link; xx, yy, zz, xy, xz, yz.
 std::array<double, 6> tensor_in_link(const LinkInertial& mass);
