@@ -5,7 +5,6 @@
 #include <set>
 
 #include "base/files/path.hpp"
-#include "base/text/words.hpp"
 #include "plan/paths.hpp"
 #include "smurf/load.hpp"
 #include "smurf/plan.hpp"
@@ -91,7 +90,7 @@ const ModelsAround::Users& ModelsAround::using_in(const std::string& folder) {
     const std::string candidate = path::join(folder, name);
     const InputKind kind = input_kind(candidate);
     // Most of these are no robots.
-    if (is_one_of(path::to_lower(path::extension(candidate)), {".xml", ".sdf", ".world"})) continue;
+    if (path::to_lower(path::extension(candidate)) == ".xml") continue;
     if ((kind != InputKind::model && kind != InputKind::urdf) || is_exhausted()) continue;
     SourceMap sources;
     DiagnosticSink ignored(kNeighbour.findings);

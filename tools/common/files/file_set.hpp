@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/files/system.hpp"
 #include "common/files/new_file.hpp"
 #include "common/files/output.hpp"
 
@@ -67,7 +66,6 @@ class FileSet {
   int open_below(int above, const std::string& name, int& folder);
   int make_all(const std::string& folder);
 
-  const sys::HeldSignals signals_;  ///< until all steps are done or undone
   const std::vector<OutputFile>& files_;
   MissingFolders missing_;
   bool overwrites_ = false;

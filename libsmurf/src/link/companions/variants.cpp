@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/deadline.hpp"
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
 #include "link/companions/companion_names.hpp"
@@ -128,7 +127,6 @@ class VariantSearch {
       is_better = false;
       const Arguments from = best;
       for (const ArgumentValue& choice : choices) {
-        Deadline::look();
         if (from.contains(choice.name)) continue;
         if (++trials > kMostTrials || known == companion.names) break;
         Arguments tried = from;

@@ -3,7 +3,6 @@
 // it comes from.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,7 +10,7 @@
 
 #include "smurf/xacro.hpp"
 
-namespace smurf::imports {
+namespace smurf::mjcf {
 
 /// Where a value was written, and where it acts.
 struct Place {
@@ -23,9 +22,7 @@ struct Place {
 
 class TracedXml {
  public:
-  /// `most`: the bytes of the text after which nothing is added to it.
-  explicit TracedXml(xacro::Expansion& expansion, std::uint64_t most = ~std::uint64_t{0})
-      : leaves_(expansion.leaves), most_(most) {
+  explicit TracedXml(xacro::Expansion& expansion) : leaves_(expansion.leaves) {
     text_ = "<?xml version=\"1.0\" ?>\n";
   }
 
@@ -34,11 +31,7 @@ class TracedXml {
   void attribute(std::string_view name, std::string_view value, const Place& place,
                  bool is_made = false);
   void number(std::string_view name, double value, const Place& place, bool is_made = false);
-  /// What is between the tags of an element; before all elements in it.
-  void text(std::string_view value, const Place& place);
   void close();
-  /// Whether the text is longer than a robot may be; nothing is added to it then.
-  bool is_full() const { return is_full_; }
   std::string take() { return std::move(text_); }
 
  private:
@@ -47,18 +40,14 @@ class TracedXml {
     Place place;
     bool is_made = false;
     bool is_empty = true;
-    bool has_text = false;
   };
   xacro::Leaf& leaf(xacro::Leaf::Kind kind, std::size_t begin, const Place& place,
                     bool is_made = false);
   void end_tag_head();
-  void escaped(std::string_view value);
 
   std::vector<xacro::Leaf>& leaves_;
-  std::uint64_t most_;
-  bool is_full_ = false;
   std::string text_;
   std::vector<Open> open_;
 };
 
-}  // namespace smurf::imports
+}  // namespace smurf::mjcf
