@@ -1010,7 +1010,7 @@ class Session:
         packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
         xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
         no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ...,
-        jobs: Optional[int] = ...
+        max_seconds: Optional[int] = ..., jobs: Optional[int] = ...
     ) -> Report:
         """Checks a model, URDF, xacro, scene or annotation file with all that it loads, or all such files in a
         folder, or an iterable of files and folders, and returns a smurf.Report. Raises smurf.Error when a path
@@ -1020,7 +1020,8 @@ class Session:
         `select` and `ignore` (ids, names or prefixes of rules), `severities` (a dict from rules to "error",
         "warning" or "info"), `targets` (names of readers), `packages` (a dict from names to folders), `args` (a
         dict with the arguments of a .xacro), `xacro_env` (names of variables that a .xacro may read),
-        `baseline` (a path), `no_ignores`, `allow_outside` (read what models name wherever it lies), `jobs`.
+        `baseline` (a path), `no_ignores`, `allow_outside` (read what models name wherever it lies),
+        `max_seconds` (of processor time for each file; 0: no end), `jobs`.
         """
     def load_model(
         self, path: Path, *, config: Optional[Path] = ..., isolated: Optional[bool] = ...,
@@ -1029,7 +1030,7 @@ class Session:
         packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
         xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
         no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ...,
-        jobs: Optional[int] = ...
+        max_seconds: Optional[int] = ..., jobs: Optional[int] = ...
     ) -> Model:
         """Loads a .smurf, a .urdf, a .xacro, an annotation file or an archive (.zsmurf), and returns a
         smurf.Model. What is wrong in it is told by its check(); smurf.Error is raised when there is nothing
@@ -1039,7 +1040,8 @@ class Session:
         `select` and `ignore` (ids, names or prefixes of rules), `severities` (a dict from rules to "error",
         "warning" or "info"), `targets` (names of readers), `packages` (a dict from names to folders), `args` (a
         dict with the arguments of a .xacro), `xacro_env` (names of variables that a .xacro may read),
-        `baseline` (a path), `no_ignores`, `allow_outside` (read what models name wherever it lies), `jobs`.
+        `baseline` (a path), `no_ignores`, `allow_outside` (read what models name wherever it lies),
+        `max_seconds` (of processor time for each file; 0: no end), `jobs`.
         """
     def load_scene(
         self, path: Path, *, config: Optional[Path] = ..., isolated: Optional[bool] = ...,
@@ -1048,7 +1050,7 @@ class Session:
         packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
         xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
         no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ...,
-        jobs: Optional[int] = ...
+        max_seconds: Optional[int] = ..., jobs: Optional[int] = ...
     ) -> Scene:
         """Loads a .smurfs, a .smurfa, a drawing (.svg) or an archive with all models and scenes it names, and
         returns a smurf.Scene; a .smurf or .urdf counts as a scene of one entity. Raises smurf.Error as
@@ -1058,7 +1060,8 @@ class Session:
         `select` and `ignore` (ids, names or prefixes of rules), `severities` (a dict from rules to "error",
         "warning" or "info"), `targets` (names of readers), `packages` (a dict from names to folders), `args` (a
         dict with the arguments of a .xacro), `xacro_env` (names of variables that a .xacro may read),
-        `baseline` (a path), `no_ignores`, `allow_outside` (read what models name wherever it lies), `jobs`.
+        `baseline` (a path), `no_ignores`, `allow_outside` (read what models name wherever it lies),
+        `max_seconds` (of processor time for each file; 0: no end), `jobs`.
         """
 
 def check(
@@ -1067,7 +1070,8 @@ def check(
     severities: Optional[Dict[str, str]] = ..., targets: Optional[Texts] = ...,
     packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
     xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
-    no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., jobs: Optional[int] = ...
+    no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., max_seconds: Optional[int] = ...,
+    jobs: Optional[int] = ...
 ) -> Report:
     """Checks a model, URDF, xacro, scene or annotation file with all that it loads, or all such files in a folder,
     or an iterable of files and folders, and returns a smurf.Report. Raises smurf.Error when a path cannot be
@@ -1077,7 +1081,8 @@ def check(
     `select` and `ignore` (ids, names or prefixes of rules), `severities` (a dict from rules to "error",
     "warning" or "info"), `targets` (names of readers), `packages` (a dict from names to folders), `args` (a
     dict with the arguments of a .xacro), `xacro_env` (names of variables that a .xacro may read), `baseline` (a
-    path), `no_ignores`, `allow_outside` (read what models name wherever it lies), `jobs`.
+    path), `no_ignores`, `allow_outside` (read what models name wherever it lies), `max_seconds` (of processor
+    time for each file; 0: no end), `jobs`.
     """
 def load_model(
     path: Path, *, config: Optional[Path] = ..., isolated: Optional[bool] = ...,
@@ -1085,7 +1090,8 @@ def load_model(
     severities: Optional[Dict[str, str]] = ..., targets: Optional[Texts] = ...,
     packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
     xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
-    no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., jobs: Optional[int] = ...
+    no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., max_seconds: Optional[int] = ...,
+    jobs: Optional[int] = ...
 ) -> Model:
     """Loads a .smurf, a .urdf, a .xacro, an annotation file or an archive (.zsmurf), and returns a smurf.Model.
     What is wrong in it is told by its check(); smurf.Error is raised when there is nothing that could be read.
@@ -1094,7 +1100,8 @@ def load_model(
     `select` and `ignore` (ids, names or prefixes of rules), `severities` (a dict from rules to "error",
     "warning" or "info"), `targets` (names of readers), `packages` (a dict from names to folders), `args` (a
     dict with the arguments of a .xacro), `xacro_env` (names of variables that a .xacro may read), `baseline` (a
-    path), `no_ignores`, `allow_outside` (read what models name wherever it lies), `jobs`.
+    path), `no_ignores`, `allow_outside` (read what models name wherever it lies), `max_seconds` (of processor
+    time for each file; 0: no end), `jobs`.
     """
 def load_scene(
     path: Path, *, config: Optional[Path] = ..., isolated: Optional[bool] = ...,
@@ -1102,7 +1109,8 @@ def load_scene(
     severities: Optional[Dict[str, str]] = ..., targets: Optional[Texts] = ...,
     packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
     xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
-    no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., jobs: Optional[int] = ...
+    no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., max_seconds: Optional[int] = ...,
+    jobs: Optional[int] = ...
 ) -> Scene:
     """Loads a .smurfs, a .smurfa, a drawing (.svg) or an archive with all models and scenes it names, and returns
     a smurf.Scene; a .smurf or .urdf counts as a scene of one entity. Raises smurf.Error as load_model() does.
@@ -1111,7 +1119,8 @@ def load_scene(
     `select` and `ignore` (ids, names or prefixes of rules), `severities` (a dict from rules to "error",
     "warning" or "info"), `targets` (names of readers), `packages` (a dict from names to folders), `args` (a
     dict with the arguments of a .xacro), `xacro_env` (names of variables that a .xacro may read), `baseline` (a
-    path), `no_ignores`, `allow_outside` (read what models name wherever it lies), `jobs`.
+    path), `no_ignores`, `allow_outside` (read what models name wherever it lies), `max_seconds` (of processor
+    time for each file; 0: no end), `jobs`.
     """
 def parse_urdf(
     text: Union[str, bytes], filename: Optional[Path] = ..., *, config: Optional[Path] = ...,
@@ -1119,7 +1128,8 @@ def parse_urdf(
     severities: Optional[Dict[str, str]] = ..., targets: Optional[Texts] = ...,
     packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
     xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
-    no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., jobs: Optional[int] = ...
+    no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., max_seconds: Optional[int] = ...,
+    jobs: Optional[int] = ...
 ) -> Model:
     """Loads the text of a URDF (str or bytes) and returns a smurf.Model; the text of a xacro file is expanded.
     Relative paths in it start at the folder of `filename`, or at the current folder.
@@ -1128,7 +1138,8 @@ def parse_urdf(
     `select` and `ignore` (ids, names or prefixes of rules), `severities` (a dict from rules to "error",
     "warning" or "info"), `targets` (names of readers), `packages` (a dict from names to folders), `args` (a
     dict with the arguments of a .xacro), `xacro_env` (names of variables that a .xacro may read), `baseline` (a
-    path), `no_ignores`, `allow_outside` (read what models name wherever it lies), `jobs`.
+    path), `no_ignores`, `allow_outside` (read what models name wherever it lies), `max_seconds` (of processor
+    time for each file; 0: no end), `jobs`.
     """
 def diff(
     before: Path, after: Path, tolerance: float = ..., *, packages: Optional[Dict[str, Path]] = ...,

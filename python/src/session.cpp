@@ -22,7 +22,7 @@ constexpr const char* kSettings =
     "(a dict from names to folders), `args` (a dict with the arguments of a .xacro), `xacro_env` "
     "(names of variables that a .xacro may read), `baseline` (a path), `no_ignores`, "
     "`allow_outside` (read what models name wherever it lies), "
-    "`jobs`.";
+    "`max_seconds` (of processor time for each file; 0: no end), `jobs`.";
 
 /// Lets other threads of Python run.
 class OthersMayRun {

@@ -60,6 +60,13 @@ unsigned from_jobs(const py::handle& value) {
   return static_cast<unsigned>(jobs);
 }
 
+std::uint64_t from_seconds(const py::handle& value) {
+  if (!py::isinstance<py::int_>(value)) throw py::type_error("max_seconds must be an int");
+  const py::ssize_t seconds = PyNumber_AsSsize_t(value.ptr(), nullptr);
+  if (seconds < 0) throw py::value_error("max_seconds must be at least 0");
+  return static_cast<std::uint64_t>(seconds);
+}
+
 /// A text, or a number or truth value as xacro writes it.
 std::string from_argument(const py::handle& value) {
   const bool is_number = py::isinstance<py::int_>(value) || py::isinstance<py::float_>(value);
@@ -119,6 +126,7 @@ const std::map<std::string, Setter>& setters() {
        }},
       {"allow_outside",
        [](auto& to, const auto& value) { to.allows_outside = from_bool(value, "allow_outside"); }},
+      {"max_seconds", [](auto& to, const auto& value) { to.max_seconds = from_seconds(value); }},
       {"jobs", [](auto& to, const auto& value) { to.jobs = from_jobs(value); }},
   };
   return setters;

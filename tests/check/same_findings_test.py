@@ -53,7 +53,7 @@ def compare(tools, example, fixtures) -> int:
                     if not re.search(r"\[SML(3[578]|4[245])|\[SML3616\] the package |\[SML3907\]", line)]
         compared += 1
         found += len(expected)
-        shown = findings(subprocess.run([example, entry], capture_output=True, text=True, timeout=60, check=False))
+        shown = findings(subprocess.run([example, entry], capture_output=True, text=True, timeout=600, check=False))
         for what, actual, wanted in ((converter[0], converted, of_robot), ("the example", shown, expected)):
             if actual != wanted:
                 faults += 1

@@ -96,7 +96,7 @@ class CliTest(unittest.TestCase):
         variables.update(environment or {})
         return subprocess.run(
             [TOOL, *map(str, arguments)], input=stdin, encoding="utf-8", errors="replace",
-            stdout=stdout, stderr=subprocess.PIPE, cwd=cwd or self.folder, env=variables, timeout=60,
+            stdout=stdout, stderr=subprocess.PIPE, cwd=cwd or self.folder, env=variables, timeout=600,
             check=False, **keywords)
 
     def formats(self):

@@ -126,6 +126,8 @@ class Companions(cli.CliTest):
         (self.folder / "lamp_description/urdf/lamp.urdf").unlink()
         self.write("lamp_description/urdf/lamp.urdf.xacro", URDF.replace("<robot ", '<robot xmlns:xacro="x" ').replace(
             "<plugin>lamp/Hardware", "<plugin>gz_ros2_control/GazeboSimSystem"))
+        # Another description has the plugin, so that arguments may choose it.
+        self.write("lamp_description/urdf/sim.xacro", '<robot xmlns:xacro="x"><gazebo><plugin filename="gz_ros2_control-system" name="x"/></gazebo></robot>')
         self.assertIn("info[SML3613]", self.expect(None, "--min-severity", "info", "--target", "ros2_control", ".").stdout)
         self.assertIn("error[SML3613]", self.expect(1, "--target", "ros2_control", "lamp_description/urdf/lamp.urdf.xacro").stdout)
 

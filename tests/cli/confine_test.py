@@ -52,6 +52,18 @@ class Confine(cli.CliTest):
         self.model("motors.yml")
         self.assertIn("outside of the project", self.lint(code=1))
 
+    def test_links_that_a_search_finds_open_no_other_project(self):
+        """Without a repository, too: whoever made the folder may have chosen where they lead."""
+        self.write("far/x/y/stolen.xacro", '<robot name="stolen"><link name="nowhere"/><link name="nowhere"/></robot>\n')
+        self.write("far/x/y/other.urdf", '<robot name="stolen"><link name="nowhere"/><link name="nowhere"/></robot>\n')
+        self.write("a/b/project/urdf/r.urdf.xacro", '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+                   '<xacro:include filename="part.xacro"/><link name="a"/></robot>\n')
+        (self.project / "urdf/part.xacro").symlink_to(self.folder / "far/x/y/stolen.xacro")
+        (self.project / "urdf/other.urdf").symlink_to(self.folder / "far/x/y/other.urdf")
+        found = self.expect(None, "--isolated", "--format", "concise", ".", cwd=self.project).stdout
+        self.assertIn("outside of the project", found)
+        self.assertNotIn("nowhere", found)
+
     def test_a_repository_is_the_project(self):
         (self.folder / ".git").mkdir()
         self.model("../../../../secret.yml")
@@ -384,7 +396,7 @@ class Confine(cli.CliTest):
 
         tool = self.folder / "smurf-lint"
         shutil.copy(cli.TOOL, tool)
-        done = subprocess.run([tool, "--isolated", "--format", "concise", "."], capture_output=True, text=True, timeout=30,
+        done = subprocess.run([tool, "--isolated", "--format", "concise", "."], capture_output=True, text=True, timeout=600,
                               preexec_fn=become_nobody, check=False)
         os.close(inner)
         os.chmod(self.folder / "closed", 0o755)

@@ -36,11 +36,12 @@ class LimitsTest(unittest.TestCase):
         self.write("scene.smurfs", "entities:\n- {name: a, type: smurf, file: robot.smurf, position: [0, 0, 0]}\n")
 
     def write(self, path, text):
+        (self.folder / path).parent.mkdir(exist_ok=True)
         (self.folder / path).write_bytes(text if isinstance(text, bytes) else text.encode())
 
     def run_tool(self, tool, *words, stdin="", **settings):
         return subprocess.run([TOOLS / tool, *words], cwd=self.folder, input=stdin, capture_output=True,
-                              encoding="utf-8", timeout=60, check=False, **settings)
+                              encoding="utf-8", timeout=600, check=False, **settings)
 
     def test_without_memory(self):
         def limit():
@@ -69,6 +70,39 @@ class LimitsTest(unittest.TestCase):
                     self.assertNotIn("SML0014", done.stdout + done.stderr)
                     self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
                 self.assertIn("--limit NAME=N", self.run_tool(tool, "--help").stdout)
+
+    def test_processor_time(self):
+        """Work for an hour, and a limit that allows it: every tool ends soon, and says which file it has left."""
+        work = "len([0 for j in range(90000) if [0 for i in range(90000) if 0]])"
+        self.write("slow.urdf.xacro", f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="${{{work}}}"/></robot>')
+        self.write("folder/fast.urdf", f'<robot name="robot">{LINK}</robot>')
+        self.write("folder/slow.urdf.xacro", (self.folder / "slow.urdf.xacro").read_text())
+        options = ["--limit", "xacro-steps=9000000000", "--max-seconds", "1"]
+
+        def run(tool, *words):
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            told = subprocess.run([TOOLS / tool, *words, *options], cwd=self.folder, capture_output=True, encoding="utf-8",
+                                  timeout=600, check=False)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            self.assertLess(after.ru_utime - before.ru_utime, 5)
+            return told
+
+        for tool, words in {"smurf-lint": ["slow.urdf.xacro"], "smurf2urdf": ["slow.urdf.xacro"],
+                            "smurfs-flatten": ["slow.urdf.xacro"], "smurf-load-check": ["slow.urdf.xacro"],
+                            "smurf-diff": ["slow.urdf.xacro", "robot.urdf"]}.items():
+            with self.subTest(tool):
+                told = run(tool, *words)
+                self.assertIn(told.returncode, (1, 2), told.stdout + told.stderr)
+                self.assertIn("slow.urdf.xacro", told.stdout + told.stderr)
+                self.assertIn("took more than 1 s of processor time", told.stdout + told.stderr)
+                self.assertIn("--max-seconds N", told.stdout + told.stderr)
+                self.assertIn("--max-seconds N", self.run_tool(tool, "--help").stdout)
+        told = run("smurf-lint", "folder", "--target", "gazebo", "--format", "concise")
+        self.assertIn("folder/slow.urdf.xacro", told.stdout)
+        self.assertIn("folder/fast.urdf", told.stdout)  # the others are checked
+        wrong = self.run_tool("smurf-lint", "robot.urdf", "--max-seconds", "soon")
+        self.assertEqual((wrong.returncode, wrong.stdout), (2, ""))
+        self.assertIn("'soon' is not a whole number of at least 0", wrong.stderr)
 
     def test_what_cannot_be_asked_for(self):
         for item, wrong in {

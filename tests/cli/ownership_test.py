@@ -76,6 +76,25 @@ class Ownership(cli.CliTest):
         self.write(self.config, controllers(*JOINTS).replace("    joints", "\tjoints").replace("hand]", "{{ hand }}]"))
         self.assertRegex(self.expect(0, ".").stdout, "not compared: `.*controllers.yaml`: it is a template")
 
+    def test_what_a_launch_file_fills_in_makes_no_yaml_of_a_tab(self):
+        text = controllers(*JOINTS).replace("hand]", "hand, $(arg more)]")
+        self.write(self.config, text)
+        self.expect(0, ".")
+        self.write(self.config, text.replace("    joints", "\tjoints"))
+        self.assertIn("SML0010", self.expect(1, ".").stdout)
+
+    def test_limits_in_degrees(self):
+        text = "joint_limits:\n  hnd: {has_velocity_limits: true, max_velocity: !degrees %s}\n"
+        limits = "bot_description/config/joint_limits.yaml"
+        self.write(limits, text % "57.0")
+        self.assertIn("did you mean `hand`?", self.expect(0, ".").stdout)
+        self.write(limits, (text % "57").replace("hnd", "hand"))
+        self.expect(0, ".")
+        self.write(limits, (text % "58.0").replace("hnd", "hand"))
+        self.assertIn("joint `hand` may move with 1.01229, faster than the 1 of the URDF", self.expect(0, ".").stdout)
+        self.write(limits, (text % "58.0").replace("  hnd", "\thnd"))
+        self.assertIn("SML0010", self.expect(1, ".").stdout)
+
     def test_a_key_that_is_written_twice(self):
         self.write(self.config, controllers(*JOINTS).replace("    joints", "    joints: [nobody]\n    joints").replace("elbow", "elbw"))
         found = self.run_tool(".").stdout
@@ -114,6 +133,113 @@ class Ownership(cli.CliTest):
         self.assertRegex(done.stdout, "not compared: `.*other.yaml`: none of its 3 names is known here; tie it")
         left = self.report(".")["summary"]["not_compared"]
         self.assertEqual([(one["path"], one["kind"]) for one in left], [("bot_description/config/other.yaml", "controllers.yaml")])
+
+    def test_strict_makes_an_error_of_what_is_not_compared(self):
+        self.expect(0, "--strict", ".")
+        self.write("bot_description/config/other.yaml", controllers("one", "two", "three"))
+        self.expect(0, ".")
+        self.assertIn("error: not compared: `bot_description/config/other.yaml`", self.expect(1, "--strict", ".").stdout)
+        self.expect(0, "--strict", "--exit-zero", ".")
+        for words, level in (((), "warning"), (("--strict",), "error")):
+            log = json.loads(self.run_tool("--format", "sarif", *words, ".").stdout)
+            [note] = log["runs"][0]["invocations"][0]["toolExecutionNotifications"]
+            self.assertEqual(note["level"], level)
+            self.assertIn("none of its 3 names is known here", note["message"]["text"])
+            self.assertEqual(note["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "bot_description/config/other.yaml")
+
+    def test_a_controller_whose_type_is_in_its_own_section(self):
+        for kind in ("joint_trajectory_controller/JointTrajectoryController", "bot_controllers/Own"):
+            self.write(self.config, f"jtc:\n  ros__parameters:\n    type: {kind}\n    joints: [shoulder, elbw]\n    command_interfaces: [position]\n")
+            self.assertIn("did you mean `elbow`?", self.expect(1, ".").stdout, kind)
+
+    def test_a_plugin_of_a_urdf_that_is_not_named_as_xacro(self):
+        for name in ("a", "b"):
+            plugin = ('<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+                      f"<parameters>$(find bot_description)/config/{name}.yaml</parameters></plugin></gazebo></robot>")
+            self.write(f"bot_description/urdf/{name}.urdf", robot(name, [f"{name}_joint", "hand"]).replace("</robot>", plugin))
+            self.write(f"bot_description/config/{name}.yaml", controllers(f"{name}_jint", "hand"))
+        names = {one[1].split("`")[3] for one in self.found(".")}
+        self.assertEqual(names, {"a_jint", "b_jint"})
+
+    def test_a_robot_that_cannot_be_expanded_is_compared_by_its_text(self):
+        text = robot("bot").replace('name="elbow"', 'name="${prefix}elbow"')
+        include = '<xacro:arg name="prefix" default=""/><xacro:include filename="$(find nowhere_description)/x.xacro"/><link name="base"/>'
+        self.write("bot_description/urdf/bot.urdf.xacro", text.replace('<link name="base"/>', include))
+        self.write(self.config, controllers(*JOINTS))
+        self.assertEqual(self.found("."), set())
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "hand"))
+        done = self.run_tool(".")
+        self.assertIn("no file of the robot writes the joint `elbw`", done.stdout)
+        self.assertIn("did you mean `elbow`?", done.stdout)
+        self.assertIn("not compared: `bot_description/config/controllers.yaml`", done.stdout)
+        # A name that nobody writes, or that another robot writes, may be one of another variant.
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "gripper"))
+        self.assertEqual(self.found("."), set())
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "hand"))
+        self.write("bot_description/urdf/other.urdf.xacro", robot("other", ["elbw"]))
+        self.assertFalse(any("writes" in one[1] for one in self.found(".")))
+
+    def test_init_adds_no_finding(self):
+        text = robot("bot", root="$(arg prefix)base").replace('name="', 'name="$(arg prefix)').replace('name="$(arg prefix)bot"', 'name="bot"')
+        text = text.replace('link="', 'link="$(arg prefix)').replace("$(arg prefix)$(arg prefix)", "$(arg prefix)")
+        text = text.replace("<link", '<xacro:arg name="prefix" default=""/><link', 1)
+        self.write("bot_description/urdf/bot.urdf.xacro", text)
+        self.write("bot_description/launch/d.launch.py", "DeclareLaunchArgument('prefix', default_value='\"\"')\n"
+                   "Command(['xacro ', 'bot.urdf.xacro', ' prefix:=', LaunchConfiguration('prefix')])\n")
+        self.write(self.config, controllers(*JOINTS))
+        before = self.found(".")
+        self.assertEqual(before, set())
+        self.run_tool("--init")
+        self.assertEqual(self.found("."), before)
+
+    def test_an_argument_that_the_robot_does_not_have(self):
+        text = robot("bot", root="$(arg model)_base").replace("<link", '<xacro:arg name="model" default="mk1"/><link', 1)
+        self.write("bot_description/urdf/bot.urdf.xacro", text)
+        path = "bot_description/urdf/bot.urdf.xacro"
+        self.expect(0, path, "model:=mk2")
+        for words in ((path, "modle:=mk2"), (".", "modle:=mk2")):
+            done = self.expect(1, *words)
+            self.assertIn("has no argument `modle`", done.stdout)
+            self.assertIn("did you mean `model`?", done.stdout)
+        self.assertIn("write one of its arguments: `model`", self.expect(1, path, "speed:=2").stdout)
+        self.write(".smurf-lint.yaml", f'xacro:\n- file: {path}\n  arguments: {{modl: "mk2"}}\n')
+        self.assertRegex(self.expect(1, ".").stdout, r"has no argument `modl`\n *--> .smurf-lint.yaml:3:15")
+        self.write(".smurf-lint.yaml", f'xacro:\n- file: {path}\n  arguments: {{model: "mk2"}}\n')
+        self.expect(0, ".")
+        # Another robot may have it.
+        self.write("bot_description/urdf/other.urdf.xacro", robot("other", root="$(arg speed)_base"))
+        self.expect(0, ".", "speed:=2")
+
+    def test_a_file_that_the_plugin_of_another_robot_names(self):
+        for name in ("a", "b"):
+            plugin = ('<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+                      f"<parameters>$(find bot_description)/config/{name}.yaml</parameters></plugin></gazebo></robot>")
+            self.write(f"bot_description/urdf/{name}.urdf.xacro", robot(name, ["slide", f"{name}_joint"]).replace("</robot>", plugin))
+            self.write(f"bot_description/config/{name}.yaml", controllers("slide", f"{name}_joint"))
+        before = self.read("bot_description/config/b.yaml")
+        self.expect(0, "--rename", "joint:slide=rail", "bot_description/urdf/a.urdf.xacro")
+        self.assertIn("joints: [rail, a_joint]", self.read("bot_description/config/a.yaml"))
+        self.assertEqual(self.read("bot_description/config/b.yaml"), before)
+        self.assertEqual(self.found("."), set())
+
+    def test_names_that_lack_a_prefix(self):
+        text = robot("bot", [f"left_{one}_joint" for one in JOINTS])
+        self.write("bot_description/urdf/bot.urdf.xacro", text)
+        self.write(self.config, controllers(*(f"{one}_joint" for one in JOINTS)))
+        done = self.run_tool(".").stdout
+        self.assertEqual(done.count("[SML3701]"), 1)
+        self.assertIn("such as `shoulder_joint`, lack the prefix `left_` of the joints of the robot", done)
+        self.write(self.config, controllers(*(f"left_{one}_joint" for one in JOINTS)))
+        self.assertEqual(self.found("."), set())
+
+    def test_hardware_of_gazebo_whose_plugin_nobody_writes(self):
+        hardware = ('<ros2_control name="bot" type="system"><hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>'
+                    '<joint name="hand"><command_interface name="position"/><state_interface name="position"/></joint></ros2_control></robot>')
+        self.write("bot_description/urdf/bot.urdf.xacro", robot("bot").replace("</robot>", hardware))
+        self.assertIn("warning[SML3613]", self.run_tool(".").stdout)
+        self.write("bot_description/urdf/sim.xacro", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="sim"><gazebo>'
+                   '<plugin filename="gz_ros2_control-system" name="x"/></gazebo></xacro:macro></robot>')
+        self.assertIn("info[SML3613]", self.run_tool(".").stdout)
 
     def test_values_of_launch_files(self):
         self.write("bot_description/urdf/bot.urdf.xacro", robot("bot", root="$(arg model)_base"))
@@ -177,8 +303,8 @@ class Corpus(cli.CliTest):
             shutil.rmtree(copy)
         self.assertGreater(shown["files"], 10)
         self.assertGreaterEqual(shown["kept"], 0.95 * shown["files"], shown)
-        self.assertGreaterEqual(shown["told"], 0.75 * shown["files"], shown)
-        self.assertGreaterEqual(shown["shown"], 0.35 * shown["files"], shown)
+        self.assertGreaterEqual(shown["told"], 0.95 * shown["files"], shown)
+        self.assertGreaterEqual(shown["shown"], 0.6 * shown["files"], shown)
 
 
 if __name__ == "__main__":

@@ -82,7 +82,7 @@ class PlainOutputTest(unittest.TestCase):
     def run_tool(self, tool, *arguments):
         variables = {k: v for k, v in os.environ.items() if k not in ("FORCE_COLOR", "GITHUB_ACTIONS")}
         done = subprocess.run([os.fsencode(TOOLS / tool), *map(os.fsencode, arguments)], cwd=self.folder, env=variables,
-                              stdin=subprocess.DEVNULL, capture_output=True, timeout=60, check=False)
+                              stdin=subprocess.DEVNULL, capture_output=True, timeout=600, check=False)
         self.assertIn(done.returncode, (0, 1, 2), (tool, arguments, done.stderr))
         return done
 

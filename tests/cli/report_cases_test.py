@@ -56,7 +56,7 @@ class CasesTest(unittest.TestCase):
             place.write_text(content, encoding="utf-8")
         targets = ["--target", target] if target else []
         done = subprocess.run([LINT, *targets, "--format", "json", *options, os.path.relpath(name, folder)],
-                              cwd=self.folder / folder, timeout=60, capture_output=True, encoding="utf-8", check=False)
+                              cwd=self.folder / folder, timeout=600, capture_output=True, encoding="utf-8", check=False)
         self.assertIn(done.returncode, (0, 1), done.stderr)
         return json.loads(done.stdout)
 

@@ -111,7 +111,7 @@ class WritingTest(unittest.TestCase):
         return [str(TOOLS / job.split()[0]), *JOBS[job][0]]
 
     def run_job(self, job, *wrapper, **keywords):
-        return subprocess.run([*wrapper, *self.command(job)], cwd=self.folder, timeout=60,
+        return subprocess.run([*wrapper, *self.command(job)], cwd=self.folder, timeout=600,
                               encoding="utf-8", capture_output=True, check=False, **keywords)
 
     @staticmethod
@@ -167,6 +167,23 @@ class WritingTest(unittest.TestCase):
         self.assertEqual(done.returncode, -signal.SIGKILL, done.stderr)
         self.assertEqual(self.texts(self.target), files)
         self.assertEqual(self.run_job(job).returncode, 0)
+
+    @unittest.skipUnless(shutil.which("strace"), "strace is not installed")
+    def test_interrupted_at_any_step(self):
+        """Ctrl-C and SIGTERM wait until the set is complete, or all steps are undone: no file is left over or alone."""
+        fault = '<robot name="r{}"><link name="a"/><link name="b"/><joint name="j" type="Fixed"><parent link="a"/><child link="b"/></joint></robot>'
+        files = {f"r{i}.urdf": fault.format(i) for i in range(12)}
+        for call in ("fsync", "linkat", "renameat", "unlinkat"):
+            for step in (1, 7, 12):
+                with self.subTest(call, step=step):
+                    self.prepare(files)
+                    done = subprocess.run(["strace", "-f", "-qq", "-e", f"trace={call}", "-e", f"inject={call}:signal=TERM:when={step}",
+                                           TOOLS / "smurf-lint", "-q", "--fix", "--unsafe-fixes", "."], cwd=self.target,
+                                          capture_output=True, timeout=600, check=False)
+                    self.assertIn(done.returncode, (-signal.SIGTERM, 0), done.stderr)
+                    left = self.texts(self.target)
+                    self.assertEqual(sorted(left), sorted(files))
+                    self.assertIn(sum("Fixed" in text for text in left.values()), (0, 12))
 
     @for_each_job
     def test_killed_at_any_time(self, job, files):
@@ -235,7 +252,7 @@ class WritingTest(unittest.TestCase):
         if job.split()[0] not in ("smurf2urdf", "urdf2smurf"):
             return
         (self.folder / "in/meshes/forearm.obj").unlink(missing_ok=True)
-        done = subprocess.run([*self.command(job), "--fail-on", "error"], cwd=self.folder, timeout=60,
+        done = subprocess.run([*self.command(job), "--fail-on", "error"], cwd=self.folder, timeout=600,
                               encoding="utf-8", capture_output=True, check=False)
         self.assertEqual(done.returncode, 1)
         self.assertIn("1 error: see smurf-lint", done.stderr)
@@ -324,7 +341,7 @@ class WritingTest(unittest.TestCase):
             with self.subTest(tool):
                 reading, writing = os.pipe()
                 os.close(reading)
-                done = subprocess.run([TOOLS / tool, *arguments], cwd=self.folder, timeout=60,
+                done = subprocess.run([TOOLS / tool, *arguments], cwd=self.folder, timeout=600,
                                       stdout=writing, stderr=subprocess.PIPE, encoding="utf-8",
                                       check=False)
                 os.close(writing)
@@ -339,7 +356,7 @@ class WritingTest(unittest.TestCase):
             for output in ([], ["-o", "/dev/full"]):
                 with self.subTest(tool, output=output), open("/dev/full", "w") as full:
                     done = subprocess.run([TOOLS / tool, *arguments, *output], cwd=self.folder,
-                                          timeout=60, stdout=full, stderr=subprocess.PIPE,
+                                          timeout=600, stdout=full, stderr=subprocess.PIPE,
                                           encoding="utf-8", check=False)
                     self.assertEqual(done.returncode, 2)
                     self.assertIn("No space left on device", done.stderr)

@@ -127,7 +127,7 @@ class Watch(cli.CliTest):
 
     def stop(self):
         self.running.send_signal(signal.SIGINT)
-        self.assertEqual(self.running.wait(timeout=30), 0)
+        self.assertEqual(self.running.wait(timeout=600), 0)
         self.out.close()
 
     def test_changes_are_checked_until_the_end(self):

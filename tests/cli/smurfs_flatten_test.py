@@ -1036,7 +1036,7 @@ class NumbersOfAnnotations(FlattenTest):
                 self.write("r.yml", entry.format(value) + "\n")
                 runs = [("r.smurf", "--force", "--quiet", "--format", name) for name in ("mjcf", "sdf", "usda")]
                 results = [self.run_tool(*run) for run in runs]
-                results.append(subprocess.run(export, capture_output=True, text=True, cwd=self.folder, timeout=60, check=False))
+                results.append(subprocess.run(export, capture_output=True, text=True, cwd=self.folder, timeout=600, check=False))
                 for done in results:
                     self.assertEqual(done.returncode, 0, (entry, value, done.stderr))
                     self.assertNotRegex(done.stdout, r"(?i)(?<![\w.])[+-]?(nan|inf(inity)?)(?!\w)", (entry, value))
@@ -1061,7 +1061,7 @@ class NumbersOfAnnotations(FlattenTest):
         lint = [pathlib.Path(cli.TOOL).with_name("smurf-lint"), "r.smurf", "--select", "SML4003", "--format", "json"]
         for entry in self.ENTRIES:
             self.write("r.yml", entry.format("1e308") + "\n")
-            done = subprocess.run(lint, capture_output=True, text=True, cwd=self.folder, timeout=60, check=False)
+            done = subprocess.run(lint, capture_output=True, text=True, cwd=self.folder, timeout=600, check=False)
             found = json.loads(done.stdout)["diagnostics"]
             is_limit = "maxEffort: {0}" in entry or "maxSpeed: {0}" in entry
             self.assertEqual(len(found), 0 if is_limit else entry.count("{0}"), (entry, done.stdout))

@@ -50,7 +50,7 @@ class StrangerTest(unittest.TestCase):
 
     def run_tool(self, tool, *arguments, cwd=None, **keywords):
         variables = {k: v for k, v in os.environ.items() if k not in ("FORCE_COLOR", "GITHUB_ACTIONS")}
-        return subprocess.run([TOOLS / tool, *map(str, arguments)], cwd=cwd or self.project, env=variables, timeout=60,
+        return subprocess.run([TOOLS / tool, *map(str, arguments)], cwd=cwd or self.project, env=variables, timeout=600,
                               capture_output=True, encoding="utf-8", errors="replace", check=False, **keywords)
 
     def expect(self, code, tool, *arguments, **keywords):
@@ -194,7 +194,7 @@ class Pipes(StrangerTest):
                        "mkfifo q; { sleep 0.2; cat q; } & smurf-lint -o q --format json r.urdf; wait",
                        "smurf-lint --format json=/dev/stderr r.urdf 2>&1"):
             with self.subTest(script):
-                done = subprocess.run(["bash", "-c", f"PATH={TOOLS}:$PATH; {script}"], cwd=self.project, timeout=60,
+                done = subprocess.run(["bash", "-c", f"PATH={TOOLS}:$PATH; {script}"], cwd=self.project, timeout=600,
                                       capture_output=True, text=True, check=False)
                 self.assertEqual(done.stderr, "")
                 self.assertEqual(json.loads(done.stdout)["summary"]["files"], 1)
@@ -204,7 +204,7 @@ class Pipes(StrangerTest):
             log.write("before\n")
             log.flush()
             subprocess.run([TOOLS / "smurf-lint", "--fix", "-"], input=urdf().encode(), stderr=log, cwd=self.project,
-                           stdout=subprocess.DEVNULL, timeout=60, check=False)
+                           stdout=subprocess.DEVNULL, timeout=600, check=False)
         text = (self.project / "log").read_text()
         self.assertTrue(text.startswith("before\n") and "no findings" in text, text)
 
@@ -282,7 +282,7 @@ class Hooks(StrangerTest):
     def try_all(self, program):
         environment = {**os.environ, "PATH": f"{TOOLS}:{os.environ['PATH']}"}
         return subprocess.run([sys.executable, "-I", ROOT / "python/smurf/try_all.py", program], cwd=self.project,
-                              env=environment, capture_output=True, text=True, timeout=60, check=False)
+                              env=environment, capture_output=True, text=True, timeout=600, check=False)
 
     def converts_not_all(self):
         done = self.try_all("smurf2urdf")
@@ -530,7 +530,7 @@ class Inputs(StrangerTest):
     def test_standard_input(self):
         self.write("in.urdf", urdf())
         with (self.project / "in.urdf").open() as file:
-            done = subprocess.run([TOOLS / "smurf-lint", "-o", "in.urdf", "-"], stdin=file, cwd=self.project, timeout=60,
+            done = subprocess.run([TOOLS / "smurf-lint", "-o", "in.urdf", "-"], stdin=file, cwd=self.project, timeout=600,
                                   capture_output=True, check=False)
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertEqual((self.project / "in.urdf").read_text(), urdf())
@@ -725,7 +725,7 @@ class CurrentFolder(StrangerTest):
                                 "smurf-lint": ["."], "smurf-load-check": ["."]}.items():
             with self.subTest(tool):
                 script = 'mkdir gone; cd gone; rmdir ../gone; exec "$@"'
-                done = subprocess.run(["sh", "-c", script, "sh", TOOLS / tool, *arguments], cwd=self.folder, timeout=60,
+                done = subprocess.run(["sh", "-c", script, "sh", TOOLS / tool, *arguments], cwd=self.folder, timeout=600,
                                       capture_output=True, encoding="utf-8", check=False)
                 self.assertEqual(done.returncode, 2, done.stderr)
                 self.assertTrue(done.stderr.startswith(tool + ": "), done.stderr)
@@ -746,7 +746,7 @@ class Action(StrangerTest):
             done = subprocess.run(["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", script], cwd=self.project,
                                   env={"PATH": os.environ["PATH"], "RUNNER_TEMP": str(self.folder), "PATHS": paths,
                                        "FAIL_ON": "error", "SARIF": "", "TARGETS": ""},
-                                  capture_output=True, text=True, timeout=60, check=False)
+                                  capture_output=True, text=True, timeout=600, check=False)
             self.assertEqual((done.returncode, done.stdout.splitlines()), (0, [*head, "--", *wanted]), done.stderr)
 
     def test_a_package_is_an_input(self):

@@ -20,7 +20,7 @@ class ImportTest(cli.CliTest):
     def exported(self, *arguments):
         """What smurf2urdf makes of a model."""
         done = subprocess.run([pathlib.Path(cli.TOOL).with_name("smurf2urdf"), *arguments], capture_output=True, text=True,
-                              cwd=self.folder, timeout=60, check=False)
+                              cwd=self.folder, timeout=600, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
 

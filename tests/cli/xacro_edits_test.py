@@ -101,7 +101,7 @@ def offset(text, line, column):
 
 def findings(tool, folder, entry, arguments):
     done = subprocess.run([tool, entry, *arguments, "--format", "json", "--select", "SML18,SML33,SML11,SML14,SML15,SML16", "--no-ignore-files"],
-                          cwd=folder, capture_output=True, timeout=120, check=False)
+                          cwd=folder, capture_output=True, timeout=600, check=False)
     if done.returncode not in (0, 1):
         raise RuntimeError(f"{entry}: exit code {done.returncode}: {done.stderr[-500:]!r}")
     return json.loads(done.stdout)["diagnostics"]

@@ -24,7 +24,7 @@ class Tester:
     def diff(self, old, new, text=None):
         """The differences; None if one of both cannot be read."""
         done = subprocess.run([self.smurf_diff, "--format", "json", old, *(["-", "--stdin-filename", old] if text is not None else [new])],
-                              input=text, capture_output=True, timeout=60)
+                              input=text, capture_output=True, timeout=600)
         if done.returncode == 2:
             return None
         return json.loads(done.stdout)["differences"]

@@ -29,6 +29,11 @@ std::string limits_page() {
          "for those that use it. In this search it ignores files of more than 8 MB, 50,000 values of "
          "YAML or 100,000 elements and attributes of XML, without a report. A model that uses the "
          "file is then checked with the limits below.\n\n"
+         "Behind the limits there is a clock: a file that takes more than 120 seconds of processor "
+         "time, with all that it loads, is left, and reported as "
+      << test::link_to(*find_rule("SML0002"))
+      << ". `--max-seconds N` (`max_seconds=` in Python) changes that; 0 means no end. In editors, "
+         "a request ends after 30 seconds.\n\n"
          "XML entities are never expanded, so they need no limit. `smurf-load-check --time-limit` "
          "and `--memory-limit` bound a simulation.\n\n"
          "| limit | default | at most | of what | an excess is | why |\n|---|---|---|---|---|---|\n";

@@ -253,6 +253,36 @@ def a_long_name_in_many_shapes(write):
 
 
 @folder(LINT)
+def names_of_an_srdf_in_other_robots(write):
+    write("urdf/r.urdf", '<robot name="r"><link name="b"/>' + repeat('<link name="l{}"/>', MEGABYTE // 2) + "</robot>")
+    write("urdf/r2.urdf", '<robot name="r">' + repeat('<link name="k{}"/>', MEGABYTE // 2) + "</robot>")
+    write("config/r.srdf", '<robot name="r">' + repeat('<disable_collisions link1="k{}" link2="b{}" reason="Never"/>', MEGABYTE // 2) + "</robot>")
+
+
+@folder(LINT)
+def robots_of_one_name_with_an_srdf_each(write):
+    for i in range(60):
+        links = "".join(f'<link name="k{i}_{k}"/>' for k in range(400))
+        pairs = "".join(f'<disable_collisions link1="q{k}" link2="k{i}_{k}" reason="Never"/>' for k in range(400))
+        write(f"urdf/r{i}.urdf", f'<robot name="r">{links}</robot>')
+        write(f"config/r{i}.srdf", f'<robot name="r">{pairs}</robot>')
+
+
+@folder(LINT)
+def groups_in_groups_of_long_chains(write):
+    def arm(side):
+        return "".join(f'<link name="{side}{i}"/><joint name="{side}j{i}" type="fixed"><parent link="{side}{i - 1}"/>'
+                       f'<child link="{side}{i}"/></joint>' for i in range(1, 2000))
+
+    write("urdf/r.urdf", '<robot name="r"><link name="b"/><link name="l0"/><link name="r0"/>'
+          + "".join(f'<joint name="{side}j" type="fixed"><parent link="b"/><child link="{side}0"/></joint>' for side in "lr")
+          + arm("l") + arm("r") + "</robot>")
+    write("config/r.srdf", '<robot name="r">' + "".join(
+        f'<group name="g{i}"><chain base_link="l{1999 - i}" tip_link="r{1999 - i}"/><group name="g{(i + 1) % 1000}"/></group>'
+        f'<group_state name="s{i}" group="g{i}"><joint name="lj1" value="0"/></group_state>' for i in range(1000)) + "</robot>")
+
+
+@folder(LINT)
 def robots_that_look_for_packages_in_a_large_workspace(write):
     """Each robot once looked through all folders again."""
     for i in range(4000):

@@ -27,7 +27,7 @@ SEVERITIES = {1: "error", 2: "warning", 3: "info"}
 def of_linter(linter, path, position_of):
     """(id, severity, message, begin, end) of each finding in a file, places in UTF-16."""
     done = subprocess.run([linter, "--format", "json", "--only-listed", "--force-exclude", path], capture_output=True,
-                          check=False, timeout=120)
+                          check=False, timeout=600)
     if done.returncode not in (0, 1):
         return None, done.stderr.decode(errors="replace")
     found = []

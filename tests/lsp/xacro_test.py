@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """smurf-lsp on xacro files: a robot in two files, opened as its root and as its part. xacro_test.py SMURF-LSP"""
+import os
 import pathlib
 import re
 import shutil
@@ -90,6 +91,27 @@ class Xacro(unittest.TestCase):
             time.sleep(0.02)
         self.assertEqual([one["code"] for one in found], codes)
         return found
+
+    # --- cost
+
+    def test_a_name_of_thousands_of_uses(self):
+        """Once, each use was compared with all others, and with all tags of the file: more than 40 s."""
+        def seconds():
+            words = pathlib.Path(f"/proc/{self.client.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+            return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
+
+        if not pathlib.Path("/proc/self/stat").exists():
+            self.skipTest("the system does not count the time of a running process here")
+        uses = "".join(f'  <link name="l{i}_${{size}}"/>\n' for i in range(30_000))
+        text = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n  <xacro:property name="size" value="1"/>\n{uses}</robot>\n'
+        self.open(self.root, text)
+        before = seconds()
+        self.client.of("textDocument/documentSymbol", self.root)
+        peer = max(seconds() - before, 0.05)
+        before = seconds()
+        found = self.at("references", self.root, 'name="size"', len('name="'), context={"includeDeclaration": True})
+        self.assertGreater(len(found), 1000)
+        self.assertLess(seconds() - before, 20 * peer)
 
     # --- findings
 

@@ -139,7 +139,7 @@ def test_threads():
 
 def run_in_python(program, *arguments):
     return subprocess.run([sys.executable, "-c", program, *map(str, arguments)], capture_output=True, text=True,
-                          timeout=60)
+                          timeout=600)
 
 
 def test_first_arrays_of_threads():
@@ -311,7 +311,7 @@ def test_explain():
 
 def python(*arguments, path, **environment):
     command = [sys.executable, "-m", "smurf", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=60,
+    return subprocess.run(command, capture_output=True, text=True, timeout=600,
                           env={**os.environ, "PATH": path, **environment})
 
 
@@ -376,7 +376,7 @@ def test_pickles(tmp_path, monkeypatch):
     assert pickle.loads(pickle.dumps(scene)).to_json() == scene.to_json()
     script = tmp_path / "pool.py"
     script.write_text(POOL)
-    done = subprocess.run([sys.executable, script, inputs.ARM], capture_output=True, text=True, timeout=60)
+    done = subprocess.run([sys.executable, script, inputs.ARM], capture_output=True, text=True, timeout=600)
     assert done.stdout.split() == [link.name for link in arm.links], done.stderr
     session = smurf.Session()
     session.set_text("mem.urdf", "<robot name='a'><link name='b'/></robot>")

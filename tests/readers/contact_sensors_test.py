@@ -63,7 +63,7 @@ ROBOTS = {
 
 def run(*command, folder):
     done = subprocess.run([str(word) for word in command], cwd=folder, capture_output=True, encoding="utf-8",
-                          timeout=120, check=False)
+                          timeout=600, check=False)
     if done.returncode != 0:
         raise AssertionError(f"{command}\n{done.stdout}{done.stderr}")
     return done.stdout + done.stderr
@@ -71,7 +71,7 @@ def run(*command, folder):
 
 def touched(file):
     """{sensor: sizes of the collisions that it names}; None for a name that its link does not have."""
-    text = subprocess.run(["ign", "sdf", "-p", file], capture_output=True, encoding="utf-8", timeout=120,
+    text = subprocess.run(["ign", "sdf", "-p", file], capture_output=True, encoding="utf-8", timeout=600,
                           check=False).stdout
     found = {}
     for link in ElementTree.fromstring(text).iter("link"):

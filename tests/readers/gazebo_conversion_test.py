@@ -25,7 +25,7 @@ MERGED = {"fixed_joint_reduction_collision_visual_empty_root.urdf"}
 
 def elements(program, file):
     """Kinds of elements; none if libsdformat refuses the file."""
-    done = subprocess.run([program, file], capture_output=True, encoding="utf-8", errors="replace", timeout=120,
+    done = subprocess.run([program, file], capture_output=True, encoding="utf-8", errors="replace", timeout=600,
                           check=False)
     lines = [line.split("\t") for line in done.stdout.splitlines()]
     if not lines or lines[-1] != ["end"]:
@@ -49,7 +49,7 @@ def missing(tool, program, urdf, folder):
         return None
     command = [tool, urdf, "--format", "sdf", "-o", folder / "out.sdf", "--loss-report", folder / "lost.json",
                "--force", "--quiet", "--allow-outside"]
-    if subprocess.run(command, capture_output=True, timeout=120, check=False).returncode != 0:
+    if subprocess.run(command, capture_output=True, timeout=600, check=False).returncode != 0:
         return None
     ours = elements(program, folder / "out.sdf")
     if ours is None:

@@ -84,7 +84,7 @@ def main():
         answers = {pathlib.Path(one["file"]).name: one for one in map(json.loads, read.splitlines())}
         for robot, file in zip(robots, files):
             done = subprocess.run([lint, "--target", "gazebo:fortress", "--format", "json", file], capture_output=True,
-                                  encoding="utf-8", timeout=60, check=False)
+                                  encoding="utf-8", timeout=600, check=False)
             report, answer = json.loads(done.stdout), answers[file.name]
             says_refused = next(iter(report["targets"].values()))["verdict"] == "refuses"
             is_refused = answer["verdict"] != "takes"

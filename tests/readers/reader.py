@@ -52,7 +52,7 @@ class ReaderTest(cli.CliTest):
 
     def read_with(self, *command, **keywords):
         """Standard output of a reader, which must not print errors."""
-        done = subprocess.run([str(part) for part in command], capture_output=True, timeout=120,
+        done = subprocess.run([str(part) for part in command], capture_output=True, timeout=600,
                               encoding="utf-8", errors="replace", check=False, **keywords)
         self.assertEqual(done.returncode, 0, f"{command}\n{done.stdout}\n{done.stderr}")
         return done.stdout

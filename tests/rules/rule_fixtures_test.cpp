@@ -60,7 +60,7 @@ struct Case {
 
   std::string entry() const {
     for (const char* name : {"scene.svg", "scene.smurfs", "model.smurf", "robot.urdf",
-                             "robot.urdf.xacro", "robot.mjcf", "robot.srdf"}) {
+                             "robot.urdf.xacro", "robot.mjcf", "robot.sdf", "robot.srdf"}) {
       if (files.is_file(name)) return name;
     }
     FAIL("there is no entry file");

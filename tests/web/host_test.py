@@ -100,7 +100,7 @@ class EditorTest(viewer.cli.CliTest):
     def answer(self, editor):
         host = (pathlib.Path(__file__).resolve().parents[2] / "web/viewer/host.js").as_uri()
         self.write("editor.mjs", EDITOR.replace("@EDITOR@", editor).replace("@HOST@", host))
-        done = subprocess.run(["node", self.folder / "editor.mjs"], capture_output=True, text=True, timeout=60, check=False)
+        done = subprocess.run(["node", self.folder / "editor.mjs"], capture_output=True, text=True, timeout=600, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 

@@ -14,6 +14,7 @@ std::string picture_of(Session& session, const InputVersion& before, const Input
   if (!current) return {};
   CheckSettings settings;
   settings.packages = options.packages;
+  settings.max_seconds = options.max_seconds;
   const auto scene_of = [&](const InputVersion& version) {
     settings.xacro = {version.xacro.arguments, options.environment};
     const ReplacedText replaced(session, version);

@@ -115,7 +115,7 @@ Command make_command(Options& options) {
            open_option(options.opens), stdin_filename_option(options.stdin_filename),
            package_option(options.packages), xacro_env_option(options.environment),
            allow_outside_option(options.allow_outside), limit_option(options.limits),
-           color_option(options.color),
+           max_seconds_option(options.max_seconds), color_option(options.color),
            quiet_option(options.quiet, "Print no differences; exit with 1 if there are any.")}) {
     command.options.push_back(std::move(option));
   }

@@ -2,6 +2,7 @@
 // The command line of smurf-diff.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "common/cli/command.hpp"
 #include "common/files/output.hpp"
+#include "smurf/check.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/load.hpp"
 
@@ -32,6 +34,7 @@ struct Options {
   std::map<std::string, std::string> packages;
   bool allow_outside = false;
   Limits limits;
+  std::uint64_t max_seconds = kMaxSeconds;
   ColorChoice color = ColorChoice::automatic;
 };
 

@@ -122,6 +122,7 @@ Compared compare_versions(Session& session, const InputVersion& before, const In
   }
   CheckSettings settings;
   settings.packages = options.packages;
+  settings.max_seconds = options.max_seconds;
   settings.opens_meshes = false;  // only their bytes can be compared
   const DiffOptions how{options.tolerance, &session.files(), options.limits};
   if (is_scene(before.path)) {

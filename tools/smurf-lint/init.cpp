@@ -260,7 +260,7 @@ std::string hooks(const Seen& seen) {
 
 std::string workflow() {
   return "name: smurf-lint\non: [push, pull_request]\npermissions:\n  contents: read\njobs:\n"
-         "  smurf-lint:\n    runs-on: ubuntu-24.04\n    steps:\n    - uses: actions/checkout@v4\n"
+         "  smurf-lint:\n    runs-on: ubuntu-24.04\n    steps:\n    - uses: actions/checkout@11bd71901bbe5b1630ceea73d27597364c9af683  # v4.2.2\n"
          "    - uses: smurf-tools/smurf@v" +
          std::string(kVersion) + "\n      with:\n        paths: .\n";
 }

@@ -396,6 +396,7 @@ Report run_check(const LintOptions& options, const LintPlan& plan, Session& sess
   };
   Report report = session.check(plan, settings);
   report.summary.links = plan.links;
+  report.summary.is_strict = options.threshold.is_strict;
   // A configuration alone: there is nothing that a target could load.
   if (report.summary.models + report.summary.scenes + report.problems.size() == 0) {
     report.targets.clear();

@@ -310,6 +310,10 @@ std::vector<Option> verdict_options(LintOptions& options) {
        .help = "Exit with 1 on more than N warnings.",
        .set = set_number(options.threshold.max_warnings, 0)},
       {.group = "Exit code",
+       .name = "strict",
+       .help = "Exit with 1 if a file of ROS was seen, and not compared with a robot.",
+       .set = set_flag(options.threshold.is_strict)},
+      {.group = "Exit code",
        .name = "exit-zero",
        .help = "Exit with 0 even when there are findings; failures still exit with 2.",
        .set = set_flag(options.threshold.exit_zero)},
@@ -384,7 +388,8 @@ Command lint_command(LintOptions& options) {
   for (Option& option : std::vector<Option>{
            stdin_filename_option(options.stdin_filename), package_option(options.packages),
            xacro_env_option(options.xacro.environment), allow_outside_option(options.allow_outside),
-           limit_option(options.limits), color_option(options.color), jobs_option(options.jobs),
+           limit_option(options.limits), max_seconds_option(options.max_seconds),
+           color_option(options.color), jobs_option(options.jobs),
            quiet_option(options.quiet, "Show findings only, no summary.")}) {
     command.options.push_back(std::move(option));
   }

@@ -13,6 +13,7 @@
 #include "common/files/output.hpp"
 #include "common/rename/xacro_rename.hpp"
 #include "lint/inertia_repair.hpp"
+#include "smurf/check.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
@@ -30,6 +31,7 @@ struct LintOptions {
   XacroSettings xacro;
   bool allow_outside = false;  ///< read all files that models name
   Limits limits;
+  std::uint64_t max_seconds = kMaxSeconds;
 
   std::string config;       ///< "": the nearest one
   bool isolated = false;    ///< read no configuration

@@ -10,6 +10,7 @@ CheckSettings check_settings(const LintOptions& options) {
   for (const std::string_view name : report_format_names()) settings.formats.emplace_back(name);
   settings.selection = options.selection;
   settings.packages = options.packages;
+  settings.max_seconds = options.max_seconds;
   settings.xacro = options.xacro;
   settings.heeds_comments = !options.no_ignores;
   settings.heeds_baseline = !options.no_ignores && !options.generate_baseline;

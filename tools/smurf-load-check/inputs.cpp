@@ -40,6 +40,7 @@ CheckSettings settings_for(const InputOptions& options) {
   settings.heeds_comments = false;
   settings.heeds_baseline = false;
   settings.packages = options.packages;
+  settings.max_seconds = options.max_seconds;
   settings.xacro = options.xacro;
   return settings;
 }

@@ -2,6 +2,7 @@
 // The inputs: every file is loaded once, and every model is one check.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <string>
@@ -46,6 +47,7 @@ struct InputOptions {
   std::map<std::string, std::string> packages;
   bool allow_outside = false;  ///< read all files that models name
   Limits limits;
+  std::uint64_t max_seconds = kMaxSeconds;
   XacroSettings xacro;
 };
 

@@ -196,6 +196,7 @@ tools::Command command_of(Options& options) {
   command.options.push_back(tools::xacro_env_option(options.input.xacro.environment));
   command.options.push_back(tools::allow_outside_option(options.input.allow_outside));
   command.options.push_back(tools::limit_option(options.input.limits));
+  command.options.push_back(tools::max_seconds_option(options.input.max_seconds));
   command.options.push_back(tools::jobs_option(options.jobs));
   command.options.push_back(tools::color_option(options.color));
   command.options.push_back(

@@ -26,7 +26,7 @@ Json change_to(const OpenDocument& document) {
 Background::Background(Send send, Log log, std::string name, std::vector<std::string_view> methods)
     : methods_(std::move(methods)),
       server_(std::move(send), std::move(log),
-              {std::move(name), [this] { return messages_.is_cancelled(); }}),
+              {std::move(name), [this] { return messages_.is_cancelled(); }, 0}),
       thread_([this] { run(); }) {}
 
 Background::~Background() {

@@ -56,6 +56,7 @@ namespace {
 std::vector<Json> xacro_locations(Context& context, const Json& params, bool definitions,
                                   bool others) {
   std::vector<Json> found;
+  std::set<std::tuple<SourceId, std::size_t, std::size_t>> seen;  // a file may be included twice
   const auto request = xacro_request(context, params);
   const auto meaning = request ? xacro_meaning(*request->family, request->offset) : std::nullopt;
   if (!meaning) return found;
@@ -68,8 +69,8 @@ std::vector<Json> xacro_locations(Context& context, const Json& params, bool def
   };
   for (const XacroPlace& place : xacro_places(*request->family, *meaning)) {
     if (!(is_definition(place) ? definitions : others) || found.size() >= kMostPlaces) continue;
-    Json one = to_json(*request->family, place, context);
-    if (std::find(found.begin(), found.end(), one) == found.end()) found.push_back(std::move(one));
+    const bool is_new = seen.emplace(place.file->source, place.range.begin, place.range.end).second;
+    if (is_new) found.push_back(to_json(*request->family, place, context));
   }
   return found;
 }

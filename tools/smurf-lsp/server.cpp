@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/deadline.hpp"
 #include "common/cli/command.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/messages.hpp"
@@ -192,6 +193,7 @@ void refresh(Context& context) {
 Server::Server(Send send, Log log, ServerOptions options) : log_(std::move(log)) {
   context_.write = std::move(send);
   context_.name = std::move(options.name);
+  max_seconds_ = options.max_seconds;
   if (options.is_cancelled) context_.is_cancelled = std::move(options.is_cancelled);
 }
 
@@ -291,7 +293,14 @@ void Server::handle(const Json& message) {
     return reply(id, nullptr);
   }
   try {
+    const Deadline deadline(max_seconds_);
     reply(id, answer(method, params));
+  } catch (const OutOfTime&) {
+    context_.workspace.forget_files();  // they may be half read
+    refuse(id, kRequestFailed,
+           "`" + method + "` took more than " + std::to_string(max_seconds_) +
+               " s of processor time and was stopped; close the file that takes so long, or name "
+               "it in `exclude` of .smurf-lint.yaml");
   } catch (const RequestError& error) {
     refuse(id, error.code, error.what());
   } catch (const Json::exception& error) {

@@ -15,6 +15,9 @@ namespace smurf::lsp {
 struct ServerOptions {
   std::string name = "server";         ///< begins the ids of the server's own requests
   std::function<bool()> is_cancelled;  ///< whether the current request is cancelled
+  /// Seconds of processor time for a request; 0: as many as its files may take, each of them
+  /// kSecondsInEditor.
+  std::uint64_t max_seconds = kSecondsInEditor;
 };
 
 class Server {
@@ -44,6 +47,7 @@ class Server {
 
   Context context_;
   Log log_;
+  std::uint64_t max_seconds_ = 0;  ///< for each request; see ServerOptions
   bool is_initialized_ = false;
   bool is_shut_down_ = false;
   std::optional<int> exit_code_;

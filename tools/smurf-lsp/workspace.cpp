@@ -28,7 +28,9 @@ bool decides_plan(const std::string& path) {
 
 bool is_checkable(const std::string& path) {
   // Most of these are no robots.
-  if (path::to_lower(path::extension(path)) == ".xml") return is_companion_path(path);
+  const std::string extension = path::to_lower(path::extension(path));
+  if (extension == ".xml" || extension == ".sdf" || extension == ".world")
+    return is_companion_path(path);
   switch (input_kind(path)) {
   case InputKind::model:
   case InputKind::scene:
@@ -162,6 +164,7 @@ Plan readers_of(const Files& files, const Plan& all, const tools::LoadedNames& l
 CheckSettings settings_of_check() {
   CheckSettings settings = tools::check_settings({});
   settings.remembers = true;
+  settings.max_seconds = kSecondsInEditor;
   return settings;
 }
 

@@ -37,6 +37,10 @@ struct FileView {
   const xml::Document* xml = nullptr;
 };
 
+/// Processor time for a request about open files, and for each file of one about folders: whoever
+/// types waits for no more.
+inline constexpr std::uint64_t kSecondsInEditor = 30;
+
 /// A part of one model or scene.
 bool is_same_thing(const Reference& a, const Reference& b);
 

@@ -129,12 +129,25 @@ void PageServer::take_clients() {
   for (;;) {
     const sockets::Socket socket = sockets::accept(listener_);
     if (socket == sockets::kNone) return;
+    if (clients_.size() >= kMostClients) drop_silent_client();
     if (clients_.size() < kMostClients) {
       clients_[socket] = {};
     } else {
       sockets::close(socket);
     }
   }
+}
+
+void PageServer::drop_silent_client() {
+  auto longest = clients_.end();
+  for (auto one = clients_.begin(); one != clients_.end(); ++one) {
+    const bool is_silent = !one->second.known && one->second.to_send.empty();
+    const bool is_longer = longest == clients_.end() || one->second.since < longest->second.since;
+    if (is_silent && is_longer) longest = one;
+  }
+  if (longest == clients_.end()) return;
+  sockets::close(longest->first);
+  clients_.erase(longest);
 }
 
 void PageServer::read(sockets::Socket socket, Client& client) {

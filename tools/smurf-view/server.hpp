@@ -48,6 +48,8 @@ class PageServer {
   };
 
   void take_clients();
+  /// Makes room for a client: any page in a browser can open connections and say nothing.
+  void drop_silent_client();
   void read(sockets::Socket socket, Client& client);
   void answer(Client& client);
   void answer_change(Client& client);

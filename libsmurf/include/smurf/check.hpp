@@ -32,6 +32,9 @@
 
 namespace smurf {
 
+/// The default of CheckSettings::max_seconds: twelve times what a file of ten megabytes may take.
+inline constexpr std::uint64_t kMaxSeconds = 120;
+
 /// Settings of a check, which override those of a configuration.
 struct CheckSettings {
   std::string config;        ///< a file; "": the nearest configuration above the checked file
@@ -52,6 +55,10 @@ struct CheckSettings {
   bool heeds_baseline = true;  ///< the baseline suppresses findings
   std::string baseline;        ///< a file; "": the baseline named in the configuration
   unsigned jobs = 0;           ///< threads; 0: as many as the machine has
+  /// Seconds of processor time for each file that is named or found, with all that it loads; 0: no
+  /// end. A file that takes longer is left, with a finding (SML0002): the limits bound all work
+  /// that is known, and this bounds the rest.
+  std::uint64_t max_seconds = kMaxSeconds;
   /// Keep data for the next check. Uses memory, and changes no result.
   bool remembers = true;
   /// Called with 0 first, then after each file, possibly from several threads.

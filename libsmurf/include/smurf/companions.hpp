@@ -116,6 +116,9 @@ struct RejectedCompanion {
 struct Companions {
   std::vector<Companion> files;
   std::vector<PluginFile> plugin_files;
+  /// The hardware is one of Gazebo, and no description around the robot writes the plugin that
+  /// loads it, also not for other arguments.
+  bool lacks_simulation = false;
   /// Of the packages that the hardware and the controllers name, if they are around the robot.
   std::vector<ExportedClass> classes;
   bool checks_first_only = false;  ///< the robot was loaded to check the first of the files

@@ -39,6 +39,7 @@ struct Summary {
   /// The robots with which SRDFs were compared that a user named without them; "" for none.
   std::set<std::string> robots_of_srdfs = {};
   std::vector<NotCompared> not_compared = {};
+  bool is_strict = false;  ///< each of these ends the run with a failure
   /// Values that nobody gave: "`r.urdf.xacro` with `model:=mk3`, from `launch/d.launch.py`".
   std::set<std::string> assumptions = {};
   std::size_t links = 0;  ///< symbolic links that lead out of a folder, which were not followed
@@ -126,10 +127,11 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
 using RepositoryPath = std::function<std::string(const std::string& path)>;
 
 /// A SARIF 2.1.0 log with one run, as GitHub code scanning reads it; `site` is the web site that
-/// explains `rules`.
+/// explains `rules`. Companions that were not compared are notifications of the run.
 std::string render_sarif(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          std::span<const Rule* const> rules, const ToolName& tool,
-                         std::string_view site, const RepositoryPath& in_repository);
+                         std::string_view site, const RepositoryPath& in_repository,
+                         const Summary& summary = {});
 /// GitHub workflow commands: one "::error file=..." line each.
 std::string render_github(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                           const RepositoryPath& in_repository);

@@ -46,6 +46,7 @@ void excuse_names(const Companions& companions, const SourceMap& sources, bool m
   std::erase_if(found, [&](Diagnostic& one) {
     const auto file = files.find(one.span.source);
     if (file == files.end() || !is_about_name(one)) return false;
+    if (one.cases.contains(kLostPrefix)) return false;
     const Companion& companion = *file->second;
     const std::string_view name = sources.text(one.span);
     // An SRDF has one finding about all of them.

@@ -121,10 +121,16 @@ bool is_same(const CheckSettings& a, const CheckSettings& b) {
     return std::tie(one.config, one.is_isolated, one.formats, rules.select, rules.ignore,
                     rules.severities, rules.targets, rules.tolerances, one.packages,
                     one.package_folders, one.opens_meshes, one.heeds_comments, one.heeds_baseline,
-                    one.baseline);
+                    one.baseline, one.max_seconds);
   };
   // Functions cannot be compared.
   return a.selection.paths.empty() && b.selection.paths.empty() && values(a) == values(b);
+}
+
+std::vector<std::vector<CompanionTie>> ties_of(const CheckGroups& groups) {
+  std::vector<std::vector<CompanionTie>> all;
+  for (const CheckGroup& group : groups) all.push_back(group.ties);
+  return all;
 }
 
 }  // namespace smurf

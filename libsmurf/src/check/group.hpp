@@ -56,6 +56,8 @@ ReportSettings report_settings_of(const CheckGroup& group);
 
 /// The targets of all groups, each once.
 std::vector<const Reader*> targets_of(const CheckGroups& groups);
+/// The companions that each configuration ties to robots.
+std::vector<std::vector<CompanionTie>> ties_of(const CheckGroups& groups);
 
 /// Whether two checks with these settings give the same findings for the same files. False if that
 /// is unknown.

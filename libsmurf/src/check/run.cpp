@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <initializer_list>
 #include <set>
 #include <utility>
 
@@ -13,6 +14,8 @@
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "check/excuses.hpp"
+#include "check/given_arguments.hpp"
+#include "check/in_time.hpp"
 #include "check/launched_values.hpp"
 #include "check/missing_packages.hpp"
 #include "check/parallel.hpp"
@@ -27,27 +30,6 @@ namespace {
 
 constexpr std::size_t kMostParsed = 16U << 20U;  // bytes of texts; trees need five times as much
 
-void shift(Diagnostic& diagnostic, const SourceShift& by) {
-  diagnostic.span = by(diagnostic.span);
-  diagnostic.call = by(diagnostic.call);
-  if (diagnostic.expanded) diagnostic.expanded = by(*diagnostic.expanded);
-  for (Label& label : diagnostic.labels) label.span = by(label.span);
-  for (Fix& fix : diagnostic.fixes) {
-    for (Edit& edit : fix.edits) edit.span = by(edit.span);
-  }
-}
-
-/// Whether a query was only about a text that is a source. A new answer then leaves meshes
-/// unchanged.
-bool is_of_source(const Recorder::Question& question, const Recorder::Answer& answer,
-                  const SourceMap& sources) {
-  if (question.kind != Recorder::Kind::content) return false;
-  const std::string wanted = path::normalize(question.path);
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < sources.size(); ++i) count += sources.path(SourceId{i}) == wanted;
-  return count == answer.count;
-}
-
 class Run {
  public:
   Run(const CheckSettings& settings, const RunContext& context, SourceMap& sources)
@@ -57,7 +39,8 @@ class Run {
         sources_(sources),
         jobs_(count_of_jobs(settings.jobs)),
         shared_search_(std::make_shared<PackageSearch>(context.check.files)),
-        seen_(context.check, *shared_search_) {}
+        seen_(context.check, *shared_search_),
+        given_(context.check) {}
 
   void configure(std::vector<std::string> configs) {
     if (configs.empty()) configs.emplace_back();
@@ -69,11 +52,20 @@ class Run {
   }
 
   /// A robot of xacro in the configuration is checked with each set of its arguments.
-  void check(const std::vector<PlannedFile>& planned) {
-    check_all(with_variants(planned, memory_.groups, context_.check, found_));
+  std::vector<PlannedFile> with_variants(const std::vector<PlannedFile>& planned) {
+    return smurf::with_variants(planned, memory_.groups, context_.check, found_);
   }
 
-  void check_all(const std::vector<PlannedFile>& planned) {
+  /// Divides one budget among all expansions of the run.
+  void share_steps(std::initializer_list<const std::vector<PlannedFile>*> all) {
+    std::vector<std::string_view> paths;
+    for (const auto* planned : all) {
+      for (const PlannedFile& one : *planned) paths.push_back(one.path);
+    }
+    steps_of_each_ = xacro_steps_of_each(paths, context_.check.limits);
+  }
+
+  void check(const std::vector<PlannedFile>& planned) {
     std::vector<const PlannedFile*> left;
     for (const PlannedFile& file : planned) {
       if (read_.contains(identity_of(file.path))) {
@@ -83,7 +75,6 @@ class Run {
       }
     }
     if (is_over_ || is_cancelled_) return;
-    steps_of_each_ = xacro_steps_of_each(left, context_.check.limits);
     std::vector<Outcome> outcomes(left.size());
     for_each_in_order(
         left.size(), jobs_,
@@ -109,6 +100,8 @@ class Run {
       found_[one.config].diagnostics.push_back(std::move(one.diagnostic));
     }
     seen_.report_broken(compared(), sources_, found_);
+    seen_.report_misspelt(compared(), ties_of(memory_.groups), sources_, found_);
+    given_.report(settings_.xacro.arguments, memory_.groups, sources_, found_);
     join_missing_packages(found_, sources_, context_.check.files);
     Report report = make_report(std::move(found_), memory_.groups, context_.check, sources_);
     report.summary.models = models_.size();
@@ -135,11 +128,9 @@ class Run {
 
   /// Loads robots that nobody asked for, for companions that no robot has so far.
   void check_helpers() {
-    std::vector<std::vector<CompanionTie>> ties;
-    for (const CheckGroup& group : memory_.groups) ties.push_back(group.ties);
-    const std::vector<PlannedFile> helpers = seen_.helpers(compared(), ties);
+    const std::vector<PlannedFile> helpers = seen_.helpers(compared(), ties_of(memory_.groups));
     expected_ += helpers.size();
-    check(helpers);
+    check(with_variants(helpers));
   }
 
   /// Announces the number of files.
@@ -185,13 +176,6 @@ class Run {
     }
   }
 
-  /// A xacro file is checked with several sets of arguments.
-  static std::string key_of(const PlannedFile& planned) {
-    std::string key = planned.path;
-    for (const auto& [name, value] : planned.arguments) key += "\n" + name + ":=" + value;
-    return key;
-  }
-
   bool can_keep_configurations(const std::vector<std::string>& configs) const {
     return is_remembering() && !memory_.is_empty && memory_.configs == configs &&
            is_same(memory_.settings, settings_) &&
@@ -217,7 +201,7 @@ class Run {
   Outcome check(const PlannedFile& planned) {
     Outcome outcome;
     if (!is_remembering()) {
-      load(planned, context_.check.files, shared_meshes_, outcome);
+      load_in_time(planned, context_.check.files, shared_meshes_, outcome);
       return outcome;
     }
     const auto known = memory_.outcomes.find(key_of(planned));
@@ -230,7 +214,8 @@ class Run {
       keep_meshes(std::move(known->second), outcome);
     }
     Recorder recorder(*context_.snapshot);
-    load(planned, recorder, outcome.meshes, outcome);
+    // What was stopped is not kept: its answers are empty, and the next check tries again.
+    if (!load_in_time(planned, recorder, outcome.meshes, outcome)) return outcome;
     outcome.answers.merge(recorder.take());
     outcome.config = planned.config;
     outcome.near = seen_.near();
@@ -245,6 +230,17 @@ class Run {
     if (!is_unchanged(known.answers, *context_.snapshot)) return;
     outcome.meshes = std::move(known.meshes);
     outcome.answers = std::move(known.answers);
+  }
+
+  /// False if the file takes too long; the outcome is then only that.
+  bool load_in_time(const PlannedFile& planned, const FileReader& files, MeshLibrary& meshes,
+                    Outcome& outcome) const {
+    return run_in_time(
+        settings_.max_seconds, [&] { load(planned, files, meshes, outcome); },
+        [&] {
+          outcome = outcome_out_of_time(planned, identity_of(planned.path), settings_.max_seconds,
+                                        memory_.sources);
+        });
   }
 
   void load(const PlannedFile& planned, const FileReader& files, MeshLibrary& meshes,
@@ -307,8 +303,10 @@ class Run {
       if (!planned.shown.empty()) {
         for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
       }
-      if (xacro::is_xacro_file(planned.path) && !model.robot)
-        outcome.notes.unknown_robot = model.path;
+      if (xacro::is_xacro_file(planned.path)) {
+        outcome.notes.arguments = arguments_of(outcome.sources, memory_.sources.size());
+        if (!model.robot) outcome.notes.unknown_robot = model.path;
+      }
       if (!values.empty() && model.robot) {
         outcome.notes.assumption = quoted(model.path) + " with " + values;
       }
@@ -430,6 +428,11 @@ class Run {
     robots_of_srdfs_.merge(outcome.notes.robots_of_srdfs);
     if (!outcome.notes.assumption.empty()) assumptions_.insert(outcome.notes.assumption);
     for (const auto& [file, one] : outcome.notes.rejected) seen_.add_rejected(file, one);
+    if (xacro::is_xacro_file(planned.path) && !is_companion_path(planned.path) &&
+        !outcome.models.empty()) {
+      given_.take(planned.path, planned.config, outcome.notes.arguments,
+                  outcome.notes.unknown_robot.empty());
+    }
     if (!outcome.notes.unknown_robot.empty()) seen_.add_unknown_robot(outcome.notes.unknown_robot);
     const auto file_of = [&](const Diagnostic& one) {
       return identity_of(sources_.path(one.span.source));
@@ -458,6 +461,7 @@ class Run {
   ToldFindings told_;                                ///< in the surroundings of robots
   std::set<std::string> assumptions_;                ///< see Summary
   SeenCompanions seen_;                              ///< of the plan
+  GivenArguments given_;                             ///< of the robots
   CompanionFindings shared_;                         ///< findings in them
   std::set<std::string> sources_read_;               ///< by identity
   std::uint64_t rechecked_ = 0;                      ///< bytes of files that were read before
@@ -489,11 +493,14 @@ Report run_check(const Plan& plan, const CheckSettings& settings, const RunConte
   others.erase(first_companion, others.end());
   run.expect_robots(plan.models.size() + others.size());
   run.see_companions(plan);
-  for (const auto* planned : {&plan.scenes, &plan.models, &std::as_const(others)}) {
-    run.check(*planned);
-  }
+  const std::vector<PlannedFile> scenes = run.with_variants(plan.scenes);
+  const std::vector<PlannedFile> models = run.with_variants(plan.models);
+  const std::vector<PlannedFile> of_others = run.with_variants(others);
+  const std::vector<PlannedFile> of_companions = run.with_variants(companions);
+  run.share_steps({&scenes, &models, &of_others, &of_companions});
+  for (const auto* planned : {&scenes, &models, &of_others}) run.check(*planned);
   run.check_helpers();
-  run.check(companions);
+  run.check(of_companions);
   return run.finish(plan);
 }
 

@@ -6,13 +6,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "base/files/canonical_paths.hpp"
+#include "base/files/path.hpp"
 #include "check/group.hpp"
+#include "check/in_time.hpp"
 #include "check/pipeline.hpp"
 #include "check/shared_companions.hpp"
 #include "check/snapshot.hpp"
@@ -26,6 +29,7 @@ struct OutcomeNotes {
   std::map<std::string, RejectedCompanion> rejected;  ///< by identity
   std::string unknown_robot;                          ///< its path, if it could not be expanded
   std::string assumption;                             ///< see Summary::assumptions
+  std::set<std::string> arguments;                    ///< of a robot of xacro
 };
 
 /// The outcome of one planned file with all files that it loads.
@@ -42,6 +46,51 @@ struct Outcome {
   Recorder::Answers answers;  ///< queries on which the result depends
   std::size_t config = 0;     ///< see PlannedFile::config
 };
+
+/// The key of an outcome. A xacro file is checked with several sets of arguments.
+inline std::string key_of(const PlannedFile& planned) {
+  std::string key = planned.path;
+  for (const auto& [name, value] : planned.arguments) key += "\n" + name + ":=" + value;
+  return key;
+}
+
+/// The outcome of a file that takes too long: one finding.
+inline Outcome outcome_out_of_time(const PlannedFile& planned, const std::string& identity,
+                                   std::uint64_t seconds, const SourceMap& sources) {
+  Outcome outcome;
+  outcome.sources = sources;
+  outcome.config = planned.config;
+  DiagnosticSink sink;
+  Diagnostic& left = report_out_of_time(planned.path, seconds, outcome.sources, sink);
+  if (!planned.shown.empty()) left.note("with " + planned.shown);
+  outcome.judged.diagnostics = sink.take();
+  outcome.read.insert(identity);
+  const InputKind kind = input_kind(planned.path);
+  const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;
+  if (kind != InputKind::annotation) (is_scene ? outcome.scenes : outcome.models).insert(identity);
+  return outcome;
+}
+
+inline void shift(Diagnostic& diagnostic, const SourceShift& by) {
+  diagnostic.span = by(diagnostic.span);
+  diagnostic.call = by(diagnostic.call);
+  if (diagnostic.expanded) diagnostic.expanded = by(*diagnostic.expanded);
+  for (Label& label : diagnostic.labels) label.span = by(label.span);
+  for (Fix& fix : diagnostic.fixes) {
+    for (Edit& edit : fix.edits) edit.span = by(edit.span);
+  }
+}
+
+/// Whether a query was only about a text that is a source. A new answer then leaves meshes
+/// unchanged.
+inline bool is_of_source(const Recorder::Question& question, const Recorder::Answer& answer,
+                         const SourceMap& sources) {
+  if (question.kind != Recorder::Kind::content) return false;
+  const std::string wanted = path::normalize(question.path);
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < sources.size(); ++i) count += sources.path(SourceId{i}) == wanted;
+  return count == answer.count;
+}
 
 /// Copies the parts that the report needs from an outcome that is kept for the next check.
 inline Outcome copy_of(const Outcome& kept) {

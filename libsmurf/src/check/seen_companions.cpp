@@ -51,6 +51,12 @@ void SeenCompanions::add_rejected(const std::string& file, const RejectedCompani
   if (!is_new && known->second.known_names < one.known_names) known->second = one;
 }
 
+bool SeenCompanions::is_open(const std::string& id, const File& file,
+                             const std::set<std::string>& known) const {
+  return !known.contains(id) && !file.seen->what.spec->is_xml &&
+         file.seen->what.state != CompanionState::a_template;
+}
+
 std::vector<PlannedFile>
 SeenCompanions::helpers(const std::set<std::string>& known,
                         const std::vector<std::vector<CompanionTie>>& ties) const {
@@ -58,9 +64,7 @@ SeenCompanions::helpers(const std::set<std::string>& known,
   std::set<std::string> seen = known;
   CompanionRobots robots(context_.files, context_.limits);
   for (const auto& [id, file] : files_) {
-    const bool is_open = !known.contains(id) && !file.seen->what.spec->is_xml &&
-                         file.seen->what.state != CompanionState::a_template;
-    if (!is_open) continue;
+    if (!is_open(id, file, known)) continue;
     for (const std::string& path :
          robots.of(file.planned.path, *file.seen, ties[file.planned.config])) {
       if (found.size() >= kMostHelpers || !seen.insert(id_of(path)).second) continue;
@@ -116,6 +120,32 @@ void SeenCompanions::report_broken(const std::set<std::string>& known, SourceMap
     parse_yaml(sources, source, context_.limits, sink);
     append(sink.take(), found[file.planned.config].diagnostics);
     broken_.insert(id);
+  }
+}
+
+void SeenCompanions::report_misspelt(const std::set<std::string>& known,
+                                     const std::vector<std::vector<CompanionTie>>& ties,
+                                     SourceMap& sources, std::vector<Judged>& found) const {
+  if (unknown_robots_.empty()) return;
+  CompanionRobots robots(context_.files, context_.limits);
+  std::set<std::string> unknown;
+  for (const std::string& one : unknown_robots_) unknown.insert(id_of(one));
+  for (const auto& [id, file] : files_) {
+    if (!is_open(id, file, known) || file.seen->names.empty()) continue;
+    const std::string& path = file.planned.path;
+    std::vector<std::string> likely = robots.of(path, *file.seen, ties[file.planned.config]);
+    std::erase_if(likely, [&](const std::string& one) { return !unknown.contains(id_of(one)); });
+    const MisspeltNames misspelt = find_misspelt(path, *file.seen, likely, robots);
+    if (misspelt.names.empty()) continue;
+    const FileContent content = context_.files.read(path, context_.limits.file_bytes);
+    if (content.status != ReadStatus::ok) continue;
+    Companion companion;
+    companion.kind = file.seen->what.spec->kind;
+    companion.source = sources.add(path, content.text);
+    DiagnosticSink ignored(context_.limits), sink(context_.limits);
+    companion.document = parse_yaml(sources, companion.source, context_.limits, ignored);
+    report_written(companion, misspelt, sink);
+    append(sink.take(), found[file.planned.config].diagnostics);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/files/canonical_paths.hpp"
 #include "check/pipeline.hpp"
+#include "check/written_names.hpp"
 #include "link/package_search.hpp"
 #include "smurf/plan.hpp"
 
@@ -38,6 +39,10 @@ class SeenCompanions {
   /// Reports those that cannot be parsed; robots report the ones in `known`.
   void report_broken(const std::set<std::string>& known, SourceMap& sources,
                      std::vector<Judged>& found);
+  /// Reports misspelt names in files whose robots could not be expanded.
+  void report_misspelt(const std::set<std::string>& known,
+                       const std::vector<std::vector<CompanionTie>>& ties, SourceMap& sources,
+                       std::vector<Judged>& found) const;
   /// The files that are not in `known`, with reasons.
   std::vector<NotCompared> not_compared(const std::set<std::string>& known) const;
 
@@ -49,6 +54,8 @@ class SeenCompanions {
   std::string id_of(const std::string& path) const {
     return identity(path, context_.paths, context_.files);
   }
+  /// Whether no robot has the file, although it can be read.
+  bool is_open(const std::string& id, const File& file, const std::set<std::string>& known) const;
   NotCompared judge(const std::string& id, const File& file) const;
 
   const CheckContext& context_;

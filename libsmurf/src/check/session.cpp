@@ -11,9 +11,11 @@
 #include "base/files/places.hpp"
 #include "base/files/system.hpp"
 #include "check/group.hpp"
+#include "check/in_time.hpp"
 #include "check/pipeline.hpp"
 #include "check/run.hpp"
 #include "check/snapshot.hpp"
+#include "check/xacro_share.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
 #include "smurf/companions.hpp"
@@ -74,6 +76,10 @@ struct LoadedWith {
   const CheckGroup& group() const { return groups->front(); }
 };
 
+std::uint64_t max_seconds_of(const Loaded& loaded) {
+  return loaded.loaded_with->group().settings.max_seconds;
+}
+
 struct Session::State {
   State(const FileReader* reader, const Limits& of_user, StampOf stamps)
       : limits(of_user), given(reader), stamp_of_file(std::move(stamps)) {
@@ -120,6 +126,7 @@ struct Session::State {
   void announce(std::span<const std::string> inputs, const CheckSettings& settings) {
     open(inputs, settings);
     announced = {inputs.begin(), inputs.end()};
+    steps_of_each = xacro_steps_of_each({inputs.begin(), inputs.end()}, limits);
     announced_groups.clear();
     read = std::make_shared<ReadFiles>();
   }
@@ -131,6 +138,7 @@ struct Session::State {
       open(std::span(&path, 1), settings);
       announced_groups.clear();
       read->lists.clear();
+      steps_of_each = limits.xacro_steps;
     }
     LoadedWith& with = loaded_with.emplace_back();
     with.first_source = loaded_sources.size();
@@ -167,7 +175,39 @@ struct Session::State {
     }
     const RunContext context{context_from(0), snapshot ? &*snapshot : nullptr, memory};
     checked = &sources;
-    return run_check(plan, settings, context, sources);
+    try {
+      return run_check(plan, settings, context, sources);
+    } catch (const OutOfTime&) {
+      memory = {};  // parts of it were moved into the report
+      throw;
+    }
+  }
+
+  /// Loads something for `path`, or reports that it takes too long.
+  template <class Work>
+  void load(const std::string& path, Loaded& loaded, const Work& work) {
+    const std::uint64_t seconds = max_seconds_of(loaded);
+    run_in_time(seconds, work, [&] {
+      report_out_of_time(path, seconds, loaded_sources, loaded.found);
+      read = std::make_shared<ReadFiles>();  // it may have been half read
+    });
+  }
+
+  template <class Linked>
+  Report judge_in_time(Linked& linked, const std::string& path, Loaded& loaded) {
+    const CheckGroup& group = loaded.loaded_with->group();
+    const std::uint64_t seconds = max_seconds_of(loaded);
+    DiagnosticSink found = loaded.found;  // a later check reports them again
+    Judged judged;
+    run_in_time(
+        seconds,
+        [&] { judged = judge(linked, loaded_sources, group.selection, found, *expansions); },
+        [&] {
+          found = loaded.found;
+          report_out_of_time(path, seconds, loaded_sources, found);
+          judged.diagnostics = found.take();
+        });
+    return report(std::move(judged), loaded);
   }
 
   Report report(Judged&& judged, Loaded& loaded) {
@@ -201,6 +241,7 @@ struct Session::State {
   std::shared_ptr<xacro::Expansions> expansions = std::make_shared<xacro::Expansions>();
   std::deque<LoadedWith> loaded_with;
   std::set<std::string> announced;
+  std::uint64_t steps_of_each = limits.xacro_steps;  ///< of expansions, see xacro_steps_of_each()
   std::map<std::string, std::shared_ptr<CheckGroups>> announced_groups;  ///< by configuration
 };
 
@@ -278,10 +319,12 @@ const SourceMap& Session::loaded_sources() const { return state_->loaded_sources
 LoadContext Session::context_of(Loaded& loaded) {
   LoadedWith& with = *loaded.loaded_with;
   const CheckGroup& group = with.group();
+  Limits limits = state_->limits;
+  limits.xacro_steps = state_->steps_of_each;
   return {state_->loaded_sources,
           *state_->files,
           loaded.found,
-          state_->limits,
+          limits,
           group.packages,
           group.settings.package_folders,
           group.settings.opens_meshes ? &with.meshes : nullptr,
@@ -296,39 +339,37 @@ LoadContext Session::context_of(Loaded& loaded) {
 LoadedExpansion Session::load_xacro(const std::string& path, const CheckSettings& settings) {
   LoadedExpansion loaded{state_->prepare(path, settings), {}};
   LoadContext context = context_of(loaded);
-  loaded.expansion = smurf::load_xacro(path, context);
+  state_->load(path, loaded, [&] { loaded.expansion = smurf::load_xacro(path, context); });
   return loaded;
 }
 
 LoadedModel Session::load_model(const std::string& path, const CheckSettings& settings) {
   LoadedModel loaded{state_->prepare(path, settings), {}};
   LoadContext context = context_of(loaded);
-  loaded.model = smurf::load_model(path, context);
+  state_->load(path, loaded, [&] { loaded.model = smurf::load_model(path, context); });
   return loaded;
 }
 
 LoadedScene Session::load_scene(const std::string& path, const CheckSettings& settings) {
   LoadedScene loaded{state_->prepare(path, settings), {}, {}};
   LoadContext context = context_of(loaded);
-  loaded.scene = smurf::load_scene(path, context);
-  loaded.old_scenes = load_old_scenes(loaded.scene, context);
+  state_->load(path, loaded, [&] {
+    loaded.scene = smurf::load_scene(path, context);
+    loaded.old_scenes = load_old_scenes(loaded.scene, context);
+  });
   return loaded;
 }
 
 Report Session::check(LoadedModel& loaded) {
-  const RuleSelection& selection = loaded.loaded_with->group().selection;
-  DiagnosticSink found = loaded.found;  // a later check reports them again
-  Report report = state_->report(
-      judge(loaded.model, *loaded.sources, selection, found, *state_->expansions), loaded);
+  Report report = state_->judge_in_time(loaded.model, loaded.model.path, loaded);
   report.summary.models = 1;
   return report;
 }
 
 Report Session::check(LoadedScene& loaded) {
-  const RuleSelection& selection = loaded.loaded_with->group().selection;
-  DiagnosticSink found = loaded.found;  // a later check reports them again
-  Report report = state_->report(
-      judge(loaded.scene, *loaded.sources, selection, found, *state_->expansions), loaded);
+  const std::vector<SceneFile>& files = loaded.scene.scenes;
+  Report report =
+      state_->judge_in_time(loaded.scene, files.empty() ? "" : files.front().path, loaded);
   report.summary.models = loaded.scene.models.size();
   report.summary.scenes = loaded.scene.scenes.size();
   return report;

@@ -7,6 +7,7 @@
 
 #include "base/text/quoted.hpp"
 #include "check/excuses.hpp"
+#include "verdict/targets.hpp"
 
 namespace smurf {
 namespace {
@@ -61,9 +62,11 @@ std::vector<CompanionFindings::Found> CompanionFindings::finish() {
         const Key key = key_of(found);
         const bool is_of_all = counts[key] == owners.size();
         if (!has_variants && taken.contains(key)) continue;
+        // A name that a robot has with some arguments is right.
+        if (!is_of_all && is_about_name(found)) continue;
         if (!has_variants && !is_of_all) {
-          if (is_about_name(found)) continue;
           found.severity = Severity::info;
+          found.when(kExcused);  // a target makes it no error either
           found.note("only with " + quoted(robot.robot) + "; the file fits other robots as well");
         }
         own.insert(key);

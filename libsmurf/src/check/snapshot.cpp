@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/files/path.hpp"
+
 namespace smurf {
 namespace {
 
@@ -133,6 +135,15 @@ bool is_unchanged(const Recorder::Answers& answers, const Snapshot& files) {
   return std::all_of(answers.begin(), answers.end(), [&](const auto& known) {
     return answer_to(known.first, files) == known.second.text;
   });
+}
+
+bool is_of_source(const Recorder::Question& question, const Recorder::Answer& answer,
+                  const SourceMap& sources) {
+  if (question.kind != Recorder::Kind::content) return false;
+  const std::string wanted = path::normalize(question.path);
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < sources.size(); ++i) count += sources.path(SourceId{i}) == wanted;
+  return count == answer.count;
 }
 
 }  // namespace smurf

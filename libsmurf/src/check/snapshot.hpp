@@ -14,6 +14,7 @@
 
 #include "smurf/check.hpp"
 #include "smurf/file_reader.hpp"
+#include "smurf/source.hpp"
 
 namespace smurf {
 
@@ -104,5 +105,10 @@ class Recorder final : public FileReader {
 
 /// Whether these queries have the same answers now.
 bool is_unchanged(const Recorder::Answers& answers, const Snapshot& files);
+
+/// Whether a query was only about a text that is a source. A new answer then leaves meshes
+/// unchanged.
+bool is_of_source(const Recorder::Question& question, const Recorder::Answer& answer,
+                  const SourceMap& sources);
 
 }  // namespace smurf

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/text/quoted.hpp"
-#include "mjcf/mjcf.hpp"
+#include "imports/imports.hpp"
 
 namespace smurf {
 namespace {
@@ -73,8 +73,10 @@ void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& source
   // A part that only a URDF needs is nobody's, and no rule on masses or on writing is meant for it.
   std::erase_if(found, [&](const Diagnostic& diagnostic) {
     const auto expansion = expansions.find(diagnostic.span.source);
-    return expansion != expansions.end() && diagnostic.severity != Severity::error &&
-           mjcf::is_made(expansion->second, diagnostic.span);
+    const bool is_about_masses = diagnostic.rule->id.starts_with("SML15");
+    return expansion != expansions.end() &&
+           (diagnostic.severity != Severity::error || is_about_masses) &&
+           imports::is_made(expansion->second, diagnostic.span);
   });
   for (Diagnostic& diagnostic : found) {
     const auto expansion = expansions.find(diagnostic.span.source);

@@ -9,21 +9,20 @@
 #include <vector>
 
 #include "link/xacro_model.hpp"
-#include "smurf/plan.hpp"
 #include "smurf/xacro.hpp"
 
 namespace smurf {
 
 /// All share the steps of two, and each file adds those of an honest robot, so that neither the
 /// variants of a file nor many files multiply what one may take. The share depends on the plan
-/// alone, and not on which robot comes first.
-inline std::uint64_t xacro_steps_of_each(const std::vector<const PlannedFile*>& planned,
+/// alone, and not on which robot comes first. `paths` has a file once for each of its variants.
+inline std::uint64_t xacro_steps_of_each(const std::vector<std::string_view>& paths,
                                          const Limits& limits) {
   std::set<std::string_view> files;
   std::uint64_t count = 0;
-  for (const PlannedFile* one : planned) {
-    if (!xacro::is_xacro_file(one->path)) continue;
-    files.insert(one->path);
+  for (const std::string_view path : paths) {
+    if (!xacro::is_xacro_file(path)) continue;
+    files.insert(path);
     ++count;
   }
   const std::uint64_t all = 2 * limits.xacro_steps + kStepsOfRobot * files.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks a scene, and writes it in a format.
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
+#include "check/in_time.hpp"
 #include "conversion/floor.hpp"
 #include "conversion/own_contacts.hpp"
 #include "conversion/refusal.hpp"
@@ -121,8 +123,15 @@ template <class Convert>
 SceneCheck convert_checked(Session& session, LoadedScene& loaded, bool force,
                            const Convert& convert, std::vector<Diagnostic>* losses = nullptr) {
   DiagnosticSink before = loaded.found;
-  if (first_loss(loaded).empty()) convert();
-  const std::string loss = first_loss(loaded);
+  std::string late;
+  if (first_loss(loaded).empty()) {
+    const std::uint64_t seconds = max_seconds_of(loaded);
+    run_in_time(seconds, convert, [&] {
+      late = "that takes more than " + std::to_string(seconds) +
+             " s of processor time; allow more with `--max-seconds N`";
+    });
+  }
+  const std::string loss = late.empty() ? first_loss(loaded) : late;
   SceneCheck check{session.check(loaded), {}};
   if (losses != nullptr) {
     const auto& found = loaded.found.diagnostics();

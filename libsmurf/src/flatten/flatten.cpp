@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/deadline.hpp"
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/text/unique_names.hpp"
@@ -29,6 +30,7 @@ class Flattener {
     flat_.joint_poses = options_.reading ? options_.reading->joint_poses : scene_.joint_poses;
     flat_.instances.reserve(scene_.instances.size());
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+      Deadline::look(16);
       flat_.instances.push_back(flat_instance(i));
     }
     return std::move(flat_);

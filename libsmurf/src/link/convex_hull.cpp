@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/deadline.hpp"
 #include "base/numbers/vectors.hpp"
 
 namespace smurf {
@@ -32,6 +33,7 @@ class HullMaker {
     if (!start()) return false;
     for (std::uint32_t i = 0; i < faces_.size(); ++i) {
       while (!faces_[i].is_gone && !faces_[i].outside.empty()) {
+        Deadline::look(faces_.size() / 16 + faces_[i].outside.size());
         if (!add(farthest_above(i), i)) return false;
       }
     }
@@ -217,6 +219,7 @@ class HullMaker {
 bool relax(Vector3& point, const ConvexHull& a, const ConvexHull& b, double margin) {
   constexpr int kMostSteps = 60;
   for (int step = 0; step < kMostSteps; ++step) {
+    Deadline::look((a.sides.size() + b.sides.size()) / 16);
     const HalfSpace* worst = nullptr;
     double excess = 0;
     for (const ConvexHull* hull : {&a, &b}) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/deadline.hpp"
 #include "link/shape_boxes.hpp"
 
 namespace smurf {
@@ -119,6 +120,7 @@ std::vector<LinkOverlap> LinkOverlaps::find(const JointPositions& positions, dou
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t k = i + 1; k < all.size() && all[k].box.low[0] <= all[i].box.high[0]; ++k) {
+      Deadline::look(1);
       if (!are_apart(all[i].shape->link, all[k].shape->link)) continue;
       const double thickness =
           std::min(thickness_of(all[i].shape->own), thickness_of(all[k].shape->own));

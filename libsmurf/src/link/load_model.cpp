@@ -27,6 +27,7 @@
 #include "link/resources.hpp"
 #include "link/xacro_model.hpp"
 #include "mjcf/mjcf.hpp"
+#include "sdf/sdf.hpp"
 #include "smurf/load.hpp"
 #include "smurf/xacro.hpp"
 #include "syntax/xml_reader.hpp"
@@ -260,12 +261,13 @@ class ModelLoader {
   }
 
   /// The language of the file of a robot. A URDF is read as it is; from the others one is made.
-  enum class Language : std::uint8_t { urdf, xacro, mjcf };
+  enum class Language : std::uint8_t { urdf, xacro, mjcf, sdf };
   /// By its name, or by its root element; a .urdf of another language is a mistake.
   Language language_of(const std::string& path, SourceId source) const {
     if (xacro::is_xacro_file(path)) return Language::xacro;
     if (path::to_lower(path::extension(path)) == ".urdf") return Language::urdf;
-    return mjcf::is_mjcf(context_.sources.text(source)) ? Language::mjcf : Language::urdf;
+    const std::string_view text = context_.sources.text(source);
+    return mjcf::is_mjcf(text) ? Language::mjcf : sdformat::is_sdf(text) ? Language::sdf : Language::urdf;
   }
 
   std::optional<SourceId> keep(xacro::Expansion expansion) {
@@ -288,13 +290,12 @@ class ModelLoader {
 
   /// The text of the robot, which may have to be made; findings about that have been reported.
   std::optional<SourceId> text_of(SourceId file) {
-    switch (language_of(model_.urdf_path, file)) {
-    case Language::urdf: return file;
-    case Language::xacro: return keep(expand_xacro(file, context_));
-    case Language::mjcf: break;
-    }
-    mjcf::Context context{context_.sources, context_.files, context_.sink, context_.limits};
-    mjcf::Imported made = mjcf::expand(file, context);
+    const Language language = language_of(model_.urdf_path, file);
+    if (language == Language::urdf) return file;
+    if (language == Language::xacro) return keep(expand_xacro(file, context_));
+    imports::Context context{context_.sources, context_.files, context_.sink, context_.limits};
+    imports::Imported made =
+        language == Language::sdf ? sdformat::expand(file, context) : mjcf::expand(file, context);
     if (const auto annotations = keep(std::move(made.annotations))) made_annotations(*annotations);
     return keep(std::move(made.robot));
   }

@@ -10,7 +10,8 @@ namespace {
 bool is_model_file(const std::string& path) {
   const std::string extension = path::to_lower(path::extension(path));
   return extension == ".smurf" || extension == ".urdf" || extension == ".mjcf" ||
-         extension == ".xml" || xacro::is_xacro_file(path);
+         extension == ".xml" || extension == ".sdf" || extension == ".world" ||
+         xacro::is_xacro_file(path);
 }
 
 /// MARS opens a .smurf or .urdf as one entity at the origin (SMURFLoader.cpp:549-563).

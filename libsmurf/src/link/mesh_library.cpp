@@ -101,15 +101,18 @@ const MeshFile& MeshLibrary::read(const std::string& path, const FileReader& fil
   const std::lock_guard lock(entry.mutex);
   MeshFile& file = entry.file;
   if (entry.is_read) return file;
-  entry.is_read = true;
   const FileContent content = files.read(path, limits.mesh_bytes);
   file.status = content.status;
   file.reason = content.reason;
-  if (content.status != ReadStatus::ok) return file;
+  if (content.status != ReadStatus::ok) {
+    entry.is_read = true;
+    return file;
+  }
   file.facts =
       read_mesh(content.text, path::extension(path), {}, neighbours_of(path, files, limits));
   file.lost = Dependencies(path, files, shelves_->textures, shelves_->texture_mutex)
                   .lost(file.facts.dependencies);
+  entry.is_read = true;  // only now: reading may end with the time of the model
   return file;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "base/deadline.hpp"
 #include "base/files/path.hpp"
 #include "base/findings/cases.hpp"
 #include "base/findings/limits.hpp"
@@ -54,6 +55,7 @@ const Binary* binary_of(std::string_view text) {
 std::optional<SourceId> read_source(const std::string& path, Span reference, const Rule& rule,
                                     LoadContext& context,
                                     const std::function<bool(const std::string&)>& is_taken) {
+  Deadline::look();
   FileContent content = context.files.read(path, context.limits.file_bytes);
   if (content.status == ReadStatus::ok && !has_room(path, content.text.size(), context)) {
     if (reference.empty())

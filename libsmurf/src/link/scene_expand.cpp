@@ -8,6 +8,7 @@
 #include "ast/key_renames.hpp"
 #include "ast/known_words.hpp"
 #include "ast/scene_reader.hpp"
+#include "base/deadline.hpp"
 #include "base/files/path.hpp"
 #include "base/findings/cases.hpp"
 #include "base/findings/limits.hpp"
@@ -135,6 +136,7 @@ class SceneExpander {
     const std::size_t count = scene_.file(scene_.uses[to_size(use)]).scene.entities.size();
     if (scene_.instances.empty()) scene_.instances.reserve(count);
     for (std::size_t i = 0; i < count && !is_full_; ++i) {
+      Deadline::look(8);
       if (scene_.instances.size() + scene_.uses.size() > context_.limits.instances) {
         stop(entity(use, i),
              "this entity exceeds the limit: a scene has at most " +

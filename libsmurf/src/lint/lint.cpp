@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/deadline.hpp"
 #include "lint/file_selection.hpp"
 #include "verdict/join.hpp"
 #include "verdict/targets.hpp"
@@ -20,6 +21,7 @@ void run(Check Rule::*check, const LinkedModel* model, const RuleSelection& sele
   DoubtfulReferences references(model);
   for (const Rule* rule : all_rules()) {
     if (rule->*check == nullptr || !selection.is_enabled(*rule)) continue;
+    Deadline::look();
     Findings findings(*rule, selection.tolerance_of(*rule), sink, references);
     (rule->*check)(subject..., findings);
   }

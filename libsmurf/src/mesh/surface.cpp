@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/deadline.hpp"
 #include "base/numbers/bits.hpp"
 #include "base/numbers/vectors.hpp"
 
@@ -55,6 +56,7 @@ std::optional<Box> BoxSum::finite_box() const {
 }
 
 void SurfaceSum::add(const Vector3& a, const Vector3& b, const Vector3& c) {
+  Deadline::look(1);
   if (visit_) visit_(a, b, c);
   outer_.add(a, b, c);
   if (!origin_) origin_ = a;

@@ -72,7 +72,7 @@ void fuse(Model& model) {
 
 /// The frame of the centre of mass, as MuJoCo turns it.
 Pose inertial_frame(const Body& body) {
-  Pose frame{body.mass->center, principal_of(body.mass->inertia).axes};
+  Pose frame{body.mass->center, imports::principal_of(body.mass->inertia).axes};
   if (!body.inertial && body.geoms.size() == 1)
     frame.orientation = body.geoms.front().pose.orientation;
   return frame;

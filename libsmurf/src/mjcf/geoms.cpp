@@ -17,11 +17,11 @@ constexpr double kDensity = 1000;
 
 Extent extent_of(Shape shape, const std::array<double, 3>& size, bool is_shell) {
   switch (shape) {
-  case Shape::sphere: return sphere(size[0], is_shell);
-  case Shape::capsule: return capsule(size[0], size[1], is_shell);
-  case Shape::cylinder: return cylinder(size[0], size[1], is_shell);
-  case Shape::ellipsoid: return ellipsoid(size, is_shell);
-  case Shape::box: return box(size, is_shell);
+  case Shape::sphere: return imports::sphere(size[0], is_shell);
+  case Shape::capsule: return imports::capsule(size[0], size[1], is_shell);
+  case Shape::cylinder: return imports::cylinder(size[0], size[1], is_shell);
+  case Shape::ellipsoid: return imports::ellipsoid(size, is_shell);
+  case Shape::box: return imports::box(size, is_shell);
   default: return {};
   }
 }
@@ -69,7 +69,7 @@ void read_fromto(const Settings& s, Geom& geom, Reporter& reporter) {
 void fit(const Mesh& mesh, double scale, bool by_box, Geom& geom) {
   if (!mesh.properties) return;
   const MassProperties& m = *mesh.properties;
-  const Principal principal = principal_of(m.inertia);
+  const Principal principal = imports::principal_of(m.inertia);
   Vector3 half{};
   Vector3 center{};
   if (by_box) {

@@ -286,7 +286,7 @@ const Mesh* Meshes::find(const ModelFile& file, const std::string& name, bool ne
   mesh.is_refused = !mesh.properties;
   if (!mesh.properties) return &mesh;
   const Pose X =
-      inverse(Pose{mesh.properties->center, principal_of(mesh.properties->inertia).axes});
+      inverse(Pose{mesh.properties->center, imports::principal_of(mesh.properties->inertia).axes});
   mesh.low = mesh.high = {};
   for (const Vector3& p : triangles->points) {
     const Vector3 at = sum(X.position, rotate(X.orientation, p));

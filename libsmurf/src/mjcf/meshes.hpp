@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "imports/mass.hpp"
 #include "mjcf/file.hpp"
-#include "mjcf/mass.hpp"
 
 namespace smurf::mjcf {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A model after MuJoCo has compiled it: its bodies in MuJoCo's order, with their joints, shapes and
-// masses.
+// A model as MuJoCo compiles it: bodies in its order, with joints, shapes and masses.
 #pragma once
 
 #include <array>
@@ -11,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "imports/mass.hpp"
 #include "mjcf/file.hpp"
-#include "mjcf/mass.hpp"
 
 namespace smurf::mjcf {
 

@@ -6,13 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "base/findings/limits.hpp"
-#include "base/findings/rules.hpp"
 #include "base/numbers/floating.hpp"
 #include "base/numbers/numbers.hpp"
-#include "base/text/did_you_mean.hpp"
 #include "base/text/quoted.hpp"
-#include "base/text/words.hpp"
 
 namespace smurf::mjcf {
 namespace {
@@ -40,26 +36,6 @@ std::optional<double> number_in(std::string_view word) {
 }
 
 }  // namespace
-
-Diagnostic& Reporter::report(const Rule& rule, Span place, std::string message) {
-  if (!known_.insert({&rule, place.source, place.begin}).second) return ignored_ = {};
-  return context_.sink.report(rule, place, std::move(message));
-}
-
-Diagnostic& Reporter::refuse(Span place, std::string message, std::string help) {
-  has_refused_ = true;
-  return report(rules::sml9301_mujoco_refuses, place, "MuJoCo refuses this: " + std::move(message))
-      .help(std::move(help));
-}
-
-Diagnostic& Reporter::exceed(Span place, std::string message, std::string_view name) {
-  has_refused_ = true;
-  return report(rules::sml9303_mjcf_limit, place, std::move(message)).help(raise_limit(name));
-}
-
-Diagnostic& Reporter::miss(Span place, std::string message, std::string help) {
-  return report(rules::sml9302_mjcf_file_missing, place, std::move(message)).help(std::move(help));
-}
 
 std::vector<double> numbers_of(const Attribute& attribute, std::size_t least, std::size_t most,
                                Reporter& reporter) {
@@ -109,11 +85,6 @@ std::optional<std::size_t> word_of(const Attribute& attribute,
                   quoted(attribute.value()) + " is no value of " + quoted(attribute.name()),
                   "write one of " + known);
   return std::nullopt;
-}
-
-std::string words_of(const Vector3& numbers) {
-  return format_number(numbers[0]) + " " + format_number(numbers[1]) + " " +
-         format_number(numbers[2]);
 }
 
 std::optional<bool> truth_of(const Attribute& attribute, Reporter& reporter) {

@@ -13,8 +13,9 @@
 #include <tuple>
 #include <vector>
 
+#include "imports/mass.hpp"
+#include "imports/traced_xml.hpp"
 #include "mjcf/mjcf.hpp"
-#include "mjcf/traced_xml.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/pose.hpp"
 #include "smurf/xml.hpp"
@@ -24,27 +25,17 @@ namespace smurf::mjcf {
 using xml::Attribute;
 using xml::View;
 
-/// Reports. Findings of one rule at one place are one finding: a class acts on many elements.
-class Reporter {
- public:
-  explicit Reporter(Context& context) : context_(context) {}
-
-  /// MuJoCo refuses the model for this.
-  Diagnostic& refuse(Span place, std::string message, std::string help);
-  /// The model is larger than a limit; `name` is that of the limit.
-  Diagnostic& exceed(Span place, std::string message, std::string_view name);
-  /// A file is not there.
-  Diagnostic& miss(Span place, std::string message, std::string help);
-  Diagnostic& report(const Rule& rule, Span place, std::string message);
-  bool has_refused() const { return has_refused_; }
-  Context& context() { return context_; }
-
- private:
-  Context& context_;
-  bool has_refused_ = false;
-  Diagnostic ignored_;
-  std::set<std::tuple<const Rule*, SourceId, std::uint32_t>> known_;
-};
+using imports::Context;
+using imports::Extent;
+using imports::Imported;
+using imports::kMade;
+using imports::MassProperties;
+using imports::Place;
+using imports::Principal;
+using imports::Reporter;
+using imports::Tensor;
+using imports::TracedXml;
+using imports::words_of;
 
 /// The numbers of an attribute; reports what MuJoCo refuses, and returns those before.
 std::vector<double> numbers_of(const Attribute& attribute, std::size_t least, std::size_t most,
@@ -54,8 +45,6 @@ std::optional<std::size_t> word_of(const Attribute& attribute,
                                    std::span<const std::string_view> words, Reporter& reporter);
 std::optional<bool> truth_of(const Attribute& attribute, Reporter& reporter);
 inline constexpr double kDegree = 3.14159265358979323846 / 180;
-/// With blanks between them.
-std::string words_of(const Vector3& numbers);
 
 enum class Auto : std::uint8_t { no, yes, automatic };
 Auto auto_of(const Attribute& attribute, Reporter& reporter);

@@ -10,8 +10,8 @@
 #include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
+#include "imports/traced_xml.hpp"
 #include "mjcf/shapes.hpp"
-#include "mjcf/traced_xml.hpp"
 
 namespace smurf::mjcf {
 namespace {

@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
+#include "imports/traced_xml.hpp"
 #include "mjcf/model.hpp"
-#include "mjcf/traced_xml.hpp"
 
 namespace smurf::mjcf {
 

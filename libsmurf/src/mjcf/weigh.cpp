@@ -69,7 +69,7 @@ std::optional<MassProperties> sum_of_geoms(const Body& body, bool& has_some) {
 void bound(const Body& body, MassProperties& mass, Reporter& reporter) {
   const Compiler& c = body.file->compiler();
   mass.mass = std::max(mass.mass, c.boundmass);
-  Principal principal = principal_of(mass.inertia);
+  Principal principal = imports::principal_of(mass.inertia);
   Vector3& m = principal.moments;
   bool is_changed = false;
   for (double& one : m) {
@@ -94,7 +94,7 @@ void bound(const Body& body, MassProperties& mass, Reporter& reporter) {
           "write the inertia of a real body, or `<compiler balanceinertia=\"true\"/>`");
     }
   }
-  if (is_changed) mass.inertia = tensor_of(principal);
+  if (is_changed) mass.inertia = imports::tensor_of(principal);
 }
 
 class Weighing {
@@ -150,7 +150,7 @@ class Weighing {
   bool has_mass(std::uint32_t index) const {
     const Body& body = model_.bodies[index];
     if (!body.mass) return true;  // unknown
-    const Principal p = principal_of(body.mass->inertia);
+    const Principal p = imports::principal_of(body.mass->inertia);
     if (body.mass->mass >= kLeastMass &&
         std::min({p.moments[0], p.moments[1], p.moments[2]}) >= kLeastMass)
       return true;

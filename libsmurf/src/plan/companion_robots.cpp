@@ -8,9 +8,11 @@
 #include "base/files/path.hpp"
 #include "link/companions/places.hpp"
 #include "plan/project_inputs.hpp"
+#include "plan/xacro_text.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/plan.hpp"
+#include "xacro/whole_word.hpp"
 
 namespace smurf {
 namespace {
@@ -60,18 +62,47 @@ const CompanionRobots::Project& CompanionRobots::project_of(const std::string& p
   return project;
 }
 
+const std::string& CompanionRobots::text_of(const Project& project, const std::string& robot) {
+  const auto [place, is_new] = texts_.try_emplace(robot);
+  std::string& text = place->second;
+  if (!is_new) return text;
+  std::vector<std::string> files{robot};
+  if (xacro::is_xacro_file(robot)) files = project.xacro->included_by(robot);
+  for (std::size_t i = 0; i < files.size() && text.size() < kMostBytesOfText; ++i) {
+    const std::string one = files_.read(files[i], kMostBytesOfText).text;
+    // A xacro may also include a URDF, which is no xacro file of the project.
+    for (const TextRange place : read_xacro_text(one).includes) {
+      const std::string_view name = path::file_name(place.of(one));
+      if (!name.ends_with(".urdf") || name.find_first_of("${}") != name.npos) continue;
+      const std::string beside = path::join(path::parent(files[i]), std::string(name));
+      const bool is_new_file = std::find(files.begin(), files.end(), beside) == files.end();
+      if (is_new_file && files_.is_file(beside)) files.push_back(beside);
+    }
+    text += one;
+  }
+  return text;
+}
+
+const std::string& CompanionRobots::text_of(const std::string& companion,
+                                            const std::string& robot) {
+  return text_of(project_of(companion), robot);
+}
+
+bool CompanionRobots::is_written(const std::string& companion, std::string_view name) {
+  const Project& project = project_of(companion);
+  return std::any_of(project.robots.begin(), project.robots.end(), [&](const auto& robot) {
+    const std::string& text = text_of(project, robot);
+    for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+      if (xacro::is_whole_name(text, at, at + name.size())) return true;
+    }
+    return false;
+  });
+}
+
 /// How many names of a file the texts of a robot have.
 std::size_t CompanionRobots::count_in(const Project& project, const std::string& robot,
                                       const SeenCompanion& seen) {
-  const auto [place, is_new] = texts_.try_emplace(robot);
-  std::string& text = place->second;
-  if (is_new) {
-    std::vector<std::string> files{robot};
-    if (xacro::is_xacro_file(robot)) files = project.xacro->included_by(robot);
-    for (const std::string& file : files) {
-      if (text.size() < kMostBytesOfText) text += files_.read(file, kMostBytesOfText).text;
-    }
-  }
+  const std::string& text = text_of(project, robot);
   const auto count =
       std::count_if(seen.names.begin(), seen.names.end(), [&](const CompanionName& one) {
         return text.find(one.name) != std::string::npos;

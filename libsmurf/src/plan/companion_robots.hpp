@@ -29,12 +29,18 @@ class CompanionRobots {
   std::vector<std::string> of(const std::string& path, const SeenCompanion& seen,
                               std::span<const CompanionTie> ties);
 
+  /// The text of a robot that of() found for this companion, with what it includes.
+  const std::string& text_of(const std::string& companion, const std::string& robot);
+  /// Whether the text of a robot in the project of a companion has the name.
+  bool is_written(const std::string& companion, std::string_view name);
+
  private:
   struct Project {
     std::vector<std::string> robots;
     std::optional<XacroFiles> xacro;
   };
   const Project& project_of(const std::string& path);
+  const std::string& text_of(const Project& project, const std::string& robot);
   std::size_t count_in(const Project& project, const std::string& robot, const SeenCompanion& seen);
 
   const FileReader& files_;

@@ -31,8 +31,9 @@ namespace {
 bool is_sought(std::string_view path) {
   const InputKind kind = input_kind(path);
   if (xacro::is_xacro_file(path)) return false;
-  // Most of these are no robots.
-  if (path::to_lower(path::extension(path)) == ".xml") return is_companion_path(path);
+  // Most of these are no robots, and are read only if they are named.
+  if (is_one_of(path::to_lower(path::extension(path)), {".xml", ".sdf", ".world"}))
+    return is_companion_path(path);
   return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf ||
          is_companion_path(path);
 }

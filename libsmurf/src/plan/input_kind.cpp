@@ -15,6 +15,7 @@ InputKind input_kind(std::string_view path) {
   if (extension == ".svg") return InputKind::drawing;
   if (extension == ".urdf" || extension == ".xacro") return InputKind::urdf;
   if (extension == ".mjcf" || extension == ".xml") return InputKind::urdf;
+  if (extension == ".sdf" || extension == ".world") return InputKind::urdf;
   if (extension == ".yml" || extension == ".yaml" || extension == ".json") {
     return InputKind::annotation;
   }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/files/path.hpp"
+#include "base/text/words.hpp"
 #include "plan/paths.hpp"
 #include "smurf/load.hpp"
 #include "smurf/plan.hpp"
@@ -90,7 +91,7 @@ const ModelsAround::Users& ModelsAround::using_in(const std::string& folder) {
     const std::string candidate = path::join(folder, name);
     const InputKind kind = input_kind(candidate);
     // Most of these are no robots.
-    if (path::to_lower(path::extension(candidate)) == ".xml") continue;
+    if (is_one_of(path::to_lower(path::extension(candidate)), {".xml", ".sdf", ".world"})) continue;
     if ((kind != InputKind::model && kind != InputKind::urdf) || is_exhausted()) continue;
     SourceMap sources;
     DiagnosticSink ignored(kNeighbour.findings);

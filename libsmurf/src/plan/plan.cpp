@@ -2,6 +2,7 @@
 #include "smurf/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <deque>
 #include <functional>
@@ -16,6 +17,7 @@
 #include "base/files/places.hpp"
 #include "base/findings/limits.hpp"
 #include "mjcf/mjcf.hpp"
+#include "sdf/sdf.hpp"
 #include "plan/ignore_files.hpp"
 #include "plan/models_around.hpp"
 #include "plan/paths.hpp"
@@ -209,11 +211,14 @@ class Planner {
     if (planned_.insert(identity(path, files_)).second) to.push_back({path, config_of_entry(path)});
   }
 
-  /// Whether a link leads to a file that may not be read.
+  /// Whether a link leads out of the project in which it lies. The link itself would stand for the
+  /// project of what it leads to: whoever made the folder may have chosen that.
   bool leads_outside(const std::string& link) const {
     if (!files_.is_denied(link)) return false;
+    const std::string folder(path::parent(link));
+    const std::array around{folder.empty() ? std::string(".") : folder};
     ConfinedFiles project;
-    confine_to_projects(project, {&link, 1});
+    confine_to_projects(project, around);
     return project.is_denied(link);
   }
 
@@ -290,7 +295,8 @@ class Planner {
   bool is_other_xml(const std::string& path) const {
     if (path::to_lower(path::extension(path)) != ".xml") return false;
     const FileContent content = files_.read(path, settings_.limits.file_bytes);
-    return content.status == ReadStatus::ok && !mjcf::is_mjcf(content.text);
+    return content.status == ReadStatus::ok && !mjcf::is_mjcf(content.text) &&
+           !sdformat::is_sdf(content.text);
   }
 
   void mark_named(const std::string& path) {
@@ -328,7 +334,7 @@ class Planner {
     if (is_companion_path(path)) return add(plan_.others, path);
     fail(
         "cannot check '" + path +
-        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .mjcf, .srdf or .yml file; to check a URDF of "
+        "': it is not a .smurf, .smurfs, .smurfa, .svg, .urdf, .xacro, .mjcf, .sdf, .world, .srdf or .yml file; to check a URDF of "
         "another name: smurf-lint --stdin-filename NAME.urdf - < FILE");
   }
 

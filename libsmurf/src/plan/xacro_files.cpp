@@ -50,7 +50,8 @@ bool may_mean(const std::string& written, const std::string& from, const std::st
   std::string_view rest = std::string_view(other).substr(0, other.size() - parts.back().size());
   for (std::size_t i = parts.size() - 1; i > 0; --i) {
     const std::string& part = parts[i - 1];
-    const bool has_folder = part.find('/') != std::string::npos || i == 1;
+    // Every path has a slash, so that a name must be with it: `$(arg arm)/$(arg arm).xacro`.
+    const bool has_folder = (part.find('/') != std::string::npos && part != "/") || i == 1;
     const std::size_t found = rest.rfind(part);
     if (found == std::string_view::npos) return i == 1;
     rest = rest.substr(0, found);

@@ -130,6 +130,21 @@ class Log {
     return result;
   }
 
+  /// What was not compared with a robot is about the run, and no result.
+  Json invocation(const Summary& summary) const {
+    Json invocation = {{"executionSuccessful", true}};
+    for (const NotCompared& one : summary.not_compared) {
+      const Json file = {{"artifactLocation", {{"uri", to_uri(in_repository_(one.path))}}}};
+      const std::string message = "not compared with a robot: " + one.reason + "; " + one.next;
+      invocation["toolExecutionNotifications"].push_back(
+          {{"descriptor", {{"id", "not-compared"}}},
+           {"level", summary.is_strict ? "error" : "warning"},
+           {"message", {{"text", without_links(message)}}},
+           {"locations", Json::array({{{"physicalLocation", file}}})}});
+    }
+    return invocation;
+  }
+
  private:
   Json artifact(Span span) const {
     return {{"uri", to_uri(in_repository_(render::path_of(span, sources_)))}};
@@ -196,12 +211,13 @@ class Log {
 
 std::string render_sarif(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          std::span<const Rule* const> rules, const ToolName& tool,
-                         std::string_view site, const RepositoryPath& in_repository) {
+                         std::string_view site, const RepositoryPath& in_repository,
+                         const Summary& summary) {
   Log log(sources, rules, in_repository);
   const Json run = {{"tool", {{"driver", log.driver(tool, site)}}},
                     {"automationDetails", {{"id", std::string(tool.name) + "/"}}},
                     {"columnKind", "unicodeCodePoints"},
-                    {"invocations", {{{"executionSuccessful", true}}}},
+                    {"invocations", Json::array({log.invocation(summary)})},
                     {"results", Json::array()}};
   return render::dump_with_list({{"$schema", text(kSchema)}, {"version", "2.1.0"}, {"runs", {run}}},
                                 "results", 3, diagnostics,

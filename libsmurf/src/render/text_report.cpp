@@ -224,8 +224,9 @@ std::string not_compared(const Summary& summary) {
     const std::size_t more = files.size() - std::min(files.size(), kMostShown);
     if (more > 0) files.resize(kMostShown);
     if (more > 0) files.push_back(std::to_string(more) + " more");
-    text += "not compared: " + render::enumerate(files) + ": " + render::escape(first->reason) +
-            "; " + render::escape(first->next) + "\n";
+    text += (summary.is_strict ? "error: not compared: " : "not compared: ") +
+            render::enumerate(files) + ": " + render::escape(first->reason) + "; " +
+            render::escape(first->next) + "\n";
   }
   if (groups.size() > kMostReasons) {
     text += "not compared: files with " + counted(groups.size() - kMostReasons, "more reason") +

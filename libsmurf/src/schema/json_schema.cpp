@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/deadline.hpp"
 #include "base/text/utf8.hpp"
 #include "schema/json_value.hpp"
 
@@ -13,6 +14,7 @@ namespace smurf {
 namespace {
 
 constexpr std::size_t kMatchesForStep = 30;  // steps of Pattern::steps_for() in a step of 1 us
+constexpr std::uint64_t kWorkOfStep = 5;     // see Deadline::look()
 constexpr std::size_t kNodesForStep = 8;     // compared or looked up in a step
 /// Each uses some 300 bytes of memory, and nobody reads so many.
 constexpr std::size_t kMostFaults = 200'000;
@@ -70,7 +72,10 @@ class Application {
   yaml::View value() const { return path_.back(); }
   bool is_exhausted() const { return steps_left_ < 0; }
 
-  void spend(std::size_t steps) { steps_left_ -= static_cast<std::int64_t>(steps); }
+  void spend(std::size_t steps) {
+    steps_left_ -= static_cast<std::int64_t>(steps);
+    Deadline::look(kWorkOfStep * steps);
+  }
   void spend_nodes(std::size_t nodes) { spend(nodes / kNodesForStep); }
 
   /// Returns `fits`; reports the fault if it is false.

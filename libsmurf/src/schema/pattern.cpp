@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/deadline.hpp"
 #include "base/text/utf8.hpp"
 
 namespace smurf {
@@ -70,6 +71,7 @@ class Run {
     is_match_ = false;
     follow(0, at);
     for (const std::uint32_t next : arrived_) follow(next, at);
+    Deadline::look(1 + arrived_.size() / 4);
     arrived_.clear();
     return is_match_;
   }

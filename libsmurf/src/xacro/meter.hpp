@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/deadline.hpp"
 #include "smurf/limits.hpp"
 
 namespace smurf::xacro {
@@ -21,14 +22,16 @@ class Meter {
   enum class Reason : std::uint8_t { none, steps, bytes, depth };
 
   explicit Meter(const Limits& limits)
-      : most_steps_(limits.xacro_steps), most_bytes_(limits.xacro_bytes) {}
+      : most_steps_(limits.xacro_steps), most_bytes_(limits.xacro_bytes) {
+    set_next();
+  }
   Meter(const Meter&) = delete;
   Meter& operator=(const Meter&) = delete;
 
   /// Work: a step takes at most some 0.2 us.
   void step(std::uint64_t count = 1) {
     steps_ += count;
-    if (steps_ > most_steps_) stop(Reason::steps);
+    if (steps_ > next_) pass();
   }
   /// Bytes that are copied or compared.
   void copy(std::size_t bytes) { step(bytes / 64); }
@@ -53,6 +56,7 @@ class Meter {
   void renew(std::uint64_t steps) {
     most_steps_ = steps_ + steps;
     reason_ = Reason::none;
+    set_next();
   }
   Reason reason() const { return reason_; }
   bool is_exhausted() const { return reason_ != Reason::none; }
@@ -64,7 +68,18 @@ class Meter {
   std::uint64_t most_bytes() const { return most_bytes_; }
 
  private:
+  /// Steps between two looks at the clock, so that counting costs one comparison.
+  static constexpr std::uint64_t kStepsOfLook = Deadline::kWorkOfLook;
+
+  void set_next() { next_ = std::min(most_steps_, steps_ + kStepsOfLook); }
+  void pass() {
+    if (steps_ > most_steps_) stop(Reason::steps);
+    Deadline::look();
+    set_next();
+  }
+
   std::uint64_t most_steps_, most_bytes_;
+  std::uint64_t next_ = 0;  ///< after so many steps something is compared
   std::uint64_t steps_ = 0;
   std::uint64_t bytes_ = 0;
   std::uint64_t most_used_ = 0;

@@ -55,7 +55,12 @@ std::string literal_at(std::string_view text, std::size_t at) {
   const std::size_t end =
       is_quoted ? text.find(text[at], begin) : text.find_first_of(" \t\r\n\"'<>,;)]}", begin);
   if (end == std::string_view::npos || end - begin > kMostValue) return {};
-  const std::string_view value = text.substr(begin, end - begin);
+  std::string_view value = text.substr(begin, end - begin);
+  // Quotes for the shell that runs xacro: `default_value='""'` is an empty text.
+  while (value.size() > 1 && value.front() == value.back() &&
+         (value.front() == '"' || value.front() == '\'')) {
+    value = value.substr(1, value.size() - 2);
+  }
   return value.find_first_of("${}\n") == std::string_view::npos ? std::string(value) : "";
 }
 
@@ -175,31 +180,67 @@ std::vector<std::string> values_in(std::string_view text, std::string_view name)
   return values;
 }
 
-std::vector<std::string> undeclared_arguments(std::string_view text) {
-  std::vector<std::string> names;
-  std::map<std::string, std::size_t, std::less<>> uses, declared;  // the first place of each
+namespace {
+
+/// The arguments of a text in the order of their first use, and the first place of each.
+struct ArgumentsInText {
+  std::vector<std::string> names;  ///< that are used
+  std::map<std::string, std::size_t, std::less<>> uses, declared;
+};
+
+ArgumentsInText arguments_in(std::string_view text) {
+  ArgumentsInText found;
   constexpr std::string_view kUse = "$(arg ";
   for (std::size_t at = text.find(kUse); at != std::string_view::npos;
        at = text.find(kUse, at + 1)) {
     const std::size_t end = text.find(')', at);
     if (end == std::string_view::npos) break;
     const std::string_view name = trimmed(text.substr(at + kUse.size(), end - at - kUse.size()));
-    if (name.empty() || !std::all_of(name.begin(), name.end(), is_of_name)) continue;
-    if (uses.emplace(name, at).second) names.emplace_back(name);
+    if (name.empty() || name.find_first_of(" \t\r\n${}") != std::string_view::npos) continue;
+    if (found.uses.emplace(name, at).second) found.names.emplace_back(name);
+  }
+  // ${xacro.arg('name')}
+  for (std::size_t at = text.find("arg("); at != std::string_view::npos;
+       at = text.find("arg(", at + 1)) {
+    const std::size_t quote = skip_blanks(text, at + 4);
+    if (quote >= text.size() || (text[quote] != '"' && text[quote] != '\'')) continue;
+    const std::size_t end = text.find(text[quote], quote + 1);
+    if (end == std::string_view::npos) break;
+    const std::string_view name = text.substr(quote + 1, end - quote - 1);
+    if (found.uses.emplace(name, at).second) found.names.emplace_back(name);
   }
   constexpr std::string_view kTag = "<xacro:arg";
   for (std::size_t at = text.find(kTag); at != std::string_view::npos;
        at = text.find(kTag, at + 1)) {
-    std::string_view tag =
+    const std::string_view tag =
         text.substr(at, std::min(text.find_first_of("<>", at + 1), text.size()) - at);
-    for (std::size_t quote = tag.find_first_of("\"'"); quote != std::string_view::npos;
-         quote = tag.find_first_of("\"'")) {
+    for (std::size_t name = tag.find("name"); name != std::string_view::npos;
+         name = tag.find("name", name + 1)) {
+      std::size_t quote = skip_blanks(tag, name + 4);
+      if (!is_blank(tag[name - 1]) || quote >= tag.size() || tag[quote] != '=') continue;
+      quote = skip_blanks(tag, quote + 1);
+      if (quote >= tag.size() || (tag[quote] != '"' && tag[quote] != '\'')) continue;
       const std::size_t end = tag.find(tag[quote], quote + 1);
       if (end == std::string_view::npos) break;
-      declared.emplace(tag.substr(quote + 1, end - quote - 1), at);
-      tag.remove_prefix(end + 1);
+      found.declared.emplace(tag.substr(quote + 1, end - quote - 1), at);
+      break;
     }
   }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> all_arguments(std::string_view text) {
+  ArgumentsInText found = arguments_in(text);
+  for (const auto& [name, at] : found.declared) {
+    if (!found.uses.contains(name)) found.names.push_back(name);
+  }
+  return std::move(found.names);
+}
+
+std::vector<std::string> undeclared_arguments(std::string_view text) {
+  auto [names, uses, declared] = arguments_in(text);
   std::erase_if(names, [&](const std::string& name) {
     const auto place = declared.find(name);
     return place != declared.end() && place->second < uses[name];  // xacro reads from the top

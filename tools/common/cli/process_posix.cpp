@@ -69,12 +69,14 @@ void prepare_memory() {
   ::_exit(kFailed);
 }
 
+/// Runs before the constructors of global objects, which may already find no memory.
+[[gnu::constructor(101)]] void prepare_for_globals() { std::set_new_handler(end_without_memory); }
+
 }  // namespace
 
 void prepare_process() {
   prepare_streams();
   prepare_memory();
-  std::set_new_handler(end_without_memory);
 }
 
 std::vector<std::string> arguments_of(int argc, const char* const* argv) {

@@ -105,7 +105,7 @@ class ShownFindings {
 std::string sarif(const Results& results, const TextStyle&) {
   const ShownFindings shown(results);
   return render_sarif(shown.get(), results.sources, all_rules(), {results.tool, kVersion}, kSite,
-                      in_repository());
+                      in_repository(), results.summary);
 }
 
 std::string github(const Results& results, const TextStyle&) {
@@ -212,6 +212,7 @@ std::optional<Severity> least_failure(const Summary& summary, const Threshold& t
 
 ExitCode judge(const Summary& summary, const Threshold& threshold) {
   if (threshold.exit_zero) return kDone;
+  if (threshold.is_strict && !summary.not_compared.empty()) return kFindings;
   const std::size_t by_severity[] = {summary.infos, summary.warnings, summary.errors};
   if (const std::optional<Severity> least = least_failure(summary, threshold)) {
     for (auto i = static_cast<std::size_t>(*least); i < 3; ++i) {

@@ -58,6 +58,7 @@ struct Threshold {
   std::optional<Severity> fail_on = Severity::error;  ///< none: never
   std::optional<int> max_warnings;
   bool exit_zero = false;
+  bool is_strict = false;  ///< companions that were not compared are failures
 };
 /// The lowest severity that ends a run with kFindings; none with `--fail-on never`.
 std::optional<Severity> least_failure(const Summary& summary, const Threshold& threshold);

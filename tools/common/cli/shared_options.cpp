@@ -7,6 +7,7 @@
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"
 #include "render/wrap.hpp"
+#include "smurf/check.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -172,6 +173,23 @@ Option limit_option(Limits& limits) {
             for (const std::string_view item : split_items(list)) {
               if (auto wrong = set_limit(item, limits)) return wrong;
             }
+            return std::nullopt;
+          }};
+}
+
+Option max_seconds_option(std::uint64_t& seconds) {
+  static_assert(kMaxSeconds == 120, "the help says so");
+  return {.group = "Input",
+          .name = "max-seconds",
+          .metavar = "N",
+          .help = "Leave a file that takes more than N seconds of processor time with all that it "
+                  "loads, and report that; 0: never. The default is 120.",
+          .set = [&seconds](std::string_view value) -> std::optional<std::string> {
+            const auto parsed = parse_integer(value);
+            if (!parsed || *parsed < 0) {
+              return "'" + std::string(value) + "' is not a whole number of at least 0";
+            }
+            seconds = static_cast<std::uint64_t>(*parsed);
             return std::nullopt;
           }};
 }

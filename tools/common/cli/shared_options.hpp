@@ -2,6 +2,7 @@
 // Options that mean the same in every tool, as rows of its option table.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -34,6 +35,8 @@ Option xacro_env_option(std::set<std::string>& names);
 bool take_xacro_argument(std::string_view value, XacroSettings& xacro);
 /// NAME=N, for the limits on the input.
 Option limit_option(Limits& limits);
+/// N, for CheckSettings::max_seconds.
+Option max_seconds_option(std::uint64_t& seconds);
 Option jobs_option(std::optional<int>& jobs);
 
 }  // namespace smurf::tools

@@ -32,6 +32,7 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
           xacro_env_option(options.xacro.environment),
           allow_outside_option(options.allow_outside),
           limit_option(options.limits),
+          max_seconds_option(options.max_seconds),
           color_option(options.color),
           quiet_option(options.quiet, "Print errors only.")};
 }
@@ -112,6 +113,7 @@ CheckSettings Conversion::settings() const {
   for (const std::string_view name : report_format_names()) settings.formats.emplace_back(name);
   settings.packages = options_.packages;
   settings.xacro = options_.xacro;
+  settings.max_seconds = options_.max_seconds;
   settings.selection.targets = options_.targets;
   return settings;
 }

@@ -2,6 +2,7 @@
 // The steps before a conversion: load, check, report on standard error, refuse.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -30,6 +31,7 @@ struct ConverterOptions {
   XacroSettings xacro;
   bool allow_outside = false;  ///< read files that models name, wherever they are
   Limits limits;
+  std::uint64_t max_seconds = kMaxSeconds;
   bool has_loss_report = false;  ///< the tool has --loss-report
   bool quiet = false;
   bool force = false;                  ///< convert although findings make the result wrong

@@ -15,6 +15,8 @@
 namespace smurf::tools {
 namespace {
 
+constexpr const char* kInterrupted = "the run was interrupted; run it again";
+
 #ifdef O_PATH
 constexpr int kFolder = O_PATH | O_DIRECTORY | O_CLOEXEC;
 #else
@@ -151,6 +153,7 @@ std::optional<FileSet::Problem> FileSet::place_all(bool is_final) {
     }
   }
   for (Written& written : written_) {
+    if (signals_.has_one()) return Problem{written.shown, kInterrupted};
     const bool is_last = is_final && &written == &written_.back();
     if (auto found = place(written, is_last)) return found;
   }
@@ -161,6 +164,7 @@ std::optional<FileSet::Problem> FileSet::prepare_all(bool overwrite) {
   overwrites_ = overwrite;
   sys::allow_open_files(2 * files_.size());  // each file and its folder
   for (const OutputFile& file : files_) {
+    if (signals_.has_one()) return Problem{path::join(file.folder, file.path), kInterrupted};
     if (auto found = prepare(file, overwrite)) return found;
   }
   return std::nullopt;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/files/system.hpp"
 #include "common/files/new_file.hpp"
 #include "common/files/output.hpp"
 
@@ -66,6 +67,7 @@ class FileSet {
   int open_below(int above, const std::string& name, int& folder);
   int make_all(const std::string& folder);
 
+  const sys::HeldSignals signals_;  ///< until all steps are done or undone
   const std::vector<OutputFile>& files_;
   MissingFolders missing_;
   bool overwrites_ = false;

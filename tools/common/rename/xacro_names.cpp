@@ -2,6 +2,7 @@
 #include "common/rename/xacro_names.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace smurf::tools {
 namespace {
@@ -128,6 +129,15 @@ const XacroTag* xacro_macro_around(const XacroFamily::File& file, std::string_vi
   return found;
 }
 
+const XacroTag* MacrosAround::at(std::size_t offset) {
+  const std::vector<XacroTag>& tags = file_.read.tags;
+  for (; next_ < tags.size() && tags[next_].tag.begin <= offset; ++next_) {
+    if (tags[next_].name.of(text_) == "xacro:macro") open_.push_back(&tags[next_]);
+  }
+  while (!open_.empty() && open_.back()->end <= offset) open_.pop_back();
+  return open_.empty() ? nullptr : open_.back();
+}
+
 std::string_view macro_of(const XacroFamily& family, const XacroMeaning::Definition& definition) {
   const auto& [file, name] = definition;
   if (name->macro == XacroTag::kNone) return {};
@@ -170,45 +180,59 @@ class PlaceCollector {
     }
   }
 
-  /// Whether the macro around a place has a parameter of the name.
-  bool is_hidden(const XacroFamily::File& file, std::size_t at) const {
-    const std::string_view text = family_.text(file);
-    const XacroTag* macro = xacro_macro_around(file, text, at);
-    if (macro == nullptr) return false;
-    const auto index = static_cast<std::size_t>(macro - file.read.tags.data());
-    return std::any_of(file.read.names.begin(), file.read.names.end(), [&](const XacroName& one) {
-      return one.macro == index && one.name == meaning_.name;
-    });
-  }
-
   void uses(const XacroFamily::File& file, bool is_argument) {
     const std::string_view text = family_.text(file);
+    std::set<std::size_t> hiding;  // macros that have a parameter of the name
+    for (const XacroName& one : file.read.names) {
+      if (one.macro != XacroTag::kNone && one.name == meaning_.name) hiding.insert(one.macro);
+    }
+    MacrosAround macros(file, text);
     for (const TextRange use : xacro_uses(text, meaning_.name, is_argument)) {
-      if (is_argument || !is_hidden(file, use.begin)) add(file, use);
+      const XacroTag* macro = is_argument || hiding.empty() ? nullptr : macros.at(use.begin);
+      const bool is_hidden =
+          macro != nullptr &&
+          hiding.contains(static_cast<std::size_t>(macro - file.read.tags.data()));
+      if (!is_hidden) add(file, use);
     }
   }
 
+  /// A call that gives the parameter.
+  void call(const XacroFamily::File& file, const XacroTag& tag) {
+    const XacroAttribute* given = tag.find(family_.text(file), meaning_.name);
+    if (given != nullptr) add(file, given->name);
+  }
+
+  void insertion(const XacroFamily::File& file, const XacroTag& tag) {
+    const std::string_view text = family_.text(file);
+    if (tag.name.of(text) != "xacro:insert_block") return;
+    const XacroAttribute* block = tag.find(text, "name");
+    if (block != nullptr && block->value.of(text) == meaning_.name) add(file, block->value);
+  }
+
+  /// A macro may be defined thousands of times: its calls are looked for once.
   void of_parameter(const XacroFamily::File& file) {
     const std::string_view text = family_.text(file);
+    const auto all = xacro_uses(text, meaning_.name, false);
+    std::set<std::string_view> known;
     for (const auto& [defining, name] : meaning_.definitions) {
       if (name->macro == XacroTag::kNone) continue;
       const XacroTag& macro = defining->read.tags[name->macro];
       const std::string_view called = name_of_macro(macro, family_.text(*defining));
-      for (const XacroTag& tag : file.read.tags) {
-        const bool is_own =
-            defining == &file && macro.tag.begin < tag.tag.begin && tag.tag.begin < macro.end;
-        if (is_own && tag.name.of(text) == "xacro:insert_block") {
-          const XacroAttribute* block = tag.find(text, "name");
-          if (block != nullptr && block->value.of(text) == meaning_.name) add(file, block->value);
-        }
-        if (called_range(tag, text).of(text) != called) continue;
-        const XacroAttribute* given = tag.find(text, meaning_.name);
-        if (given != nullptr) add(file, given->name);
+      const bool is_new = known.insert(called).second;
+      const bool is_own = defining == &file;
+      const std::size_t first = is_new ? 0 : is_own ? name->macro : file.read.tags.size();
+      for (std::size_t i = first; i < file.read.tags.size(); ++i) {
+        const XacroTag& tag = file.read.tags[i];
+        const bool is_inside =
+            is_own && macro.tag.begin < tag.tag.begin && tag.tag.begin < macro.end;
+        if (!is_new && tag.tag.begin >= macro.end) break;
+        if (is_inside) insertion(file, tag);
+        if (is_new && called_range(tag, text).of(text) == called) call(file, tag);
       }
-      if (defining != &file) continue;
-      for (const TextRange use : xacro_uses(text, meaning_.name, false)) {
-        if (macro.tag.end <= use.begin && use.begin < macro.end) add(file, use);
-      }
+      if (!is_own) continue;
+      auto use = std::lower_bound(all.begin(), all.end(), macro.tag.end,
+                                  [](const TextRange& a, std::size_t b) { return a.begin < b; });
+      for (; use != all.end() && use->begin < macro.end; ++use) add(file, *use);
     }
   }
 

@@ -54,6 +54,18 @@ std::vector<XacroMeaning::Definition> xacro_definitions(const XacroFamily& famil
 /// The macro around a place of a file; null if there is none.
 const XacroTag* xacro_macro_around(const XacroFamily::File& file, std::string_view text,
                                    std::size_t offset);
+/// The same for many places in the order of the file, in one walk.
+class MacrosAround {
+ public:
+  MacrosAround(const XacroFamily::File& file, std::string_view text) : file_(file), text_(text) {}
+  const XacroTag* at(std::size_t offset);
+
+ private:
+  const XacroFamily::File& file_;
+  std::string_view text_;
+  std::size_t next_ = 0;               ///< tag
+  std::vector<const XacroTag*> open_;  ///< macros, the innermost last
+};
 /// What the name at a place of the first file means; none if there is no name of xacro.
 std::optional<XacroMeaning> xacro_meaning(const XacroFamily& family, std::size_t offset);
 /// The macro of a parameter; "" for a definition of another kind.

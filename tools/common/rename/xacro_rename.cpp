@@ -69,8 +69,9 @@ std::string taken_at(const XacroFamily& family, const XacroRename& rename) {
              place_in(family, file, one.place);
     }
     if (rename.macro.empty()) continue;
+    MacrosAround macros(file, family.text(file));
     for (const TextRange use : xacro_uses(family.text(file), rename.to, false)) {
-      const XacroTag* macro = xacro_macro_around(file, family.text(file), use.begin);
+      const XacroTag* macro = macros.at(use.begin);
       const XacroAttribute* name =
           macro != nullptr ? macro->find(family.text(file), "name") : nullptr;
       if (name == nullptr || name->value.of(family.text(file)) != rename.macro) continue;

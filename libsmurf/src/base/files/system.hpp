@@ -130,6 +130,27 @@ void wait_until_writable(int number);
 /// By default a program of POSIX may have 1,024 open files; it may raise that limit itself.
 void allow_open_files(std::size_t count);
 
+/// Holds back SIGINT, SIGTERM and SIGHUP, which end a program from outside, as long as the object
+/// lives: files that are half written can then be removed. Nothing on Windows.
+class HeldSignals {
+ public:
+  HeldSignals();
+  /// Lets through what was held back, which ends the program.
+  ~HeldSignals();
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+
+  /// Whether one of them waits.
+  bool has_one() const;
+
+ private:
+  unsigned held_ = 0;  ///< a bit for each signal that was not held back before
+};
+
+/// The processor time that this thread has used, in seconds; where the system does not count it,
+/// the time of a clock that never goes back.
+double thread_seconds();
+
 /// The reason for a value of errno.
 std::string error_text(int error);
 

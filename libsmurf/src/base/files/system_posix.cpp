@@ -129,6 +129,57 @@ std::string from_user(std::string_view path) { return std::string(path); }
 std::string_view for_others(std::string_view path) { return path; }
 bool is_named_so(const std::string& /*path*/) { return true; }
 std::string_view without_drive(std::string_view path) { return path; }
+#ifdef __EMSCRIPTEN__
+// A module of WebAssembly gets no signals.
+HeldSignals::HeldSignals() = default;
+HeldSignals::~HeldSignals() = default;
+bool HeldSignals::has_one() const { return held_ != 0; }
+#else
+namespace {
+
+constexpr std::array kEndings{SIGINT, SIGTERM, SIGHUP};
+
+sigset_t set_of(unsigned bits) {
+  sigset_t set{};
+  ::sigemptyset(&set);
+  for (std::size_t i = 0; i < kEndings.size(); ++i) {
+    if ((bits >> i & 1U) != 0) ::sigaddset(&set, kEndings.at(i));
+  }
+  return set;
+}
+
+}  // namespace
+
+HeldSignals::HeldSignals() {
+  const sigset_t all = set_of(~0U);
+  sigset_t before{};
+  if (::pthread_sigmask(SIG_BLOCK, &all, &before) != 0) return;
+  for (std::size_t i = 0; i < kEndings.size(); ++i) {
+    if (::sigismember(&before, kEndings.at(i)) == 0) held_ |= 1U << i;
+  }
+}
+
+HeldSignals::~HeldSignals() {
+  const sigset_t held = set_of(held_);
+  ::pthread_sigmask(SIG_UNBLOCK, &held, nullptr);
+}
+
+bool HeldSignals::has_one() const {
+  sigset_t waiting{};
+  ::sigpending(&waiting);
+  for (std::size_t i = 0; i < kEndings.size(); ++i) {
+    if ((held_ >> i & 1U) != 0 && ::sigismember(&waiting, kEndings.at(i)) == 1) return true;
+  }
+  return false;
+}
+#endif
+
+double thread_seconds() {
+  timespec now{};
+  if (::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 const char* home() { return std::getenv("HOME"); }
 
 }  // namespace smurf::sys

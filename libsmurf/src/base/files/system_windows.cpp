@@ -371,6 +371,22 @@ int adopt_owner(int /*number*/, const Status& /*other*/) { return 0; }
 void wait_until_writable(int /*number*/) {}
 void allow_open_files(std::size_t /*count*/) {}
 
+HeldSignals::HeldSignals() = default;
+HeldSignals::~HeldSignals() = default;
+bool HeldSignals::has_one() const { return held_ != 0; }
+
+double thread_seconds() {
+  FILETIME start{}, end{}, kernel{}, user{};
+  if (::GetThreadTimes(::GetCurrentThread(), &start, &end, &kernel, &user) == 0) {
+    return 1e-3 * static_cast<double>(::GetTickCount64());
+  }
+  const auto seconds = [](const FILETIME& time) {
+    constexpr double kHigh = 4294967296;
+    return 1e-7 * (kHigh * time.dwHighDateTime + time.dwLowDateTime);
+  };
+  return seconds(kernel) + seconds(user);
+}
+
 const char* home() {
   static const std::string folder = [] {
     const wchar_t* variable = ::_wgetenv(L"USERPROFILE");

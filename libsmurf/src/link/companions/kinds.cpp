@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kinds of companions, recognised by their keys. To add a kind, add a row here, list its names
-// in parameter_names.cpp, and write its rules.
+// The kinds of companions, recognised by their keys. A new kind is a row here, its names in
+// parameter_names.cpp, and rules.
 #include "link/companions/kinds.hpp"
 
 #include <algorithm>
@@ -191,13 +191,43 @@ bool is_broken(const DiagnosticSink& found) {
   });
 }
 
-/// Values with a tag, such as `!degrees`, are for xacro.
-bool has_tag(std::string_view text) { return text.find(": !") != std::string_view::npos; }
+/// The text with a word for each expression that a launch file fills in within a line: a text that
+/// is no YAML even so is none after it is filled in.
+std::string filled_in(std::string_view text) {
+  std::string filled;
+  while (!text.empty()) {
+    const std::size_t at = text.find('$');
+    const char open = at + 1 < text.size() ? text[at + 1] : '\0';
+    const std::size_t end = open == '(' || open == '{' ? text.find(open == '(' ? ')' : '}', at)
+                                                       : std::string_view::npos;
+    const bool is_expression = at != std::string_view::npos && end != std::string_view::npos &&
+                               text.substr(at, end - at).find('\n') == std::string_view::npos;
+    if (is_expression) {
+      filled += std::string(text.substr(0, at)) + "x";
+      text.remove_prefix(end + 1);
+    } else {
+      const std::size_t size = at == std::string_view::npos ? text.size() : at + 1;
+      filled += text.substr(0, size);
+      text.remove_prefix(size);
+    }
+  }
+  return filled;
+}
+
+/// Whether the text is broken whatever a launch file fills in.
+bool stays_broken(std::string_view text) {
+  SourceMap sources;
+  DiagnosticSink found;
+  const SourceId source = sources.add("template", filled_in(text));
+  const auto document = parse_yaml(sources, source, Limits{}, found);
+  return !is_template(sources.text(source)) && (!document || is_broken(found));
+}
 
 Recognised recognise_broken(std::string_view path, std::string_view text) {
-  const CompanionSpec* spec = has_tag(text) ? nullptr : kind_of(read_lines(text), is_setup(path));
+  const CompanionSpec* spec = kind_of(read_lines(text), is_setup(path));
   if (spec == nullptr) return {};
-  return {spec, is_template(text) ? CompanionState::a_template : CompanionState::broken};
+  const bool may_become_yaml = is_template(text) && !stays_broken(text);
+  return {spec, may_become_yaml ? CompanionState::a_template : CompanionState::broken};
 }
 
 }  // namespace
@@ -233,7 +263,7 @@ Recognised recognise(std::string_view path, std::string_view text,
   if (!document || is_broken(found)) return recognise_broken(path, text);
   Content content;
   if (const yaml::View root = document->view()) read(root, 0, content);
-  const CompanionSpec* spec = has_tag(text) ? nullptr : kind_of(content, is_setup(path));
+  const CompanionSpec* spec = kind_of(content, is_setup(path));
   return {spec, spec == nullptr ? CompanionState::other : CompanionState::readable};
 }
 

@@ -2,11 +2,13 @@
 #include "link/companions/library.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <string_view>
 #include <utility>
 
 #include "ast/companions/srdf_reader.hpp"
 #include "base/files/path.hpp"
+#include "base/numbers/numbers.hpp"
 #include "base/text/suggest.hpp"
 #include "link/companions/companion_names.hpp"
 #include "link/companions/places.hpp"
@@ -168,6 +170,21 @@ void keep_last_keys(yaml::Document& document, bool joins) {
     }
     if (previous != yaml::kNoNode) at(previous).next_sibling = yaml::kNoNode;
     at(mapping).set_children(first, static_cast<std::uint32_t>(last.size()));
+  }
+}
+
+void convert_degrees(yaml::Document& document, std::string_view text) {
+  constexpr std::string_view kTag = "!degrees";
+  if (text.find(kTag) == std::string_view::npos) return;
+  for (yaml::Node& node : document.nodes) {
+    if (node.kind() != yaml::Kind::scalar || node.is_alias()) continue;
+    const std::size_t end = text.substr(0, node.span.begin).find_last_not_of(" \t");
+    if (end == std::string_view::npos || !text.substr(0, end + 1).ends_with(kTag)) continue;
+    const auto degrees = parse_number(node.text());
+    if (!degrees) continue;
+    std::string radians = format_number(*degrees * std::numbers::pi / 180);
+    if (radians.find_first_of(".e") == std::string::npos) radians += ".0";
+    node.set_text(document.decoded.emplace_back(std::move(radians)));
   }
 }
 

@@ -62,6 +62,9 @@ class CompanionLibrary {
 /// joined, as rcl does with the parameters of a node (rcl_yaml_param_parser parse.c).
 void keep_last_keys(yaml::Document& document, bool joins);
 
+/// Replaces values in degrees, `!degrees 90`, by radians, as rosparam and xacro read them.
+void convert_degrees(yaml::Document& document, std::string_view text);
+
 /// How well a robot fits the names in a file.
 struct NameScore {
   std::size_t known = 0, names = 0;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "ast/companions/srdf_reader.hpp"
+#include "base/deadline.hpp"
 #include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
 #include "link/companions/companion_names.hpp"
@@ -28,8 +31,9 @@
 namespace smurf {
 namespace {
 
-constexpr std::size_t kMostCandidates = 400;  // files that may be companions
-constexpr std::size_t kMostRobots = 6;        // that are tried for an SRDF
+constexpr std::size_t kMostCandidates = 400;                // files that may be companions
+constexpr std::size_t kMostRobots = 6;                      // that are tried for an SRDF
+constexpr std::uint64_t kMostBytesOfPlugins = 256U << 10U;  // of a description
 
 using NameLists = std::initializer_list<std::vector<std::string> NamesInFolder::*>;
 
@@ -124,6 +128,7 @@ class Loader {
     }
     if (companion.document) {
       keep_last_keys(*companion.document, companion.kind == CompanionKind::controllers);
+      convert_degrees(*companion.document, text);
     }
   }
 
@@ -204,7 +209,7 @@ class Finder {
       own_.insert(context_.files.identity(context_.sources.path(file.source)));
     }
     read_ties();
-    found_.plugin_files = plugin_files_of(model_, context_.files);
+    found_.plugin_files = plugin_files_of(model_, context_);
     for (const PluginFile& one : found_.plugin_files) {
       if (one.state == PluginFile::State::controllers) look_at(one.path, Evidence::plugin);
     }
@@ -214,6 +219,7 @@ class Finder {
     }
     places_ = companion_places(std::string(path::parent(model_.urdf_path)), context_.files,
                                search_of(context_));
+    found_.lacks_simulation = lacks_simulation();
     look_in(0, places_.own, Evidence::package);
     look_in(places_.own, places_.folders.size(), Evidence::dependency);
     for (const NearCompanion& one : library_.near) look_at(one.path, Evidence::below);
@@ -262,6 +268,7 @@ class Finder {
     const SeenCompanion& seen = library_.look_at(path, context_.files);
     if (seen.what.spec == nullptr || seen.what.state == CompanionState::a_template) return;
     if (!own_.insert(context_.files.identity(path)).second) return;
+    if (evidence >= Evidence::package && is_of_other_plugin(path)) return;
     const bool is_xacro = xacro::is_xacro_file(path);
     const bool is_bound = is_tie(evidence);
     if (seen.what.spec->is_xml) {
@@ -334,27 +341,94 @@ class Finder {
     return *robots_;
   }
 
+  /// Whether the plugin of another robot names the file, while that of this robot names others.
+  bool is_of_other_plugin(const std::string& path) {
+    const bool has_own =
+        std::any_of(found_.plugin_files.begin(), found_.plugin_files.end(),
+                    [](const auto& one) { return one.state == PluginFile::State::controllers; });
+    if (!has_own) return false;
+    if (!of_other_plugins_) {
+      of_other_plugins_.emplace();
+      for (const std::string& robot : robots()) {
+        if (own_.contains(context_.files.identity(robot))) continue;
+        const FileContent content = context_.files.read(robot, kMostBytesOfPlugins);
+        add_plugin_files(content.text, *of_other_plugins_);
+      }
+    }
+    const std::string whole = "/" + path::normalize(path);
+    return std::any_of(of_other_plugins_->begin(), of_other_plugins_->end(),
+                       [&](const std::string& end) { return whole.ends_with(end); });
+  }
+
+  /// Whether hardware of Gazebo has no plugin, also not in other descriptions.
+  bool lacks_simulation() {
+    const std::string_view own = context_.sources.text(model_.robot->document.source);
+    const bool is_simulated = own.find("GazeboSimSystem") != own.npos ||
+                              own.find("IgnitionSystem") != own.npos ||
+                              own.find("GazeboSystem") != own.npos;
+    if (!is_simulated || !found_.plugin_files.empty()) return false;
+    return std::none_of(robots().begin(), robots().end(), [&](const std::string& path) {
+      const std::string text = context_.files.read(path, context_.limits.file_bytes).text;
+      return text.find("ROS2Control") != text.npos ||
+             text.find("ros2_control-system") != text.npos ||
+             text.find("gazebo_ros2_control.so") != text.npos;
+    });
+  }
+
   bool is_only_robot() { return robots().size() <= 1; }
 
   /// Whether another robot of the same name, such as a variant with a gripper, has more of the
   /// names in an SRDF.
   bool has_better_robot(const Companion& companion) {
     if (companion.known_names == companion.names) return false;
-    std::set<std::string> names;
-    for (const Reference& one : names_in_companion(model_, companion)) {
-      names.insert("\"" + std::string(one.name) + "\"");
-    }
-    const auto score = [&](std::string_view text) {
-      return std::count_if(names.begin(), names.end(), [&](const std::string& name) {
-        return text.find(name) != std::string_view::npos;
-      });
+    std::vector<std::size_t> names;
+    const std::vector<Reference> references = names_in_companion(model_, companion);
+    for (const Reference& one : references) names.push_back(hash_of(one.name));
+    sort_without_repetitions(names);
+    const auto score = [&](const std::vector<std::size_t>& words) {
+      std::vector<std::size_t> common;
+      std::set_intersection(names.begin(), names.end(), words.begin(), words.end(),
+                            std::back_inserter(common));
+      return common.size();
     };
-    const auto own = score(context_.sources.text(model_.robot->document.source));
-    return std::any_of(robots().begin(), robots().end(), [&](const std::string& path) {
+    const auto own = score(words_in(context_.sources.text(model_.robot->document.source)));
+    return std::any_of(variants().begin(), variants().end(),
+                       [&](const auto& words) { return score(words) > own; });
+  }
+
+  static std::size_t hash_of(std::string_view text) { return std::hash<std::string_view>()(text); }
+
+  static void sort_without_repetitions(std::vector<std::size_t>& all) {
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  }
+
+  /// Hashes of what is between two quotes: names may be.
+  static std::vector<std::size_t> words_in(std::string_view text) {
+    Deadline::look(1 + text.size() / 64);
+    std::vector<std::size_t> words;
+    for (std::size_t begin = text.find('"'); begin != text.npos;) {
+      const std::size_t end = text.find('"', ++begin);
+      if (end == text.npos) break;
+      words.push_back(hash_of(text.substr(begin, end - begin)));
+      begin = end;
+    }
+    sort_without_repetitions(words);
+    return words;
+  }
+
+  /// The words of the robots of the same name. Each text is read once for all SRDFs: a package may
+  /// have dozens of both.
+  const std::vector<std::vector<std::size_t>>& variants() {
+    if (variants_) return *variants_;
+    variants_.emplace();
+    for (const std::string& path : robots()) {
       const FileContent content = context_.files.read(path, context_.limits.file_bytes);
       const bool is_same = robot_name_in(content.text) == model_.robot->name.value_or("");
-      return content.status == ReadStatus::ok && is_same && score(content.text) > own;
-    });
+      if (content.status != ReadStatus::ok || !is_same) continue;
+      variants_->push_back(words_in(content.text));
+    }
+    return *variants_;
   }
 
   const LinkedModel& model_;
@@ -364,6 +438,9 @@ class Finder {
   Companions found_;
   CompanionPlaces places_;
   std::optional<std::vector<std::string>> robots_;  ///< around it, also in xacro
+  std::optional<std::vector<std::vector<std::size_t>>> variants_;
+  /// Ends of the paths of files that plugins of other robots name.
+  std::optional<std::set<std::string, std::less<>>> of_other_plugins_;
   std::set<std::string> own_;  ///< files of the model, of others, and those looked at, by identity
 };
 
@@ -416,6 +493,7 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
   if (!is_tied) robots = robots_of(*companion, context);
   std::size_t best = 0;  // names of the best robot
   for (const std::string& robot : robots) {
+    Deadline::look();
     LinkedModel found = load_model(robot, context);
     count_names(found, *companion);
     if (!found.robot || (!is_tied && !may_belong_to(found, *companion))) continue;

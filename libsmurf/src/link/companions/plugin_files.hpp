@@ -2,6 +2,10 @@
 // The parameter files that plugins of Gazebo for ros2_control name.
 #pragma once
 
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "smurf/companions.hpp"
@@ -12,6 +16,10 @@ namespace smurf {
 bool is_control_plugin(std::string_view file_name);
 
 /// The elements `parameters` of such plugins, with the state of the files.
-std::vector<PluginFile> plugin_files_of(const LinkedModel& model, const FileReader& files);
+std::vector<PluginFile> plugin_files_of(const LinkedModel& model, LoadContext& context);
+
+/// Adds the ends of the paths in the elements `parameters` of a robot, from its text:
+/// "/config/arm.yaml" of `$(find arm)/config/arm.yaml`.
+void add_plugin_files(std::string_view text, std::set<std::string, std::less<>>& ends);
 
 }  // namespace smurf

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/deadline.hpp"
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
 #include "link/companions/companion_names.hpp"
@@ -127,6 +128,7 @@ class VariantSearch {
       is_better = false;
       const Arguments from = best;
       for (const ArgumentValue& choice : choices) {
+        Deadline::look();
         if (from.contains(choice.name)) continue;
         if (++trials > kMostTrials || known == companion.names) break;
         Arguments tried = from;

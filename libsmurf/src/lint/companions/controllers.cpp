@@ -20,6 +20,7 @@ std::string_view without_namespace(std::string_view key) {
 struct Node {
   std::string_view name;
   yaml::View parameters;
+  Span place;  ///< its key
 };
 
 /// The nodes of a file, which may be in mappings of namespaces.
@@ -29,7 +30,7 @@ void collect(yaml::View value, int depth, std::vector<Node>& nodes) {
   for (const yaml::View member : value) {
     if (member.is_repeated() || !member.is_mapping()) continue;
     if (const yaml::View own = member.find("ros__parameters"); own && own.is_mapping()) {
-      nodes.push_back({without_namespace(member.key()), own});
+      nodes.push_back({without_namespace(member.key()), own, member.key_span()});
     }
     if (member.key() != "ros__parameters") collect(member, depth + 1, nodes);
   }
@@ -51,6 +52,35 @@ void read_manager(yaml::View manager, const NodesByName& nodes, ControllerFile& 
     if (!one.type && one.section) one.type = one.section.find("type");
     if (one.type && one.type.is_scalar())
       one.known = find_controller_class(trimmed(one.type.text()));
+    file.controllers.push_back(one);
+  }
+}
+
+/// Whether the parameters of a node are those of a controller: with a class that is known, or of
+/// another package, for joints or interfaces.
+bool is_of_controller(yaml::View parameters) {
+  const yaml::View type = parameters.find("type");
+  if (!type || !type.is_scalar()) return false;
+  const std::string_view text = trimmed(type.text());
+  if (find_controller_class(text) != nullptr) return true;
+  const bool is_class = text.find('/') != std::string_view::npos;
+  return is_class && parameters.find("joints") && parameters.find("command_interfaces");
+}
+
+/// Controllers whose type stands in their own section, as `spawner --param-file` reads it.
+void read_spawned(const std::vector<Node>& nodes, ControllerFile& file) {
+  for (const Node& node : nodes) {
+    const bool is_declared =
+        std::any_of(file.controllers.begin(), file.controllers.end(),
+                    [&](const RosController& one) { return one.name == node.name; });
+    if (is_declared || node.name == "controller_manager" || !is_of_controller(node.parameters))
+      continue;
+    RosController one{.name = node.name,
+                      .declared = {},
+                      .type = node.parameters.find("type"),
+                      .section = node.parameters,
+                      .place = node.place};
+    one.known = find_controller_class(trimmed(one.type.text()));
     file.controllers.push_back(one);
   }
 }
@@ -85,6 +115,7 @@ void for_each_controller_file(const Companions& companions,
       if (!file.manager) file.manager = node.parameters;
       read_manager(node.parameters, by_name, file);
     }
+    read_spawned(nodes, file);
     visit(file);
   }
 }

@@ -17,7 +17,8 @@ namespace smurf {
 /// A controller that a controller_manager may load.
 struct RosController {
   std::string_view name;
-  yaml::View declared;  ///< its mapping below controller_manager; none if it is not there
+  yaml::View declared;  ///< its mapping below controller_manager; none if it is not there, but its
+                        ///< type is in its section
   yaml::View type;      ///< none if it is missing
   yaml::View section;   ///< the `ros__parameters` of its node; none if there is none
   Span place;           ///< its name
@@ -55,6 +56,9 @@ void for_each_parameter(
 
 /// SML3701: a joint of a robot with another number of joints.
 inline constexpr Circumstance kNumberedJoint{"numbered"};
+
+/// SML3701: all names of the file lack a prefix.
+inline constexpr Circumstance kLostPrefix{"prefix"};
 
 /// The type that rcl and rclcpp give to a scalar, in the letters of RosParameter; 0 for one that is
 /// empty or filled in later.

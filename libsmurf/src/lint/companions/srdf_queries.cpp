@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "base/deadline.hpp"
 #include "base/files/path.hpp"
 
 namespace smurf {
@@ -28,7 +29,11 @@ std::vector<LinkIndex> way_up(const LinkedModel& model, LinkIndex from) {
 
 class Collector {
  public:
-  Collector(const LinkedModel& model, const srdf::Description& srdf) : model_(model), srdf_(srdf) {
+  Collector(const LinkedModel& model, const srdf::Description& srdf)
+      : model_(model),
+        srdf_(srdf),
+        most_groups_(
+            std::min(kMostGroups, kMostOfAll / std::max<std::size_t>(srdf.groups.size(), 1) + 1)) {
     result_.of_robot.resize(model.robot->joints.size());
   }
 
@@ -46,9 +51,8 @@ class Collector {
 
  private:
   void note(const srdf::Group& group) {
-    // Robots have a dozen groups. The joints of each are collected for several rules.
-    constexpr std::size_t kMostGroups = 200;
-    if (seen_.size() == kMostGroups) {
+    Deadline::look(4);
+    if (seen_.size() == most_groups_) {
       result_.is_complete = false;
     } else if (seen_.insert(&group).second) {
       waiting_.push_back(&group);
@@ -99,8 +103,14 @@ class Collector {
     for (const JointIndex joint : chain.joints) result_.of_robot[to_size(joint)] = true;
   }
 
+  // Robots have a dozen groups. The joints of each are collected for several rules, so that groups
+  // in groups would cost the square of their number.
+  static constexpr std::size_t kMostGroups = 200;
+  static constexpr std::size_t kMostOfAll = 40'000;
+
   const LinkedModel& model_;
   const srdf::Description& srdf_;
+  const std::size_t most_groups_;
   GroupJoints result_;
   std::set<const srdf::Group*> seen_;
   std::vector<const srdf::Group*> waiting_;
@@ -159,9 +169,13 @@ void for_each_state(const LinkedModel& model, const Companions& companions,
 Chain chain_between(const LinkedModel& model, std::string_view base, std::string_view tip) {
   const std::vector<LinkIndex> from_tip = way_up(model, *model.link_index(tip));
   const std::vector<LinkIndex> from_base = way_up(model, *model.link_index(base));
+  Deadline::look((from_tip.size() + from_base.size()) / 8);
+  // Looking for each link of one way in the other costs the square of a robot's depth.
+  std::vector<std::size_t> place_in_tip(model.robot->links.size(), from_tip.size());
+  for (std::size_t i = from_tip.size(); i-- > 0;) place_in_tip[to_size(from_tip[i])] = i;
   Chain chain;
   for (const LinkIndex link : from_base) {
-    const auto common = std::find(from_tip.begin(), from_tip.end(), link);
+    const auto common = from_tip.begin() + static_cast<std::ptrdiff_t>(place_in_tip[to_size(link)]);
     if (common == from_tip.end()) continue;
     chain.is_joined = true;
     chain.is_below = link == from_base.front();

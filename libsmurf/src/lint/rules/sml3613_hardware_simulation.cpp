@@ -136,12 +136,11 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
     if (!is_simulated(hardware)) continue;
     if (simulation.plugins.empty()) {
       const xml::View plugin = hardware.element.child("hardware").child("plugin");
-      findings
-          .report(plugin.text_span(), title_of(hardware) + " runs in Gazebo, but no `gazebo` of "
-                                                           "the robot has the plugin")
-          .help("add `<gazebo><plugin filename=\"gz_ros2_control-system\" ...>`")
-          .when(kPlugin)
-          .when(kNoSimulation);
+      Diagnostic& found = findings.report(
+          plugin.text_span(),
+          title_of(hardware) + " runs in Gazebo, but no `gazebo` of the robot has the plugin");
+      found.help("add `<gazebo><plugin filename=\"gz_ros2_control-system\" ...>`").when(kPlugin);
+      if (!companions.lacks_simulation) found.when(kNoSimulation);
     }
     check_sensors(hardware, simulation, findings);
   }

@@ -130,11 +130,45 @@ void check_reference_of(const LinkedModel& model, const Section& section, const 
   found->when(kNumberedJoint);
 }
 
+/// One finding for a file whose joints all differ from those of the robot by a prefix.
+void check_prefix(const LinkedModel& model, const std::vector<Section>& sections,
+                  std::string_view prefix, Findings& findings) {
+  const bool is_missing = prefix.front() == '+';  // in the file
+  prefix.remove_prefix(1);
+  for (const Section& section : sections) {
+    for (const Reference* one : section.references) {
+      if (one->kinds != NameKind::joint || one->is_known() || one->is_vague) continue;
+      const std::string right = is_missing ? std::string(prefix) + std::string(one->name)
+                                           : std::string(one->name.substr(prefix.size()));
+      const bool is_one = is_missing || one->name.starts_with(prefix);
+      if (!is_one || !model.joint_index(right)) continue;
+      Diagnostic& found = findings.report(
+          one->span, "the names of this file, such as " + quoted(one->name) + ", lack the prefix " +
+                         quoted(prefix) + " of the joints of the robot");
+      if (!is_missing) {
+        found.message = "the names of this file, such as " + quoted(one->name) +
+                        ", have the prefix " + quoted(prefix) +
+                        ", which the joints of the robot do not have";
+      }
+      found.severity = Severity::warning;
+      found.when(kLostPrefix);
+      found.help("write " + quoted(right) +
+                 " and the others in the same way, or expand the robot with another prefix");
+      return;
+    }
+  }
+}
+
 void check(const LinkedModel& model, const Companions& companions, Findings& findings) {
   if (!model.robot) return;
   const std::vector<Reference> references = companion_references(model, companions);
   for_each_controller_file(companions, [&](const ControllerFile& file) {
-    for (const Section& section : sections_of(model, file, references)) {
+    const std::vector<Section> sections = sections_of(model, file, references);
+    if (file.companion->known_names == 0 && !file.companion->lost_prefix.empty()) {
+      check_prefix(model, sections, file.companion->lost_prefix, findings);
+      return;
+    }
+    for (const Section& section : sections) {
       if (section.is_foreign(model)) continue;
       for (const Reference* one : section.references) {
         if (one->kinds != NameKind::joint || is_placeholder(one->name)) continue;

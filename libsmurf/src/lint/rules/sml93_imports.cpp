@@ -38,11 +38,11 @@ extern constinit const Rule sml9304_lost_in_urdf{
     .id = "SML9304",
     .name = "lost-in-urdf",
     .severity = Severity::warning,
-    .summary = "A URDF cannot say what the MJCF says here.",
+    .summary = "A URDF cannot say what an MJCF or SDF file says here.",
     .why =
-        "The robot that is made from the file lacks this part: closed loops, tendons, soft bodies, limits of ball joints and some shapes have no form in a URDF.",
-    .remedy = "Keep the MJCF for simulators that need the part, or describe it in another way.",
-    .sources = "The elements of URDF; MuJoCo 4.0.0, run."};
+        "The robot that is made from the file lacks this part: closed loops, tendons, soft bodies, limits of ball joints, lights and some shapes have no form in a URDF.",
+    .remedy = "Keep the file for simulators that need the part, or describe it in another way.",
+    .sources = "The elements of URDF; MuJoCo 4.0.0 and libsdformat 12, run."};
 
 extern constinit const Rule sml9305_range_without_limit{
     .id = "SML9305",
@@ -72,5 +72,57 @@ extern constinit const Rule sml9307_class_without_use{
     .why = "Its values have no effect. Often the class of an element is misspelt or was forgotten.",
     .remedy = "Name the class at the elements that it is meant for, or delete it.",
     .sources = "The file alone."};
+
+extern constinit const Rule sml9311_sdformat_refuses{
+    .id = "SML9311",
+    .name = "sdformat-refuses",
+    .severity = Severity::error,
+    .summary = "libsdformat refuses the SDF file.",
+    .why = "It reports an error, and simulators that are built on it load no file with an error.",
+    .remedy = "Correct the value or the element, as the message says.",
+    .sources = "libsdformat 12, run; the descriptions of SDF 1.9.",
+    .blocks_building = true};
+
+extern constinit const Rule sml9312_sdf_file_missing{
+    .id = "SML9312",
+    .name = "sdf-file-missing",
+    .severity = Severity::error,
+    .summary = "A model that an SDF file includes cannot be read.",
+    .why =
+        "libsdformat reports an error for an include that it does not find. Here, the robot lacks "
+        "the model.",
+    .remedy = "Put the folder of the model beside that of the file, or correct the address.",
+    .sources = "libsdformat 12, run."};
+
+extern constinit const Rule sml9313_sdf_limit{
+    .id = "SML9313",
+    .name = "sdf-limit",
+    .severity = Severity::error,
+    .summary = "An SDF model is larger than a limit.",
+    .why = "Included files can make a model of any size from a few lines.",
+    .remedy = "Make the model smaller, or raise the limit.",
+    .sources = "smurf-lint",
+    .blocks_building = true,
+    .may_pass_elsewhere = true};
+
+extern constinit const Rule sml9314_ignored_by_sdformat{
+    .id = "SML9314",
+    .name = "ignored-by-sdformat",
+    .severity = Severity::warning,
+    .summary = "libsdformat ignores a part of an SDF file.",
+    .why = "An element or attribute of another name, a second one where there can be one, and what "
+           "follows a comma in a number have no effect, and nothing tells of it.",
+    .remedy = "Correct the name or the number, or delete the part.",
+    .sources = "libsdformat 12, run."};
+
+extern constinit const Rule sml9315_mass_by_default{
+    .id = "SML9315",
+    .name = "mass-by-default",
+    .severity = Severity::warning,
+    .summary = "A link of an SDF file weighs 1 kg because nothing else is written.",
+    .why = "In SDF, a link without a mass weighs 1 kg, and without `<inertia>` its moments are "
+           "1 kg m^2, which few parts of a robot have. In a URDF it has no mass.",
+    .remedy = "Write `<inertial>` with the mass and the inertia of the link.",
+    .sources = "libsdformat 12, run."};
 
 }  // namespace smurf::rules

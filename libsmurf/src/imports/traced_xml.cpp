@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mjcf/traced_xml.hpp"
+#include "imports/traced_xml.hpp"
 
 #include "base/numbers/numbers.hpp"
-#include "mjcf/mjcf.hpp"
+#include "imports/imports.hpp"
 
-namespace smurf::mjcf {
+namespace smurf::imports {
 
 using xacro::Leaf;
 
@@ -23,12 +23,19 @@ Leaf& TracedXml::leaf(Leaf::Kind kind, std::size_t begin, const Place& place, bo
 }
 
 void TracedXml::end_tag_head() {
-  if (open_.empty() || !open_.back().is_empty) return;
+  if (open_.empty()) return;
+  if (open_.back().has_text) {
+    open_.back().has_text = false;
+    text_ += "\n";
+  }
+  if (!open_.back().is_empty) return;
   open_.back().is_empty = false;
   text_ += ">\n";
 }
 
 void TracedXml::open(std::string_view name, const Place& place, bool is_made) {
+  is_full_ = is_full_ || text_.size() > most_;
+  if (is_full_) return;
   end_tag_head();
   const bool is_in_made = !open_.empty() && open_.back().is_made;
   text_.append(2 * open_.size(), ' ');
@@ -41,12 +48,21 @@ void TracedXml::open(std::string_view name, const Place& place, bool is_made) {
 
 void TracedXml::attribute(std::string_view name, std::string_view value, const Place& place,
                           bool is_made) {
+  if (is_full_) return;
   text_ += " ";
   const std::size_t name_begin = text_.size();
   text_ += name;
   leaf(Leaf::Kind::attribute, name_begin, place, is_made);
   text_ += "=\"";
   const std::size_t begin = text_.size();
+  escaped(value);
+  Leaf& made = leaf(Leaf::Kind::value, begin, place, is_made);
+  made.is_exact = place.is_exact && text_.size() - begin == value.size() &&
+                  place.origin.end - place.origin.begin == value.size();
+  text_ += "\"";
+}
+
+void TracedXml::escaped(std::string_view value) {
   for (const char c : value) {
     switch (c) {
     case '&': text_ += "&amp;"; break;
@@ -59,10 +75,19 @@ void TracedXml::attribute(std::string_view name, std::string_view value, const P
     default: text_.push_back(c);
     }
   }
-  Leaf& made = leaf(Leaf::Kind::value, begin, place, is_made);
+}
+
+void TracedXml::text(std::string_view value, const Place& place) {
+  if (is_full_) return;
+  Open& element = open_.back();
+  element.is_empty = false;
+  element.has_text = true;
+  text_ += ">";
+  const std::size_t begin = text_.size();
+  escaped(value);
+  Leaf& made = leaf(Leaf::Kind::text, begin, place);
   made.is_exact = place.is_exact && text_.size() - begin == value.size() &&
                   place.origin.end - place.origin.begin == value.size();
-  text_ += "\"";
 }
 
 void TracedXml::number(std::string_view name, double value, const Place& place, bool is_made) {
@@ -70,13 +95,14 @@ void TracedXml::number(std::string_view name, double value, const Place& place, 
 }
 
 void TracedXml::close() {
+  if (is_full_) return;
   const Open last = open_.back();
   if (last.is_empty) {
     text_ += "/>\n";
     open_.pop_back();
     return;
   }
-  text_.append(2 * (open_.size() - 1), ' ');
+  if (!last.has_text) text_.append(2 * (open_.size() - 1), ' ');
   const std::size_t begin = text_.size();
   text_ += "</" + last.name + ">";
   leaf(Leaf::Kind::end_tag, begin, last.place);
@@ -84,4 +110,4 @@ void TracedXml::close() {
   open_.pop_back();
 }
 
-}  // namespace smurf::mjcf
+}  // namespace smurf::imports

@@ -7,7 +7,7 @@
 
 #include "smurf/pose.hpp"
 
-namespace smurf::mjcf {
+namespace smurf::imports {
 
 /// xx, yy, zz, xy, xz, yz.
 using Tensor = std::array<double, 6>;
@@ -44,4 +44,4 @@ Extent cylinder(double radius, double half_length, bool is_shell);
 Extent ellipsoid(const std::array<double, 3>& radii, bool is_shell);
 Extent box(const std::array<double, 3>& half, bool is_shell);
 
-}  // namespace smurf::mjcf
+}  // namespace smurf::imports

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mjcf/mass.hpp"
+#include "imports/mass.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
 
-namespace smurf::mjcf {
+namespace smurf::imports {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -182,4 +182,4 @@ Extent box(const std::array<double, 3>& s, bool is_shell) {
   return {area, {moment(y, z, x), moment(x, z, y), moment(x, y, z)}};
 }
 
-}  // namespace smurf::mjcf
+}  // namespace smurf::imports

@@ -3,6 +3,7 @@
 // it comes from.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,7 +11,7 @@
 
 #include "smurf/xacro.hpp"
 
-namespace smurf::mjcf {
+namespace smurf::imports {
 
 /// Where a value was written, and where it acts.
 struct Place {
@@ -22,7 +23,9 @@ struct Place {
 
 class TracedXml {
  public:
-  explicit TracedXml(xacro::Expansion& expansion) : leaves_(expansion.leaves) {
+  /// `most`: the bytes of the text after which nothing is added to it.
+  explicit TracedXml(xacro::Expansion& expansion, std::uint64_t most = ~std::uint64_t{0})
+      : leaves_(expansion.leaves), most_(most) {
     text_ = "<?xml version=\"1.0\" ?>\n";
   }
 
@@ -31,7 +34,11 @@ class TracedXml {
   void attribute(std::string_view name, std::string_view value, const Place& place,
                  bool is_made = false);
   void number(std::string_view name, double value, const Place& place, bool is_made = false);
+  /// What is between the tags of an element; before all elements in it.
+  void text(std::string_view value, const Place& place);
   void close();
+  /// Whether the text is longer than a robot may be; nothing is added to it then.
+  bool is_full() const { return is_full_; }
   std::string take() { return std::move(text_); }
 
  private:
@@ -40,14 +47,18 @@ class TracedXml {
     Place place;
     bool is_made = false;
     bool is_empty = true;
+    bool has_text = false;
   };
   xacro::Leaf& leaf(xacro::Leaf::Kind kind, std::size_t begin, const Place& place,
                     bool is_made = false);
   void end_tag_head();
+  void escaped(std::string_view value);
 
   std::vector<xacro::Leaf>& leaves_;
+  std::uint64_t most_;
+  bool is_full_ = false;
   std::string text_;
   std::vector<Open> open_;
 };
 
-}  // namespace smurf::mjcf
+}  // namespace smurf::imports

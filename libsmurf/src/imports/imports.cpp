@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "imports/imports.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "base/findings/limits.hpp"
+#include "base/numbers/numbers.hpp"
+#include "base/text/did_you_mean.hpp"
+#include "base/text/words.hpp"
+
+namespace smurf::imports {
+
+std::string_view root_name(std::string_view text) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  while (true) {
+    // What comes before it: comments, declarations and blanks.
+    text = text.substr(std::min(text.find('<'), text.size()));
+    const std::string_view end = text.starts_with("<!--") ? "-->"
+                                 : text.starts_with("<?") ? "?>"
+                                 : text.starts_with("<!") ? ">"
+                                                          : "";
+    if (end.empty()) break;
+    const std::size_t at = text.find(end, 2);
+    if (at == std::string_view::npos) return {};
+    text.remove_prefix(at + end.size());
+  }
+  if (text.empty()) return {};
+  text.remove_prefix(1);
+  return text.substr(0, std::min(text.find_first_of(" \t\r\n/>"), text.size()));
+}
+
+bool is_made(const xacro::Expansion& result, Span part) {
+  const auto after =
+      std::upper_bound(result.leaves.begin(), result.leaves.end(), part.begin,
+                       [](std::uint32_t at, const xacro::Leaf& leaf) { return at < leaf.begin; });
+  if (after == result.leaves.begin()) return false;
+  return std::prev(after)->first_input == kMade && std::prev(after)->inputs == 0;
+}
+
+Diagnostic& Reporter::report(const Rule& rule, Span place, std::string message) {
+  if (!known_.insert({&rule, place.source, place.begin}).second) return ignored_ = {};
+  return context_.sink.report(rule, place, std::move(message));
+}
+
+Diagnostic& Reporter::refuse(Span place, std::string message, std::string help) {
+  has_refused_ = true;
+  return report(family_.refused, place, std::string(family_.refusal) + std::move(message))
+      .help(std::move(help));
+}
+
+Diagnostic& Reporter::exceed(Span place, std::string message, std::string_view name) {
+  has_refused_ = true;
+  return report(family_.limit, place, std::move(message)).help(raise_limit(name));
+}
+
+Diagnostic& Reporter::miss(Span place, std::string message, std::string help) {
+  return report(family_.missing, place, std::move(message)).help(std::move(help));
+}
+
+std::string words_of(const Vector3& numbers) {
+  return format_number(numbers[0]) + " " + format_number(numbers[1]) + " " +
+         format_number(numbers[2]);
+}
+
+}  // namespace smurf::imports
