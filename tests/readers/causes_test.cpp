@@ -28,7 +28,7 @@ bool is_of_lint(const Rule& rule) {
   return rule.reported_by == Tool::lint && !rule.id.starts_with("SML9");
 }
 
-/// The targets, with their releases.
+/// All targets, and each of their releases.
 std::vector<const Reader*> targets() {
   std::vector<const Reader*> all;
   for (const std::string_view name : target_names()) all.push_back(find_target(name));

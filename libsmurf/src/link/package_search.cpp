@@ -200,10 +200,10 @@ int PackageSearch::levels_above(std::string folder, const std::string& own) {
 
 std::optional<std::string> PackageSearch::search_upward(const std::string& name,
                                                         const std::string& near,
-                                                        const std::string& own, Depth depth) {
+                                                        const std::string& own, int last,
+                                                        Depth depth) {
   std::string folder = near;
   bool is_in_own = depth == Depth::packages && !own.empty();
-  const int last = levels_above(near, own);
   for (int level = 0; level <= last; ++level) {
     is_in_own = is_in_own && folder != own;
     // Before all that is in the folder, which may be much.
@@ -224,8 +224,9 @@ std::optional<std::string> PackageSearch::search_around(const std::string& name,
   // Most robots name files of their own package.
   const std::string own = package_around(near);
   if (!own.empty() && is_package(own, name)) return own;
-  if (auto found = search_upward(name, near, own, Depth::packages)) return found;
-  return search_upward(name, near, own, Depth::inside_of_packages);
+  const int last = levels_above(near, own);
+  if (auto found = search_upward(name, near, own, last, Depth::packages)) return found;
+  return search_upward(name, near, own, last, Depth::inside_of_packages);
 }
 
 PackageSearch& search_of(LoadContext& context) {

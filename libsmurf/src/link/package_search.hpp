@@ -60,8 +60,9 @@ class PackageSearch {
   };
 
   std::optional<std::string> search_around(const std::string& name, const std::string& folder);
+  /// Searches `folder` and `last` folders above it.
   std::optional<std::string> search_upward(const std::string& name, const std::string& folder,
-                                           const std::string& own, Depth depth);
+                                           const std::string& own, int last, Depth depth);
   /// How many folders above `near` are searched: without a limit, it would be the whole disk.
   int levels_above(std::string near, const std::string& own);
   /// The nearest folder with a package.xml, from `folder` upward; "" if there is none.

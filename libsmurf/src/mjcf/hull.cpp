@@ -103,7 +103,7 @@ class Hull {
     return true;
   }
 
-  /// Gives each point to the first face, from `first` on, that it is outside of.
+  /// Assigns each point to the first face at or after `first` that it lies outside of.
   void share(const std::vector<std::uint32_t>& points, std::size_t first) {
     for (const std::uint32_t point : points) {
       for (std::size_t i = first; i < faces_.size(); ++i) {

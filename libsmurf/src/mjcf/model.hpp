@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A model as MuJoCo compiles it: bodies in its order, with joints, shapes and masses.
+// A model after MuJoCo has compiled it: its bodies in MuJoCo's order, with their joints, shapes and
+// masses.
 #pragma once
 
 #include <array>

@@ -46,8 +46,8 @@ class Table {
   const Grammar& root() const { return all_.front(); }
 
  private:
-  /// The world, frames and copies contain what bodies contain. MuJoCo reads their attributes as it
-  /// pleases.
+  /// Adds `worldbody`, `frame` and `replicate`, which contain what a `body` contains. The schema
+  /// knows none of their attributes.
   void add_bodies() {
     Grammar& root = all_.front();
     const auto body = std::find_if(all_.begin(), all_.end(),

@@ -9,8 +9,8 @@
 
 namespace smurf {
 
-/// Empty if the file is in no project. Paths in the current folder are relative to it; others begin
-/// like `path`.
+/// The inputs of the project that contains the file; none if it is in no project. Paths below the
+/// current folder are relative to it; all others start as `path` does.
 FoundInputs inputs_around(const std::string& path, const Limits& limits,
                           const LeftOut& is_left_out = nullptr);
 

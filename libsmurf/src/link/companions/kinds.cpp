@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kinds of companions, recognised by their keys. A new kind is a row here, its names in
-// parameter_names.cpp, and rules.
+// The kinds of companions, recognised by their keys. To add a kind, add a row here, list its names
+// in parameter_names.cpp, and write its rules.
 #include "link/companions/kinds.hpp"
 
 #include <algorithm>
