@@ -12,18 +12,15 @@
 #include "base/files/path.hpp"
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
-#include "base/text/quoted.hpp"
-#include "check/excuses.hpp"
 #include "check/given_arguments.hpp"
 #include "check/in_time.hpp"
-#include "check/launched_values.hpp"
+#include "check/load_planned.hpp"
 #include "check/missing_packages.hpp"
 #include "check/parallel.hpp"
 #include "check/seen_companions.hpp"
 #include "check/told_findings.hpp"
 #include "check/with_variants.hpp"
 #include "check/xacro_share.hpp"
-#include "link/surroundings/load_surroundings.hpp"
 
 namespace smurf {
 namespace {
@@ -40,6 +37,7 @@ class Run {
         jobs_(count_of_jobs(settings.jobs)),
         shared_search_(std::make_shared<PackageSearch>(context.check.files)),
         seen_(context.check, *shared_search_),
+        loader_{settings, context, seen_, shared_search_},
         given_(context.check) {}
 
   void configure(std::vector<std::string> configs) {
@@ -62,7 +60,7 @@ class Run {
     for (const auto* planned : all) {
       for (const PlannedFile& one : *planned) paths.push_back(one.path);
     }
-    steps_of_each_ = xacro_steps_of_each(paths, context_.check.limits);
+    loader_.xacro_steps = xacro_steps_of_each(paths, context_.check.limits);
   }
 
   void check(const std::vector<PlannedFile>& planned) {
@@ -138,7 +136,7 @@ class Run {
     expected_ = files;
     if (settings_.on_progress) settings_.on_progress(0, expected_);
   }
-  void expect_robots(std::size_t count) { has_several_robots_ = count > 1; }
+  void expect_robots(std::size_t count) { loader_.has_several_robots = count > 1; }
 
  private:
   bool is_remembering() const { return context_.snapshot != nullptr; }
@@ -236,126 +234,11 @@ class Run {
   bool load_in_time(const PlannedFile& planned, const FileReader& files, MeshLibrary& meshes,
                     Outcome& outcome) const {
     return run_in_time(
-        settings_.max_seconds, [&] { load(planned, files, meshes, outcome); },
+        settings_.max_seconds, [&] { loader_.load(planned, files, meshes, outcome); },
         [&] {
           outcome = outcome_out_of_time(planned, identity_of(planned.path), settings_.max_seconds,
                                         memory_.sources);
         });
-  }
-
-  void load(const PlannedFile& planned, const FileReader& files, MeshLibrary& meshes,
-            Outcome& outcome) const {
-    const CheckGroup& group = memory_.groups[planned.config];
-    outcome.sources = memory_.sources;
-    const Limits& limits = context_.check.limits;
-    DiagnosticSink sink(limits);
-    LoadContext context{outcome.sources,
-                        files,
-                        sink,
-                        context_.check.limits,
-                        group.packages,
-                        settings_.package_folders,
-                        settings_.opens_meshes ? &meshes : nullptr,
-                        &group.config.schemas};
-    if (is_remembering()) {
-      context.parsed = &outcome.parsed;
-      context.package_search = std::make_shared<PackageSearch>(files);
-      seen_.tell(*context.package_search->companions);
-    } else {
-      context.package_search = shared_search_;
-    }
-    context.limits.xacro_steps = steps_of_each_;
-    context.xacro = group.settings.xacro;
-    context.ties = group.ties;
-    if (!planned.arguments.empty()) context.xacro.arguments = planned.arguments;
-    const InputKind kind = input_kind(planned.path);
-    if (kind == InputKind::scene || kind == InputKind::drawing) {
-      LinkedScene scene = load_scene(planned.path, context);
-      load_old_scenes(scene, context);  // for their findings
-      outcome.parsed.end_loading(outcome.sources, sink);
-      outcome.judged = judge(scene, outcome.sources, group.selection, sink, *context.expansions);
-      for (LinkedModel& model : scene.models) take_files(std::move(model), outcome);
-      for (const SceneFile& file : scene.scenes) {
-        outcome.scenes.insert(identity_of(file.path));
-      }
-    } else {
-      const std::string values =
-          planned.may_be_part ? add_launched_values(planned.path, context) : std::string();
-      Accompanied robot =
-          load_robot(planned.path, planned.may_be_part, group.config.xacro, context);
-      LinkedModel& model = robot.model;
-      if (xacro::is_xacro_file(planned.path) &&
-          is_part(model, outcome.sources, planned.may_be_part)) {
-        outcome.read.insert(identity_of(model.path));
-        return;
-      }
-      add_surroundings(robot, context);
-      outcome.parsed.end_loading(outcome.sources, sink);
-      outcome.judged = judge(robot, outcome.sources, group.selection, sink, *context.expansions);
-      if (planned.may_be_part) excuse_arguments(outcome.judged.diagnostics);
-      const auto excuse = [&](const Companions& companions) {
-        const bool may_vary = planned.may_be_part || (has_several_robots_ && !planned.is_named);
-        excuse_names(companions, outcome.sources, may_vary, outcome.judged.diagnostics);
-      };
-      excuse(robot.companions);
-      for (const Variant& one : robot.variants) excuse(one.companions);
-      if (has_several_robots_) excuse_one_of_several(outcome.judged.diagnostics);
-      if (!planned.shown.empty()) {
-        for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
-      }
-      if (xacro::is_xacro_file(planned.path)) {
-        outcome.notes.arguments = arguments_of(outcome.sources, memory_.sources.size());
-        if (!model.robot) outcome.notes.unknown_robot = model.path;
-      }
-      if (!values.empty() && model.robot) {
-        outcome.notes.assumption = quoted(model.path) + " with " + values;
-      }
-      take_companions(robot.companions, model, outcome);
-      for (const Variant& one : robot.variants) {
-        take_companions(one.companions, one.model, outcome);
-      }
-      if (planned.is_helper) return keep_asked_for(model, outcome);
-      if (!robot.companions.checks_first_only) take_files(std::move(model), outcome);
-    }
-  }
-
-  /// Leaves what is about the files for which the robot was loaded.
-  void keep_asked_for(const LinkedModel& model, Outcome& outcome) const {
-    const auto is_other = [&](const std::string& file) { return !seen_.is_asked_for(file); };
-    std::erase_if(outcome.companions, [&](const auto& one) { return is_other(one.first); });
-    std::erase_if(outcome.read, is_other);
-    std::erase_if(outcome.judged.diagnostics, [&](const Diagnostic& one) {
-      return is_other(identity_of(outcome.sources.path(one.span.source)));
-    });
-    if (!outcome.companions.empty()) outcome.notes.robots_of_srdfs.insert(model.path);
-  }
-
-  void take_companions(const Companions& companions, const LinkedModel& model,
-                       Outcome& outcome) const {
-    for (const Companion& one : companions.files) {
-      const std::string file = identity_of(outcome.sources.path(one.source));
-      if (model.robot) outcome.companions.emplace(file, claim_of(one, model));
-      outcome.read.insert(file);
-    }
-    for (const SourceId one : companions.surroundings.sources)
-      outcome.surroundings.insert(identity_of(outcome.sources.path(one)));
-    for (const RejectedCompanion& one : companions.rejected) {
-      outcome.notes.rejected.emplace(identity_of(one.path), one);
-    }
-    if (!companions.checks_first_only) return;
-    outcome.notes.robots_of_srdfs.insert(model.robot ? model.path : "");
-    // The robot with which it was compared was not asked for.
-    std::erase_if(outcome.judged.diagnostics, [&](const Diagnostic& one) {
-      return !is_companion_path(outcome.sources.path(one.span.source));
-    });
-  }
-
-  void take_files(LinkedModel&& model, Outcome& outcome) const {
-    outcome.read.insert(*outcome.models.insert(identity_of(model.path)).first);
-    for (const ModelFile& file : model.files) {
-      outcome.read.insert(identity_of(outcome.sources.path(file.source)));
-    }
-    if (is_remembering()) outcome.parsed.keep(std::move(model));
   }
 
   /// Records the files that were read for an outcome. Thousands of models may share one large URDF,
@@ -461,19 +344,18 @@ class Run {
   ToldFindings told_;                                ///< in the surroundings of robots
   std::set<std::string> assumptions_;                ///< see Summary
   SeenCompanions seen_;                              ///< of the plan
-  GivenArguments given_;                             ///< of the robots
-  CompanionFindings shared_;                         ///< findings in them
-  std::set<std::string> sources_read_;               ///< by identity
-  std::uint64_t rechecked_ = 0;                      ///< bytes of files that were read before
-  std::uint64_t count_found_ = 0;                    ///< before settings and comments are applied
-  std::uint64_t steps_of_each_ = 0;                  ///< of each expansion of xacro
-  bool is_over_ = false;                             ///< the remaining files are not checked
-  std::set<std::string> used_;                       ///< paths of the outcomes used here
-  std::size_t parsed_bytes_ = 0;                     ///< of the texts whose trees are kept
+  PlannedLoader loader_;
+  GivenArguments given_;                ///< of the robots
+  CompanionFindings shared_;            ///< findings in them
+  std::set<std::string> sources_read_;  ///< by identity
+  std::uint64_t rechecked_ = 0;         ///< bytes of files that were read before
+  std::uint64_t count_found_ = 0;       ///< before settings and comments are applied
+  bool is_over_ = false;                ///< the remaining files are not checked
+  std::set<std::string> used_;          ///< paths of the outcomes used here
+  std::size_t parsed_bytes_ = 0;        ///< of the texts whose trees are kept
   std::atomic<bool> is_cancelled_ = false;
   std::atomic<std::size_t> done_ = 0;
   std::size_t expected_ = 0;
-  bool has_several_robots_ = false;
   std::vector<const Reader*> targets_;
   std::vector<RobotAnswers> robots_;
 };

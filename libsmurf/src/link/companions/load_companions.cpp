@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "ast/companions/srdf_reader.hpp"
 #include "base/deadline.hpp"
 #include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
@@ -19,14 +18,9 @@
 #include "link/companions/library.hpp"
 #include "link/companions/places.hpp"
 #include "link/companions/plugin_files.hpp"
-#include "link/companions/setup_assistant.hpp"
-#include "link/package_manifest.hpp"
+#include "link/companions/read_companion.hpp"
 #include "link/package_search.hpp"
-#include "link/read_file.hpp"
-#include "link/xacro_model.hpp"
 #include "smurf/companions.hpp"
-#include "syntax/xml_reader.hpp"
-#include "syntax/yaml_reader.hpp"
 
 namespace smurf {
 namespace {
@@ -57,118 +51,6 @@ std::vector<std::string> candidates(const std::vector<std::string>& folders, Nam
   std::sort(found.begin(), found.end());
   return found;
 }
-
-/// Whether the package around a folder is built with ament, as those of ROS 2 are.
-bool is_in_ros2_package(std::string folder, const FileReader& files) {
-  for (int level = 0; level < 4; ++level, folder = path::join(folder, "..")) {
-    const PackageManifest manifest = manifest_in(folder, files);
-    if (manifest.exists) return manifest.is_ament;
-  }
-  return false;
-}
-
-class Loader {
- public:
-  explicit Loader(LoadContext& context) : context_(context) {}
-
-  /// Reads a file as a companion of this kind; none if it cannot be parsed. A xacro file that was
-  /// found for a robot may need arguments or packages that are not known here, which is no finding.
-  std::optional<Companion> read(const std::string& path, const CompanionSpec& spec,
-                                const LinkedModel* robot = nullptr) {
-    const auto source = read_source(path, {}, rules::sml0001_unreadable_file, context_);
-    if (!source) return std::nullopt;
-    Companion companion;
-    companion.kind = spec.kind;
-    companion.source = *source;
-    companion.folder = path::parent(path::normalize(path));
-    // These exist in ROS 2 only.
-    companion.is_ros2 = spec.kind == CompanionKind::controllers ||
-                        spec.kind == CompanionKind::moveit_controllers ||
-                        is_in_ros2(companion.folder);
-    if (spec.is_xml) {
-      const auto text = xacro::is_xacro_file(path) ? expanded(*source, robot) : source;
-      if (!text) return std::nullopt;
-      auto document = parse_xml(context_.sources, *text, context_.limits, context_.sink);
-      if (!document) return std::nullopt;
-      companion.srdf = srdf::read(std::move(*document));
-      if (text != source && !companion.srdf->name) return std::nullopt;  // a part of others
-    } else {
-      read_parameters(path, companion);
-      if (spec.kind == CompanionKind::setup_assistant && companion.document) {
-        find_missing_files(companion, context_);
-      }
-    }
-    return companion;
-  }
-
- private:
-  /// A text that cannot be parsed is an error; a key that is written twice loses its first value.
-  void read_parameters(const std::string& path, Companion& companion) {
-    DiagnosticSink found(context_.limits);
-    companion.document = parse_yaml(context_.sources, companion.source, context_.limits, found);
-    const std::string_view text = context_.sources.text(companion.source);
-    companion.is_broken =
-        recognise(path, text, companion.document, found).state == CompanionState::broken;
-    if (companion.is_broken) companion.document.reset();
-    const std::set<std::uint32_t> merged = merged_keys(companion);
-    for (Diagnostic& one : found.take()) {
-      const bool is_repeated = one.rule == &rules::sml0011_duplicate_key;
-      if (is_repeated && merged.contains(one.span.begin)) continue;
-      if (!is_repeated && (!companion.is_broken || one.severity != Severity::error)) continue;
-      Diagnostic& reported = context_.sink.report(*one.rule, one.span, one.message);
-      reported.caret = one.caret;
-      reported.labels = one.labels;
-      reported.help_text = one.help_text;
-      if (is_repeated) {
-        reported.severity = Severity::warning;
-        reported.note("ROS uses the last value, and ignores the others without a message");
-      } else {
-        reported.note("the program of ROS that reads this file ends: nothing in it takes effect");
-      }
-    }
-    if (companion.document) {
-      keep_last_keys(*companion.document, companion.kind == CompanionKind::controllers);
-      convert_degrees(*companion.document, text);
-    }
-  }
-
-  /// Where keys are repeated whose values are joined, so that nothing is lost.
-  static std::set<std::uint32_t> merged_keys(const Companion& companion) {
-    std::set<std::uint32_t> places;
-    if (companion.kind != CompanionKind::controllers || !companion.document) return places;
-    for (const yaml::Node& node : companion.document->nodes) {
-      if (node.is_repeated && node.kind() == yaml::Kind::mapping) {
-        places.insert(node.key_span().begin);
-      }
-    }
-    return places;
-  }
-
-  std::optional<SourceId> expanded(SourceId root, const LinkedModel* robot) {
-    DiagnosticSink ignored(context_.limits);
-    LoadContext quiet{context_.sources, context_.files,    ignored,
-                      context_.limits,  context_.packages, context_.package_folders,
-                      context_.meshes,  context_.schemas,  context_.read,
-                      context_.parsed,  context_.xacro,    context_.expansions};
-    quiet.limits.xacro_steps = steps_of_trial(context_.limits);
-    // Launch files often pass the name of the robot.
-    if (robot != nullptr) quiet.xacro.arguments.emplace("name", robot->robot->name.value_or(""));
-    xacro::Expansion expansion = expand_xacro(root, robot != nullptr ? quiet : context_);
-    if (!expansion.is_complete) return std::nullopt;
-    const SourceId source = expansion.source;
-    context_.expansions->emplace(source, std::move(expansion));
-    return source;
-  }
-
-  bool is_in_ros2(const std::string& folder) {
-    const auto [known, is_new] = ros2_.try_emplace(folder);
-    if (is_new) known->second = is_in_ros2_package(folder, context_.files);
-    return known->second;
-  }
-
-  LoadContext& context_;
-  std::map<std::string, bool> ros2_;  ///< by folder
-};
 
 /// Whether an SRDF may be for a robot: half of its names are enough if it has the name of the
 /// robot. Others are for another robot, unless the robot has nearly all of them.
@@ -201,7 +83,7 @@ class Finder {
   Finder(const LinkedModel& model, LoadContext& context)
       : model_(model),
         context_(context),
-        loader_(context),
+        reader_(context),
         library_(*search_of(context).companions) {}
 
   Companions run() {
@@ -286,7 +168,7 @@ class Finder {
         return;
       }
     }
-    auto companion = loader_.read(path, *seen.what.spec, is_xacro ? &model_ : nullptr);
+    auto companion = reader_.read(path, *seen.what.spec, is_xacro ? &model_ : nullptr);
     if (!companion) return;
     companion->evidence = evidence;
     found_.files.push_back(std::move(*companion));
@@ -433,7 +315,7 @@ class Finder {
 
   const LinkedModel& model_;
   LoadContext& context_;
-  Loader loader_;
+  CompanionReader reader_;
   CompanionLibrary& library_;
   Companions found_;
   CompanionPlaces places_;
@@ -483,7 +365,7 @@ Accompanied load_companion(const std::string& path, LoadContext& context) {
   Accompanied loaded;
   loaded.model.path = path::normalize(path);
   loaded.companions.checks_first_only = true;
-  auto companion = Loader(context).read(path, spec_of(CompanionKind::srdf));
+  auto companion = CompanionReader(context).read(path, spec_of(CompanionKind::srdf));
   if (!companion) {
     loaded.model.is_complete = false;
     return loaded;
