@@ -267,7 +267,9 @@ class ModelLoader {
     if (xacro::is_xacro_file(path)) return Language::xacro;
     if (path::to_lower(path::extension(path)) == ".urdf") return Language::urdf;
     const std::string_view text = context_.sources.text(source);
-    return mjcf::is_mjcf(text) ? Language::mjcf : sdformat::is_sdf(text) ? Language::sdf : Language::urdf;
+    return mjcf::is_mjcf(text)      ? Language::mjcf
+           : sdformat::is_sdf(text) ? Language::sdf
+                                    : Language::urdf;
   }
 
   std::optional<SourceId> keep(xacro::Expansion expansion) {
