@@ -240,12 +240,12 @@ std::vector<std::string> all_arguments(std::string_view text) {
 }
 
 std::vector<std::string> undeclared_arguments(std::string_view text) {
-  auto [names, uses, declared] = arguments_in(text);
-  std::erase_if(names, [&](const std::string& name) {
-    const auto place = declared.find(name);
-    return place != declared.end() && place->second < uses[name];  // xacro reads from the top
+  ArgumentsInText found = arguments_in(text);
+  std::erase_if(found.names, [&](const std::string& name) {
+    const auto place = found.declared.find(name);
+    return place != found.declared.end() && place->second < found.uses[name];  // read from the top
   });
-  return names;
+  return std::move(found.names);
 }
 
 }  // namespace smurf::xacro
