@@ -1151,3 +1151,18 @@ def diff(
     """
 def explain(rule: str) -> str:
     """The page of a rule, by its id or name: what, why, what to do."""
+
+
+class _EachPlan:
+    def __len__(self) -> int: ...
+    def path(self, index: int) -> str: ...
+    def check(self, index: int) -> Optional[Report]: ...
+
+def _plan_each(
+    paths: Paths, *, config: Optional[Path] = ..., isolated: Optional[bool] = ...,
+    select: Optional[Texts] = ..., ignore: Optional[Texts] = ...,
+    severities: Optional[Dict[str, str]] = ..., targets: Optional[Texts] = ...,
+    packages: Optional[Dict[str, Path]] = ..., args: Optional[Dict[str, Argument]] = ...,
+    xacro_env: Optional[Texts] = ..., baseline: Optional[Path] = ...,
+    no_ignores: Optional[bool] = ..., allow_outside: Optional[bool] = ..., max_seconds: Optional[int] = ...,
+) -> _EachPlan: ...

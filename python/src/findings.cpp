@@ -63,8 +63,19 @@ py::object fix_of(const Finding& finding) {
   return whole;
 }
 
+/// A pickle becomes a plain value of Python, without the texts of the files.
+template <class Class>
+void bind_plain(Class& bound, const char* function) {
+  bound.def("__reduce__", [function](const py::object& self) {
+    return py::make_tuple(py::module_::import("smurf._plain").attr("same"),
+                          py::make_tuple(py::module_::import("smurf._plain").attr(function)(self)));
+  });
+}
+
 void bind_finding(py::module_& module) {
-  py::class_<Finding>(module, "Finding", "One fault at one place, as smurf-lint reports it.")
+  py::class_<Finding> bound(module, "Finding", "One fault at one place, as smurf-lint reports it.");
+  bind_plain(bound, "plain_finding");
+  bound
       .def_property_readonly(
           "id", [](const Finding& self) { return to_text(self->rule->id); },
           "Id of the rule: \"SML3101\".")
@@ -117,7 +128,9 @@ void bind_finding(py::module_& module) {
 }
 
 void bind_verdict(py::module_& module) {
-  py::class_<TargetVerdict>(module, "TargetVerdict", "What one reader does with the files.")
+  py::class_<TargetVerdict> bound(module, "TargetVerdict", "What one reader does with the files.");
+  bind_plain(bound, "plain_verdict");
+  bound
       .def_property_readonly(
           "target", [](const TargetVerdict& self) { return to_text(self.reader->name); },
           "Name of the reader: \"mujoco\".")
@@ -136,7 +149,10 @@ void bind_verdict(py::module_& module) {
 }
 
 void bind_report(py::module_& module) {
-  py::class_<CheckReport>(module, "Report", "What a check has found; a sequence of findings.")
+  py::class_<CheckReport> bound(module, "Report",
+                                "What a check has found; a sequence of findings.");
+  bind_plain(bound, "plain_report");
+  bound
       .def_property_readonly(
           "findings", [](const CheckReport& self) { return list_of(self.found); },
           "A new list of smurf.Finding, sorted by file, line, column and id.")
@@ -240,9 +256,11 @@ py::object to_report(Report report, const SourceMap& sources) {
 }
 
 void bind_places(py::module_& module) {
-  py::class_<Place>(
+  py::class_<Place> bound(
       module, "Place",
-      "A range of a file: lines and columns (characters) from 1; the end is exclusive.")
+      "A range of a file: lines and columns (characters) from 1; the end is exclusive.");
+  bind_plain(bound, "plain_place");
+  bound
       .def_property_readonly(
           "file", [](const Place& self) { return to_path(self.file); },
           "The path, as it was given or found.")

@@ -11,6 +11,7 @@
 
 #include "common.hpp"
 #include "smurf/archive_files.hpp"
+#include "smurf/companions.hpp"
 
 namespace smurf::python {
 namespace {
@@ -147,6 +148,50 @@ py::object check_in_session(const std::shared_ptr<Session>& self, const py::obje
   return check(*self, from_paths(paths), settings_of(settings), true);
 }
 
+/// The robots and scenes of files and folders, each of which is checked by itself.
+struct EachPlan {
+  Plan plan;
+  CheckSettings settings;
+  std::vector<std::pair<const PlannedFile*, bool>> files;  ///< and whether it is a scene
+};
+
+std::shared_ptr<EachPlan> plan_each(const py::object& paths, const py::kwargs& keywords) {
+  auto each = std::make_shared<EachPlan>();
+  each->settings = settings_of(keywords);
+  each->settings.jobs = 1;
+  const std::vector<std::string> inputs = from_paths(paths);
+  run_alone(false, [&] {
+    Session session;
+    each->plan = session.plan(inputs, each->settings);
+  });
+  if (!each->plan.problems.empty()) raise_error(each->plan.problems.front(), py::list());
+  for (const PlannedFile& one : each->plan.scenes) each->files.emplace_back(&one, true);
+  for (const auto* files : {&each->plan.models, &each->plan.others}) {
+    for (const PlannedFile& one : *files) {
+      const bool is_beside =
+          input_kind(one.path) == InputKind::annotation || is_companion_path(one.path);
+      if (!is_beside) each->files.emplace_back(&one, false);
+    }
+  }
+  std::sort(each->files.begin(), each->files.end(),
+            [](const auto& a, const auto& b) { return a.first->path < b.first->path; });
+  return each;
+}
+
+/// None for a part of robots that was found in a folder.
+py::object check_one(const EachPlan& each, std::size_t index) {
+  const auto& [file, is_scene] = each.files.at(index);
+  Plan alone;
+  alone.configs = each.plan.configs;
+  (is_scene ? alone.scenes : alone.models).push_back(*file);
+  Session session;
+  Report report = run_alone(false, [&] { return session.check(alone, each.settings); });
+  if (file->may_be_part && report.summary.models == 0 && report.diagnostics.empty()) {
+    return py::none();
+  }
+  return to_report(std::move(report), session.sources());
+}
+
 std::string text_or_bytes(const py::object& text) {
   return py::isinstance<py::bytes>(text) ? std::string(py::reinterpret_borrow<py::bytes>(text))
                                          : from_text(text, "text");
@@ -211,6 +256,12 @@ void bind_session(py::module_& module) {
              scene_doc.c_str());
   module.def("parse_urdf", &parse_urdf, py::arg("text"), py::arg("filename") = py::none(),
              parse_doc.c_str());
+  py::class_<EachPlan, std::shared_ptr<EachPlan>>(module, "_EachPlan")
+      .def("__len__", [](const EachPlan& self) { return self.files.size(); })
+      .def("path", [](const EachPlan& self,
+                      std::size_t index) { return to_path(self.files.at(index).first->path); })
+      .def("check", &check_one);
+  module.def("_plan_each", &plan_each);
   py::class_<Session, std::shared_ptr<Session>>(
       module, "Session",
       "Files on the disk with unsaved texts in front of them, for editors: a second check reads "

@@ -149,6 +149,8 @@ class Session {
   Report check(const std::string& path, const CheckSettings& settings = {});
   /// Checks the files that `smurf-lint PATH...` checks. The paths are files and folders.
   Report check(std::span<const std::string> paths, const CheckSettings& settings = {});
+  /// What check() of these files and folders checks.
+  Plan plan(std::span<const std::string> paths, const CheckSettings& settings = {});
   /// Checks a plan: scenes, models that no scene loads, and other files that no model loads.
   Report check(const Plan& plan, const CheckSettings& settings = {});
   /// The texts of the last check; its findings point into them.

@@ -272,6 +272,10 @@ Report Session::check(const Plan& plan, const CheckSettings& settings) {
   return state_->run(plan, settings);
 }
 
+Plan Session::plan(std::span<const std::string> paths, const CheckSettings& settings) {
+  return state_->plan(paths, settings);
+}
+
 Report Session::check(std::span<const std::string> paths, const CheckSettings& settings) {
   return check(state_->plan(paths, settings), settings);
 }

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reports as plain values: what their pickles become, and the records of check_each()."""
+from __future__ import annotations
+
+import os
+from collections import deque
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from itertools import islice
+from typing import Any, Deque, Dict, List, Tuple
+
+
+@dataclass(frozen=True)
+class PlainPlace:
+    """A smurf.Place: lines and columns (characters) from 1; the end is exclusive."""
+
+    file: str
+    line: int
+    column: int
+    end_line: int
+    end_column: int
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}:{self.column}"
+
+
+@dataclass(frozen=True)
+class PlainFinding:
+    """A smurf.Finding without the texts of the files."""
+
+    id: str
+    name: str
+    severity: str
+    message: str
+    help: str
+    notes: List[str]
+    pointer: str
+    place: PlainPlace
+    labels: List[Tuple[PlainPlace, str]]
+    fix: Dict[str, Any] | None
+    line: str  # that of the concise report
+
+    def __str__(self) -> str:
+        return self.line
+
+
+@dataclass(frozen=True)
+class PlainVerdict:
+    """A smurf.TargetVerdict."""
+
+    target: str
+    answer: str
+    refusals: int
+    losses: int
+    unknown: int
+
+
+@dataclass(frozen=True)
+class PlainReport:
+    """A smurf.Report without the texts of the files, so that it cannot make fixed ones."""
+
+    findings: List[PlainFinding]
+    errors: int
+    warnings: int
+    infos: int
+    suppressed: int
+    targets: List[PlainVerdict]
+
+    def __len__(self) -> int:
+        return len(self.findings)
+
+    def __iter__(self) -> Iterator[PlainFinding]:
+        return iter(self.findings)
+
+    def __getitem__(self, index: int) -> PlainFinding:
+        return self.findings[index]
+
+
+@dataclass(frozen=True)
+class CheckRecord:
+    """What check_each() says about one robot or scene. Every value is plain: it can be pickled, and
+    `dataclasses.asdict()` makes a line of JSON of it.
+    """
+
+    path: str
+    ok: bool  # without an error
+    loads: Dict[str, str]  # what each target does: "takes", "loses", "unknown" or "refuses"
+    counts: Dict[str, int]  # of errors, warnings, infos, and of what is suppressed
+    findings: List[PlainFinding]
+
+
+def same(one: Any) -> Any:
+    """What a pickle of a part of a report calls."""
+    return one
+
+
+def plain_place(one: Any) -> PlainPlace:
+    return PlainPlace(one.file, one.line, one.column, one.end_line, one.end_column)
+
+
+def plain_finding(one: Any) -> PlainFinding:
+    return PlainFinding(
+        one.id, one.name, one.severity, one.message, one.help, one.notes, one.pointer, plain_place(one.place),
+        [(plain_place(place), text) for place, text in one.labels], one.fix, str(one))
+
+
+def plain_verdict(one: Any) -> PlainVerdict:
+    return PlainVerdict(one.target, one.answer, one.refusals, one.losses, one.unknown)
+
+
+def plain_report(one: Any) -> PlainReport:
+    return PlainReport(
+        [plain_finding(finding) for finding in one.findings], one.errors, one.warnings, one.infos, one.suppressed,
+        [plain_verdict(verdict) for verdict in one.targets])
+
+
+def _record(path: str, report: Any) -> CheckRecord:
+    counts = {"errors": report.errors, "warnings": report.warnings, "infos": report.infos,
+              "suppressed": report.suppressed}
+    return CheckRecord(path, report.errors == 0, {verdict.target: verdict.answer for verdict in report.targets},
+                       counts, [plain_finding(finding) for finding in report])
+
+
+def check_each(paths: Any, *, jobs: int | None = None, skip: Iterable[str] = (),
+               **settings: Any) -> Iterator[CheckRecord]:
+    """Checks each robot and scene of files and folders by itself, and yields a smurf.CheckRecord for each, in the
+    order of their paths and as soon as it is known.
+
+        for record in smurf.check_each("robots/", targets=["mujoco"]):
+            if record.loads["mujoco"] == "refuses":
+                print(record.path, *record.findings, sep="\\n  ")
+
+    Memory does not grow with the number of robots. A robot has the findings of `smurf.check(path)`; what only the
+    whole folder shows, such as companion files that no robot has, is what `smurf.check(folder)` reports. A xacro
+    file in a folder that is only a part of robots has no record. `jobs` is the number of threads (default: one
+    for each processor), `skip` are paths of records that are there already; `settings` are those of smurf.check().
+    Raises smurf.Error at once for a path that cannot be read.
+    """
+    from ._smurf import _plan_each
+
+    if jobs is None:
+        jobs = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if jobs < 1:
+        raise ValueError(f"jobs must be 1 or more, and not {jobs}")
+    return _records(_plan_each(paths, **settings), jobs, frozenset(skip))
+
+
+def _records(plan: Any, jobs: int, skip: frozenset[str]) -> Iterator[CheckRecord]:
+    def check(index: int) -> CheckRecord | None:
+        report = plan.check(index)
+        return None if report is None else _record(plan.path(index), report)
+
+    left = (index for index in range(len(plan)) if plan.path(index) not in skip)
+    waiting: Deque[Future[CheckRecord | None]] = deque()
+    with ThreadPoolExecutor(jobs) as threads:
+        try:
+            while True:
+                waiting.extend(threads.submit(check, index) for index in islice(left, 4 * jobs - len(waiting)))
+                if not waiting:
+                    return
+                record = waiting.popleft().result()
+                if record is not None:
+                    yield record
+        finally:
+            for one in waiting:
+                one.cancel()
