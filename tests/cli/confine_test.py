@@ -272,6 +272,16 @@ class Confine(cli.CliTest):
         self.assertIn("4 symbolic links that lead out of the folder were not followed", report)
         self.assertNotIn("SML0001", report)
 
+    def test_hard_links_are_files_of_their_own(self):
+        """They may have other neighbours, and whoever counts verdicts of a data set misses one."""
+        self.write("set/a/r.urdf", URDF)
+        (self.folder / "set/b").mkdir()
+        (self.folder / "set/b/r.urdf").hardlink_to(self.folder / "set/a/r.urdf")
+        (self.folder / "set/c.urdf").symlink_to("a/r.urdf")
+        found = self.expect(0, "--isolated", "--list-files", "set", cwd=self.folder).stdout
+        self.assertEqual(found, "set/a/r.urdf\nset/b/r.urdf\n")
+        self.assertIn("2 models", self.run_tool("--isolated", "set", cwd=self.folder).stdout)
+
     def test_what_folders_outside_are_links_to_is_not_told(self):
         """For two links that lead outside, it makes no difference whether they have the same target."""
         (self.project / ".git").mkdir()

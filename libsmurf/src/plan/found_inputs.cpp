@@ -120,7 +120,9 @@ class Search {
     } else if (kind == Entry::file && is_sought(path)) {
       sys::Status status{};
       if (sys::lstat(path.c_str(), &status) != 0) return fail(path, errno);
-      add(path, status);
+      if (is_left_out(path, false)) return;
+      is_new(status);                // for symbolic links to it
+      found_.files.push_back(path);  // each hard link: it has other neighbours
     } else if (kind == Entry::file && xacro::is_xacro_file(path) && !is_left_out(path, false)) {
       found_.xacro.push_back(path);
     } else if (kind == Entry::file && may_be_parameters(path) && !is_left_out(path, false)) {
@@ -144,12 +146,8 @@ class Search {
       // git treats a link as a file, whatever its target.
       if (!is_left_out(link, false)) walk(link);
     } else if (S_ISREG(status.st_mode) && is_sought(link)) {
-      add(link, status);
+      if (!is_left_out(link, false) && is_new(status)) found_.files.push_back(link);
     }
-  }
-
-  void add(const std::string& path, const sys::Status& status) {
-    if (!is_left_out(path, false) && is_new(status)) found_.files.push_back(path);
   }
 
   const LeftOut& is_left_out_;
