@@ -28,7 +28,7 @@ URDF = '<robot name="a">\n  <link name="ä😀" vaule="1"/>\n</robot>\n'
 def entries(root):
     """The files to check in the fixtures of the rules, one path per rule."""
     for folder in sorted((root / "rules").glob("SML*/bad")):
-        yield next(folder / name for name in ("scene.smurfs", "scene.svg", "model.smurf", "robot.urdf", "robot.urdf.xacro", "robot.srdf", "robot.mjcf") if (folder / name).exists())
+        yield next(folder / name for name in ("scene.smurfs", "scene.svg", "model.smurf", "robot.urdf", "robot.urdf.xacro", "robot.srdf", "robot.mjcf", "robot.sdf") if (folder / name).exists())
 
 
 def line_hashes(text):
