@@ -62,6 +62,18 @@ class MjcfTest(unittest.TestCase):
         self.assertIsNone(text)
         self.assertIn("SML9303", result.stderr)
 
+    def test_a_mass_that_is_not_known(self):
+        """A robot with another mass would be a wrong result at exit code 0."""
+        text = LEG.replace("<default><default", '<asset><mesh name="m" file="nowhere.stl"/></asset><default><default')
+        text = text.replace('<geom type="capsule" size=".05 .2"/>', '<geom type="mesh" mesh="m"/>')
+        result, made = self.run_tool(text)
+        self.assertEqual((result.returncode, made), (1, None))
+        self.assertIn("SML9302", result.stderr)
+        result, made = self.run_tool(text, "--force")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("SML9302", result.stderr)
+        self.assertIsNone(ET.fromstring(made).find("link[@name='thigh']/inertial"))
+
     def compare(self, kind, *arguments):
         command = [sys.executable, str(SHARED / "compare.py"), kind, *arguments, "--tool", TOOL + " {file} -o {out}"]
         result = subprocess.run(command, capture_output=True, text=True, check=False, cwd=SHARED)

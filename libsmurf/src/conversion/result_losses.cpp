@@ -116,6 +116,7 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
         finding.rule == &rules::sml2001_missing_file && !finding.cases.contains(cases::kTheUrdf);
     return is_other_file ? std::nullopt : std::optional<std::string>("its URDF cannot be read");
   }
+  if (finding.rule == &rules::sml9302_mjcf_file_missing) return "masses of the robot are unknown";
   if (finding.rule == &rules::sml9312_sdf_file_missing) return "a part of the robot is not there";
   const SourceId source = finding.span.source;
   if (source == model.robot->document.source) {
