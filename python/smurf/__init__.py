@@ -28,7 +28,7 @@ file does not say is None; nothing is filled in. Objects keep what they were loa
 """
 from ._convert import convert, fix
 from ._errors import Error
-from ._plain import CheckRecord, check_each
+from ._plain import CheckRecord, check_batches, check_each
 from ._urdf import Urdf
 
 try:
@@ -95,12 +95,12 @@ except ModuleNotFoundError as missing:
     globals().update(__version__=_absent.version(), __getattr__=_absent.attribute)
 
 __all__ = [
-    "Box", "Calibration", "Capsule", "CheckRecord", "Collision", "CollisionAnnotation", "Comparison", "Controller",
-    "Cylinder", "Dynamics", "Error", "Exoskeleton", "Export", "Finding", "FlatInstance", "FlatModel",
-    "FlatScene", "Graphics", "Inertial", "Instance", "Interface", "Joint", "JointAnnotation",
-    "JointPoseSet", "JointTask", "Light", "Limit", "Link", "LinkAnnotation", "Material",
-    "MaterialAnnotation", "Mesh", "Mimic", "Model", "Motor", "NodeAnnotation", "Place", "Report",
-    "SafetyController", "Scene", "Sensor", "Session", "Sphere", "Submechanism", "Submodel",
-    "TargetVerdict", "Urdf", "Visual", "VisualAnnotation", "__version__", "check", "check_each", "convert", "diff",
-    "explain", "fix", "load_model", "load_scene", "parse_urdf",
+    "Box", "Calibration", "Capsule", "CheckRecord", "Collision", "CollisionAnnotation", "Comparison",
+    "Controller", "Cylinder", "Dynamics", "Error", "Exoskeleton", "Export", "Finding", "FlatInstance",
+    "FlatModel", "FlatScene", "Graphics", "Inertial", "Instance", "Interface", "Joint",
+    "JointAnnotation", "JointPoseSet", "JointTask", "Light", "Limit", "Link", "LinkAnnotation",
+    "Material", "MaterialAnnotation", "Mesh", "Mimic", "Model", "Motor", "NodeAnnotation", "Place",
+    "Report", "SafetyController", "Scene", "Sensor", "Session", "Sphere", "Submechanism", "Submodel",
+    "TargetVerdict", "Urdf", "Visual", "VisualAnnotation", "__version__", "check", "check_batches",
+    "check_each", "convert", "diff", "explain", "fix", "load_model", "load_scene", "parse_urdf",
 ]

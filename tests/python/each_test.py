@@ -84,6 +84,21 @@ def test_reports_are_pickled(tmp_path):
                 assert pickle.loads(pickle.dumps(theirs.place, protocol)) == ours.place
 
 
+@pytest.mark.skipif(importlib.util.find_spec("pyarrow") is None, reason="pyarrow is not installed")
+def test_batches(tmp_path):
+    write_robots(tmp_path, 25)
+    records = list(smurf.check_each(tmp_path, targets=["mujoco"]))
+    batches = list(smurf.check_batches(tmp_path, targets=["mujoco"], size=10))
+    assert [len(batch) for batch in batches] == [10, 10, 5]
+    assert len({batch.schema for batch in batches}) == 1
+    rows = [row for batch in batches for row in batch.to_pylist()]
+    for row, record in zip(rows, records):
+        assert (row["path"], row["ok"], row["loads_mujoco"]) == (record.path, record.ok, record.loads["mujoco"])
+        assert {name: row[name] for name in record.counts} == record.counts
+        assert [(one["id"], one["line"], one["message"]) for one in row["findings"]] == [
+            (one.id, one.place.line, one.message) for one in record.findings]
+
+
 MEASURE = """
 import resource, sys, smurf
 peaks = []
