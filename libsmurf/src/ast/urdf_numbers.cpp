@@ -260,6 +260,16 @@ class NumberReader {
     return at > 0 && at < text.size() && parse_number(text.substr(0, at)).has_value();
   }
 
+  /// What the numbers of an attribute are: "x, y and z: ".
+  static std::string meant_by(std::string_view attribute) {
+    if (attribute == "xyz") return "x, y and z: ";
+    if (attribute == "rpy") return "roll, pitch and yaw in radians: ";
+    if (attribute == "size") return "the lengths along x, y and z: ";
+    if (attribute == "scale") return "a factor for each axis: ";
+    if (attribute == "rgba") return "red, green, blue and alpha, each from 0 to 1: ";
+    return "";
+  }
+
   bool check_count(const std::vector<Token>& tokens, std::size_t count) {
     if (tokens.empty()) {
       Diagnostic& diagnostic = report(rules::sml1801_not_a_number, attribute_.span(),
@@ -276,6 +286,7 @@ class NumberReader {
                                     quoted(name) + " must have " + counted(count, "number") +
                                         ", not " + std::to_string(tokens.size()));
     diagnostic.when(*miscount_);
+    diagnostic.help("write " + meant_by(name) + counted(count, "number"));
     if (is_scale && tokens.size() == 1) {
       // Bullet, Drake and yourdfpy take one number for all three axes.
       const std::string factor(text_.substr(tokens[0].begin, tokens[0].end - tokens[0].begin));

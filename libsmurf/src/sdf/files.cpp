@@ -120,7 +120,8 @@ void Files::check_value(View element, const Grammar& known) {
   };
   const auto numbers = [&](std::size_t count) {
     if (leading_numbers(text, count).size() < count)
-      wrong(std::to_string(count) + " numbers", "separate the numbers by blanks");
+      wrong(std::to_string(count) + " numbers",
+            "write " + std::to_string(count) + " numbers, with blanks between them");
   };
   switch (known.kind) {
   case ValueKind::boolean:

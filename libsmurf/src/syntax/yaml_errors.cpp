@@ -114,6 +114,7 @@ void report_parser_error(std::string_view words, int place, Span bracket, const 
     }
   }
   std::string message = explain(words);
+  std::string help;  // "": that of the rule
   // yaml-cpp reports a tab in the indentation at the following colon, with another message.
   const std::size_t line_start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
   const std::size_t content = std::min(text.find_first_not_of(" \t", line_start), text.size());
@@ -121,6 +122,7 @@ void report_parser_error(std::string_view words, int place, Span bracket, const 
   if (const std::size_t tab = indent.find('\t'); tab != std::string_view::npos && bracket.empty()) {
     at = static_cast<std::uint32_t>(line_start + tab);
     message = "a tab is used for indentation; YAML allows only spaces there";
+    help = "replace the tab by spaces, so that the line begins where its neighbours do";
   }
   const bool is_escape = words.starts_with("unknown escape character") ||
                          words.starts_with("bad character found while scanning hex") ||
@@ -129,7 +131,8 @@ void report_parser_error(std::string_view words, int place, Span bracket, const 
     at = static_cast<std::uint32_t>(escape);
   }
   const std::uint32_t end = at < size && text[at] != '\n' && text[at] != '\r' ? at + 1 : at;
-  sink.report(rules::sml0010_yaml_syntax, {id, at, end}, message);
+  Diagnostic& found = sink.report(rules::sml0010_yaml_syntax, {id, at, end}, message);
+  if (!help.empty()) found.help(std::move(help));
 }
 
 }  // namespace smurf
