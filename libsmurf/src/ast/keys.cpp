@@ -278,6 +278,10 @@ void read_number_list(const KeySpec& spec, yaml::View value, std::size_t count, 
         report_type(spec, cases::kNumbersWanted, value,
                     count == 0 ? "a list of numbers" : "a list of three numbers", sink);
     if (value.is_sequence()) diagnostic.message += " of " + std::to_string(value.size());
+    if (count == 3) {
+      const std::string unit = spec.unit.empty() ? "" : " in " + std::string(spec.unit);
+      diagnostic.help("write three numbers" + unit + ", such as `[0, 0, 1]`");
+    }
   }
   std::optional<Vector3> vector;
   if (count == 3 && numbers.size() == 3) vector = Vector3{numbers[0], numbers[1], numbers[2]};

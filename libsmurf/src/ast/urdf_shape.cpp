@@ -2,11 +2,13 @@
 // Compares a document with the element table: finds unknown, misspelt, misplaced, repeated and
 // absent elements and attributes.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "ast/urdf_reader.hpp"
 #include "ast/urdf_schema.hpp"
@@ -138,8 +140,27 @@ class ShapeChecker {
     for (const xml::Attribute* attribute : foreign) {
       add_foreign(rules::sml1107_unknown_attribute, attribute->name_span(),
                   "unknown attribute " + quoted(attribute->name()) + " of " +
-                      quoted(element.name()));
+                      quoted(element.name()),
+                  as_vector(element, attribute->name(), absent));
     }
+  }
+
+  /// The attribute in which a URDF has three numbers that are written apart: "write `xyz="0 0 1"`".
+  static std::string as_vector(View element, std::string_view foreign,
+                               const std::vector<std::string_view>& absent) {
+    constexpr std::pair<std::string_view, std::array<std::string_view, 3>> kVectors[] = {
+        {"xyz", {"x", "y", "z"}}, {"rpy", {"roll", "pitch", "yaw"}}, {"rpy", {"r", "p", "y"}}};
+    for (const auto& [name, parts] : kVectors) {
+      const bool is_apart = std::find(parts.begin(), parts.end(), foreign) != parts.end();
+      if (!is_apart || std::find(absent.begin(), absent.end(), name) == absent.end()) continue;
+      std::string numbers;
+      for (const std::string_view part : parts) {
+        const xml::Attribute* one = element.attribute(part);
+        numbers += (numbers.empty() ? "" : " ") + std::string(one == nullptr ? "0" : one->value());
+      }
+      return "write `" + std::string(name) + "=\"" + numbers + "\"`";
+    }
+    return {};
   }
 
   void misspelt_attribute(View element, const xml::Attribute& attribute, std::string_view meant,

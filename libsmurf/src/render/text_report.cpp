@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/findings/rules.hpp"
 #include "base/text/counted.hpp"
 #include "base/text/quoted.hpp"
 #include "render/advice.hpp"
@@ -108,7 +109,9 @@ std::string main_frame(const Diagnostic& diagnostic, const SourceMap& sources,
                        const TextStyle& style) {
   const Painter paint(style.color);
   if (!has_source(diagnostic.span, sources)) return remarks(diagnostic, sources, 1, paint);
-  if (!has_text(diagnostic.span, sources)) {
+  // The lines of a text in UTF-16 would be marks for what cannot be read.
+  const bool is_wide = diagnostic.rule == &rules::sml0005_unsupported_encoding;
+  if (is_wide || !has_text(diagnostic.span, sources)) {
     return arrow(1, escape(sources.path(diagnostic.span.source)), paint) +
            remarks(diagnostic, sources, 1, paint);
   }

@@ -11,6 +11,7 @@
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_builder.hpp"
@@ -211,6 +212,12 @@ class XmlScanner {
           malformed(name, "the end tag " + quoted(name) + " does not close the open element " +
                               quoted(element.name_span()));
       diagnostic.label(element.name_span(), "opened here");
+      if (edit_distance(slice(name), element.name(), 1) <= 1) {
+        diagnostic.help("write the same name in both tags");
+      } else {
+        diagnostic.help("add `</" + std::string(element.name()) + ">` before `</" +
+                        std::string(slice(name)) + ">`, or where the element ends");
+      }
       suspect_end(diagnostic);
       return;
     }
@@ -470,6 +477,7 @@ class XmlScanner {
       Diagnostic& diagnostic = malformed(span(size(), size()), "the file ends inside the element " +
                                                                    quoted(element.name_span()));
       diagnostic.label(element.name_span(), "opened here and never closed");
+      diagnostic.help("add `</" + std::string(element.name()) + ">` where the element ends");
       suspect_end(diagnostic);
     } else if (tree_.elements().empty()) {
       malformed(span(0, 0), "the file contains no XML element");

@@ -186,7 +186,8 @@ const NodeAttribute* Expander::required(const Node& in, std::string_view name) {
   const NodeAttribute* attribute = in.attribute(name);
   if (attribute == nullptr) {
     fail(rules::sml3315_xacro_wrong_element, in.name_span,
-         quoted(in.name) + " needs the attribute " + quoted(name), "add it");
+         quoted(in.name) + " needs the attribute " + quoted(name),
+         "add `" + std::string(name) + "=\"...\"`");
   }
   return attribute;
 }

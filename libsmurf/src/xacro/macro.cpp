@@ -232,10 +232,14 @@ bool Expander::call_macro(const Node& in, std::string_view name, Node& out, Scop
   const Resolved resolved = resolve_macro(name, scope);
   if (resolved.macro == nullptr) return fail_unknown_macro(in, name, scope);
   if (depth_ >= context_.limits.xacro_depth) {
+    const Frame& around = result_.frames[static_cast<std::size_t>(frame_)];
+    const bool is_own = around.definition == resolved.macro->body->tag_span;
+    const std::string depth = std::to_string(context_.limits.xacro_depth);
     return fail(rules::sml3312_xacro_limit, in.name_span,
-                "more than " + std::to_string(context_.limits.xacro_depth) +
-                    " macros call each other",
-                raise_limit("xacro-depth"));
+                is_own ? quoted(name) + " calls itself more than " + depth + " times"
+                       : "more than " + depth + " macros call each other",
+                (is_own ? "put the call into an `<xacro:if>` that ends it, or " : std::string()) +
+                    raise_limit("xacro-depth"));
   }
   constexpr std::uint64_t kStepsOfCall = 50;
   evaluator_.step(kStepsOfCall + resolved.macro->parameters.size());
