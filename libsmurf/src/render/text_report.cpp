@@ -109,10 +109,13 @@ std::string main_frame(const Diagnostic& diagnostic, const SourceMap& sources,
                        const TextStyle& style) {
   const Painter paint(style.color);
   if (!has_source(diagnostic.span, sources)) return remarks(diagnostic, sources, 1, paint);
-  // The lines of a text in UTF-16 would be marks for what cannot be read.
-  const bool is_wide = diagnostic.rule == &rules::sml0005_unsupported_encoding;
-  if (is_wide || !has_text(diagnostic.span, sources)) {
+  if (!has_text(diagnostic.span, sources)) {
     return arrow(1, escape(sources.path(diagnostic.span.source)), paint) +
+           remarks(diagnostic, sources, 1, paint);
+  }
+  // The lines of a text in UTF-16 would be marks for what cannot be read.
+  if (diagnostic.rule == &rules::sml0005_unsupported_encoding) {
+    return arrow(1, place(diagnostic.span, sources), paint) +
            remarks(diagnostic, sources, 1, paint);
   }
   constexpr std::size_t kMostMarks = 5;  // a finding about thirty links is still one

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "syntax/xml_lenient.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "base/findings/rules.hpp"
 #include "base/findings/uncertain.hpp"
 #include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 #include "syntax/xml_bytes.hpp"
 #include "syntax/xml_references.hpp"
@@ -35,6 +37,22 @@ Diagnostic& report_malformed(Span place, std::string message, const Circumstance
   Diagnostic& diagnostic = sink.report(rules::sml1001_xml_malformed, place, std::move(message));
   diagnostic.when(fault);
   return diagnostic;
+}
+
+void explain_open(Span place, std::string_view open, std::string_view written,
+                  Diagnostic& diagnostic) {
+  constexpr std::size_t kLongest = 80;  // of a name that a help repeats
+  diagnostic.label(place, written.empty() ? "opened here and never closed" : "opened here");
+  if (std::max(open.size(), written.size()) > kLongest) return;
+  const std::string end = "`</" + std::string(open) + ">`";
+  if (written.empty()) {
+    diagnostic.help("add " + end + " where the element ends");
+  } else if (edit_distance(written, open, 1) <= 1) {
+    diagnostic.help("write the same name in both tags");
+  } else {
+    diagnostic.help("add " + end + " before `</" + std::string(written) +
+                    ">`, or where the element ends");
+  }
 }
 
 void report_no_element(Span place, std::string_view text, const Circumstance& fault,

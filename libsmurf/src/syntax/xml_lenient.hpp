@@ -22,6 +22,10 @@ std::optional<std::size_t> end_of_value_with_less_than(std::string_view text, st
 /// `fault` is a case of SML1001: what readers make of it.
 Diagnostic& report_malformed(Span place, std::string message, const Circumstance& fault,
                              DiagnosticSink& sink);
+/// Says where an element is opened that is not closed, and what to write instead of the end tag
+/// `written`; "": the file ends.
+void explain_open(Span place, std::string_view open, std::string_view written,
+                  Diagnostic& diagnostic);
 /// `text` begins with a `<` that begins no element.
 void report_no_element(Span place, std::string_view text, const Circumstance& fault,
                        DiagnosticSink& sink);

@@ -11,7 +11,6 @@
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
-#include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_builder.hpp"
@@ -211,14 +210,7 @@ class XmlScanner {
       Diagnostic& diagnostic =
           malformed(name, "the end tag " + quoted(name) + " does not close the open element " +
                               quoted(element.name_span()));
-      diagnostic.label(element.name_span(), "opened here");
-      if (edit_distance(slice(name), element.name(), 1) <= 1) {
-        diagnostic.help("write the same name in both tags");
-      } else {
-        diagnostic.help("add `</" + std::string(element.name()) + ">` before `</" +
-                        std::string(slice(name)) + ">`, or where the element ends");
-      }
-      suspect_end(diagnostic);
+      suspect_end(slice(name), diagnostic);
       return;
     }
     close_element();
@@ -233,7 +225,9 @@ class XmlScanner {
     if (is_end) at_ = size();
   }
 
-  void suspect_end(Diagnostic& diagnostic) const {
+  /// `written` is the end tag that stands there; "": the file ends.
+  void suspect_end(std::string_view written, Diagnostic& diagnostic) const {
+    explain_open(tree_.innermost().name_span(), tree_.innermost().name(), written, diagnostic);
     if (const Element* inner = tree_.suspect()) {
       diagnostic.label(inner->name_span(), "is the end tag missing before this?");
     }
@@ -476,9 +470,7 @@ class XmlScanner {
       const Element& element = tree_.innermost();
       Diagnostic& diagnostic = malformed(span(size(), size()), "the file ends inside the element " +
                                                                    quoted(element.name_span()));
-      diagnostic.label(element.name_span(), "opened here and never closed");
-      diagnostic.help("add `</" + std::string(element.name()) + ">` where the element ends");
-      suspect_end(diagnostic);
+      suspect_end("", diagnostic);
     } else if (tree_.elements().empty()) {
       malformed(span(0, 0), "the file contains no XML element");
     }
