@@ -22,8 +22,9 @@ class GivenArguments {
   /// Takes the arguments of a robot at this path. `is_expanded`: it has no others.
   void take(const std::string& path, std::size_t config, const std::set<std::string>& arguments,
             bool is_expanded);
-  /// Reports the names in the settings and in configurations that no robot has. Of a robot that
-  /// could not be expanded, more files may have arguments; then misspellings only.
+  /// Reports each argument, of the settings or of a configuration, that no robot declares. A robot
+  /// that could not be expanded may declare more of them than are known; then only an argument
+  /// with a similar name is reported.
   void report(const std::map<std::string, std::string>& given, const CheckGroups& groups,
               SourceMap& sources, std::vector<Judged>& found) const;
 

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "base/files/canonical_paths.hpp"
-#include "base/files/path.hpp"
 #include "check/group.hpp"
 #include "check/in_time.hpp"
 #include "check/pipeline.hpp"
@@ -79,17 +78,6 @@ inline void shift(Diagnostic& diagnostic, const SourceShift& by) {
   for (Fix& fix : diagnostic.fixes) {
     for (Edit& edit : fix.edits) edit.span = by(edit.span);
   }
-}
-
-/// Whether a query was only about a text that is a source. A new answer then leaves meshes
-/// unchanged.
-inline bool is_of_source(const Recorder::Question& question, const Recorder::Answer& answer,
-                         const SourceMap& sources) {
-  if (question.kind != Recorder::Kind::content) return false;
-  const std::string wanted = path::normalize(question.path);
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < sources.size(); ++i) count += sources.path(SourceId{i}) == wanted;
-  return count == answer.count;
 }
 
 /// Copies the parts that the report needs from an outcome that is kept for the next check.

@@ -31,7 +31,7 @@ class CompanionRobots {
 
   /// The text of a robot that of() found for this companion, with what it includes.
   const std::string& text_of(const std::string& companion, const std::string& robot);
-  /// Whether the text of a robot in the project of a companion has the name.
+  /// Whether the name occurs in the text of any robot in the project of the companion.
   bool is_written(const std::string& companion, std::string_view name);
 
  private:

@@ -75,7 +75,7 @@ struct Link {
 
 /// `<axis>` or `<axis2>`.
 struct Axis {
-  View element;          ///< empty if it is not written
+  View element;          ///< empty if the file has none
   Vector3 xyz{0, 0, 1};  ///< in the frame of the joint
   double lower = -kUnlimited, upper = kUnlimited;
   double effort = kUnlimited, velocity = kUnlimited;

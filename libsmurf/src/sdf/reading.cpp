@@ -21,7 +21,7 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
-/// Takes the number at the beginning off the text.
+/// Reads the number at the start of the text, and removes it from the text.
 std::optional<double> take_number(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
   std::string_view rest = text;

@@ -18,8 +18,8 @@ bool is_control_plugin(std::string_view file_name);
 /// The elements `parameters` of such plugins, with the state of the files.
 std::vector<PluginFile> plugin_files_of(const LinkedModel& model, LoadContext& context);
 
-/// Adds the ends of the paths in the elements `parameters` of a robot, from its text:
-/// "/config/arm.yaml" of `$(find arm)/config/arm.yaml`.
+/// Looks in the text of a robot for elements `<parameters>`, and adds the path that each names,
+/// without the package: "/config/arm.yaml" for `$(find arm)/config/arm.yaml`.
 void add_plugin_files(std::string_view text, std::set<std::string, std::less<>>& ends);
 
 }  // namespace smurf
