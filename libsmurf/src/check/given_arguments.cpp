@@ -17,15 +17,18 @@ namespace smurf {
 namespace {
 
 void report_unknown(const std::string& name, Span place, const std::string& owner,
-                    const std::set<std::string>& arguments, bool needs_near, DiagnosticSink& sink) {
+                    const std::set<std::string>& arguments, bool is_xacro, bool needs_near,
+                    DiagnosticSink& sink) {
   const std::vector<std::string_view> known(arguments.begin(), arguments.end());
   const auto near = nearest(name, known);
   if (!near && needs_near) return;
   Diagnostic& found =
       sink.report(rules::sml9002_wrong_setting, place, owner + " no argument " + quoted(name));
-  found.note("xacro ignores it without a message");
+  if (is_xacro) found.note("xacro ignores it without a message");
   if (near) {
     found.help("did you mean " + quoted(*near) + "?");
+  } else if (!is_xacro) {
+    found.help("delete it, or give the xacro file: only files of xacro have arguments");
   } else if (known.empty()) {
     found.help("delete it, or add `<xacro:arg name=\"" + name + "\" default=\"...\"/>`");
   } else {
@@ -82,8 +85,9 @@ void GivenArguments::report(const std::map<std::string, std::string>& given,
                             std::vector<Judged>& found) const {
   if (robots_.empty()) return;
   std::set<std::string> all;
-  bool are_expanded = true;
+  bool are_expanded = true, is_any_xacro = false;
   for (const auto& [id, robot] : robots_) {
+    is_any_xacro = is_any_xacro || xacro::is_xacro_file(robot.path);
     all.insert(robot.arguments.begin(), robot.arguments.end());
     are_expanded = are_expanded && robot.is_expanded;
   }
@@ -94,7 +98,7 @@ void GivenArguments::report(const std::map<std::string, std::string>& given,
     DiagnosticSink sink(context_.limits);
     const std::string owner =
         robots_.size() == 1 ? quoted(first.path) + " has" : "the robots that are checked have";
-    report_unknown(name, *place, owner, all, !are_expanded, sink);
+    report_unknown(name, *place, owner, all, is_any_xacro || !all.empty(), !are_expanded, sink);
     append(sink.take(), found[first.config].diagnostics);
   }
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -105,7 +109,8 @@ void GivenArguments::report(const std::map<std::string, std::string>& given,
       for (const auto& [name, values] : one.arguments) {
         if (robot->second.arguments.contains(name.value)) continue;
         report_unknown(name.value, name.span, quoted(robot->second.path) + " has",
-                       robot->second.arguments, !robot->second.is_expanded, sink);
+                       robot->second.arguments, xacro::is_xacro_file(robot->second.path),
+                       !robot->second.is_expanded, sink);
       }
       append(sink.take(), found[i].diagnostics);
     }

@@ -42,6 +42,9 @@ void PlannedLoader::load(const PlannedFile& planned, const FileReader& files, Me
   } else {
     load_one_robot(planned, context, outcome);
   }
+  if (!settings.xacro.arguments.empty() || !group.config.xacro.empty()) {
+    outcome.notes.arguments = arguments_of(outcome.sources, run.memory.sources.size());
+  }
 }
 
 void PlannedLoader::load_one_scene(const PlannedFile& planned, LoadContext& context,
@@ -83,10 +86,7 @@ void PlannedLoader::load_one_robot(const PlannedFile& planned, LoadContext& cont
   if (!planned.shown.empty()) {
     for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
   }
-  if (xacro::is_xacro_file(planned.path)) {
-    outcome.notes.arguments = arguments_of(outcome.sources, run.memory.sources.size());
-    if (!model.robot) outcome.notes.unknown_robot = model.path;
-  }
+  if (xacro::is_xacro_file(planned.path) && !model.robot) outcome.notes.unknown_robot = model.path;
   if (!values.empty() && model.robot) {
     outcome.notes.assumption = quoted(model.path) + " with " + values;
   }

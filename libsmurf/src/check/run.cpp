@@ -311,8 +311,7 @@ class Run {
     robots_of_srdfs_.merge(outcome.notes.robots_of_srdfs);
     if (!outcome.notes.assumption.empty()) assumptions_.insert(outcome.notes.assumption);
     for (const auto& [file, one] : outcome.notes.rejected) seen_.add_rejected(file, one);
-    if (xacro::is_xacro_file(planned.path) && !is_companion_path(planned.path) &&
-        !outcome.models.empty()) {
+    if (!is_companion_path(planned.path) && (!outcome.models.empty() || !outcome.scenes.empty())) {
       given_.take(planned.path, planned.config, outcome.notes.arguments,
                   outcome.notes.unknown_robot.empty());
     }
