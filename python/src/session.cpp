@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "check/each.hpp"
 #include "common.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/companions.hpp"
@@ -152,43 +153,34 @@ py::object check_in_session(const std::shared_ptr<Session>& self, const py::obje
 struct EachPlan {
   Plan plan;
   CheckSettings settings;
-  std::vector<std::pair<const PlannedFile*, bool>> files;  ///< and whether it is a scene
+  std::vector<EachFile> files;
+  mutable SharedFolder folder;
 };
 
 std::shared_ptr<EachPlan> plan_each(const py::object& paths, const py::kwargs& keywords) {
   auto each = std::make_shared<EachPlan>();
   each->settings = settings_of(keywords);
   each->settings.jobs = 1;
+  each->settings.remembers = false;
   const std::vector<std::string> inputs = from_paths(paths);
   run_alone(false, [&] {
     Session session;
     each->plan = session.plan(inputs, each->settings);
   });
   if (!each->plan.problems.empty()) raise_error(each->plan.problems.front(), py::list());
-  for (const PlannedFile& one : each->plan.scenes) each->files.emplace_back(&one, true);
-  for (const auto* files : {&each->plan.models, &each->plan.others}) {
-    for (const PlannedFile& one : *files) {
-      const bool is_beside =
-          input_kind(one.path) == InputKind::annotation || is_companion_path(one.path);
-      if (!is_beside) each->files.emplace_back(&one, false);
-    }
-  }
-  std::sort(each->files.begin(), each->files.end(),
-            [](const auto& a, const auto& b) { return a.first->path < b.first->path; });
+  each->files = each_file(each->plan);
   return each;
 }
 
 /// None for a part of robots that was found in a folder.
 py::object check_one(const EachPlan& each, std::size_t index) {
-  const auto& [file, is_scene] = each.files.at(index);
-  Plan alone;
-  alone.configs = each.plan.configs;
-  (is_scene ? alone.scenes : alone.models).push_back(*file);
+  const EachFile& file = each.files.at(index);
+  const Plan alone = plan_of(file, each.plan);
+  CheckSettings settings = each.settings;
+  settings.folders = each.folder.of(file);
   Session session;
-  Report report = run_alone(false, [&] { return session.check(alone, each.settings); });
-  if (file->may_be_part && report.summary.models == 0 && report.diagnostics.empty()) {
-    return py::none();
-  }
+  Report report = run_alone(false, [&] { return session.check(alone, settings); });
+  if (is_only_part(file, report)) return py::none();
   return to_report(std::move(report), session.sources());
 }
 
@@ -259,7 +251,7 @@ void bind_session(py::module_& module) {
   py::class_<EachPlan, std::shared_ptr<EachPlan>>(module, "_EachPlan")
       .def("__len__", [](const EachPlan& self) { return self.files.size(); })
       .def("path", [](const EachPlan& self,
-                      std::size_t index) { return to_path(self.files.at(index).first->path); })
+                      std::size_t index) { return to_path(self.files.at(index).planned->path); })
       .def("check", &check_one);
   module.def("_plan_each", &plan_each);
   py::class_<Session, std::shared_ptr<Session>>(

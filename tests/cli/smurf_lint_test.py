@@ -879,7 +879,7 @@ class Usage(LintTest):
                 ("unknown option '--selct'; did you mean '--select'?", ["--selct=SML1"]),
                 ("--format needs a value: FORMAT[=FILE]", ["--format"]),
                 ("--format needs a value: FORMAT[=FILE]", ["--format", "--quiet"]),
-                ("--format: 'jsn' is not one of full, concise, json, sarif, github, gitlab, junit, html, auto; did you mean 'json'?",
+                ("--format: 'jsn' is not one of full, concise, json, jsonl, sarif, github, gitlab, junit, html, auto; did you mean 'json'?",
                  ["--format=jsn"]),
                 ("--format: there is no file name after '='", ["--format=json="]),
                 ("--color: 'allways' is not one of auto, always, never; did you mean 'always'?",

@@ -27,6 +27,7 @@
 #include "smurf-lint/fix_inertia.hpp"
 #include "smurf-lint/init.hpp"
 #include "smurf-lint/options.hpp"
+#include "smurf-lint/records.hpp"
 #include "smurf-lint/rename_all.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf-lint/show_config.hpp"
@@ -401,13 +402,7 @@ Report run_check(const LintOptions& options, const LintPlan& plan, Session& sess
   if (report.summary.models + report.summary.scenes + report.problems.size() == 0) {
     report.targets.clear();
   }
-  if (options.min_severity) {
-    std::erase_if(report.diagnostics,
-                  [&](const Diagnostic& one) { return one.severity < *options.min_severity; });
-    const Summary left = summarize(report.diagnostics);
-    report.summary.warnings = left.warnings;
-    report.summary.infos = left.infos;
-  }
+  if (options.min_severity) leave_out_below(*options.min_severity, report);
   return report;
 }
 
@@ -428,6 +423,7 @@ ExitCode run(const LintOptions& options, std::set<std::string>* seen) {
   }
   LintPlan plan = make_plan(options, files);
   if (options.list_files) return list_files(options, plan, inputs);
+  if (writes_records(options)) return write_records(options, plan, files);
   ConfinedFiles confined;
   confine_to_found(confined, options, plan);
   const InputFiles read(confined);

@@ -9,6 +9,7 @@
 #include "base/text/did_you_mean.hpp"
 #include "common/cli/shared_options.hpp"
 #include "render/wrap.hpp"
+#include "smurf-lint/records.hpp"
 #include "smurf-lint/rename_all.hpp"
 
 namespace smurf::tools {
@@ -271,6 +272,13 @@ std::vector<Option> output_options(LintOptions& options) {
       report_option("format", options.reports),
       output_option(options.output, "Write the report to FILE instead of standard output."),
       {.group = "Output",
+       .name = "resume",
+       .metavar = "FILE",
+       .help =
+           "Write records (--format jsonl) to FILE for robots that have none there: goes on after "
+           "a run that was stopped.",
+       .set = set_text(options.resume)},
+      {.group = "Output",
        .name = "all",
        .help = "With the format full: show all findings, including infos and more than three per "
                "rule and file.",
@@ -437,6 +445,7 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
     return "two reports go to " + where + "; give one a separate file: --format " +
            std::string(report.format->name) + "=FILE";
   }
+  if (const auto conflict = records_conflict(options)) return conflict;
   if (options.isolated && !options.config.empty()) {
     return "--isolated and --config exclude each other";
   }

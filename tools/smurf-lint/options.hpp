@@ -64,6 +64,7 @@ struct LintOptions {
   bool no_ignores = false;         ///< also report findings that comments and the baseline suppress
 
   std::vector<ReportRequest> reports;
+  std::string resume;  ///< a file with records, to which those of the other robots are added
   std::string output;  ///< for reports without a separate file
   bool statistics = false;
   bool shows_all = false;  ///< show all findings in a report for people

@@ -7,7 +7,9 @@ CheckSettings check_settings(const LintOptions& options) {
   CheckSettings settings;
   settings.config = options.config;
   settings.is_isolated = options.isolated;
-  for (const std::string_view name : report_format_names()) settings.formats.emplace_back(name);
+  for (const std::string_view name : report_format_names()) {
+    if (name != kRecords) settings.formats.emplace_back(name);  // only a user asks for them
+  }
   settings.selection = options.selection;
   settings.packages = options.packages;
   settings.max_seconds = options.max_seconds;
@@ -20,6 +22,13 @@ CheckSettings check_settings(const LintOptions& options) {
   settings.remembers =
       (options.fix || options.fix_only || options.diff) && !options.renames_names();
   return settings;
+}
+
+void leave_out_below(Severity least, Report& report) {
+  std::erase_if(report.diagnostics, [&](const Diagnostic& one) { return one.severity < least; });
+  const Summary left = summarize(report.diagnostics);
+  report.summary.warnings = left.warnings;
+  report.summary.infos = left.infos;
 }
 
 RunSettings merge_run(const ReportSettings& report, const LintOptions& options) {

@@ -19,6 +19,8 @@ struct RunSettings {
   Threshold threshold;
   std::string baseline;  ///< file; "": none
 };
+/// Leaves findings of less than this severity out.
+void leave_out_below(Severity least, Report& report);
 RunSettings merge_run(const ReportSettings& report, const LintOptions& options);
 
 }  // namespace smurf::tools

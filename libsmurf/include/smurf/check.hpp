@@ -32,6 +32,8 @@
 
 namespace smurf {
 
+class CompanionFolders;
+
 /// The default of CheckSettings::max_seconds: twelve times what a file of ten megabytes may take.
 inline constexpr std::uint64_t kMaxSeconds = 120;
 
@@ -61,6 +63,9 @@ struct CheckSettings {
   std::uint64_t max_seconds = kMaxSeconds;
   /// Keep data for the next check. Uses memory, and changes no result.
   bool remembers = true;
+  /// Set by what checks many files of a folder one by one, while no file changes; null: each check
+  /// lists the folder.
+  std::shared_ptr<CompanionFolders> folders;
   /// Called with 0 first, then after each file, possibly from several threads.
   std::function<void(std::size_t done, std::size_t of)> on_progress;
   /// Called before each file, possibly from several threads. True ends the check: its report lacks
@@ -81,6 +86,12 @@ struct ReportSettings {
   std::string baseline;  ///< a file; the setting overrides it
 };
 
+/// What a robot is made of.
+struct RobotSize {
+  std::size_t links = 0;
+  double mass = 0;  ///< kg: the sum of all masses that its links state
+};
+
 /// The result of a check.
 struct Report {
   std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
@@ -88,6 +99,7 @@ struct Report {
   /// One verdict per target of the settings and all configurations, including suppressed findings.
   std::vector<TargetVerdict> targets;
   std::vector<RobotAnswers> robots;   ///< when several files were planned
+  std::optional<RobotSize> size;      ///< of the first robot that could be read
   std::vector<std::string> problems;  ///< of the plan
   ReportSettings settings;
 };

@@ -122,6 +122,19 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
                         const Summary& summary, const ToolName& tool,
                         std::span<const TargetVerdict> targets = {});
 
+/// What is said about one of many robots and scenes.
+struct Record {
+  std::string_view path;
+  std::span<const Diagnostic> diagnostics{};
+  Summary summary{};
+  std::span<const TargetVerdict> targets{};
+  std::optional<std::size_t> links{};  ///< of a robot that could be read
+  std::optional<double> mass{};        ///< kg; of the same
+};
+/// A line of JSON, with its line end: path, ok, what each target does, counts, links, mass,
+/// findings.
+std::string render_record(const Record& record, const SourceMap& sources);
+
 /// The name of a file in formats of code hosts: its path from the top of the repository, with '/'.
 /// Absolute for files outside.
 using RepositoryPath = std::function<std::string(const std::string& path)>;

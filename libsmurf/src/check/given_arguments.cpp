@@ -32,11 +32,7 @@ void report_unknown(const std::string& name, Span place, const std::string& owne
   } else if (known.empty()) {
     found.help("delete it, or add `<xacro:arg name=\"" + name + "\" default=\"...\"/>`");
   } else {
-    std::string all;
-    for (std::size_t i = 0; i < std::min<std::size_t>(known.size(), 8); ++i) {
-      all += (i == 0 ? "" : ", ") + quoted(known[i]);
-    }
-    found.help("write one of its arguments: " + all + (known.size() > 8 ? ", ..." : ""));
+    found.help("write one of its arguments: " + listed(known));
   }
 }
 

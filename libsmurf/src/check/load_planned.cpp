@@ -10,6 +10,17 @@
 #include "link/surroundings/load_surroundings.hpp"
 
 namespace smurf {
+namespace {
+
+RobotSize size_of(const urdf::Robot& robot) {
+  RobotSize size{robot.links.size(), 0};
+  for (const urdf::Link& link : robot.links) {
+    if (link.inertial) size.mass += link.inertial->mass.value_or(0);
+  }
+  return size;
+}
+
+}  // namespace
 
 void PlannedLoader::load(const PlannedFile& planned, const FileReader& files, MeshLibrary& meshes,
                          Outcome& outcome) const {
@@ -87,6 +98,7 @@ void PlannedLoader::load_one_robot(const PlannedFile& planned, LoadContext& cont
     for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
   }
   if (xacro::is_xacro_file(planned.path) && !model.robot) outcome.notes.unknown_robot = model.path;
+  if (model.robot) outcome.notes.size = size_of(*model.robot);
   if (!values.empty() && model.robot) {
     outcome.notes.assumption = quoted(model.path) + " with " + values;
   }

@@ -35,7 +35,7 @@ class Run {
         memory_(context.memory),
         sources_(sources),
         jobs_(count_of_jobs(settings.jobs)),
-        shared_search_(std::make_shared<PackageSearch>(context.check.files)),
+        shared_search_(std::make_shared<PackageSearch>(context.check.files, settings.folders)),
         seen_(context.check, *shared_search_),
         loader_{settings, context, seen_, shared_search_},
         given_(context.check) {}
@@ -115,6 +115,7 @@ class Run {
     report.summary.not_compared = seen_.not_compared(compared());
     report.problems = plan.problems;
     report.robots = std::move(robots_);
+    report.size = size_;
     if (plan.problems.empty()) return report;
     for (TargetVerdict& verdict : report.targets) {
       verdict.add_unknown(rules::sml0001_unreadable_file, plan.problems.size());
@@ -309,6 +310,7 @@ class Run {
     judge_robot(outcome, planned);
     for (const auto& [file, claim] : outcome.companions) companions_.emplace(file, claim.kind);
     robots_of_srdfs_.merge(outcome.notes.robots_of_srdfs);
+    if (!size_) size_ = outcome.notes.size;
     if (!outcome.notes.assumption.empty()) assumptions_.insert(outcome.notes.assumption);
     for (const auto& [file, one] : outcome.notes.rejected) seen_.add_rejected(file, one);
     if (!is_companion_path(planned.path) && (!outcome.models.empty() || !outcome.scenes.empty())) {
@@ -357,6 +359,7 @@ class Run {
   std::size_t expected_ = 0;
   std::vector<const Reader*> targets_;
   std::vector<RobotAnswers> robots_;
+  std::optional<RobotSize> size_;  ///< see Report
 };
 
 }  // namespace

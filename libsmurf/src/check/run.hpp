@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -28,7 +29,8 @@ struct OutcomeNotes {
   std::map<std::string, RejectedCompanion> rejected;  ///< by identity
   std::string unknown_robot;                          ///< its path, if it could not be expanded
   std::string assumption;                             ///< see Summary::assumptions
-  std::set<std::string> arguments;                    ///< of a robot of xacro
+  std::set<std::string> arguments;                    ///< of xacro
+  std::optional<RobotSize> size;                      ///< of the robot
 };
 
 /// The outcome of one planned file with all files that it loads.

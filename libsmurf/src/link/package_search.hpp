@@ -23,8 +23,9 @@ namespace smurf {
 /// Several threads may use it. What it finds does not depend on what was asked before.
 class PackageSearch {
  public:
-  explicit PackageSearch(const FileReader& files)
-      : companions(std::make_shared<CompanionLibrary>()), files_(files) {}
+  /// `known`: of another search in the same files, or null.
+  explicit PackageSearch(const FileReader& files, std::shared_ptr<CompanionFolders> known = {})
+      : companions(std::make_shared<CompanionLibrary>(std::move(known))), files_(files) {}
 
   /// What the companions in these packages contain.
   const std::shared_ptr<CompanionLibrary> companions;

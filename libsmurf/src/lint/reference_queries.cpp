@@ -140,7 +140,11 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
     diagnostic.caret += " in `" + model.urdf_path + "`";
   }
   const Guess guess = guess_name(name, names(model, kind).names(), meanings, findings);
-  if (guess.name.empty()) return &diagnostic;
+  if (guess.name.empty()) {
+    const auto known = names(model, kind).names();
+    if (!known.empty()) diagnostic.help("correct the name: write " + listed(known));
+    return &diagnostic;
+  }
   diagnostic.help("did you mean " + quoted(guess.name) + guess.reason + "?");
   if (guess.has_fix && fits_everywhere(guess.name)) {
     diagnostic.fixes.push_back(

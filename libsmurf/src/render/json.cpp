@@ -139,15 +139,41 @@ Json rule_json(const Rule& rule) {
 
 }  // namespace render
 
+namespace {
+
+Json finding_with_fix(const Diagnostic& diagnostic, const SourceMap& sources) {
+  Json json = render::finding_json(diagnostic, sources);
+  if (!diagnostic.fixes.empty()) json["fix"] = to_json(diagnostic.fixes.front(), sources);
+  return json;
+}
+
+}  // namespace
+
 std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                         const Summary& summary, const ToolName& tool,
                         std::span<const TargetVerdict> targets) {
   return dump_with_list(render::report_json(sources, summary, tool, targets), "diagnostics", 1,
-                        diagnostics, [&](const Diagnostic& one) {
-                          Json json = render::finding_json(one, sources);
-                          if (!one.fixes.empty()) json["fix"] = to_json(one.fixes.front(), sources);
-                          return json;
-                        });
+                        diagnostics,
+                        [&](const Diagnostic& one) { return finding_with_fix(one, sources); });
+}
+
+std::string render_record(const Record& record, const SourceMap& sources) {
+  const Summary& summary = record.summary;
+  Json json = {{"path", record.path}, {"ok", summary.errors == 0}, {"loads", Json::object()}};
+  for (const TargetVerdict& target : record.targets) {
+    json["loads"][std::string(target.reader->name)] = text(to_string(target.answer()));
+  }
+  json["counts"] = {{"errors", summary.errors},
+                    {"warnings", summary.warnings},
+                    {"infos", summary.infos},
+                    {"suppressed", summary.suppressed}};
+  if (record.links) json["links"] = *record.links;
+  if (record.mass) json["mass"] = *record.mass;
+  json["findings"] = Json::array();
+  for (const Diagnostic& one : record.diagnostics) {
+    json["findings"].push_back(finding_with_fix(one, sources));
+  }
+  return render::dump_line(json);
 }
 
 std::string render_losses_json(std::span<const Diagnostic> losses, const SourceMap& sources,

@@ -16,11 +16,9 @@ namespace smurf::render {
 
 using Json = nlohmann::ordered_json;
 
-/// Prints a value, whose lines after the first are indented by `indent` more columns. Invalid
-/// UTF-8, which a path or a scalar may contain, becomes U+FFFD. The library escapes C0 only, so DEL
-/// and C1, which occur only in strings, are escaped here.
-inline void append(std::string& out, const Json& json, std::size_t indent) {
-  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
+/// Appends a printed value, whose lines after the first are indented by `indent` more columns. The
+/// library escapes C0 only, so DEL and C1, which occur only in strings, are escaped here.
+inline void append_escaped(std::string& out, const std::string& text, std::size_t indent) {
   std::size_t copied = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] == '\n') {
@@ -35,6 +33,18 @@ inline void append(std::string& out, const Json& json, std::size_t indent) {
     }
   }
   out.append(text, copied);
+}
+
+/// Prints a value. Invalid UTF-8, which a path or a scalar may contain, becomes U+FFFD.
+inline void append(std::string& out, const Json& json, std::size_t indent) {
+  append_escaped(out, json.dump(2, ' ', false, Json::error_handler_t::replace), indent);
+}
+
+/// Prints a value in one line, which ends with a line end.
+inline std::string dump_line(const Json& json) {
+  std::string out;
+  append_escaped(out, json.dump(-1, ' ', false, Json::error_handler_t::replace), 0);
+  return out += '\n';
 }
 
 inline std::string dump(const Json& json) {

@@ -185,11 +185,17 @@ Value Evaluator::name(const Syntax& syntax, const Scope& scope) {
     if (value.origin != kComputed && !value.is_failed()) use(name, value.origin);
     return value;
   }
-  std::vector<std::string_view> known;
-  scope.table->append_names(known);
-  std::sort(known.begin(), known.end());
   std::uint64_t comparisons = 100'000;
-  const auto near = only_nearest(name, known, comparisons);
+  const auto nearest_of = [&](bool with_functions) {
+    std::vector<std::string_view> known;
+    scope.table->append_names(known, with_functions);
+    std::sort(known.begin(), known.end());
+    // Each call of a macro has its own parameters of the same names.
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    return only_nearest(name, known, comparisons);
+  };
+  auto near = nearest_of(false);
+  if (!near) near = nearest_of(true);
   constexpr std::string_view kHidden[] = {"abs",       "all",        "any",    "sum",     "zip",
                                           "enumerate", "isinstance", "tuple",  "set",     "ord",
                                           "repr",      "type",       "divmod", "reversed"};

@@ -108,8 +108,9 @@ Table* Table::root() {
   return at;
 }
 
-void Table::append_names(std::vector<std::string_view>& names) const {
+void Table::append_names(std::vector<std::string_view>& names, bool with_functions) const {
   for (const Table* at = this; at != nullptr; at = at->parent_) {
+    if (at->is_root() && !with_functions) return;
     for (const Slot* slot : at->chains_) {
       for (; slot != nullptr; slot = slot->next) {
         if (!slot->name.starts_with('*')) names.push_back(slot->name);

@@ -56,7 +56,8 @@ class Table {
   /// The table of the whole robot.
   Table* top();
   Table* root();
-  void append_names(std::vector<std::string_view>& names) const;
+  /// Of this table and those above; functions are in the root.
+  void append_names(std::vector<std::string_view>& names, bool with_functions) const;
 
  private:
   /// In the arena: most tables are of one call, and nearly all names are looked up in several.

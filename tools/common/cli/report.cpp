@@ -102,6 +102,15 @@ class ShownFindings {
   std::span<const Diagnostic> shown_;
 };
 
+std::string jsonl(const Results& results, const TextStyle&) {
+  const SourceMap& sources = results.sources;
+  return render_record({.path = sources.size() == 0 ? "" : sources.path(SourceId{0}),
+                        .diagnostics = results.diagnostics,
+                        .summary = results.summary,
+                        .targets = results.targets},
+                       sources);
+}
+
 std::string sarif(const Results& results, const TextStyle&) {
   const ShownFindings shown(results);
   return render_sarif(shown.get(), results.sources, all_rules(), {results.tool, kVersion}, kSite,
@@ -141,6 +150,7 @@ constexpr ReportFormat kFormats[] = {
     {"full", "source lines with marks, and a summary", full},
     {"concise", "one line per finding", concise},
     {"json", "for programs", json},
+    {kRecords, "for data sets: a line of JSON for each robot", jsonl},
     {"sarif", "for code scanning and editors", sarif},
     {"github", "annotations of a workflow", github},
     {"gitlab", "a code quality report", gitlab},

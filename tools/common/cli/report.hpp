@@ -40,6 +40,9 @@ struct ReportFormat {
 /// Null if there is no such format.
 const ReportFormat* find_report_format(std::string_view name);
 
+/// The format that smurf-lint writes while it checks.
+inline constexpr std::string_view kRecords = "jsonl";
+
 struct ReportRequest {
   const ReportFormat* format = nullptr;
   std::string file;  ///< "": the tool's default; "-": standard output

@@ -65,6 +65,8 @@ ssize_t read(int number, void* to, std::size_t size);
 ssize_t pread(int number, void* to, std::size_t size, off_t at);
 ssize_t write(int number, const void* from, std::size_t size);
 int fsync(int number);
+/// What is written then follows.
+int ftruncate(int number, off_t size);
 int linkat(int folder, const char* name, int other_folder, const char* other_name, int flags);
 int renameat(int folder, const char* name, int other_folder, const char* other_name);
 int unlinkat(int folder, const char* name, int flags);
@@ -80,6 +82,7 @@ using ::close;
 using ::fstat;
 using ::fstatat;
 using ::fsync;
+using ::ftruncate;
 using ::getpid;
 using ::linkat;
 using ::lstat;

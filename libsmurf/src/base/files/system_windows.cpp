@@ -283,6 +283,14 @@ ssize_t write(int number, const void* from, std::size_t size) {
   return is_done != 0 ? static_cast<ssize_t>(count) : fail_as_windows();
 }
 
+int ftruncate(int number, off_t size) {
+  LARGE_INTEGER end{};
+  end.QuadPart = size;
+  const HANDLE handle = handle_of(number);
+  return result_of(
+      ::SetFilePointerEx(handle, end, nullptr, FILE_BEGIN) != 0 ? ::SetEndOfFile(handle) : FALSE);
+}
+
 int fsync(int number) { return result_of(::FlushFileBuffers(handle_of(number))); }
 
 int linkat(int folder, const char* name, int other_folder, const char* other_name, int /*flags*/) {

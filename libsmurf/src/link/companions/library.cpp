@@ -199,7 +199,7 @@ const SeenCompanion& CompanionLibrary::look_at(const std::string& path, const Fi
   return *seen_.emplace(key, std::move(seen)).first->second;
 }
 
-const NamesInFolder& CompanionLibrary::names_in(const std::string& folder,
+const NamesInFolder& CompanionFolders::names_in(const std::string& folder,
                                                 const FileReader& files) {
   const std::string key = path::normalize(folder);
   {

@@ -42,20 +42,31 @@ struct NamesInFolder {
   std::vector<std::string> companions, urdfs, xacros;  ///< an SRDF in xacro is in two of them
 };
 
-/// Several threads may use it.
-class CompanionLibrary {
+/// What folders have, of which each robot in them asks for it. Several threads may use it.
+class CompanionFolders {
  public:
-  std::vector<NearCompanion> near;  ///< set before the first load
-  std::set<std::string>
-      named_robots;  ///< by identity: those that a user named, set in the same way
-  const SeenCompanion& look_at(const std::string& path, const FileReader& files);
-  /// Each robot of a folder asks for it.
   const NamesInFolder& names_in(const std::string& folder, const FileReader& files);
 
  private:
   std::mutex mutex_;
+  std::map<std::string, NamesInFolder> folders_;  ///< by normal path
+};
+
+/// Several threads may use it.
+class CompanionLibrary {
+ public:
+  explicit CompanionLibrary(std::shared_ptr<CompanionFolders> known)
+      : folders(known ? std::move(known) : std::make_shared<CompanionFolders>()) {}
+
+  const std::shared_ptr<CompanionFolders> folders;
+  std::vector<NearCompanion> near;  ///< set before the first load
+  std::set<std::string>
+      named_robots;  ///< by identity: those that a user named, set in the same way
+  const SeenCompanion& look_at(const std::string& path, const FileReader& files);
+
+ private:
+  std::mutex mutex_;
   std::map<std::string, std::unique_ptr<SeenCompanion>> seen_;  ///< by normal path
-  std::map<std::string, NamesInFolder> folders_;                ///< by normal path
 };
 
 /// Of a key that is written twice, programs of ROS use the last value. `joins`: two mappings are

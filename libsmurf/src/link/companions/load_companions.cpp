@@ -38,7 +38,7 @@ std::vector<std::string> candidates(const std::vector<std::string>& folders, Nam
   std::vector<std::string> found;
   std::set<std::string> seen;
   for (const std::string& place : folders) {
-    const NamesInFolder& inside = library.names_in(place, context.files);
+    const NamesInFolder& inside = library.folders->names_in(place, context.files);
     for (const auto kind : wanted) {
       for (const std::string& name : inside.*kind) {
         std::string path = path::join(place, name);

@@ -126,11 +126,7 @@ class Checker {
       found.help("did you mean " + quoted(*near) + "?");
       found.fixes.push_back({Applicability::unsafe, {{one.span, std::string(*near)}}});
     } else if (!known.empty()) {
-      std::string names;
-      for (const std::string_view name : known) {
-        names += (names.empty() ? "" : ", ") + quoted(name);
-      }
-      found.help("add the group, or write one of " + shortened(names, 200));
+      found.help("add the group, or write " + listed(known));
     }
   }
 

@@ -25,7 +25,8 @@ void check_group(const srdf::Description& srdf, const Reference& one, Findings& 
     found.help("did you mean " + quoted(*near) + "?");
     found.fixes.push_back({Applicability::unsafe, {{one.span, std::string(*near)}}});
   } else {
-    found.help("write the name of a group, or delete the entry");
+    found.help("write " + (known.empty() ? "the name of a group" : listed(known)) +
+               ", or delete the entry");
   }
 }
 

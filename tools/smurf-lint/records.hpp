@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `--format jsonl` and `--resume`: a line for each robot and scene, as soon as it is checked.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "common/cli/command.hpp"
+#include "smurf-lint/lint_plan.hpp"
+#include "smurf-lint/options.hpp"
+
+namespace smurf::tools {
+
+/// Whether the report is written while robots are checked.
+bool writes_records(const LintOptions& options);
+
+/// Why these options exclude records, which are written while robots are checked; none if they do
+/// not.
+std::optional<std::string> records_conflict(const LintOptions& options);
+
+/// Checks each robot and scene of the plan by itself, and writes its record. Memory does not grow
+/// with their number. `given` has standard input.
+ExitCode write_records(const LintOptions& options, const LintPlan& plan, const FileReader& given);
+
+}  // namespace smurf::tools
