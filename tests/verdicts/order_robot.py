@@ -29,12 +29,10 @@ def of_drake(parsing, file):
     from pydrake.multibody.plant import MultibodyPlant  # pylint: disable=import-outside-toplevel
     plant = MultibodyPlant(0.001)
     [model] = parsing.Parser(plant).AddModels(file)
-    roots = {body.name() for body in (plant.get_body(index) for index in plant.GetBodyIndices(model))}
+    own = plant.num_joints()  # Finalize() adds joints for bodies that nothing holds
     plant.Finalize()
     joints = [plant.get_joint(index) for index in plant.GetJointIndices(model)]
-    # Drake gives bodies that nothing holds joints with the names of the bodies.
-    moving = sorted((joint for joint in joints if joint.num_positions() > 0 and
-                     not (joint.name() in roots and joint.type_name() == "quaternion_floating")),
+    moving = sorted((joint for joint in joints if joint.num_positions() > 0 and int(joint.index()) < own),
                     key=lambda joint: joint.position_start())
     return ([joint.name() for joint in moving], [int(joint.index()) for joint in moving],
             [plant.get_body(index).name() for index in plant.GetBodyIndices(model)])
