@@ -55,7 +55,7 @@ HEADERS = {
     "sdf": "",
     "schema": "user_schemas",
     "link": "companions linked load old_scene references rename",
-    "readers": "",
+    "readers": "joint_order",
     "render": "render",
     "lint": "lint",
     "config": "config",

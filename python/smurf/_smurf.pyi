@@ -778,6 +778,16 @@ class Model:
         """
     def joint_positions(self, pose: str) -> Dict[str, float]:
         """The positions of a joint pose set by joints: a dict, rad or m."""
+    def joint_order(self, reader: str) -> Dict[str, Any]:
+        """The order in which a reader such as "mujoco" or "pinocchio" builds the robot, a dict: `joints`, the
+        names of the joints with positions in the order of the positions; `indices`, an array of their indices
+        in functions of the reader; `bodies`, their names; `walk` and `basis`, the order in words, and the
+        versions that were executed. Raises ValueError if the order is not known.
+        """
+    def joint_permutation(self, source: str, target: str) -> numpy.typing.NDArray[numpy.int64]:
+        """An array of integers p: positions q in the order of the reader `source` are q[p] in that of `target`.
+        Raises ValueError if an order is not known, or if `source` lacks a joint that `target` has.
+        """
     def check(self) -> Report:
         """Checks the model as it was loaded, and returns a smurf.Report."""
     def to_urdf(

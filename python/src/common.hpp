@@ -106,6 +106,9 @@ py::object to_optional(const OwnerPtr& owner, const std::unique_ptr<T>& value) {
   return to_optional<T>(owner, value.get());
 }
 
+/// A target or one of its releases; ValueError for unknown names.
+const Reader* from_target(const std::string& name);
+
 /// Keyword arguments of check(), load_model() and load_scene(); TypeError for unknown ones,
 /// ValueError for values that mean nothing.
 CheckSettings settings_of(const py::kwargs& keywords);

@@ -282,6 +282,7 @@ void bind_model(py::module_& module) {
   bind_elements(model);
   bind_functions(model);
   bind_kinematics(model);
+  bind_joint_orders(model);
   bind_exports(model);
   bind_pickle(model);
 }

@@ -25,6 +25,7 @@ void refuse(const Scene& scene, const Refusal& refusal, Report report);
 py::tuple reduce(const Ref<urdf::Link>& link);
 py::tuple reduce(const Ref<urdf::Joint>& joint);
 
+void bind_joint_orders(py::class_<Model>& model);
 void bind_kinematics(py::class_<Model>& model);
 void bind_exports(py::class_<Model>& model);
 void bind_exports(py::class_<Scene>& scene);

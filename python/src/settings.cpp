@@ -7,6 +7,13 @@
 #include "common.hpp"
 
 namespace smurf::python {
+const Reader* from_target(const std::string& name) {
+  if (const Reader* reader = find_target(name)) return reader;
+  std::string known;
+  for (const std::string_view target : target_names()) known += " " + std::string(target);
+  throw py::value_error("'" + name + "' is not one of the targets:" + known);
+}
+
 namespace {
 
 /// A rule, or a prefix of several.
@@ -30,13 +37,6 @@ Severity from_severity(const std::string& name) {
     if (to_string(severity) == name) return severity;
   }
   throw py::value_error("'" + name + "' is not one of info, warning, error");
-}
-
-const Reader* from_target(const std::string& name) {
-  if (const Reader* reader = find_target(name)) return reader;
-  std::string known;
-  for (const std::string_view target : target_names()) known += " " + std::string(target);
-  throw py::value_error("'" + name + "' is not one of the targets:" + known);
 }
 
 py::dict from_dict(const py::handle& value, const char* argument) {

@@ -11,6 +11,7 @@
 #include "render/wrap.hpp"
 #include "smurf-lint/records.hpp"
 #include "smurf-lint/rename_all.hpp"
+#include "smurf-lint/show_orders.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -61,23 +62,6 @@ std::vector<std::string_view> rule_ids() {
   std::vector<std::string_view> ids;
   for (const Rule* rule : all_rules()) ids.push_back(rule->id);
   return ids;
-}
-
-/// Without duplicates, because the report has one row per reader.
-Setter append_targets(std::vector<const Reader*>& targets) {
-  return [&targets](std::string_view value) -> std::optional<std::string> {
-    for (const std::string_view name : split_items(value)) {
-      const Reader* reader = find_target(name);
-      if (reader == nullptr) {
-        return "there is no target '" + std::string(name) + "'" +
-               did_you_mean(name, target_names()) + " (`--target help` lists them)";
-      }
-      if (std::find(targets.begin(), targets.end(), reader) == targets.end()) {
-        targets.push_back(reader);
-      }
-    }
-    return std::nullopt;
-  };
 }
 
 std::string_view target_help() {
@@ -360,6 +344,7 @@ std::vector<Option> input_options(LintOptions& options) {
        .help = "Show the links of a model with mass, volume of the shapes, density, radius of "
                "gyration and verdict, and check nothing else.",
        .set = set_text(options.masses)},
+      joint_order_option(options),
       {.group = "Input",
        .name = "csv",
        .help = "With --masses: write comma-separated values with all digits.",
@@ -368,6 +353,22 @@ std::vector<Option> input_options(LintOptions& options) {
 }
 
 }  // namespace
+
+Setter append_targets(std::vector<const Reader*>& targets) {
+  return [&targets](std::string_view value) -> std::optional<std::string> {
+    for (const std::string_view name : split_items(value)) {
+      const Reader* reader = find_target(name);
+      if (reader == nullptr) {
+        return "there is no target '" + std::string(name) + "'" +
+               did_you_mean(name, target_names()) + " (`--target help` lists them)";
+      }
+      if (std::find(targets.begin(), targets.end(), reader) == targets.end()) {
+        targets.push_back(reader);
+      }
+    }
+    return std::nullopt;
+  };
+}
 
 std::vector<std::string_view> explained_words() {
   std::vector<std::string_view> words = rule_words();
@@ -429,6 +430,8 @@ Command lint_command(LintOptions& options) {
       {"smurf-lint --show-config robots/", "Show which settings apply, and where they are set:"},
       {"smurf-lint --fix-inertia --diff robot.urdf", "Show inertias that fit the shapes:"},
       {"smurf-lint --masses robot.urdf", "Compare the masses of a robot with its shapes:"},
+      {"smurf-lint --joint-order mujoco,pinocchio robot.urdf",
+       "Compare the orders of joints of two programs:"},
       {"smurf-lint --dump-model arm.smurf | jq '.model.joints[].limit'",
        "Read a model from another program:"},
   };

@@ -72,11 +72,12 @@ struct LintOptions {
   ColorChoice color = ColorChoice::automatic;
   std::optional<int> jobs;
 
-  std::string explain;     ///< a rule: only show its page
-  std::string masses;      ///< a path: only show its masses
-  bool csv = false;        ///< show them as CSV
-  std::string dump_model;  ///< a path: only write its contents
-  std::string list_rules;  ///< "text" or "json": only list the rules
+  std::string explain;                      ///< a rule: only show its page
+  std::string masses;                       ///< a path: only show its masses
+  std::vector<const Reader*> joint_orders;  ///< readers: only show the orders of joints they build
+  bool csv = false;                         ///< show them as CSV
+  std::string dump_model;                   ///< a path: only write its contents
+  std::string list_rules;                   ///< "text" or "json": only list the rules
 };
 
 /// The result refers to `options`.
@@ -87,6 +88,9 @@ std::optional<std::string> find_conflict(const LintOptions& options);
 
 /// An error message if there is no such rule: "there is no rule 'x'; did you mean 'y'?"
 std::string no_such_rule(std::string_view id_or_name);
+
+/// Appends targets by name, without duplicates: a report has one row per reader.
+Setter append_targets(std::vector<const Reader*>& targets);
 
 /// The words that --explain accepts: ids and names of rules, and sections of the format.
 std::vector<std::string_view> explained_words();

@@ -3,16 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 
 #include "base/numbers/numbers.hpp"
-#include "common/files/input.hpp"
 #include "lint/masses.hpp"
 #include "render/printable.hpp"
-#include "smurf-lint/settings.hpp"
-#include "smurf/archive_files.hpp"
-#include "smurf/check.hpp"
-#include "smurf/confine.hpp"
+#include "smurf-lint/one_model.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -93,30 +88,10 @@ std::string csv_of(const std::vector<LinkMass>& masses) {
 }  // namespace
 
 ExitCode show_masses(const LintOptions& options) {
-  ConfinedFiles disk;
-  confine(disk, std::array{options.masses, options.config}, options.packages,
-          options.allow_outside);
-  disk.allow(options.config);
-  const InputFiles files(disk);
-  Session session(files, options.limits);
-  const std::optional<std::string> path =
-      find_main_file(kSmurfLint, options.masses, session.files());
-  if (!path) return kFailed;
-  const InputKind kind = input_kind(*path);
-  if (kind != InputKind::model && kind != InputKind::urdf) {
-    complain(kSmurfLint, "'" + options.masses + "' is not a model or URDF");
-    return kFailed;
-  }
-  const LoadedModel loaded = session.load_model(*path, check_settings(options));
-  if (!loaded.model.robot) {
-    complain(kSmurfLint, "'" + options.masses + "' has no robot that can be read");
-    return kFailed;
-  }
-  if (!keeps_inputs(kSmurfLint, files, std::span(&options.output, 1))) return kFailed;
-  const std::vector<LinkMass> masses = masses_of(loaded.model);
-  return write_output(kSmurfLint, options.output, options.csv ? csv_of(masses) : table_of(masses))
-             ? kDone
-             : kFailed;
+  return show_model(options, options.masses, [&](const LinkedModel& model) {
+    const std::vector<LinkMass> masses = masses_of(model);
+    return options.csv ? csv_of(masses) : table_of(masses);
+  });
 }
 
 }  // namespace smurf::tools

@@ -88,12 +88,6 @@ std::size_t copied_meshes(const UrdfResult& result) {
                     [](const TextFile& file) { return file.path.ends_with(".obj"); }));
 }
 
-/// "refuses the mesh (...) and 3 more"
-std::string first_of(const std::vector<std::string>& reasons) {
-  return reasons.front() +
-         (reasons.size() > 1 ? " and " + std::to_string(reasons.size() - 1) + " more" : "");
-}
-
 /// The expansion of a xacro file, as `xacro` prints it.
 ExitCode write_expansion(const ExportOptions& options, Conversion& conversion) {
   auto loaded = conversion.load_xacro(options.model);

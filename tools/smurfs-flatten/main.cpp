@@ -20,6 +20,7 @@
 #include "smurfs-flatten/chain.hpp"
 #include "smurfs-flatten/compare_dialects.hpp"
 #include "smurfs-flatten/formats.hpp"
+#include "smurfs-flatten/motion_options.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -78,71 +79,6 @@ std::string dialect_help() {
   return help;
 }
 
-/// "0.5", or "arm_*=0.5" for some joints.
-Setter append_number(std::vector<JointNumber>& numbers) {
-  return [&numbers](std::string_view value) -> std::optional<std::string> {
-    const std::size_t equals = value.rfind('=');
-    const bool has_joints = equals != std::string_view::npos;
-    const auto number = parse_number(has_joints ? value.substr(equals + 1) : value);
-    constexpr double kMost = 1e12;
-    if (!number || !(*number >= 0 && *number <= kMost)) {
-      return "needs a number from 0 to 1e12, or JOINTS=NUMBER, such as arm_*=50";
-    }
-    numbers.push_back({has_joints ? std::string(value.substr(0, equals)) : "", *number});
-    return std::nullopt;
-  };
-}
-
-std::vector<Option> motor_options(Options& options) {
-  return {{.name = "actuator",
-           .metavar = "KIND",
-           .help = options.motors_help,
-           .values = {"auto", "position", "velocity", "effort"},
-           .set = choose<MotorKind>(options.motors.kind, {{"auto", MotorKind::automatic},
-                                                          {"position", MotorKind::position},
-                                                          {"velocity", MotorKind::velocity},
-                                                          {"effort", MotorKind::effort}})},
-          {.name = "kp",
-           .metavar = "[JOINTS=]NUMBER",
-           .help = "Set the stiffness of motors of positions, N m/rad or N/m, for all joints or "
-                   "for those whose name fits JOINTS, a pattern with `*`.",
-           .set = append_number(options.motors.kp)},
-          {.name = "kv",
-           .metavar = "[JOINTS=]NUMBER",
-           .help = "Set the damping of motors, N m s/rad or N s/m.",
-           .set = append_number(options.motors.kv)},
-          {.name = "armature",
-           .metavar = "[JOINTS=]NUMBER",
-           .help = "Set the inertia of motors at their joints, kg m^2 or kg (mjcf).",
-           .set = append_number(options.motors.armature)}};
-}
-
-std::vector<Option> contact_options(Options& options) {
-  return {
-      {.name = "self-collision",
-       .metavar = "CHOICE",
-       .help =
-           "Choose which links of a robot can touch each other (mjcf, dmd). none; neighbours: all "
-           "but those that a joint connects; srdf: these, without the pairs that the SRDF "
-           "disables; all. The default is srdf.",
-       .values = {"none", "neighbours", "srdf", "all"},
-       .set =
-           choose<SelfCollision>(options.self_collision, {{"none", SelfCollision::none},
-                                                          {"neighbours", SelfCollision::neighbours},
-                                                          {"srdf", SelfCollision::srdf},
-                                                          {"all", SelfCollision::all}})},
-      {.name = "srdf",
-       .metavar = "FILE",
-       .help =
-           "Read pairs of links that cannot touch from this SRDF. By default, it is the one with "
-           "the name of the robot beside the URDF, or in srdf/ or config/ there or one folder up.",
-       .set = set_text(options.srdf)},
-      {.name = "exclude-overlaps",
-       .help = "Leave out the contacts of links that overlap at the start, which push each other "
-               "apart. --actuator auto implies it.",
-       .set = set_flag(options.excludes_overlaps)}};
-}
-
 void add_options(Command& command, Options& options) {
   options.format_help = format_help();
   options.dialect_help = dialect_help();
@@ -178,8 +114,11 @@ void add_options(Command& command, Options& options) {
       "Choose what the motors are commanded with, and give one to each joint without a motor (" +
       formats_with(&SceneFormat::has_motors) +
       "). auto: a position, unless the model says a speed. By default, motors are as in the model.";
-  for (Option& option : motor_options(options)) add(std::move(option));
-  for (Option& option : contact_options(options)) add(std::move(option));
+  for (Option& option : motor_options(options.motors, options.motors_help)) add(std::move(option));
+  for (Option& option :
+       contact_options(options.self_collision, options.srdf, options.excludes_overlaps)) {
+    add(std::move(option));
+  }
   add({.name = "links",
        .help = "Write the world pose of every link as well.",
        .set = set_flag(options.links)});
@@ -342,6 +281,13 @@ std::optional<SceneForm> choose_form(const SceneFormat& format, const std::strin
   return std::nullopt;
 }
 
+/// Beside the output, of its name: cell.dmd.yaml has cell_models/. None for standard output.
+std::string model_folder(const std::string& output) {
+  if (output.empty() || output == "-") return {};
+  const std::string_view file = path::file_name(output);
+  return std::string(file.substr(0, file.find('.', 1))) + "_models";
+}
+
 SceneRequest request_of(const Options& options, const SceneFormat& format, SceneForm form,
                         const std::string& current) {
   SceneRequest request{.format = format,
@@ -356,6 +302,8 @@ SceneRequest request_of(const Options& options, const SceneFormat& format, Scene
                        .assets = options.assets,
                        .output_folder = output_folder(options),
                        .current_folder = current,
+                       .model_folder = model_folder(options.common.output),
+                       .packages = options.common.packages,
                        .force = options.common.force};
   if (!options.base.empty()) {
     request.base = options.base == "fixed" ? BaseChoice::fixed : BaseChoice::floating;
@@ -373,14 +321,28 @@ bool asks_for_contacts(const Options& options) {
          options.excludes_overlaps;
 }
 
-/// What the reader of the written file needs besides it; none if nothing.
-std::vector<std::string> remarks_on(const SceneFormat& format, const std::string& output) {
-  if (format.remark.empty()) return {};
+/// What the reader of the written file needs besides it, and what it loses.
+std::vector<std::string> remarks_on(const SceneFormat& format, const std::string& output,
+                                    const SceneResult& result) {
+  std::vector<std::string> remarks;
+  const std::string title(format.reader != nullptr ? format.reader->title : "");
+  if (!result.models.empty()) {
+    const auto models = static_cast<std::size_t>(
+        std::count_if(result.models.begin(), result.models.end(),
+                      [](const TextFile& file) { return file.path.ends_with(".urdf"); }));
+    remarks.push_back("copied for " + title +
+                      ", which does not load the originals: " + counted(models, "model") + " to " +
+                      path::join(path::parent(output), model_folder(output)));
+  }
+  if (!result.lost_by_reader.empty())
+    remarks.push_back(title + " " + first_of(result.lost_by_reader));
+  if (format.remark.empty()) return remarks;
   constexpr std::string_view kFolder = "FOLDER";
   std::string remark(format.remark);
   const std::string folder(path::parent(output));
   remark.replace(remark.find(kFolder), kFolder.size(), folder.empty() ? "." : folder);
-  return {remark};
+  remarks.push_back(std::move(remark));
+  return remarks;
 }
 
 /// Writes the result and its copies, says so, and opens the page.
@@ -395,6 +357,13 @@ ExitCode write_result(const Conversion& conversion, const LoadedScene& loaded,
     output = write_temporary_page(kTool, "scene", result.text);
     return !output.empty();
   };
+  if (!result.models.empty()) {
+    std::vector<OutputFile> models;
+    for (const TextFile& file : result.models) {
+      models.push_back({.folder = output_folder(options), .path = file.path, .text = file.text});
+    }
+    if (!write_files(kTool, models, true)) return kFailed;
+  }
   if (!copy_files(kTool, result.copies, conversion.files(), options.common.limits,
                   options.overwrite, write)) {
     return kFailed;
@@ -405,7 +374,7 @@ ExitCode write_result(const Conversion& conversion, const LoadedScene& loaded,
                               " of " + counted(loaded.scene.models.size(), "model") +
                               (result.has_falling_robots ? "; robots fall, see --ground" : "") +
                               (copies_nothing ? "; it names no files to copy" : ""),
-                          remarks_on(format, output));
+                          remarks_on(format, output, result));
   return options.opens && !show_page(kTool, output) ? kFailed : kDone;
 }
 
@@ -457,7 +426,10 @@ int smurfs_flatten_main(int argc, char** argv) {
     result =
         convert_scene(conversion.session(), *loaded, request_of(options, format, *form, *current));
   }
-  const std::vector<std::string> copies = places_of(result.copies, conversion.inputs());
+  std::vector<std::string> copies = places_of(result.copies, conversion.inputs());
+  for (const TextFile& file : result.models) {
+    copies.push_back(path::join(output_folder(options), file.path));
+  }
   if (!conversion.keeps_inputs({options.common.output, options.loss_report})) return kFailed;
   if (!keeps_inputs(kTool, conversion.inputs(), copies)) return kFailed;
   const ExitCode verdict = conversion.report(result.report, [&](const Diagnostic& finding) {

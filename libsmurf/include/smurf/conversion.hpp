@@ -147,6 +147,10 @@ struct SceneRequest {
   std::string assets = {};  ///< folder for the files that the result names; "": they stay
   std::string output_folder = ".";
   std::string current_folder = {};  ///< absolute; "": that of the process
+  /// The folder for copies of models that the reader of the format would refuse, relative to the
+  /// output folder; "": they cannot be written.
+  std::string model_folder = {};
+  std::map<std::string, std::string> packages = {};  ///< names to folders
   bool force = false;
 };
 
@@ -155,7 +159,10 @@ struct SceneResult {
   Report report;     ///< of the scene, with the losses
   std::string text;  ///< empty: refused
   AssetCopies copies;
+  std::vector<TextFile> models;    ///< copies of models, by their paths in the output folder
   std::vector<Diagnostic> losses;  ///< what the format does not express
+  /// What the reader of the format loses of the models that the result names.
+  std::vector<std::string> lost_by_reader;
   bool has_falling_robots = false;
   Refusal refusal;
 };

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "smurf/flatten.hpp"
+#include "smurf/joint_order.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/linked.hpp"
 #include "smurf/new_model.hpp"
@@ -26,6 +28,9 @@ std::optional<std::string> write_model_json(const LinkedModel& model, const Sour
 /// A scene as JSON: its files, the instances with their poses in the world, and the models.
 std::optional<std::string> write_scene_json(const LinkedScene& scene, const SourceMap& sources,
                                             std::uint64_t most = Limits{}.scene_bytes);
+
+/// The orders of a robot, and the permutations between each two that are known, as JSON.
+std::string write_joint_orders_json(std::span<const JointOrder> orders);
 
 /// The files of a model, the main file last. Paths start from the folder of the output.
 std::vector<TextFile> write_smurf(const NewModel& model);

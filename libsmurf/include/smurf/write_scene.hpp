@@ -92,6 +92,8 @@ struct SceneFormat {
   std::string (*write)(const SceneExport& scene) = nullptr;
   /// What the reader needs besides the file, for people; FOLDER stands for the folder of the file.
   std::string_view remark = {};
+  /// The program that loads the files which the reference form names; null: not judged.
+  const Reader* reader = nullptr;
   bool has_reference_form = false;
   bool has_expanded_form = true;
   bool has_ground = false;         ///< can add a floor to the expanded form

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "base/findings/rules.hpp"
 #include "check/in_time.hpp"
 #include "conversion/floor.hpp"
+#include "conversion/judged_models.hpp"
 #include "conversion/own_contacts.hpp"
 #include "conversion/refusal.hpp"
 #include "conversion/scene_assets.hpp"
@@ -63,6 +65,15 @@ std::optional<FlatScene> flat_scene(LoadedScene& loaded, const Dialect& dialect,
   return flat;
 }
 
+/// The models of instances with a pose, which are all that is written.
+std::set<std::size_t> named_models(const FlatScene& flat) {
+  std::set<std::size_t> models;
+  for (const FlatInstance& instance : flat.instances) {
+    if (instance.model && instance.X_WE) models.insert(*instance.model);
+  }
+  return models;
+}
+
 /// Fills the text and what belongs to it. Findings are added to those of loading.
 void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
            SceneResult& result) {
@@ -85,6 +96,10 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
   }
   if (!request.assets.empty()) {
     result.copies = redirect_assets(*flat, request.assets, flattening, files, limits);
+  }
+  if (format.reader != nullptr && !is_expanded) {
+    judge_models(request, loaded.scene, named_models(*flat), files, limits, *flat, result);
+    if (result.refusal) return;
   }
   OwnContacts contacts;
   if (format.has_contacts) {
@@ -172,7 +187,7 @@ SceneResult convert_scene(Session& session, LoadedScene& loaded, const SceneRequ
       session, loaded, request.force, [&] { write(session, loaded, request, result); },
       &result.losses);
   result.report = std::move(check.report);
-  result.refusal = std::move(check.refusal);
+  if (check.refusal) result.refusal = std::move(check.refusal);
   if (!result.refusal && !request.force && lacks_entities(loaded.scene)) {
     result.refusal = {"has no `entities`", Refusal::Cause::findings, true};
   }

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/findings/readers.hpp"
 #include "base/numbers/exact_math.hpp"
 #include "base/numbers/numbers.hpp"
 #include "write/losses/scene_losses.hpp"
@@ -188,8 +189,10 @@ extern constinit const SceneFormat scene_dmd{
     .help = "Drake model directives",
     .write = [](const SceneExport& scene) { return DirectivesWriter(scene).run(); },
     .remark = "Drake finds the models with parser.package_map().Add(\"scene\", \"FOLDER\")",
+    .reader = &readers::drake,
     .has_reference_form = true,
     .has_expanded_form = false,
-    .has_contacts = true};
+    .has_contacts = true,
+    .fixes_world_roots = true};
 
 }  // namespace smurf::scene_dmd_file
