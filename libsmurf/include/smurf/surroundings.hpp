@@ -77,6 +77,8 @@ struct LaunchNode {
 
 /// A launch file, as far as it is known.
 struct LaunchFile {
+  enum class Form : std::uint8_t { python, xml, yaml };
+  Form form = Form::python;
   SourceId source{};
   std::string path, package;
   bool is_ros1 = false;

@@ -194,11 +194,7 @@ class PythonLaunch {
       found.form = LaunchDescription::Form::content;
       found.file = path_of(texts_.of(inner->items.front()), find_);
     } else if (inner->is_text()) {
-      const LaunchText text = texts_.of(*inner);
-      if (text.is_known && !text.package.empty()) {
-        found.form = LaunchDescription::Form::path;
-        found.file = path_of(text, find_);
-      }
+      launch::read_path(texts_.of(*inner), find_, found);
     }
     file_.descriptions.push_back(found);
     node.descriptions.push_back(std::move(found));

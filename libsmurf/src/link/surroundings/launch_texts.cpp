@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/files/path.hpp"
 #include "base/text/words.hpp"
 
 namespace smurf::launch {
@@ -47,6 +48,16 @@ LaunchPath path_of(const LaunchText& text, const FindLaunchPath& find) {
   path.text = text;
   find(path);
   return path;
+}
+
+void read_path(const LaunchText& text, const FindLaunchPath& find, LaunchDescription& description) {
+  const bool is_in_package = !text.package.empty();
+  const bool is_of_robot =
+      is_one_of(path::to_lower(path::extension(text.text)), {".urdf", ".xacro", ".sdf"}) &&
+      text.text.find_first_of("<\n") == std::string::npos;
+  if (!text.is_known || (!is_in_package && !is_of_robot)) return;
+  description.form = LaunchDescription::Form::path;
+  description.file = path_of(text, find);
 }
 
 void read_command(const Value& command, const Texts& texts, const FindLaunchPath& find,
