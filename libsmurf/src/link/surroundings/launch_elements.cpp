@@ -146,10 +146,13 @@ class ElementReader {
       node.name_space.text = space;
       node.name_space.is_known = space.find('?') == std::string::npos;
     }
-    if (element.attribute("args") != nullptr) {
+    if (const Attribute* words = element.attribute("args")) {
+      // In a message of YAML, as `rosservice call` gets it, marks may follow a path.
+      const bool is_message = words->value.find_first_of("{[,") != std::string::npos;
       for (const Value& word : words_of(value_of(element, "args"))) {
         LaunchText text = texts_.of(word);
         node.has_unknown_arguments = node.has_unknown_arguments || !text.is_known;
+        if (!is_message) path(word);
         node.arguments.push_back(std::move(text));
       }
     }
