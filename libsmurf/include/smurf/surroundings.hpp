@@ -75,6 +75,12 @@ struct LaunchNode {
   std::vector<LaunchDescription> descriptions;
 };
 
+/// Why a launch file is no XML or YAML.
+struct LaunchFault {
+  Span span;
+  std::string message, help;
+};
+
 /// A launch file, as far as it is known.
 struct LaunchFile {
   enum class Form : std::uint8_t { python, xml, yaml };
@@ -82,6 +88,7 @@ struct LaunchFile {
   SourceId source{};
   std::string path, package;
   bool is_ros1 = false;
+  std::optional<LaunchFault> fault;  ///< the first
   std::vector<LaunchNode> nodes;
   std::vector<LaunchPath> paths;  ///< that it gives to nodes, includes and functions
   std::vector<LaunchDescription> descriptions;

@@ -71,6 +71,13 @@ Manifest read_manifest(const xml::Document& document) {
   return manifest;
 }
 
+std::optional<LaunchFault> first_error(const DiagnosticSink& found) {
+  for (const Diagnostic& one : found.diagnostics()) {
+    if (one.severity == Severity::error) return LaunchFault{one.span, one.message, one.help_text};
+  }
+  return std::nullopt;
+}
+
 class Loader {
  public:
   Loader(const LinkedModel& model, LoadContext& context) : model_(model), context_(context) {}
@@ -198,18 +205,19 @@ class Loader {
     file.source = source;
     const std::string_view text = context_.sources.text(source);
     const FindLaunchPath find = [&](LaunchPath& one) { look_up(one, package, text); };
-    DiagnosticSink ignored(context_.limits);
+    DiagnosticSink faults(context_.limits);
     if (form == LaunchFile::Form::python) {
       read_python_launch(text, find, file);
     } else if (form == LaunchFile::Form::yaml) {
-      const auto document = parse_yaml(context_.sources, source, context_.limits, ignored);
-      if (!document) return;
-      read_yaml_launch(*document, find, file);
+      const auto document = parse_yaml(context_.sources, source, context_.limits, faults);
+      if (document) read_yaml_launch(*document, find, file);
+      // PyYAML loads some of what is an error of a model, such as a repeated key.
+      if (!document) file.fault = first_error(faults);
     } else {
-      const auto document = parse_xml(context_.sources, source, context_.limits, ignored);
-      if (!document) return;
+      const auto document = parse_xml(context_.sources, source, context_.limits, faults);
       file.is_ros1 = !package.is_ament;
-      read_xml_launch(*document, find, file);
+      if (document) read_xml_launch(*document, find, file);
+      file.fault = first_error(faults);
     }
     const std::string robot = context_.files.identity(model_.urdf_path);
     const auto mark = [&](LaunchDescription& one) {
