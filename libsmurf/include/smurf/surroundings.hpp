@@ -48,6 +48,7 @@ struct LaunchDescription {
   bool is_wrapped = false;        ///< ParameterValue(..., value_type=str), type="str"
   bool tolerates_errors = false;  ///< a second argument of Command
   LaunchText program;             ///< "xacro"
+  bool lacks_blank = false;       ///< between the program and the path: `Command(['xacro', path])`
   std::optional<LaunchPath> file;
   /// `NAME:=VALUE`.
   struct Argument {

@@ -57,6 +57,7 @@ void read_path(const LaunchText& text, const FindLaunchPath& find, LaunchDescrip
       text.text.find_first_of("<\n") == std::string::npos;
   if (!text.is_known || (!is_in_package && !is_of_robot)) return;
   description.form = LaunchDescription::Form::path;
+  if (!text.by_default) description.span = text.span;
   description.file = path_of(text, find);
 }
 
@@ -72,6 +73,9 @@ void read_command(const Value& command, const Texts& texts, const FindLaunchPath
     const std::size_t equals = begin != nullptr ? begin->find(":=") : std::string::npos;
     if (is_first) {
       description.program = text;
+      description.lacks_blank = begin != nullptr && *begin == "xacro" && word.pieces.size() > 1 &&
+                                (word.pieces[1].kind == Piece::Kind::share ||
+                                 word.pieces[1].kind == Piece::Kind::argument);
     } else if (equals != std::string::npos) {
       LaunchDescription::Argument argument;
       argument.name = begin->substr(0, equals);
