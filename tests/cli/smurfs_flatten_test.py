@@ -687,17 +687,6 @@ class Assets(FlattenTest):
         report = self.run_tool(*arguments, "--report", "json").stderr
         return [(d["id"], d["message"]) for d in json.loads(report)["diagnostics"]]
 
-    def test_models_that_drake_refuses(self):
-        visual = self.URDF.replace("MESH", "m")
-        body = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
-        for name, text, is_refused in (("r", visual, False), ("s", visual.replace("visual>", "collision>"), True),
-                                       ("b", '<robot name="b"><link name="l"/></robot>', False)):
-            self.write(f"models/{name}.urdf", text.replace('<link name="l">', '<link name="l">' + body))
-            with self.subTest(name):
-                found = dict(self.found(f"models/{name}.urdf", "--format", "dmd"))
-                self.assertEqual("SML1911" in found.get("SML8213", ""), is_refused)
-        self.assertNotIn("SML8213", dict(self.found("models/s.urdf", "--format", "sdf")))
-
     def test_only_files_that_the_result_names_are_copied(self):
         self.write("models/t.png", "")
         self.write("models/seen.urdf", '<robot name="r"><link name="l"><visual><geometry><box size="1 1 1"/></geometry>'

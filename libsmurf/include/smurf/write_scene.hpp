@@ -99,8 +99,6 @@ struct SceneFormat {
   bool has_motors = false;         ///< writes MotorOptions
   bool has_contacts = false;       ///< writes OwnContacts
   bool fixes_world_roots = false;  ///< its readers know that a root named `world` does not move
-  /// The reader of the files of models that it names as they are; null if it names none.
-  const Reader* reader = nullptr;
   /// The parts that check_scene_size() counts in advance; null if nothing is repeated.
   RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;
   /// Why this build cannot write it, and what to do; empty if it can. Null: every build can.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 
 #include "base/deadline.hpp"
@@ -29,7 +28,6 @@ inline Diagnostic& report_out_of_time(const std::string& path, std::uint64_t sec
 
 /// Of the settings with which it was loaded.
 std::uint64_t max_seconds_of(const Loaded& loaded);
-const std::map<std::string, std::string>& packages_of(const Loaded& loaded);
 
 /// False, with a call of `stopped`, if the time is over. When it is that of an outer deadline, for
 /// example of a request to a server, the outer one ends.

@@ -80,10 +80,6 @@ std::uint64_t max_seconds_of(const Loaded& loaded) {
   return loaded.loaded_with->group().settings.max_seconds;
 }
 
-const std::map<std::string, std::string>& packages_of(const Loaded& loaded) {
-  return loaded.loaded_with->group().packages;
-}
-
 struct Session::State {
   State(const FileReader* reader, const Limits& of_user, StampOf stamps)
       : limits(of_user), given(reader), stamp_of_file(std::move(stamps)) {

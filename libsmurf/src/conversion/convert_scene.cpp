@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
-#include <set>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,12 +12,10 @@
 #include "check/in_time.hpp"
 #include "conversion/floor.hpp"
 #include "conversion/own_contacts.hpp"
-#include "conversion/reader_verdict.hpp"
 #include "conversion/refusal.hpp"
 #include "conversion/scene_assets.hpp"
 #include "smurf/conversion.hpp"
 #include "smurf/result_losses.hpp"
-#include "write/parts/scene_parts.hpp"
 
 namespace smurf {
 namespace {
@@ -67,26 +63,6 @@ std::optional<FlatScene> flat_scene(LoadedScene& loaded, const Dialect& dialect,
   return flat;
 }
 
-/// Reports models that the reader of the format refuses, if the result names their files.
-void ask_reader(const Reader& reader, const FlatScene& flat, const FileReader& files,
-                const Limits& limits, LoadedScene& loaded) {
-  std::set<std::string> asked;
-  for (std::size_t i = 0; i < flat.instances.size(); ++i) {
-    const LinkedModel* model = robot_of(loaded.scene, i);
-    if (model == nullptr || !asked.insert(model->urdf_path).second) continue;
-    const ReaderVerdict verdict =
-        verdict_on(model->urdf_path, reader, files, limits, packages_of(loaded));
-    if (verdict.refused.empty()) continue;
-    const xml::View root = model->robot->document.view();
-    loaded.found
-        .report(rules::sml8213_refused_model, root.name_span(),
-                "the result names this file as it is, and " + std::string(reader.title) + " " +
-                    first_of(verdict.refused))
-        .help("name a URDF that `smurf2urdf --preset " + std::string(reader.name) +
-              "` has made of it: it copies meshes to formats that are read");
-  }
-}
-
 /// Fills the text and what belongs to it. Findings are added to those of loading.
 void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
            SceneResult& result) {
@@ -128,7 +104,6 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
                             .most_bytes = limits.scene_bytes};
   if (request.ground) stand_on_floor(*flat, written);
   result.text = format.write(written);
-  if (format.reader != nullptr) ask_reader(*format.reader, *flat, files, limits, loaded);
   result.copies = named_copies(result.copies, result.text, flattening);
   if (result.text.size() > limits.scene_bytes) {
     const Span place{loaded.scene.scenes.front().source, 0, 0};

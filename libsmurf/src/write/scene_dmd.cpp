@@ -6,7 +6,6 @@
 #include <map>
 #include <numbers>
 
-#include "base/findings/readers.hpp"
 #include "base/numbers/exact_math.hpp"
 #include "base/numbers/numbers.hpp"
 #include "write/losses/scene_losses.hpp"
@@ -191,7 +190,6 @@ extern constinit const SceneFormat scene_dmd{
     .remark = "Drake finds the models with parser.package_map().Add(\"scene\", \"FOLDER\")",
     .has_reference_form = true,
     .has_expanded_form = false,
-    .has_contacts = true,
-    .reader = &readers::drake};
+    .has_contacts = true};
 
 }  // namespace smurf::scene_dmd_file

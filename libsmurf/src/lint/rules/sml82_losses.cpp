@@ -137,14 +137,4 @@ extern constinit const Rule sml8212_chosen_value{
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 
-extern constinit const Rule sml8213_refused_model{
-    .id = "SML8213",
-    .name = "refused-model",
-    .severity = Severity::warning,
-    .summary = "The result names the file of a model that its reader refuses.",
-    .why = "Directives name models as they are, so what the reader refuses in a model stays in it.",
-    .remedy = "Name a URDF that `smurf2urdf --preset` has made for the reader.",
-    .sources = "The verdict of `smurf-lint --target`.",
-    .reported_by = Tool::converters};
-
 }  // namespace smurf::rules
