@@ -349,6 +349,27 @@ class UnseenRobots(CasesTest):
         other = self.lint(text.replace('<child link="${ns}arm"/>', '<child link="${other}arm"/>'), "ros,gazebo,mujoco,dart")["targets"]
         self.assertEqual({one["verdict"] for one in other.values()}, {"refuses"})
 
+    def test_meshes_that_nothing_uses(self):
+        base = link("base", INERTIAL + '<visual><geometry><mesh filename="meshes/base.obj"/></geometry></visual>')
+        meshes = [("meshes/base.obj", TETRAHEDRON), ("meshes/base.stl", "of the same part"), ("meshes/arm.obj", TETRAHEDRON)]
+
+        def unused(text, *files, **more):
+            self.setUp()
+            return self.rules(text, files=[*meshes, *files], **more).get("SML1666")
+        self.assertEqual(unused(robot(base)), "info")
+        self.assertEqual(unused(robot(base, "<!-- arm comes later -->")), None)
+        self.assertEqual(unused(robot(base), ("tools.yaml", "part: arm\n")), None)
+        self.assertEqual(unused(robot(base), ("other.urdf", robot(base))), None)
+        self.assertEqual(unused(robot(base), ("notes.yaml", "other: part\n")), "info")
+        # The missing mesh may be the unused one under another name.
+        self.assertEqual(unused(robot(base, link("arm", collision("meshes/arms.obj")))), None)
+        # Other arguments may use it.
+        arm = '<xacro:arg name="part" default="base"/>' + link("arm", collision("meshes/$(arg part).obj"))
+        self.assertEqual(unused(robot(base, arm), name="r.urdf.xacro"), None)
+        for path in ("package://p/", "file://$(find p)/"):
+            text = robot(base.replace("meshes/", path + "meshes/"))
+            self.assertEqual(unused(text, ("package.xml", "<package><name>p</name></package>"), name="r.urdf.xacro"), "info")
+
 
 if __name__ == "__main__":
     LINT = sys.argv.pop(1)

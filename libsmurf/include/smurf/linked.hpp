@@ -144,6 +144,8 @@ struct LinkedModel {
   std::vector<TextureReference> annotation_textures;
   /// Annotation files beside the main file, named like its own, that `files` does not list.
   std::vector<std::string> unlisted_files;
+  /// Paths of mesh files beside those of the robot that nothing in its package names.
+  std::vector<std::string> unused_meshes;
   const UserSchemas* schemas = nullptr;  ///< the schemas that were used for loading; may be null
   /// False when a file is missing or broken: names that seem unknown may be in it.
   bool is_complete = true;

@@ -48,6 +48,7 @@ struct LaunchDescription {
   bool is_wrapped = false;        ///< ParameterValue(..., value_type=str), type="str"
   bool tolerates_errors = false;  ///< a second argument of Command
   LaunchText program;             ///< "xacro"
+  bool lacks_blank = false;       ///< between the program and the path: `Command(['xacro', path])`
   std::optional<LaunchPath> file;
   /// `NAME:=VALUE`.
   struct Argument {
@@ -75,11 +76,20 @@ struct LaunchNode {
   std::vector<LaunchDescription> descriptions;
 };
 
+/// Why a launch file is no XML or YAML.
+struct LaunchFault {
+  Span span;
+  std::string message, help;
+};
+
 /// A launch file, as far as it is known.
 struct LaunchFile {
+  enum class Form : std::uint8_t { python, xml, yaml };
+  Form form = Form::python;
   SourceId source{};
   std::string path, package;
   bool is_ros1 = false;
+  std::optional<LaunchFault> fault;  ///< the first
   std::vector<LaunchNode> nodes;
   std::vector<LaunchPath> paths;  ///< that it gives to nodes, includes and functions
   std::vector<LaunchDescription> descriptions;

@@ -8,6 +8,7 @@
 #include "check/given_arguments.hpp"
 #include "check/launched_values.hpp"
 #include "link/surroundings/load_surroundings.hpp"
+#include "link/unused_meshes.hpp"
 
 namespace smurf {
 namespace {
@@ -83,6 +84,7 @@ void PlannedLoader::load_one_robot(const PlannedFile& planned, LoadContext& cont
     return;
   }
   add_surroundings(robot, context);
+  if (!robot.companions.checks_first_only) find_unused_meshes(model, context);
   outcome.parsed.end_loading(outcome.sources, context.sink);
   outcome.judged =
       judge(robot, outcome.sources, group.selection, context.sink, *context.expansions);

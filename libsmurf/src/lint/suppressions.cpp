@@ -128,6 +128,39 @@ class Suppressions::Reader {
     std::size_t hash, at;
   };
 
+  /// A line without its line end, and its text without the blanks around it.
+  struct Line {
+    std::size_t begin = 0, end = 0;
+    std::size_t text_begin = 0, text_end = 0;
+  };
+
+  /// Finds the lines of places. Call it with places in ascending order; many may share a line.
+  class Lines {
+   public:
+    explicit Lines(std::string_view text) : text_(text) { look_around(0); }
+
+    const Line& around(std::size_t at) {
+      if (at < line_.begin || at > line_.end) look_around(at);
+      return line_;
+    }
+
+   private:
+    void look_around(std::size_t at) {
+      const std::size_t before = at == 0 ? std::string_view::npos : text_.rfind('\n', at - 1);
+      line_.begin = before == std::string_view::npos ? 0 : before + 1;
+      line_.end = std::min(text_.find('\n', at), text_.size());
+      line_.text_begin = line_.begin;
+      while (line_.text_begin < line_.end && is_space(text_[line_.text_begin])) ++line_.text_begin;
+      line_.text_end = line_.end;
+      while (line_.text_end > line_.text_begin && is_space(text_[line_.text_end - 1])) {
+        --line_.text_end;
+      }
+    }
+
+    std::string_view text_;
+    Line line_;
+  };
+
   std::vector<Marker> markers_in(const yaml::Document& document) const {
     std::vector<Marker> markers;
     for (std::size_t at = text_.find(kMarker); at != std::string_view::npos;

@@ -189,19 +189,28 @@ class PythonLaunch {
                inner->callee.find("process_file") != std::string::npos) {
       found.form = LaunchDescription::Form::expanded;
       if (!inner->items.empty()) found.file = path_of(texts_.of(inner->items.front()), find_);
-      found.has_unknown_words = true;
+      mappings(inner->find("mappings"), found);
     } else if (inner->is_call("open.read") && !inner->items.empty()) {
       found.form = LaunchDescription::Form::content;
       found.file = path_of(texts_.of(inner->items.front()), find_);
     } else if (inner->is_text()) {
-      const LaunchText text = texts_.of(*inner);
-      if (text.is_known && !text.package.empty()) {
-        found.form = LaunchDescription::Form::path;
-        found.file = path_of(text, find_);
-      }
+      launch::read_path(texts_.of(*inner), find_, found);
     }
     file_.descriptions.push_back(found);
     node.descriptions.push_back(std::move(found));
+  }
+
+  /// `mappings={'name': 'value'}` of xacro.process_file.
+  void mappings(const Value* given, LaunchDescription& found) const {
+    found.has_unknown_words = given == nullptr || given->kind != Value::Kind::mapping;
+    if (found.has_unknown_words) return;
+    for (std::size_t i = 0; i + 1 < given->items.size(); i += 2) {
+      const std::string* name = given->items[i].literal();
+      found.has_unknown_words = found.has_unknown_words || name == nullptr;
+      if (name == nullptr) continue;
+      found.arguments.push_back(
+          {*name, texts_.of(given->items[i + 1]), given->items[i].pieces.front().span});
+    }
   }
 
   const FindLaunchPath& find_;

@@ -8,6 +8,7 @@
 
 #include "smurf/surroundings.hpp"
 #include "smurf/xml.hpp"
+#include "smurf/yaml.hpp"
 
 namespace smurf {
 
@@ -18,5 +19,7 @@ using FindLaunchPath = std::function<void(LaunchPath&)>;
 void read_python_launch(std::string_view text, const FindLaunchPath& find, LaunchFile& file);
 /// A launch file in XML, of ROS 1 or ROS 2.
 void read_xml_launch(const xml::Document& document, const FindLaunchPath& find, LaunchFile& file);
+/// A launch file in YAML, of ROS 2.
+void read_yaml_launch(const yaml::Document& document, const FindLaunchPath& find, LaunchFile& file);
 
 }  // namespace smurf

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/files/path.hpp"
 #include "base/text/words.hpp"
 
 namespace smurf::launch {
@@ -49,6 +50,17 @@ LaunchPath path_of(const LaunchText& text, const FindLaunchPath& find) {
   return path;
 }
 
+void read_path(const LaunchText& text, const FindLaunchPath& find, LaunchDescription& description) {
+  const bool is_in_package = !text.package.empty();
+  const bool is_of_robot =
+      is_one_of(path::to_lower(path::extension(text.text)), {".urdf", ".xacro", ".sdf"}) &&
+      text.text.find_first_of("<\n") == std::string::npos;
+  if (!text.is_known || (!is_in_package && !is_of_robot)) return;
+  description.form = LaunchDescription::Form::path;
+  if (!text.by_default) description.span = text.span;
+  description.file = path_of(text, find);
+}
+
 void read_command(const Value& command, const Texts& texts, const FindLaunchPath& find,
                   LaunchDescription& description) {
   description.form = LaunchDescription::Form::command;
@@ -61,6 +73,9 @@ void read_command(const Value& command, const Texts& texts, const FindLaunchPath
     const std::size_t equals = begin != nullptr ? begin->find(":=") : std::string::npos;
     if (is_first) {
       description.program = text;
+      description.lacks_blank = begin != nullptr && *begin == "xacro" && word.pieces.size() > 1 &&
+                                (word.pieces[1].kind == Piece::Kind::share ||
+                                 word.pieces[1].kind == Piece::Kind::argument);
     } else if (equals != std::string::npos) {
       LaunchDescription::Argument argument;
       argument.name = begin->substr(0, equals);

@@ -75,5 +75,7 @@ LaunchPath path_of(const LaunchText& text, const FindLaunchPath& find);
 /// The words of `xacro FILE NAME:=VALUE`.
 void read_command(const python::Value& command, const Texts& texts, const FindLaunchPath& find,
                   LaunchDescription& description);
+/// A text that is the path of a robot, where the text of the robot is needed.
+void read_path(const LaunchText& text, const FindLaunchPath& find, LaunchDescription& description);
 
 }  // namespace smurf::launch

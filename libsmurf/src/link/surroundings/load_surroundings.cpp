@@ -25,12 +25,17 @@ constexpr std::uint64_t kMostBytes = 1U << 18U;  // of a launch file or a build 
 constexpr std::size_t kMostLaunchFiles = 60;
 constexpr std::size_t kMostPackages = 12;
 
-bool is_python_launch(std::string_view name) {
-  return name.ends_with(".launch.py") || name.ends_with("_launch.py");
-}
-bool is_xml_launch(std::string_view name) {
-  return name.ends_with(".launch") || name.ends_with(".launch.xml") ||
-         name.ends_with("_launch.xml");
+/// By the name of a file, which ends with `.launch.py` or `_launch.py`.
+std::optional<LaunchFile::Form> launch_form_of(std::string_view name) {
+  std::string_view stem = name;
+  stem.remove_suffix(path::extension(name).size());
+  if (name.ends_with(".launch")) return LaunchFile::Form::xml;
+  if (!stem.ends_with(".launch") && !stem.ends_with("_launch")) return std::nullopt;
+  const std::string_view extension = name.substr(stem.size());
+  if (extension == ".py") return LaunchFile::Form::python;
+  if (extension == ".xml") return LaunchFile::Form::xml;
+  if (is_one_of(extension, {".yaml", ".yml"})) return LaunchFile::Form::yaml;
+  return std::nullopt;
 }
 
 /// The texts of elements in a package.xml, with their places.
@@ -64,6 +69,13 @@ Manifest read_manifest(const xml::Document& document) {
     }
   }
   return manifest;
+}
+
+std::optional<LaunchFault> first_error(const DiagnosticSink& found) {
+  for (const Diagnostic& one : found.diagnostics()) {
+    if (one.severity == Severity::error) return LaunchFault{one.span, one.message, one.help_text};
+  }
+  return std::nullopt;
 }
 
 class Loader {
@@ -172,33 +184,40 @@ class Loader {
     }
     for (const std::string& folder : folders) {
       for (const std::string& name : context_.files.list(folder)) {
-        if (!is_python_launch(name) && !is_xml_launch(name)) continue;
+        const auto form = launch_form_of(name);
+        if (!form) continue;
         if (found_.launch_files.size() >= kMostLaunchFiles) return;
-        add_launch_file(path::join(folder, name), package, needed);
+        add_launch_file(path::join(folder, name), *form, package, needed);
       }
     }
   }
 
-  void add_launch_file(const std::string& path, const SurroundingPackage& package,
-                       const std::string& needed) {
+  void add_launch_file(const std::string& path, LaunchFile::Form form,
+                       const SurroundingPackage& package, const std::string& needed) {
     FileContent content = context_.files.read(path, kMostBytes);
     if (content.status != ReadStatus::ok) return;
     if (!needed.empty() && content.text.find(needed) == std::string::npos) return;
     LaunchFile file;
     file.path = path::normalize(path);
     file.package = package.name;
+    file.form = form;
     const SourceId source = context_.sources.add(file.path, std::move(content.text));
     file.source = source;
     const std::string_view text = context_.sources.text(source);
     const FindLaunchPath find = [&](LaunchPath& one) { look_up(one, package, text); };
-    if (is_python_launch(path)) {
+    DiagnosticSink faults(context_.limits);
+    if (form == LaunchFile::Form::python) {
       read_python_launch(text, find, file);
+    } else if (form == LaunchFile::Form::yaml) {
+      const auto document = parse_yaml(context_.sources, source, context_.limits, faults);
+      if (document) read_yaml_launch(*document, find, file);
+      // PyYAML loads some of what is an error of a model, such as a repeated key.
+      if (!document) file.fault = first_error(faults);
     } else {
-      DiagnosticSink ignored(context_.limits);
-      const auto document = parse_xml(context_.sources, source, context_.limits, ignored);
-      if (!document) return;
+      const auto document = parse_xml(context_.sources, source, context_.limits, faults);
       file.is_ros1 = !package.is_ament;
-      read_xml_launch(*document, find, file);
+      if (document) read_xml_launch(*document, find, file);
+      file.fault = first_error(faults);
     }
     const std::string robot = context_.files.identity(model_.urdf_path);
     const auto mark = [&](LaunchDescription& one) {

@@ -240,16 +240,10 @@ class Reader {
     if (is_end()) return value;
     ++at_;
     if (token.kind == Token::Kind::text) {
-      if (token.is_format) {
-        value.kind = Value::Kind::text;
-        value.pieces.push_back({Piece::Kind::unknown, "", token.span});
-      } else {
-        value = text_of(token.value, token.span);
-      }
+      value = text_of(token);
       while (peek().kind == Token::Kind::text) {
-        Value next = peek().is_format ? unknown(peek().span) : text_of(peek().value, peek().span);
+        value = join_texts({value, text_of(peek())}, "");
         ++at_;
-        value = join_texts({value, next}, "");
       }
     } else if (token.kind == Token::Kind::name) {
       const auto known = values_.find(token.text);
@@ -281,6 +275,28 @@ class Reader {
       take("}");
     }
     return value;
+  }
+
+  /// The text of a token. Of an expression in braces, only a name that is known is replaced.
+  Value text_of(const Token& token) const {
+    if (!token.is_format) return python::text_of(token.value, token.span);
+    std::vector<Value> parts;
+    std::string_view rest = token.value;
+    while (!rest.empty()) {
+      const std::size_t open = rest.find('{');
+      if (open > 0) parts.push_back(python::text_of(std::string(rest.substr(0, open)), token.span));
+      if (open == std::string_view::npos) break;
+      const std::size_t close = rest.find('}', open);
+      const auto known = close == std::string_view::npos
+                             ? values_.end()
+                             : values_.find(rest.substr(open + 1, close - open - 1));
+      parts.push_back(known != values_.end() && known->second.is_text() ? known->second
+                                                                        : unknown(token.span));
+      rest.remove_prefix(close == std::string_view::npos ? rest.size() : close + 1);
+    }
+    Value text = join_texts(parts, "");
+    text.span = token.span;
+    return text;
   }
 
   std::vector<Value> elements(std::string_view close, int depth, bool* has_comma = nullptr) {
@@ -342,6 +358,13 @@ class Reader {
         value.items.insert(value.items.begin(), object->items.begin(), object->items.end());
         value.named.insert(value.named.end(), object->named.begin(), object->named.end());
         value.span = object->span;
+        file_.calls.push_back(value);
+        return value;
+      }
+      if (object->is_text() && last == "read_text") {  // of a Path
+        value.callee = "open.read";
+        value.span = object->pieces.back().span;
+        value.items = {std::move(*object)};
         file_.calls.push_back(value);
         return value;
       }

@@ -13,6 +13,11 @@ void for_each_launch(const Companions& companions,
   for (const LaunchFile& one : companions.surroundings.launch_files) visit(one);
 }
 
+std::string_view xacro_call(const LaunchFile& launch) {
+  if (launch.form == LaunchFile::Form::python) return "`Command(['xacro ', path])`";
+  return launch.is_ros1 ? "`command=\"xacro PATH\"`" : "`$(command 'xacro PATH')`";
+}
+
 bool runs(const LaunchNode& node, std::string_view package, std::string_view executable) {
   return node.package.is_known && node.executable.is_known && node.package.text == package &&
          node.executable.text == executable;

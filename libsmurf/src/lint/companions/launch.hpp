@@ -17,6 +17,9 @@ namespace smurf {
 void for_each_launch(const Companions& companions,
                      const std::function<void(const LaunchFile&)>& visit);
 
+/// How a launch file gives the output of xacro as a parameter: "`Command(['xacro ', path])`".
+std::string_view xacro_call(const LaunchFile& launch);
+
 /// Whether a node runs this program of a package.
 bool runs(const LaunchNode& node, std::string_view package, std::string_view executable);
 

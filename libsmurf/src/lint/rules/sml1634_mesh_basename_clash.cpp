@@ -51,7 +51,7 @@ constexpr Fact kFacts[] = {
 extern constinit const Rule sml1634_mesh_basename_clash{
     .id = "SML1634",
     .name = "mesh-basename-clash",
-    .severity = Severity::error,
+    .severity = Severity::warning,
     .summary = "Two collision meshes have the same file name in different folders or formats.",
     .remedy = "Rename one of them.",
     .check_model = check,

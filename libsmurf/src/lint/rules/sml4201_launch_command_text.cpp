@@ -15,7 +15,10 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
           .report(one.span, "the output of this command is read as YAML, which the text of the "
                             "robot is not")
           .label(*companions.surroundings.not_yaml, "YAML ends here")
-          .help("write `ParameterValue(Command(...), value_type=str)`");
+          .help(launch.form == LaunchFile::Form::python
+                    ? "write `ParameterValue(Command(...), value_type=str)`"
+                : launch.form == LaunchFile::Form::xml ? "add `type=\"str\"`"
+                                                       : "add `type: str`");
     }
   });
 }

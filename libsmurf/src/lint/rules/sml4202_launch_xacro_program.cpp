@@ -7,7 +7,14 @@ namespace {
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_launch(companions, [&](const LaunchFile& launch) {
     for (const LaunchDescription& one : launch.descriptions) {
-      if (one.form != LaunchDescription::Form::command || !one.program.is_known) continue;
+      if (one.form != LaunchDescription::Form::command) continue;
+      if (one.lacks_blank) {
+        findings
+            .report(one.span, "no blank stands between `xacro` and the path, so both are the name "
+                              "of one program")
+            .help("write a blank behind `xacro`");
+      }
+      if (!one.program.is_known) continue;
       const std::string_view program = one.program.text;
       if (program == "xacro.py" || program.ends_with("/xacro.py")) {
         findings.report(one.program.span, "there is no program `xacro.py` any more")
@@ -32,7 +39,7 @@ extern constinit const Rule sml4202_launch_xacro_program{
     .name = "launch-xacro-program",
     .severity = Severity::error,
     .summary = "A launch file calls xacro by a name or with an option that ends the launch.",
-    .remedy = "Call `xacro` without `--inorder`.",
+    .remedy = "Call `xacro`, with a blank behind it and without `--inorder`.",
     .check_companions = check,
     .facts = kFacts};
 

@@ -44,7 +44,9 @@ void check_one(const LaunchDescription& one, const std::vector<XacroArgument>& k
                                       ", which has no default");
     found.severity = Severity::error;
     found.when(kMissing);
-    found.help("add `" + argument.name + ":=...` to the command");
+    found.help(one.form == LaunchDescription::Form::expanded
+                   ? "add " + quoted(argument.name) + " to `mappings`"
+                   : "add `" + argument.name + ":=...` to the command");
   }
 }
 
@@ -53,8 +55,9 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
   if (!all.is_xacro || (!all.is_expanded && all.arguments.empty())) return;
   for_each_launch(companions, [&](const LaunchFile& launch) {
     for (const LaunchDescription& one : launch.descriptions) {
-      const bool is_command = one.form == LaunchDescription::Form::command;
-      if (is_command && one.is_of_robot) check_one(one, all.arguments, findings);
+      const bool is_xacro = one.form == LaunchDescription::Form::command ||
+                            one.form == LaunchDescription::Form::expanded;
+      if (is_xacro && one.is_of_robot) check_one(one, all.arguments, findings);
     }
   });
 }

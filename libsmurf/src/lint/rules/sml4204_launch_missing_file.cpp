@@ -33,7 +33,8 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
       if (told.insert(one.path).second) report(one, is_robot, findings);
     };
     for (const LaunchDescription& one : launch.descriptions) {
-      if (one.file) look_at(*one.file, true);
+      // A path that is given as the text of the robot is never opened.
+      if (one.file && one.form != LaunchDescription::Form::path) look_at(*one.file, true);
     }
     for (const LaunchPath& one : launch.paths) look_at(one, false);
   });

@@ -17,18 +17,18 @@ bool is_xacro(const LaunchDescription& one) {
   return one.file && (one.file->text.text.ends_with(".xacro"));
 }
 
-void check_form(const LaunchDescription& one, Findings& findings) {
+void check_form(const LaunchFile& launch, const LaunchDescription& one, Findings& findings) {
   if (one.form == LaunchDescription::Form::content && is_xacro(one) && one.file->text.is_known) {
     Diagnostic& found = findings.report(
         one.span, "the robot is given as it is written, with its macros; xacro does "
                   "not expand it");
     if (one.file->text.by_default) found.severity = Severity::warning;
-    found.when(kMacros).help(
-        "write `Command(['xacro ', path])` in ROS 2, `command=\"xacro ...\"` in ROS 1");
+    found.when(kMacros).help("write " + std::string(xacro_call(launch)));
   } else if (one.form == LaunchDescription::Form::path) {
-    findings.report(one.span, "`robot_description` is the path of the file, not its text")
-        .when(kPath)
-        .help("give the text of the file: `Command(['xacro ', path])`");
+    Diagnostic& found =
+        findings.report(one.span, "`robot_description` is the path of the file, not its text");
+    if (one.file->text.by_default) found.severity = Severity::warning;
+    found.when(kPath).help("give the text of the file: " + std::string(xacro_call(launch)));
   }
 }
 
@@ -48,7 +48,7 @@ void check_node(const LaunchNode& node, Findings& findings) {
 
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_launch(companions, [&](const LaunchFile& launch) {
-    for (const LaunchDescription& one : launch.descriptions) check_form(one, findings);
+    for (const LaunchDescription& one : launch.descriptions) check_form(launch, one, findings);
     for (const LaunchNode& node : launch.nodes) check_node(node, findings);
   });
 }

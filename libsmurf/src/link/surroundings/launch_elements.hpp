@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The elements of a launch file in XML or YAML: one form for both.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "link/surroundings/launch_reader.hpp"
+#include "smurf/source.hpp"
+
+namespace smurf::launch {
+
+/// `exec="rviz2"` in XML, `exec: rviz2` in YAML.
+struct Attribute {
+  std::string name, value;
+  Span span;  ///< of the value
+};
+
+/// `<node .../>` in XML, an item `node:` of a list in YAML.
+struct Element {
+  std::string name;
+  Span span;  ///< of the name
+  std::vector<Attribute> attributes;
+  std::vector<Element> children;
+
+  /// Null if the element does not have it.
+  const Attribute* attribute(std::string_view wanted) const;
+};
+
+/// Adds what the elements in `root` start.
+void read_elements(const Element& root, const FindLaunchPath& find, LaunchFile& file);
+
+}  // namespace smurf::launch
