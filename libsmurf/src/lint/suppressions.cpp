@@ -22,39 +22,6 @@ std::uint32_t offset(std::size_t size) { return static_cast<std::uint32_t>(size)
 
 bool is_known(std::string_view name) { return !rules_matching(name).empty(); }
 
-/// A line without its line end, and its text without the blanks around it.
-struct Line {
-  std::size_t begin = 0, end = 0;
-  std::size_t text_begin = 0, text_end = 0;
-};
-
-/// Finds the lines of places. Call it with places in ascending order; many may share a line.
-class Lines {
- public:
-  explicit Lines(std::string_view text) : text_(text) { look_around(0); }
-
-  const Line& around(std::size_t at) {
-    if (at < line_.begin || at > line_.end) look_around(at);
-    return line_;
-  }
-
- private:
-  void look_around(std::size_t at) {
-    const std::size_t before = at == 0 ? std::string_view::npos : text_.rfind('\n', at - 1);
-    line_.begin = before == std::string_view::npos ? 0 : before + 1;
-    line_.end = std::min(text_.find('\n', at), text_.size());
-    line_.text_begin = line_.begin;
-    while (line_.text_begin < line_.end && is_space(text_[line_.text_begin])) ++line_.text_begin;
-    line_.text_end = line_.end;
-    while (line_.text_end > line_.text_begin && is_space(text_[line_.text_end - 1])) {
-      --line_.text_end;
-    }
-  }
-
-  std::string_view text_;
-  Line line_;
-};
-
 /// Whether smurf-lint reports all findings of the rules of that name here. Findings that depend on
 /// targets are reported only if all readers with a fact are targets. Findings of the other tools
 /// (SML6, SML8) are never reported.
@@ -123,6 +90,39 @@ class Suppressions::Reader {
   }
 
  private:
+  /// A line without its line end, and its text without the blanks around it.
+  struct Line {
+    std::size_t begin = 0, end = 0;
+    std::size_t text_begin = 0, text_end = 0;
+  };
+
+  /// Finds the lines of places. Call it with places in ascending order; many may share a line.
+  class Lines {
+   public:
+    explicit Lines(std::string_view text) : text_(text) { look_around(0); }
+
+    const Line& around(std::size_t at) {
+      if (at < line_.begin || at > line_.end) look_around(at);
+      return line_;
+    }
+
+   private:
+    void look_around(std::size_t at) {
+      const std::size_t before = at == 0 ? std::string_view::npos : text_.rfind('\n', at - 1);
+      line_.begin = before == std::string_view::npos ? 0 : before + 1;
+      line_.end = std::min(text_.find('\n', at), text_.size());
+      line_.text_begin = line_.begin;
+      while (line_.text_begin < line_.end && is_space(text_[line_.text_begin])) ++line_.text_begin;
+      line_.text_end = line_.end;
+      while (line_.text_end > line_.text_begin && is_space(text_[line_.text_end - 1])) {
+        --line_.text_end;
+      }
+    }
+
+    std::string_view text_;
+    Line line_;
+  };
+
   using Range = std::pair<std::uint32_t, std::uint32_t>;
   struct Marker {
     std::size_t hash, at;

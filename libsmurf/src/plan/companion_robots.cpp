@@ -71,8 +71,8 @@ const std::string& CompanionRobots::text_of(const Project& project, const std::s
   for (std::size_t i = 0; i < files.size() && text.size() < kMostBytesOfText; ++i) {
     const std::string one = files_.read(files[i], kMostBytesOfText).text;
     // A xacro may also include a URDF, which is no xacro file of the project.
-    for (const TextRange place : read_xacro_text(one).includes) {
-      const std::string_view name = path::file_name(place.of(one));
+    for (const TextRange included : read_xacro_text(one).includes) {
+      const std::string_view name = path::file_name(included.of(one));
       if (!name.ends_with(".urdf") || name.find_first_of("${}") != name.npos) continue;
       const std::string beside = path::join(path::parent(files[i]), std::string(name));
       const bool is_new_file = std::find(files.begin(), files.end(), beside) == files.end();
