@@ -27,6 +27,7 @@ class Facts {
       if (section == "tendon") lost(one.element, "tendons");
       if (section == "deformable") lost(one.element, "soft bodies");
     }
+    contacts();
     return std::move(facts_);
   }
 
@@ -36,6 +37,28 @@ class Facts {
         .report(rules::sml9304_lost_in_urdf, element.name_span(),
                 "a URDF has no " + what + ", so this one is lost")
         .help("keep the MJCF for it");
+  }
+
+  /// All of them are one finding, since there are often hundreds.
+  void contacts() {
+    for (const auto& [kind, what] : {std::pair{"exclude", "pairs of links that do not touch"},
+                                     std::pair{"pair", "contacts of two shapes"}}) {
+      std::size_t count = 0;
+      View first;
+      for (const Reference& one : model_.sections) {
+        if (one.section != "contact" || one.element.name() != kind) continue;
+        if (count++ == 0) first = one.element;
+      }
+      if (count == 0) continue;
+      reporter_
+          .report(rules::sml9304_lost_in_urdf, first.name_span(),
+                  "a URDF has no " + std::string(what) + ", so " +
+                      (count == 1 ? "this one is" : "these " + std::to_string(count) + " are") +
+                      " lost")
+          .help(std::string_view(kind) == "exclude"
+                    ? "write them into an SRDF, as `<disable_collisions>`"
+                    : "keep the MJCF for them");
+    }
   }
 
   const Joint* joint(const Attribute* name, const Surroundings& around) const {
@@ -76,11 +99,15 @@ class Facts {
       is_active = truth_of(*active, reporter_).value_or(true);
     if (!is_active) return;
     if (element.name() == "connect" || element.name() == "weld") {
+      if (auto loop = closed_loop(model_, one, Settings(element, of_class), reporter_)) {
+        facts_.loops.push_back(std::move(*loop));
+        return;
+      }
       const std::string ends = end_of(element, "1") + " and " + end_of(element, "2");
       reporter_
           .report(rules::sml9304_lost_in_urdf, element.name_span(),
                   "a URDF is a tree, and " + quoted(element.name()) + " of " + ends +
-                      " closes a loop, so it is lost")
+                      " closes a loop whose ends do not meet at zero, so it is lost")
           .help("keep the MJCF for it");
       return;
     }

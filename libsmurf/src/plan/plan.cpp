@@ -16,6 +16,7 @@
 #include "base/files/path_patterns.hpp"
 #include "base/files/places.hpp"
 #include "base/findings/limits.hpp"
+#include "link/imported_world.hpp"
 #include "mjcf/mjcf.hpp"
 #include "plan/ignore_files.hpp"
 #include "plan/models_around.hpp"
@@ -318,6 +319,10 @@ class Planner {
 
   void add_file(const std::string& path) {
     if (is_other_xml(path)) return add_other(path);
+    if (is_world_file(path, files_, settings_.limits)) {
+      add(plan_.scenes, path);
+      return;
+    }
     switch (input_kind(path)) {
     case InputKind::scene:
     case InputKind::drawing: add(plan_.scenes, path); return;

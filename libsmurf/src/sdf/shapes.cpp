@@ -9,6 +9,7 @@
 #include "base/numbers/exact_math.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
+#include "imports/joint_xml.hpp"
 #include "sdf/colours.hpp"
 
 namespace smurf::sdformat {
@@ -88,6 +89,10 @@ Pose pose_of_shape(View owner, const Link& link, Frames& frames) {
          frames.express(scope, name->value(), name->value_span()) * raw;
 }
 
+bool becomes_ground(const Model& model, const Link& link) {
+  return model.is_entity && link.is_static;
+}
+
 bool ShapeWriter::has_geometry(const Shape& shape) {
   const auto lost = [&](std::string what, std::string help) {
     reporter_
@@ -126,6 +131,7 @@ void ShapeWriter::write(const Link& link) {
 
 void ShapeWriter::one(const Link& link, View element) {
   const Shape shape = read_shape(element);
+  if (shape.kind == Shape::Kind::heightmap && becomes_ground(model_, link)) return;
   if (!has_geometry(shape)) return;
   const xacro::FrameId frame = link.vertex->scope->frame;
   const Place tag = tag_of(element, frame);
@@ -139,14 +145,7 @@ void ShapeWriter::one(const Link& link, View element) {
   Pose X = pose_of_shape(element, link, frames_);
   if (shape.kind == Shape::Kind::plane)
     X = X * Pose{{}, turn_from_z(shape.normal)} * Pose{{0, 0, -kThickness / 2}, {}};
-  const Vector3 rpy = to_rpy(X.orientation);
-  if (rpy != Vector3{} || X.position != Vector3{}) {
-    const Place of_pose = place_in(element, "pose", frame);
-    xml_.open("origin", tag);
-    if (rpy != Vector3{}) xml_.attribute("rpy", words_of(rpy), of_pose);
-    xml_.attribute("xyz", words_of(X.position), of_pose);
-    xml_.close();
-  }
+  imports::add_origin(xml_, X, tag, place_in(element, "pose", frame));
   xml_.open("geometry", tag);
   geometry(shape, link);
   xml_.close();
