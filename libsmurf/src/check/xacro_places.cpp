@@ -90,7 +90,8 @@ void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& source
   std::erase_if(found, [&](const Diagnostic& diagnostic) {
     const auto expansion = expansions.find(diagnostic.span.source);
     const bool is_about_masses = diagnostic.rule->id.starts_with("SML15");
-    return expansion != expansions.end() &&
+    // What a conversion loses was written in some way.
+    return expansion != expansions.end() && diagnostic.rule->reported_by == Tool::lint &&
            (diagnostic.severity != Severity::error || is_about_masses) &&
            imports::is_made(expansion->second, diagnostic.span);
   });

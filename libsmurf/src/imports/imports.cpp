@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"
 #include "base/text/words.hpp"
@@ -59,6 +60,16 @@ bool is_made(const xacro::Expansion& result, Span part) {
 Diagnostic& Reporter::report(const Rule& rule, Span place, std::string message) {
   if (!known_.insert({&rule, place.source, place.begin}).second) return ignored_ = {};
   return context_.sink.report(rule, place, std::move(message));
+}
+
+Diagnostic& Reporter::lose(Span place, std::string message, std::string_view others) {
+  Diagnostic& found = report(rules::sml9304_lost_in_urdf, place, std::move(message));
+  found.others_are = others;
+  // FNV-1a: the same text is the same habit.
+  found.habit = 2166136261U;
+  for (const char c : others)
+    found.habit = (found.habit ^ static_cast<unsigned char>(c)) * 16777619U;
+  return found;
 }
 
 Diagnostic& Reporter::refuse(Span place, std::string message, std::string help) {

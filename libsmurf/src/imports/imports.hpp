@@ -64,6 +64,8 @@ class Reporter {
   /// A file is not there.
   Diagnostic& miss(Span place, std::string message, std::string help);
   Diagnostic& report(const Rule& rule, Span place, std::string message);
+  /// The result lacks something. `others`, such as "lost tendons": all of a file are one finding.
+  Diagnostic& lose(Span place, std::string message, std::string_view others);
   bool has_refused() const { return has_refused_; }
   Context& context() { return context_; }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
@@ -16,6 +17,8 @@ namespace smurf::mjcf {
 namespace {
 
 using imports::yaml_text;
+
+const std::string kNoLimit = "1e+16";
 
 class AnnotationWriter {
  public:
@@ -52,8 +55,10 @@ class AnnotationWriter {
   }
 
   void lost(const Reference& one, std::string what) {
-    reporter_.report(rules::sml9304_lost_in_urdf, one.element.name_span(), std::move(what))
-        .help("keep the MJCF for it");
+    const std::string_view others = one.section == "sensor"     ? "lost sensors"
+                                    : one.section == "actuator" ? "lost motors"
+                                                                : "lost values";
+    reporter_.lose(one.element.name_span(), std::move(what), others).help("keep the MJCF for it");
   }
 
   void actuator(const Reference& one) {
@@ -79,25 +84,40 @@ class AnnotationWriter {
     const Place tag{one.element.name_span(), one.element.tag_span(), one.around.frame};
     line("- ", "name", yaml_text(joint->first), tag);
     line("  ", "joint", yaml_text(joint->first), s.place({"joint", "jointinparent"}));
+    // A command and a force are those of the motor, before the gear.
+    std::array<double, 6> gears{1, 0, 0, 0, 0, 0};
+    s.numbers("gear", gears, 1, reporter_);
+    const double gear = gears[0] != 0 && std::isfinite(gears[0]) ? gears[0] : 1;
     line("  ", "type", holds ? "PID" : kind == "motor" ? "direct_effort" : "DC", tag);
     if (holds) {
       line("  ", "p", format_number(s.number("kp", 1, reporter_)), s.place({"kp"}));
       line("  ", "i", "0", tag);
       line("  ", "d", format_number(s.number("kv", 0, reporter_)), s.place({"kv"}));
+      line("  ", "kp", format_number(gear * gear * s.number("kp", 1, reporter_)),
+           s.place({"kp", "gear"}));
+    }
+    if (holds || kind == "velocity") {
+      const double kv = s.number("kv", holds ? 0 : 1, reporter_);
+      line("  ", "kv", format_number(gear * gear * kv), s.place({"kv", "gear"}));
     }
     std::array<double, 2> range{};
     const bool is_limited = s.text("ctrllimited") != "false" &&
                             s.numbers("ctrlrange", range, 2, reporter_) == 2 && range[0] < range[1];
+    for (double& bound : range) bound /= gear;
+    if (gear < 0) std::swap(range[0], range[1]);
     if (is_limited && holds) {
-      line("  ", "minValue", format_number(range[0]), s.place({"ctrlrange"}));
-      line("  ", "maxValue", format_number(range[1]), s.place({"ctrlrange"}));
+      line("  ", "minValue", format_number(range[0]), s.place({"ctrlrange", "gear"}));
+      line("  ", "maxValue", format_number(range[1]), s.place({"ctrlrange", "gear"}));
     } else if (is_limited && kind == "velocity") {
       line("  ", "maxSpeed", format_number(std::max(std::fabs(range[0]), std::fabs(range[1]))),
            s.place({"ctrlrange"}));
     }
-    if (const auto effort = effort_of(s, reporter_)) {
-      line("  ", "maxEffort", format_number(*effort), s.place({"forcerange", "ctrlrange", "gear"}));
-    }
+    // Readers of SMURF take what is not written as 0, and MuJoCo as no limit.
+    if (kind != "motor" && !(is_limited && kind == "velocity"))
+      line("  ", "maxSpeed", kNoLimit, tag);
+    const auto effort = effort_of(s, reporter_);
+    line("  ", "maxEffort", effort ? format_number(*effort) : kNoLimit,
+         s.place({"forcerange", "ctrlrange", "gear"}));
   }
 
   /// Sensors of joints and links; those with a place on a link are in `<gazebo>`.

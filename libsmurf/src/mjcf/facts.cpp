@@ -24,18 +24,16 @@ class Facts {
       const std::string_view section = one.section;
       if (section == "equality") equality(one);
       if (section == "actuator") actuator(one);
-      if (section == "tendon") lost(one.element, "tendons");
-      if (section == "deformable") lost(one.element, "soft bodies");
+      if (section == "tendon") lost(one.element, "tendons", "lost tendons");
+      if (section == "deformable") lost(one.element, "soft bodies", "lost soft bodies");
     }
     contacts();
     return std::move(facts_);
   }
 
  private:
-  void lost(View element, const std::string& what) {
-    reporter_
-        .report(rules::sml9304_lost_in_urdf, element.name_span(),
-                "a URDF has no " + what + ", so this one is lost")
+  void lost(View element, const std::string& what, std::string_view others) {
+    reporter_.lose(element.name_span(), "a URDF has no " + what + ", so this one is lost", others)
         .help("keep the MJCF for it");
   }
 
@@ -111,7 +109,9 @@ class Facts {
           .help("keep the MJCF for it");
       return;
     }
-    if (element.name() != "joint") return lost(element, "equality of this kind");
+    if (element.name() != "joint") {
+      return lost(element, "equality of this kind", "lost equalities");
+    }
     const Attribute* first = element.attribute("joint1");
     const Joint* follower = joint(first, one.around);
     if (follower == nullptr) return;
@@ -123,8 +123,8 @@ class Facts {
     if (second != nullptr && leader == nullptr) return;
     if (leader == nullptr) {
       reporter_
-          .report(rules::sml9304_lost_in_urdf, element.name_span(),
-                  "a joint of a URDF cannot be held at a value, so this is lost")
+          .lose(element.name_span(), "a joint of a URDF cannot be held at a value, so this is lost",
+                "held joints")
           .help("delete the joint, so that its body is fixed");
       return;
     }
@@ -159,9 +159,10 @@ class Facts {
       for (const std::string_view target : {"tendon", "site", "body", "slidersite", "cranksite"}) {
         if (one.element.attribute(target) == nullptr) continue;
         reporter_
-            .report(rules::sml9304_lost_in_urdf, one.element.name_span(),
-                    "a motor of SMURF moves a joint, not a " + std::string(target) +
-                        ", so this actuator is lost")
+            .lose(one.element.name_span(),
+                  "a motor of SMURF moves a joint, not a " + std::string(target) +
+                      ", so this actuator is lost",
+                  "lost actuators")
             .help("keep the MJCF for it");
         return;
       }

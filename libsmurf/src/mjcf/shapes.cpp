@@ -141,8 +141,8 @@ std::string ShapeWriter::mesh_path(const Geom& geom, const Settings& mesh) const
 bool ShapeWriter::has_geometry(const Geom& geom) {
   const auto lost = [&](std::string what, std::string help) {
     reporter_
-        .report(rules::sml9304_lost_in_urdf, place(geom, {"type", "mesh"}).origin,
-                "a URDF has no " + what + ", so this shape is lost")
+        .lose(place(geom, {"type", "mesh"}).origin,
+              "a URDF has no " + what + ", so this shape is lost", "lost shapes")
         .help(std::move(help));
     return false;
   };

@@ -39,8 +39,8 @@ void ExtensionWriter::write_all() {
 
 void ExtensionWriter::lost(View element) {
   reporter_
-      .report(rules::sml9304_lost_in_urdf, element.name_span(),
-              "a URDF has no " + quoted(element.name()) + ", so this one is lost")
+      .lose(element.name_span(),
+            "a URDF has no " + quoted(element.name()) + ", so this one is lost", "lost elements")
       .help("keep the SDF for it");
 }
 

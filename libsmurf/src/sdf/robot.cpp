@@ -233,7 +233,8 @@ class RobotWriter {
     Place place = place_in(element, "xyz", frame);
     place.is_exact = text_in(element, "xyz") == words_of(v);
     xml_.open("axis", tag_of(element, frame));
-    xml_.attribute("xyz", words_of(v), place);
+    // Rules on rounding are meant for what was written.
+    xml_.attribute("xyz", words_of(v), place, !place.is_exact);
     xml_.close();
   }
 

@@ -96,8 +96,8 @@ bool becomes_ground(const Model& model, const Link& link) {
 bool ShapeWriter::has_geometry(const Shape& shape) {
   const auto lost = [&](std::string what, std::string help) {
     reporter_
-        .report(rules::sml9304_lost_in_urdf, shape.element.name_span(),
-                "a URDF has no " + what + ", so this shape is lost")
+        .lose(shape.element.name_span(), "a URDF has no " + what + ", so this shape is lost",
+              "lost shapes")
         .help(std::move(help));
     return false;
   };
@@ -112,8 +112,8 @@ bool ShapeWriter::has_geometry(const Shape& shape) {
     if (text_in(shape.element, "uri").empty()) return false;
     if (const View part = shape.element.child("submesh")) {
       reporter_
-          .report(rules::sml9304_lost_in_urdf, part.name_span(),
-                  "a URDF has no parts of a mesh, so the whole mesh is shown")
+          .lose(part.name_span(), "a URDF has no parts of a mesh, so the whole mesh is shown",
+                "such meshes")
           .help("write the part into a file of its own");
     }
     return true;
@@ -179,6 +179,13 @@ void ShapeWriter::geometry(const Shape& shape, const Link& link) {
   case Shape::Kind::mesh: {
     xml_.open("mesh", tag);
     const View uri = e.child("uri");
+    const SdfFile& file = *link.vertex->scope->file;
+    if (text_of(uri).starts_with("model://") && files_.path_of(text_of(uri), file).empty()) {
+      reporter_
+          .lose(uri.text_span(), "there is no " + quoted(text_of(uri)) + ", so this shape is lost",
+                "lost meshes")
+          .help("put the folder of the model beside that of this one or into `models`");
+    }
     Place place = place_of(uri, frame);
     place.is_exact = true;
     xml_.attribute("filename", files_.resource(text_of(uri), *link.vertex->scope->file), place);
@@ -215,8 +222,9 @@ std::optional<ShapeWriter::Colour> ShapeWriter::colour(View visual, xacro::Frame
     const View lost = material.child("pbr") ? material.child("pbr") : script;
     if (lost) {
       reporter_
-          .report(rules::sml9304_lost_in_urdf, lost.name_span(),
-                  "a material of a URDF has one colour and one picture, so this one is lost")
+          .lose(lost.name_span(),
+                "a material of a URDF has one colour and one picture, so this one is lost",
+                "lost materials")
           .help("write `<diffuse>` for readers of the URDF");
     }
     return std::nullopt;

@@ -82,8 +82,9 @@ class WorldWriter {
     std::vector<std::tuple<View, Pose>> grounds;  ///< heightmaps, in the frame of the model
   };
 
-  void lost(Span place, std::string message, std::string help) {
-    reporter_.report(rules::sml9304_lost_in_urdf, place, std::move(message)).help(std::move(help));
+  void lost(Span place, std::string message, std::string help,
+            std::string_view others = "lost elements") {
+    reporter_.lose(place, std::move(message), others).help(std::move(help));
   }
 
   /// The model of a world that an element is in.
@@ -337,7 +338,7 @@ class WorldWriter {
       lost(one.name_span(),
            "a scene of SMURF has no plugins of Gazebo, so " + quoted(name) +
                " and others of this world are lost",
-           "keep the SDF for them");
+           "keep the SDF for them", "lost plugins");
       break;
     }
     bool is_second = false;
