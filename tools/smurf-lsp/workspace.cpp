@@ -15,6 +15,7 @@
 #include "smurf-lsp/uri.hpp"
 #include "smurf/config.hpp"
 #include "smurf/confine.hpp"
+#include "smurf/found_inputs.hpp"
 
 namespace smurf::lsp {
 namespace {
@@ -26,11 +27,8 @@ bool decides_plan(const std::string& path) {
   return is_config(path) || input_kind(path) == InputKind::model;
 }
 
-bool is_checkable(const std::string& path) {
-  // Most of these are no robots.
-  const std::string extension = path::to_lower(path::extension(path));
-  if (extension == ".xml" || extension == ".sdf" || extension == ".world")
-    return is_companion_path(path);
+bool is_checkable(const std::string& path, std::string_view text) {
+  if (may_be_imported(path)) return is_imported(text);
   switch (input_kind(path)) {
   case InputKind::model:
   case InputKind::scene:
@@ -261,7 +259,7 @@ tools::LintPlan Workspace::make_plan(const std::vector<std::string>& paths) cons
 std::vector<std::string> Workspace::checkable_documents() const {
   std::vector<std::string> paths;
   for (const auto& [path, document] : documents_) {
-    if (is_checkable(path)) paths.push_back(path);
+    if (is_checkable(path, document.text)) paths.push_back(path);
   }
   return paths;
 }
@@ -315,7 +313,7 @@ void Workspace::load() {
     all = make_plan(paths);
   }
   for (const auto& [path, document] : documents_) {
-    const bool is_tree = is_checkable(path) || is_config(path);
+    const bool is_tree = is_checkable(path, document.text) || is_config(path);
     if (is_tree && input_kind(path) != InputKind::scene) all.others.push_back({path, 0});
   }
   CheckSettings settings = settings_of_check();

@@ -128,7 +128,7 @@ class Comparison {
   }
 
   void add_object(std::string& out, std::size_t i) const {
-    const Span place = place_of(scene_.entity(scene_.instances[i]));
+    const Span place = written_at(scene_.entity(scene_.instances[i]));
     out += '{';
     append_key(out, "path", true);
     append_json(out, scene_.instances[i].path);

@@ -13,6 +13,10 @@
 
 namespace smurf {
 
+/// The place of an entity in the file that a person edits, which is not the scene if that is made
+/// of a file of another language.
+Span written_at(const Entity& entity);
+
 /// How a reader interprets one entity.
 struct EntityReading {
   std::optional<Pose> X_WE;  ///< absent: the reader does not load it

@@ -30,6 +30,9 @@ std::optional<std::string> loss_in_model(const Diagnostic& finding);
 std::optional<std::string> loss_in_scene(const Diagnostic& finding, const LinkedScene& scene,
                                          const SourceMap& sources);
 
+/// Whether a finding says that a file is not there which an MJCF or SDF needs; all else is read.
+bool is_about_missing_part(const Diagnostic& finding);
+
 /// Whether a finding only says that a picture does not have what no picture has.
 bool is_about_picture(const Diagnostic& finding);
 

@@ -7,6 +7,7 @@
 #include "check/excuses.hpp"
 #include "check/given_arguments.hpp"
 #include "check/launched_values.hpp"
+#include "link/imported_world.hpp"
 #include "link/surroundings/load_surroundings.hpp"
 #include "link/unused_meshes.hpp"
 
@@ -48,7 +49,8 @@ void PlannedLoader::load(const PlannedFile& planned, const FileReader& files, Me
   context.ties = group.ties;
   if (!planned.arguments.empty()) context.xacro.arguments = planned.arguments;
   const InputKind kind = input_kind(planned.path);
-  const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;
+  const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing ||
+                        is_world_file(planned.path, files, run.check.limits);
   if (is_scene) {
     load_one_scene(planned, context, outcome);
   } else {

@@ -16,6 +16,7 @@
 #include "check/run.hpp"
 #include "check/snapshot.hpp"
 #include "check/xacro_share.hpp"
+#include "link/imported_world.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
 #include "smurf/companions.hpp"
@@ -294,7 +295,8 @@ Report Session::check(const std::string& path, const CheckSettings& settings) {
     return check(state_->plan(std::span(&path, 1), settings), settings);
   }
   plan.configs.push_back(config_for(path, settings, *state_->files));
-  const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;
+  const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing ||
+                        is_world_file(path, *state_->files, limits());
   (is_scene ? plan.scenes : plan.models).push_back({path, 0});
   return state_->run(plan, settings);
 }

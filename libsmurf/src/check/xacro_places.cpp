@@ -2,11 +2,13 @@
 #include "check/xacro_places.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <tuple>
 #include <utility>
 
+#include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "imports/imports.hpp"
 
@@ -52,6 +54,20 @@ bool place(const xacro::Expansion& expansion, Fix& fix) {
   return true;
 }
 
+/// A mesh that is not there is one cause, although it lacks as a shape and as a mass.
+void join_missing_meshes(std::vector<Diagnostic>& found) {
+  std::set<std::tuple<SourceId, std::uint32_t>> weighed;
+  for (const Diagnostic& one : found) {
+    if (one.rule == &rules::sml9302_mjcf_file_missing)
+      weighed.emplace(one.span.source, one.span.begin);
+  }
+  if (weighed.empty()) return;
+  std::erase_if(found, [&](const Diagnostic& one) {
+    return one.rule == &rules::sml1604_mesh_missing &&
+           weighed.contains({one.span.source, one.span.begin});
+  });
+}
+
 /// Moves a finding to its place in the xacro files, and notes the call around it.
 void move_to_xacro(const xacro::Expansion& expansion, Diagnostic& diagnostic) {
   const xacro::Origin origin = expansion.origin_of(diagnostic.span);
@@ -74,7 +90,8 @@ void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& source
   std::erase_if(found, [&](const Diagnostic& diagnostic) {
     const auto expansion = expansions.find(diagnostic.span.source);
     const bool is_about_masses = diagnostic.rule->id.starts_with("SML15");
-    return expansion != expansions.end() &&
+    // What a conversion loses was written in some way.
+    return expansion != expansions.end() && diagnostic.rule->reported_by == Tool::lint &&
            (diagnostic.severity != Severity::error || is_about_masses) &&
            imports::is_made(expansion->second, diagnostic.span);
   });
@@ -86,6 +103,7 @@ void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& source
       diagnostic.expanded = diagnostic.span;  // where each call finds the same fault
     }
   }
+  join_missing_meshes(found);
 }
 
 }  // namespace smurf

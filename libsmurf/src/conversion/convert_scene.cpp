@@ -38,6 +38,7 @@ bool has_falling_robots(const FlatScene& flat) {
 /// make the pose known.
 std::string first_loss(const LoadedScene& loaded) {
   for (const Diagnostic& finding : loaded.found.diagnostics()) {
+    if (is_about_missing_part(finding)) continue;  // the rest is known
     if (const auto loss = loss_in_scene(finding, loaded.scene, *loaded.sources)) return *loss;
   }
   return {};

@@ -30,6 +30,10 @@ bool is_about_look(const Diagnostic& finding) {
 }
 
 std::optional<std::string> loss_in_robot(const Diagnostic& finding) {
+  if (is_about_missing_part(finding)) {
+    return finding.rule == &rules::sml9302_mjcf_file_missing ? "masses of the robot are unknown"
+                                                             : "a part of it is not there";
+  }
   if (finding.rule->blocks_building) return "its links and joints do not form a valid robot";
   if (is_unread(*finding.rule) && !is_about_look(finding)) return "a value cannot be read";
   return std::nullopt;
@@ -116,8 +120,7 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
         finding.rule == &rules::sml2001_missing_file && !finding.cases.contains(cases::kTheUrdf);
     return is_other_file ? std::nullopt : std::optional<std::string>("its URDF cannot be read");
   }
-  if (finding.rule == &rules::sml9302_mjcf_file_missing) return "masses of the robot are unknown";
-  if (finding.rule == &rules::sml9312_sdf_file_missing) return "a part of the robot is not there";
+  if (is_about_missing_part(finding)) return loss_in_robot(finding);
   const SourceId source = finding.span.source;
   if (source == model.robot->document.source) {
     return loss_in_text(finding, wanted);
@@ -159,6 +162,11 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Linked
   case InputKind::other: break;
   }
   return "some poses are unknown";
+}
+
+bool is_about_missing_part(const Diagnostic& finding) {
+  return finding.rule == &rules::sml9302_mjcf_file_missing ||
+         finding.rule == &rules::sml9312_sdf_file_missing;
 }
 
 bool is_about_picture(const Diagnostic& finding) { return finding.cases.contains(cases::kPicture); }

@@ -68,6 +68,16 @@ bool is_expanded(const LinkedModel& model) {
   });
 }
 
+/// Some sensors of a robot are in its URDF, and others were made with it.
+void add_section(NewFile made, std::vector<NewFile>& files) {
+  for (NewFile& file : files) {
+    if (file.suffix != made.suffix) continue;
+    for (NewValue& entry : made.section.children) file.section.children.push_back(std::move(entry));
+    return;
+  }
+  files.push_back(std::move(made));
+}
+
 }  // namespace
 
 std::string import::texture_path(const UrdfImport& options, std::string_view path) {
@@ -90,7 +100,7 @@ NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const U
     if (import::Part file = part(context)) result.files.push_back(std::move(*file));
   }
   if (is_expanded(model) && !model.has_main) {
-    for (NewFile& file : import::made_sections(model)) result.files.push_back(std::move(file));
+    for (NewFile& file : import::made_sections(model)) add_section(std::move(file), result.files);
   }
   const Folders folders = folders_of(options.layout);
   const auto absolute = [&](std::string_view path) {

@@ -133,4 +133,9 @@ void add_note(std::string& note, std::string_view text) {
   note += (note.empty() ? "" : ", ") + std::string(text);
 }
 
+Span written_at(const Entity& entity) {
+  const Span place = place_of(entity);
+  return place.source == entity.span.source ? place : entity.span;
+}
+
 }  // namespace smurf

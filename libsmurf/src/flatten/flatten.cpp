@@ -12,6 +12,7 @@
 #include "flatten/old_shapes.hpp"
 #include "flatten/plain_values.hpp"
 #include "flatten/scene_shapes.hpp"
+#include "link/imported_world.hpp"
 #include "link/scene_link.hpp"
 #include "smurf/dialect.hpp"
 
@@ -50,7 +51,8 @@ class Flattener {
 
   void add_model(std::size_t index) {
     const LinkedModel& model = scene_.models[index];
-    std::string stem(path::stem(model.path));
+    std::string stem(name_in_world(model.path));
+    if (stem.empty()) stem = path::stem(model.path);
     if (stem.empty()) stem = "model";
     FlatModel flat{ids_.add(stem),
                    model.has_main ? "smurf" : "urdf",

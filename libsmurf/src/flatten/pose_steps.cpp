@@ -71,7 +71,7 @@ class Explainer {
     const Pose X_WP = steps_.empty() ? Pose{} : steps_.back().X_W;
     // If a dialect uses more than the keys of the scene, the step is the resulting transform.
     if (!is_same_pose(X_WP * X_PE, X_WE)) X_PE = inverse(X_WP) * X_WE;
-    add("entity " + quoted(instance.path), place_of(entity), X_PE);
+    add("entity " + quoted(instance.path), written_at(entity), X_PE);
   }
 
   void add_joints(InstanceIndex instance, const std::string& link) {

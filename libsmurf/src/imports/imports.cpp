@@ -6,16 +6,18 @@
 #include <utility>
 
 #include "base/findings/limits.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"
 #include "base/text/words.hpp"
 
 namespace smurf::imports {
 
-std::string_view root_name(std::string_view text) {
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+namespace {
+
+/// Removes what comes before an element, comments, declarations and blanks, and its "<".
+void to_element(std::string_view& text) {
   while (true) {
-    // What comes before it: comments, declarations and blanks.
     text = text.substr(std::min(text.find('<'), text.size()));
     const std::string_view end = text.starts_with("<!--") ? "-->"
                                  : text.starts_with("<?") ? "?>"
@@ -23,12 +25,28 @@ std::string_view root_name(std::string_view text) {
                                                           : "";
     if (end.empty()) break;
     const std::size_t at = text.find(end, 2);
-    if (at == std::string_view::npos) return {};
-    text.remove_prefix(at + end.size());
+    text.remove_prefix(at == std::string_view::npos ? text.size() : at + end.size());
   }
-  if (text.empty()) return {};
-  text.remove_prefix(1);
+  if (!text.empty()) text.remove_prefix(1);
+}
+
+std::string_view name_at(std::string_view text) {
   return text.substr(0, std::min(text.find_first_of(" \t\r\n/>"), text.size()));
+}
+
+}  // namespace
+
+std::string_view root_name(std::string_view text) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  to_element(text);
+  return name_at(text);
+}
+
+std::string_view first_name(std::string_view text) {
+  to_element(text);
+  text = text.substr(std::min(text.find('>'), text.size()));
+  to_element(text);
+  return name_at(text);
 }
 
 bool is_made(const xacro::Expansion& result, Span part) {
@@ -42,6 +60,16 @@ bool is_made(const xacro::Expansion& result, Span part) {
 Diagnostic& Reporter::report(const Rule& rule, Span place, std::string message) {
   if (!known_.insert({&rule, place.source, place.begin}).second) return ignored_ = {};
   return context_.sink.report(rule, place, std::move(message));
+}
+
+Diagnostic& Reporter::lose(Span place, std::string message, std::string_view others) {
+  Diagnostic& found = report(rules::sml9304_lost_in_urdf, place, std::move(message));
+  found.others_are = others;
+  // FNV-1a: the same text is the same habit.
+  found.habit = 2166136261U;
+  for (const char c : others)
+    found.habit = (found.habit ^ static_cast<unsigned char>(c)) * 16777619U;
+  return found;
 }
 
 Diagnostic& Reporter::refuse(Span place, std::string message, std::string help) {

@@ -41,6 +41,8 @@ bool is_made(const xacro::Expansion& result, Span part);
 
 /// The name of the root element of a text; "" if there is none. Reads the beginning only.
 std::string_view root_name(std::string_view text);
+/// The name of the first element in the root element.
+std::string_view first_name(std::string_view text);
 
 /// The rules of one language, and what its findings begin with: "MuJoCo refuses this: ".
 struct Family {
@@ -62,6 +64,8 @@ class Reporter {
   /// A file is not there.
   Diagnostic& miss(Span place, std::string message, std::string help);
   Diagnostic& report(const Rule& rule, Span place, std::string message);
+  /// The result lacks something. `others`, such as "lost tendons": all of a file are one finding.
+  Diagnostic& lose(Span place, std::string message, std::string_view others);
   bool has_refused() const { return has_refused_; }
   Context& context() { return context_; }
 

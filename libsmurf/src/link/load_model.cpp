@@ -20,6 +20,7 @@
 #include "base/text/suggest.hpp"
 #include "base/text/utf8.hpp"
 #include "link/file_index.hpp"
+#include "link/imported_world.hpp"
 #include "link/kinematics.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "link/parsed_files.hpp"
@@ -57,6 +58,14 @@ class ModelLoader {
     } else {
       urdf_file(path, {}, rules::sml0001_unreadable_file);
     }
+    link();
+    return std::move(model_);
+  }
+
+  LinkedModel load(const std::string& path, xacro::Expansion made) {
+    model_.path = model_.urdf_path = path;
+    model_.files.push_back({ModelFile::Kind::urdf, made.root, std::nullopt});
+    take_robot(keep(std::move(made)));
     link();
     return std::move(model_);
   }
@@ -309,10 +318,15 @@ class ModelLoader {
     model_.robot.reset();
     if (source) {
       model_.files.push_back({ModelFile::Kind::urdf, *source, std::nullopt});
-      const auto text = text_of(*source);
-      ParsedFiles::File* known = text ? known_file(*text) : nullptr;
-      if (text) model_.robot = known ? std::exchange(known->robot, {}) : parse_robot(*text);
+      take_robot(text_of(*source));
+    } else {
+      model_.is_complete = false;
     }
+  }
+
+  void take_robot(std::optional<SourceId> text) {
+    ParsedFiles::File* known = text ? known_file(*text) : nullptr;
+    if (text) model_.robot = known ? std::exchange(known->robot, {}) : parse_robot(*text);
     if (!model_.robot) model_.is_complete = false;
   }
 
@@ -402,6 +416,12 @@ class ModelLoader {
 
 LinkedModel load_model(const std::string& path, LoadContext& context) {
   LinkedModel model = ModelLoader(context).load(path);
+  model.schemas = context.schemas;
+  return model;
+}
+
+LinkedModel load_made_model(const std::string& path, xacro::Expansion made, LoadContext& context) {
+  LinkedModel model = ModelLoader(context).load(path, std::move(made));
   model.schemas = context.schemas;
   return model;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene in four steps; each reports what it finds and goes on with what is sound.
 #include "base/files/path.hpp"
+#include "link/imported_world.hpp"
 #include "link/scene_link.hpp"
 #include "smurf/xacro.hpp"
 
@@ -49,7 +50,7 @@ void load_single_model(const std::string& path, LoadContext& context, LinkedScen
 LinkedScene load_scene(const std::string& path, LoadContext& context) {
   LinkedScene scene;
   scene.schemas = context.schemas;
-  if (is_model_file(path)) {
+  if (is_model_file(path) && !is_world_file(path, context.files, context.limits)) {
     load_single_model(path, context, scene);
     return scene;
   }

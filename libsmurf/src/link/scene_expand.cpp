@@ -19,8 +19,10 @@
 #include "base/text/suggest.hpp"
 #include "link/drawn_scene.hpp"
 #include "link/file_index.hpp"
+#include "link/imported_world.hpp"
 #include "link/read_file.hpp"
 #include "link/scene_link.hpp"
+#include "sdf/sdf.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/user_schemas.hpp"
 #include "smurf/xacro.hpp"
@@ -83,7 +85,9 @@ class SceneExpander {
     const auto source = read_source(path, reference, missing, context_);
     if (source) {
       file.source = *source;
-      if (!is_drawing(path)) {
+      if (sdformat::is_sdf(context_.sources.text(*source))) {
+        if (!read_imported_world(file, made_models_, context_)) lose_scene();
+      } else if (!is_drawing(path)) {
         file.document = parse_yaml(context_.sources, *source, context_.limits, context_.sink);
       } else if (!read_drawn_scene(file, scene_.data_files, context_)) {
         lose_scene();
@@ -95,6 +99,7 @@ class SceneExpander {
                            static_cast<std::size_t>(context_.limits.instances + 1));
       }
       if (scene) file.scene = std::move(*scene);
+      if (scene) find_written(file.scene, context_);
       if (!scene) lose_scene();
       if (scene) check_world_files(file, context_);
       index = SceneIndex{static_cast<std::uint32_t>(scene_.scenes.size())};
@@ -169,7 +174,7 @@ class SceneExpander {
       const SceneUse& around = scene_.uses[to_size(use)];
       path = path::join(path::parent(scene_.file(around).path), *file);
     }
-    bool is_usable = check_kind(use, entity, type, path);
+    bool is_usable = made_models_.contains(path) || check_kind(use, entity, type, path);
     if (is_usable && is_archive_type(type)) is_usable = enter_archive(path, file.span);
     if (kind_of(type) == EntityKind::scene) {
       include(use, index, is_usable ? first_names_.of(path) : std::string());
@@ -227,6 +232,11 @@ class SceneExpander {
       return known->second;
     }
     std::optional<ModelIndex>& index = models_[path];
+    if (const auto made = made_models_.find(path); made != made_models_.end()) {
+      index = ModelIndex{static_cast<std::uint32_t>(scene_.models.size())};
+      scene_.models.push_back(load_made_model(path, std::move(made->second), context_));
+      return index;
+    }
     if (!context_.files.is_file(path)) {
       scene_.is_complete = false;
       read_source(path, reference, rules::sml5006_missing_entity_file, context_);
@@ -439,6 +449,7 @@ class SceneExpander {
   SceneNames& names_;
   std::map<std::string, std::optional<SceneIndex>> scene_files_;
   std::map<std::string, std::optional<ModelIndex>> models_;
+  MadeModels made_models_;
   std::map<std::string, bool> data_files_;
   FirstNames first_names_{context_.files};
   std::map<std::string, ArchivedMain> archives_;
@@ -458,33 +469,6 @@ std::string entity_type(const Entity& entity) {
   const Field<std::string>& file = file_of(entity);
   const std::string_view extension = file ? path::extension(*file) : std::string_view{};
   return extension.empty() ? std::string() : std::string(extension.substr(1));
-}
-
-EntityKind kind_of(std::string_view type) {
-  const std::string lower = path::to_lower(type);
-  const std::string_view packed =
-      is_archive_type(lower) ? std::string_view(lower).substr(1) : lower;
-  if (packed == "smurf" || packed == "particle" || packed == "urdf") return EntityKind::model;
-  if (packed == "smurfs" || packed == "smurfa") return EntityKind::scene;
-  return EntityKind::other;
-}
-
-std::optional<std::string_view> type_meant(const LinkedScene& scene, std::string_view type) {
-  std::vector<std::string_view> known(std::begin(kEntityTypes), std::end(kEntityTypes));
-  if (is_archive_type(type)) return std::nullopt;
-  if (scene.schemas != nullptr) {
-    if (scene.schemas->has_entity_type(type)) return std::nullopt;
-    const std::vector<std::string_view> own = scene.schemas->entity_types();
-    known.insert(known.end(), own.begin(), own.end());
-  }
-  // Words of other formats, which no edit turns into a type of MARS.
-  const std::string lower = path::to_lower(type);
-  if (lower == "robot" || lower == "model") return "smurf";
-  return nearest(type, known);
-}
-
-bool is_old_scene(std::string_view type) {
-  return type == "scn" || type == "scene" || type == "yml";
 }
 
 bool expand_scene(const std::string& path, LoadContext& context, LinkedScene& scene,

@@ -347,7 +347,13 @@ void Suppressions::add(const LinkedScene& scene, const SourceMap& sources,
     if (file.drawing) {
       add(*file.drawing, scene.is_complete, sources);
     } else if (file.document) {
-      add(*file.document, scene.is_complete, sources);
+      const auto made = expansions.find(file.document->source);
+      if (made == expansions.end()) {
+        add(*file.document, scene.is_complete, sources);
+      } else {
+        for (const xml::Document& document : made->second.documents)
+          add(document, scene.is_complete, sources);
+      }
     }
   }
   for (const DataFile& file : scene.data_files) add(file.document, scene.is_complete, sources);

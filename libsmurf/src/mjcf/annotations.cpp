@@ -1,31 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Actuators as motors and keyframes as poses: the parts of a model for which SMURF has a section.
+// Actuators as motors, sensors of joints and links, masks of contacts, and keyframes as poses: the
+// parts of a model for which SMURF has a section.
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
+#include "imports/traced_yaml.hpp"
 #include "mjcf/robot.hpp"
 
 namespace smurf::mjcf {
 namespace {
 
-/// A text in YAML that begins at the value of a key.
-std::string yaml_text(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result.push_back('\\');
-    result.push_back(static_cast<unsigned char>(c) < ' ' ? ' ' : c);
-  }
-  return result + "\"";
-}
+using imports::yaml_text;
+
+const std::string kNoLimit = "1e+16";
 
 class AnnotationWriter {
  public:
   AnnotationWriter(const Model& model, Reporter& reporter, xacro::Expansion& expansion)
-      : model_(model), reporter_(reporter), leaves_(expansion.leaves) {
+      : model_(model), reporter_(reporter), yaml_(expansion) {
     for (const Body& body : model.bodies) {
       for (const Joint& joint : body.joints) joints_.emplace(joint.name, &joint);
     }
@@ -33,43 +31,34 @@ class AnnotationWriter {
 
   std::string run() {
     section("motors", "actuator", [&](const Reference& one) { actuator(one); });
+    section("sensors", "sensor", [&](const Reference& one) { sensor(one); });
+    masks();
     section("poses", "keyframe", [&](const Reference& one) { keyframe(one); });
-    return std::move(text_);
+    return yaml_.take();
   }
 
  private:
   template <class F>
   void section(std::string_view name, std::string_view of, const F& write) {
-    const std::size_t begin = text_.size();
-    text_ += std::string(name) + ":\n";
-    const std::size_t empty = text_.size();
+    const std::size_t begin = yaml_.size();
+    yaml_.plain(std::string(name) + ":\n");
+    const std::size_t empty = yaml_.size();
     for (const Reference& one : model_.sections) {
       if (one.section == of) write(one);
     }
-    if (text_.size() == empty) text_.resize(begin);
+    if (yaml_.size() == empty) yaml_.cut(begin);
   }
 
-  void value(std::string_view text, const Place& place) {
-    xacro::Leaf& leaf = leaves_.emplace_back();
-    leaf.kind = xacro::Leaf::Kind::value;
-    leaf.begin = static_cast<std::uint32_t>(text_.size());
-    text_ += text;
-    leaf.end = static_cast<std::uint32_t>(text_.size());
-    leaf.origin = place.origin;
-    leaf.use = leaf.whole = place.use;
-    leaf.first_input = kMade;
-    leaf.frame = place.frame;
-  }
   void line(std::string_view indent, std::string_view key, std::string_view text,
             const Place& place) {
-    text_.append(indent).append(key).append(": ");
-    value(text, place);
-    text_ += "\n";
+    yaml_.line(indent, key, text, place);
   }
 
   void lost(const Reference& one, std::string what) {
-    reporter_.report(rules::sml9304_lost_in_urdf, one.element.name_span(), std::move(what))
-        .help("keep the MJCF for it");
+    const std::string_view others = one.section == "sensor"     ? "lost sensors"
+                                    : one.section == "actuator" ? "lost motors"
+                                                                : "lost values";
+    reporter_.lose(one.element.name_span(), std::move(what), others).help("keep the MJCF for it");
   }
 
   void actuator(const Reference& one) {
@@ -95,24 +84,177 @@ class AnnotationWriter {
     const Place tag{one.element.name_span(), one.element.tag_span(), one.around.frame};
     line("- ", "name", yaml_text(joint->first), tag);
     line("  ", "joint", yaml_text(joint->first), s.place({"joint", "jointinparent"}));
+    // A command and a force are those of the motor, before the gear.
+    std::array<double, 6> gears{1, 0, 0, 0, 0, 0};
+    s.numbers("gear", gears, 1, reporter_);
+    const double gear = gears[0] != 0 && std::isfinite(gears[0]) ? gears[0] : 1;
     line("  ", "type", holds ? "PID" : kind == "motor" ? "direct_effort" : "DC", tag);
     if (holds) {
       line("  ", "p", format_number(s.number("kp", 1, reporter_)), s.place({"kp"}));
       line("  ", "i", "0", tag);
       line("  ", "d", format_number(s.number("kv", 0, reporter_)), s.place({"kv"}));
+      line("  ", "kp", format_number(gear * gear * s.number("kp", 1, reporter_)),
+           s.place({"kp", "gear"}));
+    }
+    if (holds || kind == "velocity") {
+      const double kv = s.number("kv", holds ? 0 : 1, reporter_);
+      line("  ", "kv", format_number(gear * gear * kv), s.place({"kv", "gear"}));
     }
     std::array<double, 2> range{};
     const bool is_limited = s.text("ctrllimited") != "false" &&
                             s.numbers("ctrlrange", range, 2, reporter_) == 2 && range[0] < range[1];
+    for (double& bound : range) bound /= gear;
+    if (gear < 0) std::swap(range[0], range[1]);
     if (is_limited && holds) {
-      line("  ", "minValue", format_number(range[0]), s.place({"ctrlrange"}));
-      line("  ", "maxValue", format_number(range[1]), s.place({"ctrlrange"}));
+      line("  ", "minValue", format_number(range[0]), s.place({"ctrlrange", "gear"}));
+      line("  ", "maxValue", format_number(range[1]), s.place({"ctrlrange", "gear"}));
     } else if (is_limited && kind == "velocity") {
       line("  ", "maxSpeed", format_number(std::max(std::fabs(range[0]), std::fabs(range[1]))),
            s.place({"ctrlrange"}));
     }
-    if (const auto effort = effort_of(s, reporter_)) {
-      line("  ", "maxEffort", format_number(*effort), s.place({"forcerange", "ctrlrange", "gear"}));
+    // Readers of SMURF take what is not written as 0, and MuJoCo as no limit.
+    if (kind != "motor" && !(is_limited && kind == "velocity"))
+      line("  ", "maxSpeed", kNoLimit, tag);
+    const auto effort = effort_of(s, reporter_);
+    line("  ", "maxEffort", effort ? format_number(*effort) : kNoLimit,
+         s.place({"forcerange", "ctrlrange", "gear"}));
+  }
+
+  /// Sensors of joints and links; those with a place on a link are in `<gazebo>`.
+  void sensor(const Reference& one) {
+    constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
+        {"jointpos", "JointPosition"},       {"jointvel", "JointVelocity"},
+        {"jointactuatorfrc", "JointTorque"}, {"actuatorfrc", "JointTorque"},
+        {"framepos", "NodePosition"},        {"framequat", "NodeRotation"},
+        {"framelinvel", "NodeVelocity"},     {"frameangvel", "NodeAngularVelocity"}};
+    const std::string_view kind = one.element.name();
+    const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes),
+                                   [&](const auto& known) { return known.first == kind; });
+    if (row == std::end(kTypes)) {
+      const Site* site = site_of(one, "site");
+      const bool is_placed =
+          is_one_of(kind, {"accelerometer", "gyro", "force", "torque", "touch", "rangefinder"});
+      if (!is_placed || site == nullptr || site->body == 0)
+        lost(one, "SMURF has no sensor like " + quoted(kind) + ", so this one is lost");
+      return;
+    }
+    const bool is_of_joint = row - std::begin(kTypes) < 4;
+    const auto [target, link] = is_of_joint ? joint_of(one) : link_of(one);
+    if (target.empty()) {
+      if (!is_part_of_imu(one))
+        lost(one, "SMURF has no " + quoted(kind) +
+                      " of a frame beside that of a link, so this "
+                      "one is lost");
+      return;
+    }
+    const Attribute* name = one.element.attribute("name");
+    const Place tag{one.element.name_span(), one.element.tag_span(), one.around.frame};
+    line("- ", "name",
+         yaml_text(name != nullptr ? full_name(name->value(), one.around)
+                                   : target + "_" + std::string(kind)),
+         tag);
+    line("  ", "type", row->second, tag);
+    line("  ", "link", yaml_text(link), tag);
+    line("  ", "id", "[" + yaml_text(target) + "]", tag);
+  }
+
+  const Site* site_of(const Reference& one, std::string_view attribute) const {
+    const Attribute* name = one.element.attribute(attribute);
+    if (name == nullptr) return nullptr;
+    const std::string full = full_name(name->value(), one.around);
+    for (const Site& site : model_.sites) {
+      if (site.name == full) return &site;
+    }
+    return nullptr;
+  }
+
+  /// The joint that a sensor measures, and the link that it moves.
+  std::pair<std::string, std::string> joint_of(const Reference& one) const {
+    const Attribute* name = one.element.attribute("joint");
+    const Surroundings* around = &one.around;
+    if (const Attribute* actuator = one.element.attribute("actuator")) {
+      const std::string full = full_name(actuator->value(), one.around);
+      for (const Reference& other : model_.sections) {
+        const Attribute* own = other.element.attribute("name");
+        if (other.section != "actuator" || own == nullptr ||
+            full_name(own->value(), other.around) != full)
+          continue;
+        name = other.element.attribute("joint");
+        around = &other.around;
+      }
+    }
+    if (name == nullptr) return {};
+    const std::string full = full_name(name->value(), *around);
+    for (const Body& body : model_.bodies) {
+      for (const Joint& joint : body.joints) {
+        const bool has_one_value =
+            joint.type == Joint::Type::hinge || joint.type == Joint::Type::slide;
+        if (joint.name == full && has_one_value) return {full, body.name};
+      }
+    }
+    return {};
+  }
+
+  /// The link whose frame a sensor measures in the world.
+  std::pair<std::string, std::string> link_of(const Reference& one) const {
+    const Attribute* kind = one.element.attribute("objtype");
+    const Attribute* name = one.element.attribute("objname");
+    if (kind == nullptr || name == nullptr || one.element.attribute("reftype") != nullptr)
+      return {};
+    if (kind->value() == "site") {
+      const Site* site = site_of(one, "objname");
+      if (site == nullptr || site->pose.position != Vector3{} ||
+          to_rpy(site->pose.orientation) != Vector3{})
+        return {};
+      const std::string& link = model_.bodies[site->body].name;
+      return {link, link};
+    }
+    const std::string full = full_name(name->value(), one.around);
+    for (const Body& body : model_.bodies) {
+      // A "body" is the frame of the inertia, which may be turned.
+      const bool is_turned = !body.mass || body.mass->center != Vector3{} || body.inertial;
+      if (body.name == full && (kind->value() == "xbody" || !is_turned)) return {full, full};
+    }
+    return {};
+  }
+
+  /// The orientation of a site whose accelerations are measured, too.
+  bool is_part_of_imu(const Reference& one) const {
+    const Site* site = site_of(one, "objname");
+    if (site == nullptr || one.element.name() != "framequat") return false;
+    return std::any_of(model_.sections.begin(), model_.sections.end(), [&](const Reference& other) {
+      return other.section == "sensor" &&
+             is_one_of(other.element.name(), {"accelerometer", "gyro"}) &&
+             site_of(other, "site") == site;
+    });
+  }
+
+  /// Which shapes touch which, if not all of them touch each other.
+  void masks() {
+    const Geom* one_sided = nullptr;
+    for (const Body& body : model_.bodies) {
+      for (const Geom& geom : body.geoms) {
+        if (one_sided == nullptr && touches(geom) && !has_one_mask(geom)) one_sided = &geom;
+      }
+    }
+    if (one_sided != nullptr) {
+      const Place place = one_sided->settings.place({"contype", "conaffinity"});
+      reporter_
+          .report(rules::sml9304_lost_in_urdf, place.origin,
+                  "SMURF has one mask of contacts for a shape, so those with two masks are lost")
+          .help("write the same `contype` and `conaffinity`, with at most 16 bits");
+      return;
+    }
+    if (!has_masks(model_)) return;
+    yaml_.plain("collision:\n");
+    for (const Body& body : model_.bodies) {
+      for (const Geom& geom : body.geoms) {
+        if (!touches(geom)) continue;
+        const Place place = geom.settings.place({"contype", "conaffinity"});
+        line("- ", "name", yaml_text(geom.name), place);
+        line("  ", "link", yaml_text(body.name), place);
+        line("  ", "bitmask", std::to_string(geom.contype), place);
+      }
     }
   }
 
@@ -131,14 +273,14 @@ class AnnotationWriter {
         name != nullptr ? std::string(name->value()) : "key_" + std::to_string(keys_);
     ++keys_;
     line("- ", "name", yaml_text(text), tag);
-    text_ += "  joints:";
+    yaml_.plain("  joints:");
     bool is_empty = true;
     std::size_t at = 0;
     for (const Body& body : model_.bodies) {
       for (const Joint& joint : body.joints) {
         const std::size_t size = size_of(joint);
         if (size == 1 && at < numbers.size()) {
-          if (is_empty) text_ += "\n";
+          if (is_empty) yaml_.plain("\n");
           is_empty = false;
           line("    ", yaml_text(joint.name), format_number(numbers[at]),
                {values->value_span(), one.element.tag_span()});
@@ -148,7 +290,7 @@ class AnnotationWriter {
         at += size;
       }
     }
-    if (is_empty) text_ += " {}\n";
+    if (is_empty) yaml_.plain(" {}\n");
   }
 
   static std::size_t size_of(const Joint& joint) {
@@ -157,11 +299,10 @@ class AnnotationWriter {
 
   const Model& model_;
   Reporter& reporter_;
-  std::vector<xacro::Leaf>& leaves_;
+  imports::TracedYaml yaml_;
   std::map<std::string, const Joint*> joints_;
   std::set<std::string> driven_;
   std::size_t keys_ = 0;
-  std::string text_;
 };
 
 }  // namespace

@@ -56,6 +56,11 @@ void fuse(Model& model) {
       site.body = body.parent;
       site.pose = body.pose * site.pose;
     }
+    for (Camera& camera : model.cameras) {
+      if (camera.body != i) continue;
+      camera.body = body.parent;
+      camera.pose = body.pose * camera.pose;
+    }
   }
   model.bodies[0].mass = MassProperties{};
   std::vector<std::uint32_t> index(model.bodies.size());
@@ -110,15 +115,43 @@ void arrange(Model& model) {
     for (Site& site : model.sites) {
       if (site.body == i) site.pose = inverse(inertial_frame(body)) * site.pose;
     }
+    for (Camera& camera : model.cameras) {
+      if (camera.body == i) camera.pose = inverse(inertial_frame(body)) * camera.pose;
+    }
     align(body);
   }
 }
 
+bool touches(const Geom& geom) { return geom.contype != 0 || geom.conaffinity != 0; }
+
+bool has_one_mask(const Geom& geom) {
+  constexpr std::int64_t kMost = 0xffff;
+  return geom.contype == geom.conaffinity && geom.contype <= kMost;
+}
+
+bool has_masks(const Model& model) {
+  std::set<std::int64_t> masks;
+  for (const Body& body : model.bodies) {
+    for (const Geom& geom : body.geoms) {
+      if (!touches(geom)) continue;
+      if (!has_one_mask(geom)) return false;
+      masks.insert(geom.contype);
+    }
+  }
+  return masks.size() > 1;
+}
+
 void name_all(Model& model) {
+  const bool names_shapes = has_masks(model);
   std::size_t joints = 0;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     Body& body = model.bodies[i];
     if (!body.has_name) body.name = "body_" + std::to_string(i);
+    std::size_t shapes = 0;
+    for (Geom& geom : body.geoms) {
+      if (names_shapes && touches(geom) && geom.name.empty())
+        geom.name = body.name + "_collision_" + std::to_string(++shapes);
+    }
     for (Joint& joint : body.joints) {
       if (!joint.has_name) joint.name = "joint_" + std::to_string(joints);
       ++joints;

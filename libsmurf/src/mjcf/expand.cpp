@@ -19,6 +19,8 @@ bool is_mjcf(std::string_view text) {
   return name == "mujoco" || name == "mujocoinclude";
 }
 
+bool is_part(std::string_view text) { return imports::root_name(text) == "mujocoinclude"; }
+
 Imported expand(SourceId root, Context& context) {
   Imported result;
   xacro::Expansion& robot = result.robot;

@@ -24,18 +24,39 @@ class Facts {
       const std::string_view section = one.section;
       if (section == "equality") equality(one);
       if (section == "actuator") actuator(one);
-      if (section == "tendon") lost(one.element, "tendons");
-      if (section == "deformable") lost(one.element, "soft bodies");
+      if (section == "tendon") lost(one.element, "tendons", "lost tendons");
+      if (section == "deformable") lost(one.element, "soft bodies", "lost soft bodies");
     }
+    contacts();
     return std::move(facts_);
   }
 
  private:
-  void lost(View element, const std::string& what) {
-    reporter_
-        .report(rules::sml9304_lost_in_urdf, element.name_span(),
-                "a URDF has no " + what + ", so this one is lost")
+  void lost(View element, const std::string& what, std::string_view others) {
+    reporter_.lose(element.name_span(), "a URDF has no " + what + ", so this one is lost", others)
         .help("keep the MJCF for it");
+  }
+
+  /// All of them are one finding, since there are often hundreds.
+  void contacts() {
+    for (const auto& [kind, what] : {std::pair{"exclude", "pairs of links that do not touch"},
+                                     std::pair{"pair", "contacts of two shapes"}}) {
+      std::size_t count = 0;
+      View first;
+      for (const Reference& one : model_.sections) {
+        if (one.section != "contact" || one.element.name() != kind) continue;
+        if (count++ == 0) first = one.element;
+      }
+      if (count == 0) continue;
+      reporter_
+          .report(rules::sml9304_lost_in_urdf, first.name_span(),
+                  "a URDF has no " + std::string(what) + ", so " +
+                      (count == 1 ? "this one is" : "these " + std::to_string(count) + " are") +
+                      " lost")
+          .help(std::string_view(kind) == "exclude"
+                    ? "write them into an SRDF, as `<disable_collisions>`"
+                    : "keep the MJCF for them");
+    }
   }
 
   const Joint* joint(const Attribute* name, const Surroundings& around) const {
@@ -76,15 +97,21 @@ class Facts {
       is_active = truth_of(*active, reporter_).value_or(true);
     if (!is_active) return;
     if (element.name() == "connect" || element.name() == "weld") {
+      if (auto loop = closed_loop(model_, one, Settings(element, of_class), reporter_)) {
+        facts_.loops.push_back(std::move(*loop));
+        return;
+      }
       const std::string ends = end_of(element, "1") + " and " + end_of(element, "2");
       reporter_
           .report(rules::sml9304_lost_in_urdf, element.name_span(),
                   "a URDF is a tree, and " + quoted(element.name()) + " of " + ends +
-                      " closes a loop, so it is lost")
+                      " closes a loop whose ends do not meet at zero, so it is lost")
           .help("keep the MJCF for it");
       return;
     }
-    if (element.name() != "joint") return lost(element, "equality of this kind");
+    if (element.name() != "joint") {
+      return lost(element, "equality of this kind", "lost equalities");
+    }
     const Attribute* first = element.attribute("joint1");
     const Joint* follower = joint(first, one.around);
     if (follower == nullptr) return;
@@ -96,8 +123,8 @@ class Facts {
     if (second != nullptr && leader == nullptr) return;
     if (leader == nullptr) {
       reporter_
-          .report(rules::sml9304_lost_in_urdf, element.name_span(),
-                  "a joint of a URDF cannot be held at a value, so this is lost")
+          .lose(element.name_span(), "a joint of a URDF cannot be held at a value, so this is lost",
+                "held joints")
           .help("delete the joint, so that its body is fixed");
       return;
     }
@@ -132,9 +159,10 @@ class Facts {
       for (const std::string_view target : {"tendon", "site", "body", "slidersite", "cranksite"}) {
         if (one.element.attribute(target) == nullptr) continue;
         reporter_
-            .report(rules::sml9304_lost_in_urdf, one.element.name_span(),
-                    "a motor of SMURF moves a joint, not a " + std::string(target) +
-                        ", so this actuator is lost")
+            .lose(one.element.name_span(),
+                  "a motor of SMURF moves a joint, not a " + std::string(target) +
+                      ", so this actuator is lost",
+                  "lost actuators")
             .help("keep the MJCF for it");
         return;
       }

@@ -14,5 +14,7 @@ imports::Imported expand(SourceId root, imports::Context& context);
 
 /// Whether the root element of a text is one of MJCF. Reads the beginning only.
 bool is_mjcf(std::string_view text);
+/// Whether it is a part of a model that others include.
+bool is_part(std::string_view text);
 
 }  // namespace smurf::mjcf

@@ -148,7 +148,13 @@ void check_references(const Model& model, Reporter& reporter);
 /// Takes bodies without joints into their parents, and turns free bodies to their principal axes,
 /// where the compiler is asked to.
 void arrange(Model& model);
-/// Gives names to bodies and joints without one, by their index.
+/// Whether a shape touches any other.
+bool touches(const Geom& geom);
+/// Whether one mask of SMURF says which others it touches.
+bool has_one_mask(const Geom& geom);
+/// Whether such masks are needed: not all shapes touch each other.
+bool has_masks(const Model& model);
+/// Gives names to bodies and joints without one, by their index, and to shapes that need one.
 void name_all(Model& model);
 /// Stiffness and damping from `springdamper`, which depend on the inertia that a joint moves.
 void tune_springs(Model& model, Reporter& reporter);

@@ -10,11 +10,14 @@
 #include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
-#include "imports/traced_xml.hpp"
+#include "imports/joint_xml.hpp"
+#include "mjcf/extensions.hpp"
 #include "mjcf/shapes.hpp"
 
 namespace smurf::mjcf {
 namespace {
+
+using imports::JointText;
 
 constexpr double kUnlimited = 1e16;
 
@@ -45,6 +48,7 @@ class RobotWriter {
       if (i > 0) joints_to(body, has_world);
       link(body, shapes, i == 0);
     }
+    ExtensionWriter(model_, facts_, holders_, has_world, reporter_, xml_).write_all();
     xml_.close();
     return xml_.take();
   }
@@ -146,31 +150,17 @@ class RobotWriter {
     return place;
   }
 
-  void made_link(const std::string& name, const Place& place) {
-    xml_.open("link", place, true);
-    xml_.attribute("name", name, place);
-    xml_.close();
-  }
-
-  void open_joint(const std::string& name, std::string_view type, const std::string& parent,
-                  const std::string& child, const Pose& X, const Place& tag, const Place& of_pose,
-                  bool is_made) {
-    xml_.open("joint", tag, is_made);
-    xml_.attribute("name", name, tag);
-    xml_.attribute("type", type, tag);
-    xml_.open("parent", tag);
-    xml_.attribute("link", parent, tag);
-    xml_.close();
-    xml_.open("child", tag);
-    xml_.attribute("link", child, tag);
-    xml_.close();
-    const Vector3 rpy = to_rpy(X.orientation);
-    const bool is_turned = rpy != Vector3{};
-    if (!is_turned && X.position == Vector3{}) return;
-    xml_.open("origin", tag);
-    if (is_turned) xml_.attribute("rpy", words_of(rpy), of_pose);
-    xml_.attribute("xyz", words_of(X.position), of_pose);
-    xml_.close();
+  /// A joint that nobody wrote.
+  JointText made_joint(std::string_view name, std::string_view type, std::string_view parent,
+                       std::string_view child, const Pose& X, const Place& tag,
+                       const Place& of_pose) {
+    JointText joint{
+        .name = name, .type = type, .parent = parent, .child = child, .X = X, .tag = tag};
+    joint.blame_tag();
+    joint.of_pose = of_pose;
+    joint.is_made = true;
+    holders_[std::string(child)] = name;
+    return joint;
   }
 
   void joints_to(const Body& body, bool has_world) {
@@ -180,16 +170,17 @@ class RobotWriter {
         with_frame(own.place({"pos", "quat", "euler", "axisangle", "xyaxes", "zaxis"}), body.frame);
     const Place tag = place_of(body.element, body.frame);
     if (body.joints.empty()) {
-      open_joint(unique(body.name + "_fixed", joints_), "fixed", parent, body.name, body.pose, tag,
-                 of_pose, true);
-      xml_.close();
+      const std::string name = unique(body.name + "_fixed", joints_);
+      add_fixed_joint(xml_, made_joint(name, "fixed", parent, body.name, body.pose, tag, of_pose));
       return;
     }
     if (body.joints.front().type == Joint::Type::free) {
       if (!has_world) return;
       const Joint& joint = body.joints.front();
-      open_joint(joint.name, "floating", parent, body.name, Pose{},
-                 place_of(joint.settings.element(), joint.frame), of_pose, false);
+      JointText text = made_joint(joint.name, "floating", parent, body.name, Pose{},
+                                  place_of(joint.settings.element(), joint.frame), of_pose);
+      text.is_made = false;
+      open_joint(xml_, text);
       xml_.close();
       return;
     }
@@ -219,15 +210,15 @@ class RobotWriter {
         }
         single(joint, from, to, X, of_pose);
       }
-      if (!is_last) made_link(to, place);
+      if (!is_last) add_made_link(xml_, to, place);
       from = to;
       X = Pose{};
     }
     if (anchor == Vector3{}) return;
     const Place last = place_of(body.joints.back().settings.element(), body.joints.back().frame);
-    open_joint(unique(body.name + "_at", joints_), "fixed", from, body.name,
-               {{-anchor[0], -anchor[1], -anchor[2]}, {}}, last, last, true);
-    xml_.close();
+    const std::string name = unique(body.name + "_at", joints_);
+    const Pose X_back{{-anchor[0], -anchor[1], -anchor[2]}, {}};
+    add_fixed_joint(xml_, made_joint(name, "fixed", from, body.name, X_back, last, last));
   }
 
   void ball(const Joint& joint, const std::string& from, const std::string& to, const Pose& X,
@@ -239,14 +230,15 @@ class RobotWriter {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::string child =
           i == 2 ? to : unique(to + "__" + joint.name + std::string(kAxes[i].first), links_);
-      open_joint(unique(joint.name + std::string(kAxes[i].first), joints_), "continuous", parent,
-                 child, i == 0 ? X : Pose{}, tag, of_pose, true);
+      const std::string name = unique(joint.name + std::string(kAxes[i].first), joints_);
+      open_joint(xml_,
+                 made_joint(name, "continuous", parent, child, i == 0 ? X : Pose{}, tag, of_pose));
       xml_.open("axis", tag);
       xml_.attribute("xyz", kAxes[i].second, tag);
       xml_.close();
       dynamics(joint);
       xml_.close();
-      if (i < 2) made_link(child, tag);
+      if (i < 2) add_made_link(xml_, child, tag);
       parent = child;
     }
     if (joint.is_limited) {
@@ -265,27 +257,16 @@ class RobotWriter {
                                   : joint.is_limited ? "revolute"
                                                      : "continuous";
     const Settings& s = joint.settings;
-    Place tag = place_of(s.element(), joint.frame);
-    xml_.open("joint", tag);
+    const Place tag = place_of(s.element(), joint.frame);
+    JointText text = made_joint(joint.name, type, from, to, X, tag, of_pose);
+    text.is_made = false;
     const Attribute* name = s.element().attribute("name");
-    Place of_name = tag;
     if (name != nullptr && joint.has_name) {
-      of_name.origin = name->value_span();
-      of_name.is_exact = name->value() == joint.name;
+      text.of_name.origin = name->value_span();
+      text.of_name.is_exact = name->value() == joint.name;
     }
-    xml_.attribute("name", joint.name, of_name);
-    xml_.attribute("type", type, settings_place(joint, {"type", "range"}));
-    xml_.open("parent", tag);
-    xml_.attribute("link", from, tag);
-    xml_.close();
-    xml_.open("child", tag);
-    xml_.attribute("link", to, tag);
-    xml_.close();
-    const Vector3 rpy = to_rpy(X.orientation);
-    xml_.open("origin", tag);
-    if (rpy != Vector3{}) xml_.attribute("rpy", words_of(rpy), of_pose);
-    xml_.attribute("xyz", words_of(X.position), of_pose);
-    xml_.close();
+    text.of_type = settings_place(joint, {"type", "range"});
+    open_joint(xml_, text);
     xml_.open("axis", tag);
     xml_.attribute("xyz", words_of(joint.axis), settings_place(joint, {"axis"}));
     xml_.close();
@@ -352,6 +333,7 @@ class RobotWriter {
   xacro::Expansion& expansion_;
   TracedXml xml_;
   std::set<std::string> links_, joints_;
+  std::map<std::string, std::string> holders_;  ///< by link, the joint that holds it
 };
 
 }  // namespace

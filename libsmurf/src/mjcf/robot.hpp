@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mjcf/model.hpp"
 
@@ -17,8 +18,21 @@ struct Follower {
   View element;
 };
 
+/// Two links that are held together beside the tree: `<connect>` and `<weld>`.
+struct ClosedLoop {
+  std::string name, parent, child;
+  bool is_ball = false;  ///< else fixed
+  Pose X_CJ;             ///< in the child
+  View element;
+  xacro::FrameId frame = xacro::kNoFrame;
+};
+/// None if a joint in `<gazebo>` would close the loop elsewhere.
+std::optional<ClosedLoop> closed_loop(const Model& model, const Reference& one,
+                                      const Settings& settings, Reporter& reporter);
+
 /// What sections outside of the tree say about joints.
 struct JointFacts {
+  std::vector<ClosedLoop> loops;
   std::map<std::string, Follower> followers;
   std::map<std::string, std::pair<double, Place>> efforts;  ///< of the actuators
 };

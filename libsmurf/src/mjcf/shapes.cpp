@@ -9,14 +9,13 @@
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
+#include "imports/joint_xml.hpp"
 
 namespace smurf::mjcf {
 namespace {
 
 constexpr double kThickness = 0.001;  // of a plane
 constexpr double kEndless = 100;      // the sides of a plane without a size
-
-bool is_contact(const Geom& geom) { return geom.contype != 0 || geom.conaffinity != 0; }
 
 }  // namespace
 
@@ -142,8 +141,8 @@ std::string ShapeWriter::mesh_path(const Geom& geom, const Settings& mesh) const
 bool ShapeWriter::has_geometry(const Geom& geom) {
   const auto lost = [&](std::string what, std::string help) {
     reporter_
-        .report(rules::sml9304_lost_in_urdf, place(geom, {"type", "mesh"}).origin,
-                "a URDF has no " + what + ", so this shape is lost")
+        .lose(place(geom, {"type", "mesh"}).origin,
+              "a URDF has no " + what + ", so this shape is lost", "lost shapes")
         .help(std::move(help));
     return false;
   };
@@ -167,11 +166,11 @@ bool ShapeWriter::has_geometry(const Geom& geom) {
 
 void ShapeWriter::write(const Geom& geom) {
   if (!has_geometry(geom)) return;
-  const bool touches = is_contact(geom);
-  const bool is_shown = (!touches && !geom.file->compiler().discardvisual) ||
-                        (touches && geom.group >= 0 && geom.group <= 2);
+  const bool is_contact = touches(geom);
+  const bool is_shown = (!is_contact && !geom.file->compiler().discardvisual) ||
+                        (is_contact && geom.group >= 0 && geom.group <= 2);
   if (is_shown) one(geom, "visual");
-  if (touches) one(geom, "collision");
+  if (is_contact) one(geom, "collision");
 }
 
 void ShapeWriter::one(const Geom& geom, std::string_view kind) {
@@ -188,14 +187,7 @@ void ShapeWriter::one(const Geom& geom, std::string_view kind) {
   }
   Pose X = geom.shape == Shape::mesh ? geom.mesh_pose : geom.pose;
   if (geom.shape == Shape::plane) X = X * Pose{{0, 0, -kThickness / 2}, {}};
-  const Vector3 rpy = to_rpy(X.orientation);
-  if (rpy != Vector3{} || X.position != Vector3{}) {
-    const Place of_pose = place(geom, {"pos", "fromto", "quat", "euler"});
-    xml_.open("origin", tag);
-    if (rpy != Vector3{}) xml_.attribute("rpy", words_of(rpy), of_pose);
-    xml_.attribute("xyz", words_of(X.position), of_pose);
-    xml_.close();
-  }
+  imports::add_origin(xml_, X, tag, place(geom, {"pos", "fromto", "quat", "euler"}));
   xml_.open("geometry", tag);
   geometry(geom);
   xml_.close();

@@ -31,9 +31,7 @@ namespace {
 bool is_sought(std::string_view path) {
   const InputKind kind = input_kind(path);
   if (xacro::is_xacro_file(path)) return false;
-  // Most of these are no robots, and are read only if they are named.
-  if (is_one_of(path::to_lower(path::extension(path)), {".xml", ".sdf", ".world"}))
-    return is_companion_path(path);
+  if (may_be_imported(path)) return false;
   return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf ||
          is_companion_path(path);
 }
@@ -60,6 +58,7 @@ class Search {
     std::sort(found_.files.begin(), found_.files.end());
     std::sort(found_.model_links.begin(), found_.model_links.end());
     std::sort(found_.xacro.begin(), found_.xacro.end());
+    std::sort(found_.xml.begin(), found_.xml.end());
     std::sort(found_.yaml.begin(), found_.yaml.end());
     std::sort(found_.unreadable.begin(), found_.unreadable.end());
     return std::move(found_);
@@ -125,6 +124,8 @@ class Search {
       found_.files.push_back(path);  // each hard link: it has other neighbours
     } else if (kind == Entry::file && xacro::is_xacro_file(path) && !is_left_out(path, false)) {
       found_.xacro.push_back(path);
+    } else if (kind == Entry::file && may_be_imported(path) && !is_left_out(path, false)) {
+      found_.xml.push_back(path);
     } else if (kind == Entry::file && may_be_parameters(path) && !is_left_out(path, false)) {
       found_.yaml.push_back(path);
     }

@@ -16,8 +16,10 @@
 #include "base/files/path_patterns.hpp"
 #include "base/files/places.hpp"
 #include "base/findings/limits.hpp"
+#include "link/imported_world.hpp"
 #include "mjcf/mjcf.hpp"
 #include "plan/ignore_files.hpp"
+#include "plan/imported_robots.hpp"
 #include "plan/models_around.hpp"
 #include "plan/paths.hpp"
 #include "plan/xacro_files.hpp"
@@ -238,8 +240,10 @@ class Planner {
     for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
     const std::vector<std::string> roots =
         XacroFiles(found.xacro, files_, settings_.limits).roots();
+    const std::vector<std::string> imported = imported_robots(found.xml, files_, settings_.limits);
     for (const std::string& file : found.yaml) add(plan_.companions, file);
-    const bool is_found = !found.files.empty() || !roots.empty() || has_companion(found.yaml);
+    const bool is_found =
+        !found.files.empty() || !roots.empty() || !imported.empty() || has_companion(found.yaml);
     if (!is_found && found.unreadable.empty() && !ignore_files_.is_exhausted()) {
       fail(why_nothing(found, folder));
     }
@@ -252,6 +256,8 @@ class Planner {
       default: add(plan_.models, file); break;
       }
     }
+    for (const std::string& file : imported)
+      add(is_world_file(file, files_, settings_.limits) ? plan_.scenes : plan_.others, file);
     for (const std::string& root : roots) add_part_of_robot(root);
   }
 
@@ -318,6 +324,10 @@ class Planner {
 
   void add_file(const std::string& path) {
     if (is_other_xml(path)) return add_other(path);
+    if (is_world_file(path, files_, settings_.limits)) {
+      add(plan_.scenes, path);
+      return;
+    }
     switch (input_kind(path)) {
     case InputKind::scene:
     case InputKind::drawing: add(plan_.scenes, path); return;

@@ -72,6 +72,19 @@ class Builder {
     return true;
   }
 
+  /// A model of a world, in a frame of its own.
+  void run(const Scope& part) {
+    model_.is_entity = true;
+    model_.element = part.element;
+    model_.name = attribute_of(part.element, "name");
+    Overrides overrides;
+    const bool is_included = part.vertex->element.name_span() != part.element.name_span();
+    if (is_included) overrides.element = part.vertex->element;
+    overrides.is_static = part.is_static;
+    overrides.placement_frame = "";  // the pose in the world heeds it
+    add_model(part.element, *part.file, nullptr, overrides);
+  }
+
  private:
   /// A body needs ten times the memory of a part of a URDF.
   std::uint64_t most_parts() const { return reporter_.context().limits.urdf_parts / 10; }
@@ -163,6 +176,7 @@ class Builder {
       if (is_full_) return;
       if (one.name() == "model") add_model(one, *scope.file, &scope, {});
       if (one.name() == "include") include(one, scope);
+      if (one.name() == "light" && scope.is_world) model_.lights.push_back({one, {}, &scope});
     }
     for (const View one : element) {
       if (one.name() == "link" && !scope.is_world) add_link(one, scope);
@@ -330,7 +344,7 @@ class Builder {
                                 ? *overrides.placement_frame
                                 : std::string(attribute_of(element, "placement_frame"));
     scope.placement_place = place.name_span();
-    if (outer == nullptr && pose) {
+    if (outer == nullptr && pose && !model_.is_entity) {
       model_.X_W = pose_in(pose).value_or(Pose{});
       if (!attribute_of(pose, "relative_to").empty()) {
         reporter_.refuse(pose.attribute("relative_to")->value_span(),
@@ -386,7 +400,9 @@ class Builder {
     if (file == nullptr) return;
     const View model = file->root.child("model");
     if (!model) {
-      if (!file->root.child("actor") && !file->root.child("light"))
+      const View light = file->root.child("light");
+      if (light && scope.is_world) model_.lights.push_back({light, element, &scope});
+      if (!light && !file->root.child("actor"))
         reporter_.refuse(place, quoted(uri) + " has no model", "name a file with a `<model>`");
       return;
     }
@@ -433,5 +449,7 @@ class Builder {
 }  // namespace
 
 bool build(Files& files, Model& model) { return Builder(files, model).run(); }
+
+void build_part(Files& files, const Scope& part, Model& model) { Builder(files, model).run(part); }
 
 }  // namespace smurf::sdformat

@@ -4,7 +4,7 @@
 
 #include "base/findings/rules.hpp"
 #include "sdf/model.hpp"
-#include "sdf/sdf.hpp"
+#include "sdf/world.hpp"
 
 namespace smurf::sdformat {
 namespace {
@@ -12,9 +12,21 @@ namespace {
 constexpr imports::Family kFamily{rules::sml9311_sdformat_refuses, rules::sml9312_sdf_file_missing,
                                   rules::sml9313_sdf_limit, "libsdformat refuses this: "};
 
+/// Keeps the files of a result, whose findings and comments are in them.
+void keep_files(Files& files, const SourceMap& sources, xacro::Expansion& result) {
+  for (xml::Document& document : files.documents()) {
+    result.included.insert(sources.path(document.source));
+    result.documents.push_back(std::move(document));
+  }
+}
+
 }  // namespace
 
 bool is_sdf(std::string_view text) { return imports::root_name(text) == "sdf"; }
+
+bool is_world(std::string_view text) {
+  return is_sdf(text) && imports::first_name(text) == "world";
+}
 
 Imported expand(SourceId root, Context& context) {
   Imported result;
@@ -32,10 +44,25 @@ Imported expand(SourceId root, Context& context) {
     robot.is_complete = !reporter.has_refused();
     robot.source = context.sources.add(context.sources.path(root), std::move(text));
   }
-  for (xml::Document& document : files.documents()) {
-    robot.included.insert(context.sources.path(document.source));
-    robot.documents.push_back(std::move(document));
+  keep_files(files, context.sources, robot);
+  return result;
+}
+
+World expand_world(SourceId root, Context& context) {
+  World result;
+  result.scene.root = root;
+  Reporter reporter(context, kFamily);
+  Files files(root, reporter);
+  Model model;
+  if (build(files, model) && !reporter.has_refused()) {
+    resolve(model, reporter);
+    arrange(model, reporter);
+    weigh(model, files, reporter);
+    result.scene.frames = model.frames;
+    write_world(model, files, reporter, result);
+    result.scene.is_complete = !reporter.has_refused();
   }
+  keep_files(files, context.sources, result.scene);
   return result;
 }
 

@@ -32,14 +32,15 @@ void ExtensionWriter::write_all() {
   for (const Link& link : model_.links) write(link);
   for (const Joint& joint : model_.joints) {
     if (joint.is_in_tree) write(joint);
+    if (joint.closes_loop) loop(joint);
   }
   for (const Scope& scope : model_.scopes) losses(scope);
 }
 
 void ExtensionWriter::lost(View element) {
   reporter_
-      .report(rules::sml9304_lost_in_urdf, element.name_span(),
-              "a URDF has no " + quoted(element.name()) + ", so this one is lost")
+      .lose(element.name_span(),
+            "a URDF has no " + quoted(element.name()) + ", so this one is lost", "lost elements")
       .help("keep the SDF for it");
 }
 
@@ -128,6 +129,43 @@ void ExtensionWriter::write(const Joint& joint) {
     number("springStiffness", "spring_stiffness", stiffness);
     number("springReference", "spring_reference", number_in(dynamics, "spring_reference", 0));
   }
+  xml_.close();
+}
+
+/// A joint beside the tree, whose pose is that in its child.
+void ExtensionWriter::loop(const Joint& joint) {
+  const View element = joint.vertex->element;
+  const xacro::FrameId frame = joint.vertex->scope->frame;
+  const Place tag = tag_of(element, frame);
+  const auto leaf = [&](std::string_view name, std::string_view text, const Place& place) {
+    xml_.open(name, place);
+    xml_.text(text, place);
+    xml_.close();
+  };
+  const Link& child = model_.links[*joint.child.link];
+  const Pose X_CJ = joint.is_at_child ? Pose{} : inverse(child.X_W) * joint.X_W;
+  xml_.open("gazebo", tag);
+  xml_.open("joint", tag);
+  xml_.attribute("name", joint.name, tag, true);
+  xml_.attribute("type",
+                 joint.type == Joint::Type::fixed  ? "fixed"
+                 : joint.type == Joint::Type::ball ? "ball"
+                                                   : "revolute",
+                 tag);
+  leaf("parent", model_.links[*joint.parent.link].name, place_in(element, "parent", frame));
+  leaf("child", child.name, place_in(element, "child", frame));
+  leaf("pose", words_of(X_CJ.position) + " " + words_of(to_rpy(X_CJ.orientation)),
+       place_in(element, "pose", frame));
+  const Axis& axis = joint.axes[0];
+  if (axis.element && joint.type != Joint::Type::fixed && joint.type != Joint::Type::ball) {
+    xml_.open("axis", tag_of(axis.element, frame));
+    leaf("xyz", words_of(axis.xyz), place_in(axis.element, "xyz", frame));
+    for (const View one : axis.element) {
+      if (one.name() == "limit" || one.name() == "dynamics") copy(one, frame, nullptr);
+    }
+    xml_.close();
+  }
+  xml_.close();
   xml_.close();
 }
 

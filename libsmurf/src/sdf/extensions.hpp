@@ -16,6 +16,7 @@ class ExtensionWriter {
  private:
   void write(const Link& link);
   void write(const Joint& joint);
+  void loop(const Joint& joint);
   void model_settings();
   void losses(const Scope& scope);
   void lost(View element);

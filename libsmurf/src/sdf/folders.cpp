@@ -7,6 +7,7 @@
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
+#include "base/text/words.hpp"
 #include "sdf/files.hpp"
 #include "syntax/xml_reader.hpp"
 
@@ -138,6 +139,14 @@ std::optional<std::string> Files::search_model(const std::string& uri, const Sdf
   if (!rest.empty() && !rest.starts_with('.')) {
     const std::string& there = place_of_name(std::string(rest), from.folder);
     if (!there.empty()) return path::normalize(files.is_file(there) ? there : file_in(there));
+  }
+  if (is_one_of(rest, {"sun", "ground_plane"})) {
+    // Nearly every world has them, and no package.
+    reporter_
+        .report(rules::sml9304_lost_in_urdf, place,
+                quoted(uri) + " is one of Gazebo's own models, and not here, so it is lost")
+        .help("put its folder, with `model.config`, into `models`");
+    return std::nullopt;
   }
   reporter_.miss(place, "there is no model " + quoted(uri),
                  "put its folder, with `model.config`, beside that of this model or into `models`");

@@ -105,6 +105,14 @@ struct Joint {
   std::array<Axis, 2> axes;
   double travel = 0;  ///< of a screw: metres for each radian
   bool is_in_tree = false;
+  bool closes_loop = false;  ///< beside the tree, and `<gazebo>` says so
+};
+
+/// A light of a world.
+struct Light {
+  View element;
+  View include;  ///< which names its file; empty without one
+  Scope* scope = nullptr;
 };
 
 /// All of a file.
@@ -113,14 +121,20 @@ struct Model {
   std::deque<Vertex> vertices;
   std::deque<Link> links;
   std::deque<Joint> joints;
+  std::vector<Light> lights;
   std::vector<xacro::Frame> frames{1};
   std::string name;
   View element;
   Pose X_W;  ///< of a model that is the whole file
+  /// A model of a world that becomes an entity of a scene: its pose and its heightmaps are those of
+  /// entities.
+  bool is_entity = false;
 };
 
 /// Adds what the file says; false if there is nothing to read.
 bool build(Files& files, Model& model);
+/// Reads a model of a world again, as one that is alone.
+void build_part(Files& files, const Scope& part, Model& model);
 /// Resolves poses, ends of joints and axes, and reports names that nothing has.
 void resolve(Model& model, Reporter& reporter);
 /// Chooses the joints that hold each link, and reports those that close a loop.
@@ -159,6 +173,9 @@ class Frames {
   std::map<const Vertex*, LinkIndex> links_;
   int depth_ = 0;
 };
+
+/// The link that is the root of the result; none if all hangs on a link `world`.
+std::optional<LinkIndex> root_of(const Model& model);
 
 /// The result of a model.
 std::string write_robot(Model& model, Files& files, Reporter& reporter,

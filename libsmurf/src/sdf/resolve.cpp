@@ -208,6 +208,8 @@ class Arranger {
       }
       Joint*& holder = holder_[*joint.child.link];
       if (holder != nullptr || closes_loop(joint)) {
+        joint.closes_loop = joint.parent.link && is_one_of_gazebo(joint);
+        if (joint.closes_loop) continue;
         lost(joint, "a URDF is a tree, and " + quoted(joint.name) + " closes a loop, so it is lost",
              "keep the SDF for simulators that need it");
         continue;
@@ -228,6 +230,11 @@ class Arranger {
   /// The child has no holder, so it is at the top of its own tree.
   bool closes_loop(const Joint& joint) {
     return joint.parent.link && top_of(*joint.parent.link) == *joint.child.link;
+  }
+
+  static bool is_one_of_gazebo(const Joint& joint) {
+    return joint.type == Joint::Type::fixed || joint.type == Joint::Type::revolute ||
+           joint.type == Joint::Type::continuous || joint.type == Joint::Type::ball;
   }
 
   void lost(const Joint& joint, std::string message, std::string help) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Links and joints as those of a URDF. Frames of links are kept; a joint beside the frame of its
 // child, and a joint with several axes, make links without mass.
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -8,6 +9,7 @@
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/unique_names.hpp"
+#include "imports/joint_xml.hpp"
 #include "sdf/extensions.hpp"
 #include "sdf/shapes.hpp"
 
@@ -53,7 +55,7 @@ class RobotWriter {
     xml_.attribute("name", model_.name,
                    name != nullptr ? Place{name->value_span(), place.use, xacro::kNoFrame, true}
                                    : place);
-    const bool has_world = needs_world();
+    const bool has_world = !root_of(model_);
     if (has_world) {
       xml_.open("link", place, true);
       xml_.attribute("name", kWorld, place, true);
@@ -86,20 +88,6 @@ class RobotWriter {
   }
 
  private:
-  /// One tree that may move is the robot itself.
-  bool needs_world() const {
-    if (model_.scopes.front().is_world) return true;
-    std::size_t roots = 0;
-    for (std::size_t i = 0; i < model_.links.size(); ++i) {
-      const Joint* holder = holders_[i];
-      if (holder != nullptr && !holder->parent.link) return true;
-      if (holder != nullptr) continue;
-      if (model_.links[i].is_static) return true;
-      ++roots;
-    }
-    return roots != 1;
-  }
-
   std::string name_of(const Body& body) const {
     return body.link ? model_.links[*body.link].name : std::string(kWorld);
   }
@@ -133,15 +121,6 @@ class RobotWriter {
     xml_.close();
   }
 
-  void origin(const Pose& X, const Place& tag, const Place& of_pose) {
-    const Vector3 rpy = to_rpy(X.orientation);
-    if (rpy == Vector3{} && X.position == Vector3{}) return;
-    xml_.open("origin", tag);
-    if (rpy != Vector3{}) xml_.attribute("rpy", words_of(rpy), of_pose);
-    xml_.attribute("xyz", words_of(X.position), of_pose);
-    xml_.close();
-  }
-
   void inertial(const Link& link) {
     if (!link.mass || !(link.mass->mass > 0)) return;
     const View element = link.vertex->element.child("inertial");
@@ -155,7 +134,7 @@ class RobotWriter {
     };
     // What nobody wrote is reported as such (SML9315), and what cannot move needs no mass.
     xml_.open("inertial", tag, !element || link.is_static);
-    origin(link.X_inertial * Pose{mass.center, {}}, tag, link.of_center);
+    add_origin(xml_, link.X_inertial * Pose{mass.center, {}}, tag, link.of_center);
     xml_.open("mass", tag);
     number(element, "mass", "value", mass.mass, link.of_mass);
     xml_.close();
@@ -172,16 +151,19 @@ class RobotWriter {
   void open_joint(std::string_view name, const Place& of_name, std::string_view type,
                   const std::string& from, const std::string& to, const Pose& X, const Place& tag,
                   const Place& of_pose, bool is_made) {
-    xml_.open("joint", tag, is_made);
-    xml_.attribute("name", name, of_name, name.find("::") != std::string_view::npos);
-    xml_.attribute("type", type, of_type_);
-    xml_.open("parent", tag);
-    xml_.attribute("link", from, of_parent_);
-    xml_.close();
-    xml_.open("child", tag);
-    xml_.attribute("link", to, of_child_);
-    xml_.close();
-    origin(cleaned(X), tag, of_pose);
+    imports::open_joint(xml_, {.name = name,
+                               .type = type,
+                               .parent = from,
+                               .child = to,
+                               .X = cleaned(X),
+                               .tag = tag,
+                               .of_name = of_name,
+                               .of_type = of_type_,
+                               .of_parent = of_parent_,
+                               .of_child = of_child_,
+                               .of_pose = of_pose,
+                               .is_made = is_made,
+                               .is_name_made = name.find("::") != std::string_view::npos});
   }
 
   void forget_ends(const Place& tag) { of_type_ = of_parent_ = of_child_ = tag; }
@@ -194,12 +176,6 @@ class RobotWriter {
     const std::string_view type = link.is_static ? "fixed" : "floating";
     open_joint(joints_.add(link.name + (link.is_static ? "_fixed" : "_free")), tag, type,
                std::string(kWorld), link.name, link.X_W, tag, of_pose, true);
-    xml_.close();
-  }
-
-  void made_link(const std::string& name, const Place& tag) {
-    xml_.open("link", tag, true);
-    xml_.attribute("name", name, tag, true);
     xml_.close();
   }
 
@@ -225,11 +201,15 @@ class RobotWriter {
     default: single(joint, to, X, of_pose); break;
     }
     if (!is_beside) return;
-    made_link(to, tag);
-    forget_ends(tag);
-    open_joint(joints_.add(link.name + "_at"), tag, "fixed", to, link.name, X_JC, tag, of_pose,
-               true);
-    xml_.close();
+    add_made_link(xml_, to, tag);
+    const std::string name = joints_.add(link.name + "_at");
+    add_fixed_joint(xml_, {.name = name,
+                           .parent = to,
+                           .child = link.name,
+                           .X = cleaned(X_JC),
+                           .tag = tag,
+                           .of_pose = of_pose,
+                           .is_name_made = true});
   }
 
   void ends_of(const Joint& joint) {
@@ -253,7 +233,8 @@ class RobotWriter {
     Place place = place_in(element, "xyz", frame);
     place.is_exact = text_in(element, "xyz") == words_of(v);
     xml_.open("axis", tag_of(element, frame));
-    xml_.attribute("xyz", words_of(v), place);
+    // Rules on rounding are meant for what was written.
+    xml_.attribute("xyz", words_of(v), place, !place.is_exact);
     xml_.close();
   }
 
@@ -355,7 +336,7 @@ class RobotWriter {
       dynamics(joint, axis);
       mimic(joint, axis);
       xml_.close();
-      if (is_first) made_link(between, tag);
+      if (is_first) add_made_link(xml_, between, tag);
       of_parent_ = tag;
     }
   }
@@ -374,7 +355,7 @@ class RobotWriter {
       xml_.attribute("xyz", kAxes[i].second, tag);
       xml_.close();
       xml_.close();
-      if (i < 2) made_link(child, tag);
+      if (i < 2) add_made_link(xml_, child, tag);
       from = child;
       of_parent_ = tag;
     }
@@ -393,7 +374,7 @@ class RobotWriter {
     limit(joint, axis, false);
     dynamics(joint, axis);
     xml_.close();
-    made_link(between, tag);
+    add_made_link(xml_, between, tag);
     of_parent_ = tag;
     open_joint(joints_.add(joint.name + "_2"), tag, "prismatic", between, to, {}, tag, of_pose,
                true);
@@ -421,6 +402,23 @@ class RobotWriter {
 };
 
 }  // namespace
+
+std::optional<LinkIndex> root_of(const Model& model) {
+  if (model.scopes.front().is_world) return std::nullopt;
+  std::vector<bool> is_held(model.links.size(), false);
+  for (const Joint& joint : model.joints) {
+    if (!joint.is_in_tree) continue;
+    if (!joint.parent.link) return std::nullopt;
+    is_held[*joint.child.link] = true;
+  }
+  // One tree that may move is the robot itself; what an entity stands on is said by its anchor.
+  const auto root = std::find(is_held.begin(), is_held.end(), false);
+  if (root == is_held.end() || std::find(root + 1, is_held.end(), false) != is_held.end())
+    return std::nullopt;
+  const auto index = static_cast<LinkIndex>(root - is_held.begin());
+  if (model.links[index].is_static && !model.is_entity) return std::nullopt;
+  return index;
+}
 
 std::string write_robot(Model& model, Files& files, Reporter& reporter,
                         xacro::Expansion& expansion) {

@@ -9,6 +9,7 @@
 #include "base/numbers/exact_math.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
+#include "imports/joint_xml.hpp"
 #include "sdf/colours.hpp"
 
 namespace smurf::sdformat {
@@ -88,11 +89,15 @@ Pose pose_of_shape(View owner, const Link& link, Frames& frames) {
          frames.express(scope, name->value(), name->value_span()) * raw;
 }
 
+bool becomes_ground(const Model& model, const Link& link) {
+  return model.is_entity && link.is_static;
+}
+
 bool ShapeWriter::has_geometry(const Shape& shape) {
   const auto lost = [&](std::string what, std::string help) {
     reporter_
-        .report(rules::sml9304_lost_in_urdf, shape.element.name_span(),
-                "a URDF has no " + what + ", so this shape is lost")
+        .lose(shape.element.name_span(), "a URDF has no " + what + ", so this shape is lost",
+              "lost shapes")
         .help(std::move(help));
     return false;
   };
@@ -107,8 +112,8 @@ bool ShapeWriter::has_geometry(const Shape& shape) {
     if (text_in(shape.element, "uri").empty()) return false;
     if (const View part = shape.element.child("submesh")) {
       reporter_
-          .report(rules::sml9304_lost_in_urdf, part.name_span(),
-                  "a URDF has no parts of a mesh, so the whole mesh is shown")
+          .lose(part.name_span(), "a URDF has no parts of a mesh, so the whole mesh is shown",
+                "such meshes")
           .help("write the part into a file of its own");
     }
     return true;
@@ -126,6 +131,7 @@ void ShapeWriter::write(const Link& link) {
 
 void ShapeWriter::one(const Link& link, View element) {
   const Shape shape = read_shape(element);
+  if (shape.kind == Shape::Kind::heightmap && becomes_ground(model_, link)) return;
   if (!has_geometry(shape)) return;
   const xacro::FrameId frame = link.vertex->scope->frame;
   const Place tag = tag_of(element, frame);
@@ -139,14 +145,7 @@ void ShapeWriter::one(const Link& link, View element) {
   Pose X = pose_of_shape(element, link, frames_);
   if (shape.kind == Shape::Kind::plane)
     X = X * Pose{{}, turn_from_z(shape.normal)} * Pose{{0, 0, -kThickness / 2}, {}};
-  const Vector3 rpy = to_rpy(X.orientation);
-  if (rpy != Vector3{} || X.position != Vector3{}) {
-    const Place of_pose = place_in(element, "pose", frame);
-    xml_.open("origin", tag);
-    if (rpy != Vector3{}) xml_.attribute("rpy", words_of(rpy), of_pose);
-    xml_.attribute("xyz", words_of(X.position), of_pose);
-    xml_.close();
-  }
+  imports::add_origin(xml_, X, tag, place_in(element, "pose", frame));
   xml_.open("geometry", tag);
   geometry(shape, link);
   xml_.close();
@@ -180,6 +179,13 @@ void ShapeWriter::geometry(const Shape& shape, const Link& link) {
   case Shape::Kind::mesh: {
     xml_.open("mesh", tag);
     const View uri = e.child("uri");
+    const SdfFile& file = *link.vertex->scope->file;
+    if (text_of(uri).starts_with("model://") && files_.path_of(text_of(uri), file).empty()) {
+      reporter_
+          .lose(uri.text_span(), "there is no " + quoted(text_of(uri)) + ", so this shape is lost",
+                "lost meshes")
+          .help("put the folder of the model beside that of this one or into `models`");
+    }
     Place place = place_of(uri, frame);
     place.is_exact = true;
     xml_.attribute("filename", files_.resource(text_of(uri), *link.vertex->scope->file), place);
@@ -216,8 +222,9 @@ std::optional<ShapeWriter::Colour> ShapeWriter::colour(View visual, xacro::Frame
     const View lost = material.child("pbr") ? material.child("pbr") : script;
     if (lost) {
       reporter_
-          .report(rules::sml9304_lost_in_urdf, lost.name_span(),
-                  "a material of a URDF has one colour and one picture, so this one is lost")
+          .lose(lost.name_span(),
+                "a material of a URDF has one colour and one picture, so this one is lost",
+                "lost materials")
           .help("write `<diffuse>` for readers of the URDF");
     }
     return std::nullopt;

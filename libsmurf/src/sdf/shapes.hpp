@@ -37,6 +37,9 @@ Shape read_shape(View owner);
 /// In the frame of the link.
 Pose pose_of_shape(View owner, const Link& link, Frames& frames);
 
+/// Whether heightmaps of a link become entities of a scene.
+bool becomes_ground(const Model& model, const Link& link);
+
 class ShapeWriter {
  public:
   ShapeWriter(Model& model, Files& files, Reporter& reporter, TracedXml& xml)

@@ -4,6 +4,7 @@
 #include "base/findings/readers.hpp"
 #include "base/text/words.hpp"
 #include "lint/geometry_queries.hpp"
+#include "lint/imported_robot.hpp"
 
 namespace smurf::rules::sml1602_shape_nonstandard_file {
 namespace {
@@ -24,6 +25,8 @@ void check_geometry(const LinkedModel& model, const urdf::Link& link,
   if (std::none_of(std::begin(known), std::end(known), is_name)) return;
   Diagnostic& diagnostic =
       findings.report(shape.name_span(), quoted(shape.name()) + " is not a shape of URDF 1.0");
+  // The file has it in its own language; targets judge the URDF that is made of it.
+  if (is_of_other_language(model)) diagnostic.severity = Severity::info;
   diagnostic.note("urdfdom before 5.1 drops it and everything after it from " + title(link));
   if (is_name("capsule") && is_one_of(model.robot->version.value_or(""), {"1.1", "1.2"})) {
     diagnostic.when(kDeclared);

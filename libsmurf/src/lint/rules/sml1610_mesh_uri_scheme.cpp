@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
+#include "lint/imported_robot.hpp"
 #include "lint/mesh_queries.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
@@ -44,6 +45,8 @@ void report(const MeshReference& reference, Findings& findings) {
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const MeshReference& reference : model.meshes) {
+    // In an SDF, it is how a mesh is named.
+    if (reference.filename.starts_with("model://") && is_of_other_language(model)) continue;
     if (has_foreign_scheme(reference.filename)) report(reference, findings);
   }
 }

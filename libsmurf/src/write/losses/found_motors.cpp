@@ -136,7 +136,7 @@ Found motor_keys(const LinkedModel& model, SceneColumn column) {
                                      "maxSpeed",    "maxEffort", "mimic_motor", "mimic_multiplier",
                                      "mimic_offset"};
   if (column == SceneColumn::mjcf) {
-    said.insert(said.end(), {"minValue", "maxValue", "minPosition", "maxPosition"});
+    said.insert(said.end(), {"minValue", "maxValue", "minPosition", "maxPosition", "kp", "kv"});
   }
   Found found;
   for (const Motor& motor : model.annotations.motors) {

@@ -32,7 +32,7 @@ bool read_chunks(std::string_view png, PngImage& image) {
   constexpr std::size_t kSignature = 8;
   constexpr std::size_t kFrame = 12;  // length, name and checksum
   std::size_t at = kSignature;
-  while (png.size() - at >= kFrame) {
+  while (png.size() >= at + kFrame) {
     const std::size_t size = number_at(png, at);
     const std::string_view name = png.substr(at + 4, 4);
     if (size > png.size() - at - kFrame) return false;

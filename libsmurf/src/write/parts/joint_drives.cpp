@@ -16,9 +16,10 @@
 namespace smurf {
 namespace {
 
-/// A limit that is too large for computations is treated as absent.
+/// A limit that is too large for computations is treated as absent; SDF writes such a one for none.
 std::optional<double> above_zero(std::optional<double> value) {
-  return value && *value > 0 && is_quantity(*value) ? value : std::nullopt;
+  constexpr double kNone = 1e16;
+  return value && *value > 0 && *value < kNone ? value : std::nullopt;
 }
 
 DriveKind kind_of(std::string_view interface) {
@@ -95,8 +96,8 @@ class DriveReader {
     case MotorKind::effort: drive.kind = DriveKind::effort; break;
     }
     const std::string& joint = *drive.joint->name;
-    drive.kp = number_for(options_.kp, joint);
-    drive.kv = number_for(options_.kv, joint);
+    if (const auto kp = number_for(options_.kp, joint)) drive.kp = kp;
+    if (const auto kv = number_for(options_.kv, joint)) drive.kv = kv;
     drive.armature = number_for(options_.armature, joint);
   }
 
@@ -129,6 +130,17 @@ class DriveReader {
       drive->upper = upper;
     }
     drive->gain = above_zero(motor.p.value()).value_or(drive->gain);
+    drive->kp = stated(motor, "kp");
+    drive->kv = stated(motor, "kv");
+  }
+
+  /// A number of a motor that only simulators read.
+  std::optional<double> stated(const Motor& motor, std::string_view key) const {
+    const yaml::Document* document = model_.document(motor.span.source);
+    if (document == nullptr) return std::nullopt;
+    const yaml::View value = yaml::View(*document, motor.node).find(key);
+    const auto number = value ? value.number() : std::nullopt;
+    return number && *number >= 0 && is_quantity(*number) ? number : std::nullopt;
   }
 
   void of_extensions(std::string_view name, void (DriveReader::*take)(xml::View)) {

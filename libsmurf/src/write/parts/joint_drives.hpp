@@ -26,7 +26,7 @@ struct JointDrive {
   std::optional<double> effort, speed;       ///< largest value; N m or N, rad/s or m/s; above 0
   std::optional<double> lower, upper;        ///< limits of the position, rad or m
   double gain = 0;                           ///< gain of a position, 1/s
-  std::optional<double> kp, kv, armature;    ///< that the caller asks for
+  std::optional<double> kp, kv, armature;    ///< that the caller or the motor asks for
 };
 
 /// One drive per joint, in the order of the model, for joints with one axis that do not mimic
