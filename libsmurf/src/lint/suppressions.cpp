@@ -90,39 +90,6 @@ class Suppressions::Reader {
   }
 
  private:
-  /// A line without its line end, and its text without the blanks around it.
-  struct Line {
-    std::size_t begin = 0, end = 0;
-    std::size_t text_begin = 0, text_end = 0;
-  };
-
-  /// Finds the lines of places. Call it with places in ascending order; many may share a line.
-  class Lines {
-   public:
-    explicit Lines(std::string_view text) : text_(text) { look_around(0); }
-
-    const Line& around(std::size_t at) {
-      if (at < line_.begin || at > line_.end) look_around(at);
-      return line_;
-    }
-
-   private:
-    void look_around(std::size_t at) {
-      const std::size_t before = at == 0 ? std::string_view::npos : text_.rfind('\n', at - 1);
-      line_.begin = before == std::string_view::npos ? 0 : before + 1;
-      line_.end = std::min(text_.find('\n', at), text_.size());
-      line_.text_begin = line_.begin;
-      while (line_.text_begin < line_.end && is_space(text_[line_.text_begin])) ++line_.text_begin;
-      line_.text_end = line_.end;
-      while (line_.text_end > line_.text_begin && is_space(text_[line_.text_end - 1])) {
-        --line_.text_end;
-      }
-    }
-
-    std::string_view text_;
-    Line line_;
-  };
-
   using Range = std::pair<std::uint32_t, std::uint32_t>;
   struct Marker {
     std::size_t hash, at;
@@ -347,13 +314,7 @@ void Suppressions::add(const LinkedScene& scene, const SourceMap& sources,
     if (file.drawing) {
       add(*file.drawing, scene.is_complete, sources);
     } else if (file.document) {
-      const auto made = expansions.find(file.document->source);
-      if (made == expansions.end()) {
-        add(*file.document, scene.is_complete, sources);
-      } else {
-        for (const xml::Document& document : made->second.documents)
-          add(document, scene.is_complete, sources);
-      }
+      add(*file.document, scene.is_complete, sources);
     }
   }
   for (const DataFile& file : scene.data_files) add(file.document, scene.is_complete, sources);
