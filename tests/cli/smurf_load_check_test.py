@@ -49,6 +49,18 @@ class Verdicts(LoadCheckTest):
         self.assertEqual(self.stages(check), dict.fromkeys(
             ["BUILD", "POSE0", "STILL", "HANG", "DROP"], "pass"))
 
+    def test_damping_is_said_to_be_ignored(self):
+        joint = ('<joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 1 0"/>'
+                 '<dynamics damping="{}" friction="{}"/></joint>')
+        links = "".join(f'<link name="{name}"><inertial><origin xyz="0 0 -0.1"/><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" '
+                        'iyy="0.1" iyz="0" izz="0.1"/></inertial></link>' for name in "ab")
+        for damping, friction, is_said in ((0, 0, False), (0.5, 0, True), (0, 0.5, True)):
+            self.write("damped.urdf", f'<robot name="r">{links}{joint.format(damping, friction)}</robot>')
+            note = self.report(0, "damped.urdf")["checks"][0]["stages"][0]["note"]
+            self.assertEqual(note.endswith("; damping and friction of 1 joint ignored, as MARS does"), is_said, note)
+        self.write("damped.smurfs", "entities:\n- {name: A, type: urdf, file: damped.urdf, anchor: world}\n")
+        self.assertIn("damping and friction of 1 joint ignored", self.expect(0, "damped.smurfs").stdout)
+
     def test_a_fault_has_its_stage_and_line_and_the_rest_is_checked(self):
         report = self.report(1, "bad.urdf")
         [check] = report["checks"]

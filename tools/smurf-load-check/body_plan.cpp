@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/text/counted.hpp"
 #include "link/kinematics.hpp"
 
 namespace smurf::load_check {
@@ -109,6 +110,10 @@ class Planner {
       plan.stops.reset();
       ++plan_.unbounded_joints;
     }
+    if (joint.dynamics &&
+        (joint.dynamics->damping.value_or(0) != 0 || joint.dynamics->friction.value_or(0) != 0)) {
+      ++plan_.damped_joints;
+    }
     plan_.joints.push_back(std::move(plan));
   }
 
@@ -139,6 +144,11 @@ std::optional<std::pair<double, double>> limits_of(const urdf::Joint& joint, Joi
 
 double axis_length(const urdf::Joint& joint) {
   return joint.axis ? std::hypot((*joint.axis)[0], (*joint.axis)[1], (*joint.axis)[2]) : 1;
+}
+
+std::string Plan::text_on_damping() const {
+  if (damped_joints == 0) return {};
+  return "; damping and friction of " + counted(damped_joints, "joint") + " ignored, as MARS does";
 }
 
 }  // namespace smurf::load_check

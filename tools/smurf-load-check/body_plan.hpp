@@ -115,6 +115,10 @@ struct Plan {
   std::vector<JointPlan> joints;
   std::vector<ShapePlan> shapes;
   std::size_t unbounded_joints = 0;  ///< joints whose limits cannot be stops
+  std::size_t damped_joints = 0;     ///< joints with damping or friction, which are not simulated
+
+  /// "; damping and friction of 6 joints ignored, as MARS does"; "" if there are none.
+  std::string text_on_damping() const;
 
   const LinkedModel& model_of(const LinkPlan& link) const { return *models[link.instance].model; }
   const urdf::Link& link(const LinkPlan& link) const { return model_of(link).link(link.link); }

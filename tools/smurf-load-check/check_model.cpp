@@ -96,7 +96,7 @@ class ModelCheck {
       text += "; " + count_of(fixed_.unbounded_joints, "joint limit", "joint limits") +
               " ignored (ODE has no stops beyond 180 degrees)";
     }
-    return text;
+    return text + fixed_.text_on_damping();
   }
 
   void look_at_start(StageResult& result) {

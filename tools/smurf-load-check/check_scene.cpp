@@ -84,6 +84,7 @@ class SceneCheck {
       result.note +=
           "; " + count_of(stand_ins, "stand-in", "stand-ins") + ", see the checks of the models";
     }
+    result.note += plan_.text_on_damping();
   }
 
   /// The check of a model alone holds a root without mass in place, as a fixed base. In the scene
