@@ -370,6 +370,23 @@ class UnseenRobots(CasesTest):
             text = robot(base.replace("meshes/", path + "meshes/"))
             self.assertEqual(unused(text, ("package.xml", "<package><name>p</name></package>"), name="r.urdf.xacro"), "info")
 
+    def test_arguments_of_files_that_are_not_here(self):
+        launch = """from launch_ros.actions import Node
+def generate_launch_description():
+    share = get_package_share_directory('p')
+    return LaunchDescription([Node(package='robot_state_publisher', executable='robot_state_publisher', parameters=[
+        {'robot_description': ParameterValue(Command(['xacro ', os.path.join(share, 'r.urdf.xacro'), ' size:=3']), value_type=str)}])])
+"""
+        files = [("package.xml", "<package><name>p</name></package>"), ("launch/a.launch.py", launch),
+                 ("part.xacro", robot('<xacro:arg name="size" default="1"/>')), ("bare.xacro", robot(LASER))]
+        for name, is_told in (("$(find elsewhere)/part.xacro", False), ("part.xacro", False), ("$(find p)/bare.xacro", True)):
+            text = robot(f'<xacro:include filename="{name}"/>', ARM if is_told is False else "", '<link name="$(arg side)"/>')
+            with self.subTest(name):
+                self.setUp()
+                told = [one["message"] for one in self.lint(text, "", files=files, name="r.urdf.xacro")["diagnostics"]
+                        if one["id"] == "SML4203"]
+                self.assertEqual(any("`size`" in one for one in told), is_told, told)
+
 
 if __name__ == "__main__":
     LINT = sys.argv.pop(1)

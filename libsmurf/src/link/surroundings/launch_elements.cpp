@@ -125,7 +125,8 @@ class ElementReader {
     if (!value.is_text()) return;
     const LaunchText text = texts_.of(value);
     const bool has_rest = text.text.find_first_not_of("/") != std::string::npos;
-    if (text.is_known && !text.package.empty() && has_rest) {
+    const bool is_one = text.text.find_first_of(" \n\t") == std::string::npos;
+    if (text.is_known && !text.package.empty() && has_rest && is_one) {
       file_.paths.push_back(path_of(text, find_));
     }
   }

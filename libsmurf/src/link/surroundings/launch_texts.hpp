@@ -2,6 +2,7 @@
 // Texts in launch files that are put together of parts.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -39,7 +40,8 @@ class Texts {
     for (const Piece& one : pieces) {
       const auto known =
           one.kind == Piece::Kind::argument ? defaults_.find(one.text) : defaults_.end();
-      if (known == defaults_.end() || !known->second.is_text() || depth > 4) {
+      if (known == defaults_.end() || !known->second.is_text() || is_empty(known->second) ||
+          depth > 4) {
         all.push_back(one);
         continue;
       }
@@ -52,6 +54,13 @@ class Texts {
   }
 
  private:
+  /// The default of an argument that the user must give.
+  static bool is_empty(const Value& fallback) {
+    return std::all_of(fallback.pieces.begin(), fallback.pieces.end(), [](const Piece& one) {
+      return one.kind == Piece::Kind::literal && one.text.empty();
+    });
+  }
+
   void add(const std::vector<Piece>& pieces, int depth, LaunchText& text) const {
     const std::vector<Piece> all = resolved(pieces, text.by_default, depth);
     for (const Piece& one : all) {

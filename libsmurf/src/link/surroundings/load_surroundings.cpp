@@ -394,6 +394,11 @@ class Loader {
     std::vector<std::string> names = context_.files.list(around);
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string_view last = path::file_name(rest);
+    // `robot.urdf.xacro` for `robot.urdf`.
+    const std::string longer = std::string(last) + ".";
+    for (const std::string& name : names) {
+      if (name.starts_with(longer)) return name;
+    }
     if (const auto near = nearest(last, known)) return std::string(*near);
     const std::string_view stem = last.substr(0, last.find('.'));
     for (const std::string& name : names) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/surroundings/robot_facts.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -29,17 +30,27 @@ class RobotFacts {
     } else if (model_.robot) {
       read_document(model_.robot->document);
     } else {
-      read_source_text();
+      read_source_text(model_.urdf_path, 0);
     }
     if (model_.robot) read_comments(expansion);
   }
 
  private:
-  /// A xacro that could not be expanded.
-  void read_source_text() {
-    const FileContent content = context_.files.read(model_.urdf_path, context_.limits.file_bytes);
-    if (content.status != ReadStatus::ok) return;
+  /// A xacro that could not be expanded, and what it includes.
+  void read_source_text(const std::string& path, int depth) {
+    constexpr int kMostIncludes = 8;  // one in the other
+    const FileContent content = context_.files.read(path, context_.limits.file_bytes);
+    if (content.status != ReadStatus::ok || depth > kMostIncludes) {
+      found_.has_all_arguments = false;
+      return;
+    }
     note_uses(content.text);
+    constexpr std::string_view kInclude = "<xacro:include";
+    for (std::size_t at = content.text.find(kInclude); at != std::string::npos;
+         at = content.text.find(kInclude, at + 1)) {
+      const std::string tag = content.text.substr(at, content.text.find('>', at) - at);
+      read_source_text(included_file(tag, path), depth + 1);
+    }
     constexpr std::string_view kTag = "<xacro:arg";
     for (std::size_t at = content.text.find(kTag); at != std::string::npos;
          at = content.text.find(kTag, at + 1)) {
@@ -50,6 +61,27 @@ class RobotFacts {
       found_.arguments.push_back(
           {tag.substr(name + 6, end - name - 6), tag.find("default=") != std::string::npos});
     }
+  }
+
+  /// The file that an include names; "" if that is not known without expanding.
+  std::string included_file(std::string_view tag, const std::string& from) const {
+    const std::size_t begin = tag.find_first_of("\"'");
+    const std::size_t end =
+        begin == std::string_view::npos ? begin : tag.find(tag[begin], begin + 1);
+    if (end == std::string_view::npos) return {};
+    std::string name(tag.substr(begin + 1, end - begin - 1));
+    constexpr std::string_view kFind = "$(find ";
+    if (name.starts_with(kFind)) {
+      const std::size_t close = name.find(')');
+      const std::string package(trimmed(name.substr(kFind.size(), close - kFind.size())));
+      const auto known =
+          std::find_if(found_.packages.begin(), found_.packages.end(),
+                       [&](const SurroundingPackage& one) { return one.name == package; });
+      if (close == std::string::npos || known == found_.packages.end()) return {};
+      name = known->folder + name.substr(close + 1);
+    }
+    if (name.find_first_of("${}*") != std::string::npos) return {};
+    return path::join(path::parent(from), name);
   }
 
   void read_document(const xml::Document& document) {

@@ -52,7 +52,8 @@ void check_one(const LaunchDescription& one, const std::vector<XacroArgument>& k
 
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   const Surroundings& all = companions.surroundings;
-  if (!all.is_xacro || (!all.is_expanded && all.arguments.empty())) return;
+  if (!all.is_xacro || !all.has_all_arguments) return;
+  if (!all.is_expanded && all.arguments.empty()) return;
   for_each_launch(companions, [&](const LaunchFile& launch) {
     for (const LaunchDescription& one : launch.descriptions) {
       const bool is_xacro = one.form == LaunchDescription::Form::command ||
