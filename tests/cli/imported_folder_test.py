@@ -43,6 +43,17 @@ class FolderTest(unittest.TestCase):
         errors = [one["file"] for one in report["diagnostics"] if one["severity"] == "error"]
         self.assertEqual(errors, ["cup/model.sdf"])
 
+    def test_losses_are_infos(self):
+        """Whoever has a folder checked has not asked for a URDF; whoever names the file may want one."""
+        lossy = MODEL.replace("<mass>x</mass>", "<mass>1</mass>").replace("</link>", '<light name="l" type="point"/></link>')
+        report, _ = self.check({"cup/model.sdf": lossy})
+        self.assertEqual([one["severity"] for one in report["diagnostics"] if one["id"] == "SML9304"], ["info"])
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "model.sdf").write_text(lossy, encoding="utf-8")
+            done = subprocess.run([TOOL, "model.sdf", "--format", "concise"], capture_output=True, text=True, check=False,
+                                  cwd=folder)
+            self.assertIn("warning[SML9304]", done.stdout)
+
     def test_nothing_of_them(self):
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, "notes.xml").write_text("<notes/>", encoding="utf-8")

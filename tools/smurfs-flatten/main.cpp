@@ -168,8 +168,9 @@ Command make_command(Options& options) {
   command.operands = "SCENE [NAME:=VALUE]...";
   command.details =
       "SCENE is a .smurfs or .smurfa file, a .zsmurfs archive with a scene, a drawing (.svg) "
-      "whose groups are entities, or a folder with one scene; a .smurf, .urdf or .xacro counts "
-      "as a scene of one model; NAME:=VALUE is an argument of the .xacro. Poses are those of the "
+      "whose groups are entities, an SDF with a world, or a folder with one scene; another .sdf, a "
+      ".smurf, .urdf, .xacro or .mjcf counts as a scene of one model; NAME:=VALUE is an argument of "
+      "the .xacro. Poses are those of the "
       "URDF root links, in metres and unit "
       "quaternions; the pose of a parent link depends on the joint pose of its entity. A scene "
       "is refused when a pose is unknown; other errors of its models are counted, and smurf-lint "

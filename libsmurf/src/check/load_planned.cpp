@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "check/excuses.hpp"
 #include "check/given_arguments.hpp"
@@ -61,6 +62,17 @@ void PlannedLoader::load(const PlannedFile& planned, const FileReader& files, Me
   }
 }
 
+namespace {
+
+/// Whoever has a folder checked has not asked for a URDF of the files of other languages in it.
+void calm_losses(std::vector<Diagnostic>& found) {
+  for (Diagnostic& one : found) {
+    if (one.rule == &rules::sml9304_lost_in_urdf) one.severity = Severity::info;
+  }
+}
+
+}  // namespace
+
 void PlannedLoader::load_one_scene(const PlannedFile& planned, LoadContext& context,
                                    Outcome& outcome) const {
   LinkedScene scene = load_scene(planned.path, context);
@@ -68,6 +80,7 @@ void PlannedLoader::load_one_scene(const PlannedFile& planned, LoadContext& cont
   outcome.parsed.end_loading(outcome.sources, context.sink);
   outcome.judged = judge(scene, outcome.sources, run.memory.groups[planned.config].selection,
                          context.sink, *context.expansions);
+  if (!planned.is_named) calm_losses(outcome.judged.diagnostics);
   for (LinkedModel& model : scene.models) take_files(std::move(model), outcome);
   for (const SceneFile& file : scene.scenes) {
     outcome.scenes.insert(identity_of(file.path));
@@ -91,6 +104,7 @@ void PlannedLoader::load_one_robot(const PlannedFile& planned, LoadContext& cont
   outcome.judged =
       judge(robot, outcome.sources, group.selection, context.sink, *context.expansions);
   if (planned.may_be_part) excuse_arguments(outcome.judged.diagnostics);
+  if (!planned.is_named) calm_losses(outcome.judged.diagnostics);
   const auto excuse = [&](const Companions& companions) {
     const bool may_vary = planned.may_be_part || (has_several_robots && !planned.is_named);
     excuse_names(companions, outcome.sources, may_vary, outcome.judged.diagnostics);

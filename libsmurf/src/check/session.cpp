@@ -297,7 +297,9 @@ Report Session::check(const std::string& path, const CheckSettings& settings) {
   plan.configs.push_back(config_for(path, settings, *state_->files));
   const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing ||
                         is_world_file(path, *state_->files, limits());
-  (is_scene ? plan.scenes : plan.models).push_back({path, 0});
+  PlannedFile& one = (is_scene ? plan.scenes : plan.models).emplace_back();
+  one.path = path;
+  one.is_named = true;
   return state_->run(plan, settings);
 }
 

@@ -306,7 +306,7 @@ class Planner {
   }
 
   void mark_named(const std::string& path) {
-    for (auto* files : {&plan_.models, &plan_.others, &plan_.companions}) {
+    for (auto* files : {&plan_.scenes, &plan_.models, &plan_.others, &plan_.companions}) {
       if (!files->empty() && files->back().path == path) files->back().is_named = true;
     }
   }

@@ -81,7 +81,7 @@ class Builder {
     const bool is_included = part.vertex->element.name_span() != part.element.name_span();
     if (is_included) overrides.element = part.vertex->element;
     overrides.is_static = part.is_static;
-    overrides.placement_frame = "";  // the pose in the world heeds it
+    overrides.placement_frame = "";  // the pose in the world includes it
     add_model(part.element, *part.file, nullptr, overrides);
   }
 
