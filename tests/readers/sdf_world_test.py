@@ -124,6 +124,11 @@ class WorldTest(unittest.TestCase):
         result = self.run_tool(LINT, world.format("ball"), "--format", "concise", files={})
         self.assertIn("between two entities", result.stdout)
 
+    def test_targets_judge_the_models(self):
+        """A world is no scene of SMURF, which no target reads."""
+        result = self.run_tool(LINT, HALL, "--target", "gazebo", "--format", "concise")
+        self.assertNotIn("SML7100", result.stdout)
+
     def test_models_have_no_files(self):
         for options in (["--format", "smurfs"], ["--format", "dmd"], ["--format", "sdf", "--form", "reference"]):
             result = self.run_tool(FLATTEN, HALL, *options)
