@@ -80,7 +80,8 @@ class SdfTest(unittest.TestCase):
     def test_refused(self):
         for before, after, what in (("<child>tip", "<child>tp", "`tp`"), ("1 0 0</xyz>", "0 0 0</xyz>", "axis"),
                                     ("0 0 1 0 0 0", "0 0 1 0 0", "pose"), ('name="tip"', 'name="base"', "second"),
-                                    ("revolute", "hinge", "`hinge`"), ("<mass>3", "<mass>x", "number")):
+                                    ("revolute", "hinge", "`hinge`"), ("<mass>3", "<mass>x", "number"),
+                                    ("</link>", '<visual name="world"/></link>', "reserves")):
             result, robot = self.run_tool(arm().replace(before, after, 1))
             self.assertNotEqual(result.returncode, 0, what)
             self.assertIsNone(robot)

@@ -124,6 +124,24 @@ class WorldTest(unittest.TestCase):
         result = self.run_tool(LINT, world.format("ball"), "--format", "concise", files={})
         self.assertIn("between two entities", result.stdout)
 
+    def test_targets_judge_the_models(self):
+        """A world is no scene of SMURF, which no target reads."""
+        result = self.run_tool(LINT, HALL, "--target", "gazebo", "--format", "concise")
+        self.assertNotIn("SML7100", result.stdout)
+
+    def test_models_have_no_files(self):
+        for options in (["--format", "smurfs"], ["--format", "dmd"], ["--format", "sdf", "--form", "reference"]):
+            result = self.run_tool(FLATTEN, HALL, *options)
+            self.assertNotEqual(result.returncode, 0, options)
+            self.assertEqual(result.stdout, "")
+            self.assertIn("in no files of their own", result.stderr)
+
+    def test_loss_of_a_setting_is_at_its_place(self):
+        result = self.run_tool(FLATTEN, HALL, "--format", "urdf")
+        place = re.search(r"environment is not in .*\n *--> (.*)", result.stderr)
+        self.assertIsNotNone(place, result.stderr)
+        self.assertEqual(place[1], "hall.sdf:5:4")
+
     def test_refused(self):
         result = self.run_tool(FLATTEN, HALL.replace('relative_to="corner"', 'relative_to="corer"'))
         self.assertNotEqual(result.returncode, 0)

@@ -16,6 +16,7 @@
 #include "conversion/own_contacts.hpp"
 #include "conversion/refusal.hpp"
 #include "conversion/scene_assets.hpp"
+#include "link/imported_world.hpp"
 #include "smurf/conversion.hpp"
 #include "smurf/result_losses.hpp"
 
@@ -50,6 +51,14 @@ bool lacks_entities(const LinkedScene& scene) {
   if (!scene.instances.empty() || file.scene.extra.empty() || !file.document) return false;
   const yaml::View root = file.document->view();
   return !root.find("entities") && !root.find("smurfs") && !root.find("smurfa");
+}
+
+/// Whether readers of the result would look for files of models that were made from a world. JSON
+/// names them for programs that know it.
+bool names_made_models(const LinkedScene& scene, const SceneRequest& request) {
+  return request.form == SceneForm::reference && request.format.name != "json" &&
+         std::any_of(scene.models.begin(), scene.models.end(),
+                     [](const LinkedModel& model) { return !name_in_world(model.path).empty(); });
 }
 
 /// The scene as a table, in a dialect; none, with a finding, if it is too large.
@@ -188,7 +197,14 @@ SceneResult convert_scene(Session& session, LoadedScene& loaded, const SceneRequ
       session, loaded, request.force, [&] { write(session, loaded, request, result); },
       &result.losses);
   result.report = std::move(check.report);
-  if (check.refusal) result.refusal = std::move(check.refusal);
+  if (check.refusal) {
+    result.refusal = std::move(check.refusal);
+  } else if (names_made_models(loaded.scene, request)) {
+    result.text.clear();
+    result.refusal = {"is a world, whose models are in no files of their own, and the result would "
+                      "name files; choose a format that contains its models, such as sdf or urdf",
+                      Refusal::Cause::options};
+  }
   if (!result.refusal && !request.force && lacks_entities(loaded.scene)) {
     result.refusal = {"has no `entities`", Refusal::Cause::findings, true};
   }

@@ -16,7 +16,7 @@ std::string yaml_text(std::string_view text) {
   return result + "\"";
 }
 
-void TracedYaml::value(std::string_view text, const Place& place, bool is_made) {
+void TracedYaml::part(std::string_view text, const Place& place, bool is_made) {
   xacro::Leaf& leaf = leaves_.emplace_back();
   leaf.kind = xacro::Leaf::Kind::value;
   leaf.begin = static_cast<std::uint32_t>(text_.size());
@@ -30,9 +30,8 @@ void TracedYaml::value(std::string_view text, const Place& place, bool is_made) 
 
 void TracedYaml::line(std::string_view indent, std::string_view key, std::string_view text,
                       const Place& place, bool is_made) {
-  text_.append(indent).append(key).append(": ");
-  value(text, place, is_made);
-  text_ += "\n";
+  // Findings about a key are about what it says, too.
+  part(std::string(indent).append(key).append(": ").append(text).append("\n"), place, is_made);
 }
 
 }  // namespace smurf::imports

@@ -21,13 +21,14 @@ class TracedYaml {
   explicit TracedYaml(xacro::Expansion& expansion) : leaves_(expansion.leaves) {}
 
   void plain(std::string_view text) { text_ += text; }
-  /// A value; `is_made`: nobody wrote YAML here, so rules on writing are not meant for it.
-  void value(std::string_view text, const Place& place, bool is_made = true);
+  /// A part of the text that has one place; `is_made`: nobody wrote YAML there, so rules on writing
+  /// are not meant for it.
+  void part(std::string_view text, const Place& place, bool is_made = true);
   /// "  key: value".
   void line(std::string_view indent, std::string_view key, std::string_view text,
             const Place& place, bool is_made = true);
   std::size_t size() const { return text_.size(); }
-  /// Takes back what was written since then; it has no values.
+  /// Takes back what was written since then; it has no places.
   void cut(std::size_t size) { text_.resize(size); }
   std::string take() { return std::move(text_); }
 

@@ -226,6 +226,11 @@ class Builder {
                     "choose another name")
             .label(first->second, "the first one");
       }
+      if (is_reserved(attribute_of(one, "name"))) {
+        reporter_.refuse(name_place(one),
+                         quoted(attribute_of(one, "name")) + " is a name that SDF reserves",
+                         "choose another name");
+      }
       if (one.name() == "sensor") check_sensor(one);
     }
   }

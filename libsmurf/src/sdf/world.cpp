@@ -58,7 +58,7 @@ class WorldWriter {
     const Place tag = tag_of(world.element, xacro::kNoFrame);
     find_anchors();
     for (const Vertex* vertex : world.order) names_.take(vertex->name);
-    yaml_.value("entities:", tag);
+    yaml_.part("entities:", tag);
     const bool is_empty =
         std::none_of(world.order.begin(), world.order.end(),
                      [](const Vertex* one) { return one->kind == Vertex::Kind::model; });
@@ -213,7 +213,7 @@ class WorldWriter {
     const View owner =
         !world.child("gravity") && settings && settings.child("gravity") ? settings : world;
     const Vector3 gravity = vector_in(owner, "gravity", kGravityOfSdf);
-    yaml_.plain("physics:\n");
+    yaml_.part("physics:\n", place_in(owner, "gravity", xacro::kNoFrame));
     yaml_.line("  ", "gravity", mapping_of("xyz", {gravity[0], gravity[1], gravity[2]}),
                place_in(owner, "gravity", xacro::kNoFrame));
     if (!settings) return;
@@ -229,7 +229,7 @@ class WorldWriter {
         rows.emplace_back(name, number_in(constraints, name, 0),
                           place_in(constraints, name, xacro::kNoFrame));
     }
-    if (!rows.empty()) yaml_.plain("  ode:\n");
+    if (!rows.empty()) yaml_.part("  ode:\n", std::get<Place>(rows.front()));
     for (const auto& [name, value, place] : rows)
       yaml_.line("    ", name, format_number(value), place);
   }
@@ -238,7 +238,8 @@ class WorldWriter {
     bool is_first = true;
     for (const Light& one : model_.lights) {
       if (one.scope != &world) continue;
-      if (std::exchange(is_first, false)) yaml_.plain("lights:\n");
+      if (std::exchange(is_first, false))
+        yaml_.part("lights:\n", tag_of(one.include ? one.include : one.element, xacro::kNoFrame));
       light(one);
     }
   }
@@ -301,11 +302,11 @@ class WorldWriter {
     };
     const auto background = colour(scene, "background");
     const View fog = scene.child("fog");
-    if (background || fog) yaml_.plain("environment:\n");
+    if (background || fog) yaml_.part("environment:\n", tag_of(scene, xacro::kNoFrame));
     if (background)
       yaml_.line("  ", "background", mapping_of("rgba", {background->begin(), background->end()}),
                  place_in(scene, "background", xacro::kNoFrame));
-    if (fog) yaml_.plain("  fog:\n");
+    if (fog) yaml_.part("  fog:\n", tag_of(fog, xacro::kNoFrame));
     for (const std::string_view name : {"density", "start", "end"}) {
       if (fog)
         yaml_.line("    ", name, format_number(number_in(fog, name, name == "end" ? 100 : 1)),
