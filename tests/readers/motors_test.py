@@ -71,6 +71,12 @@ class Motors(reader.ReaderTest):
         self.assertIn('gainprm="2000" biasprm="0 -2000 -100"', world.read_text())
         self.assertIn('damping="0"', world.read_text())
 
+    def test_heavy_trunk_on_a_weak_motor(self):
+        """The stiffness against its weight would throw it from side to side at full effort."""
+        robot = (body("base", 0.03, 5) + joint("waist", "base", "trunk", 35, 30, axis="1 0 0").replace('"-2" upper="2"', '"-0.52" upper="0.52"') +
+                 body("trunk", 0.8, 20, "0 0 0.15") + control("waist"))
+        self.assert_arrives(self.world(robot)[0], 1)
+
     def test_no_limits_and_a_tiny_finger(self):
         robot = (body("base", 0.03, 5) + joint("a", "base", "palm", 0, 0, axis="0 1 0") + body("palm", 1e-5, 0.05, "0.02 0 0") +
                  joint("b", "palm", "tip", 0, 0, origin="0.04 0 0", axis="0 1 0") + body("tip", 4e-7, 0.002, "0.01 0 0") +

@@ -228,38 +228,53 @@ DriveGains gains_of(const JointDrive& drive) {
 
 namespace {
 
-/// What holds the weight of all that a joint carries to 1.5 % of 0.3 rad, or of a tenth of its
-/// range.
+/// 0.3 rad, or a tenth of the range: what a motor is asked for.
+double way_of(const JointDrive& drive) {
+  constexpr double kWay = 0.3;
+  if (!drive.lower || !drive.upper || !(*drive.lower < *drive.upper)) return kWay;
+  const double tenth = 0.1 * (*drive.upper - *drive.lower);
+  return drive.joint->type == urdf::JointType::prismatic ? tenth : std::min(kWay, tenth);
+}
+
+/// What holds the weight of all that a joint carries to 1.5 % of this way.
 double stiffness_against(double weight, const JointDrive& drive) {
   constexpr double kSag = 0.015;
-  double way = 0.3;
-  if (drive.lower && drive.upper && *drive.lower < *drive.upper) {
-    const double tenth = 0.1 * (*drive.upper - *drive.lower);
-    const bool is_linear = drive.joint->type == urdf::JointType::prismatic;
-    way = is_linear ? tenth : std::min(way, tenth);
-  }
-  return weight / (kSag * way);
+  return weight / (kSag * way_of(drive));
+}
+
+/// The damping at which a joint hardly swings that asks for more than its effort: it must begin to
+/// brake half of the way before it arrives, and still be there in time.
+double damping_for(double kp, double moved, const JointDrive& drive) {
+  constexpr double kRatio = 0.7;
+  constexpr double kSlowest = 0.2;  // s; in ten times of it, a joint has arrived
+  const double linear = 2 * kRatio * std::sqrt(kp * moved);
+  const double braking =
+      drive.effort ? kp * std::sqrt(way_of(drive) * moved / *drive.effort) / 2 : 0;
+  return std::min(std::max(linear, braking), kSlowest * kp);
 }
 
 }  // namespace
 
 DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double step) {
   DriveGains gains = gains_of(drive);
-  if (drive.kind == DriveKind::position && !drive.kp && !drive.kv) {
-    gains.kp = std::max(gains.kp, stiffness_against(inertia.gravity, drive));
+  const bool is_chosen = drive.kind == DriveKind::position && !drive.kp && !drive.kv;
+  const double moved = inertia.locked + gains.armature;
+  const double least_kp = is_chosen ? stiffness_against(inertia.gravity, drive) : 0;
+  if (gains.kp < least_kp) {
+    gains.kp = least_kp;
+    gains.kv = std::max(gains.kv, damping_for(gains.kp, moved, drive));
   }
   const double free = inertia.free + gains.armature;
   // The speed that a motor has to correct is gone after four steps, or two of twice the length.
   const double most = free / (4 * step);
   if (drive.kind == DriveKind::effort || gains.kv <= most) return gains;
   const bool has_limits = drive.effort && drive.speed;
-  if (!has_limits && !drive.kv && !drive.kp && drive.kind == DriveKind::position) {
+  if (!has_limits && is_chosen) {
     // Without limits, 100 says nothing about a joint so light: 20 rad/s without swinging, or what
     // holds its weight.
     constexpr double kRate = 20;
-    gains.kp = std::max(kRate * kRate * (inertia.locked + gains.armature),
-                        stiffness_against(inertia.gravity, drive));
-    gains.kv = std::max(2 * std::sqrt(gains.kp * (inertia.locked + gains.armature)),
+    gains.kp = std::max(kRate * kRate * moved, least_kp);
+    gains.kv = std::max(2 * std::sqrt(gains.kp * moved),
                         gains.kp / kRate);  // with joints that follow it
   }
   if (!drive.effort) return gains;  // without a limit of the force, it is integrated implicitly
