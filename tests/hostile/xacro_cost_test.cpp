@@ -285,7 +285,7 @@ void judge_calls(Judge& judge, const std::string& called) {
 std::vector<std::string> functions() {
   Session session;
   std::vector<std::string_view> names;
-  session.root->append_names(names);
+  session.root->append_names(names, true);
   std::vector<std::string> all;
   for (const std::string_view name : names) {
     const Value& value = session.root->own(name)->value;
@@ -294,7 +294,7 @@ std::vector<std::string> functions() {
       continue;
     }
     std::vector<std::string_view> inner;
-    value.table->append_names(inner);
+    value.table->append_names(inner, true);
     for (const std::string_view one : inner) {
       if (name != "math" && value.table->own(one) != nullptr)
         all.push_back(std::string(name) + "." + std::string(one));

@@ -32,7 +32,7 @@ void report_unknown(const std::string& name, Span place, const std::string& owne
   } else if (known.empty()) {
     found.help("delete it, or add `<xacro:arg name=\"" + name + "\" default=\"...\"/>`");
   } else {
-    found.help("write one of its arguments: " + listed(known));
+    found.help("write one of its arguments: " + choices(known));
   }
 }
 

@@ -142,7 +142,7 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
   const Guess guess = guess_name(name, names(model, kind).names(), meanings, findings);
   if (guess.name.empty()) {
     const auto known = names(model, kind).names();
-    if (!known.empty()) diagnostic.help("correct the name: write " + listed(known));
+    if (!known.empty()) diagnostic.help("correct the name: write " + choices(known));
     return &diagnostic;
   }
   diagnostic.help("did you mean " + quoted(guess.name) + guess.reason + "?");

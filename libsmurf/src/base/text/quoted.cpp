@@ -23,7 +23,7 @@ std::string shortened(std::string_view text, std::size_t most) {
 
 std::string quoted(std::string_view text) { return "`" + shortened(text, kMostQuoted) + "`"; }
 
-std::string listed(std::span<const std::string_view> names) {
+std::string choices(std::span<const std::string_view> names) {
   constexpr std::size_t kMost = 8;
   const std::size_t shown = names.size() > kMost ? kMost - 1 : names.size();
   std::string text;

@@ -20,6 +20,6 @@ inline std::string quoted(const char* text) { return quoted(std::string_view(tex
 
 /// The names that a reader may choose from: "`base`, `arm` or `hand`", and of more than eight
 /// "`a`, `b`, ..., or one of 12 more".
-std::string listed(std::span<const std::string_view> names);
+std::string choices(std::span<const std::string_view> names);
 
 }  // namespace smurf

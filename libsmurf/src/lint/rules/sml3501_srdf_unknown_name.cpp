@@ -126,7 +126,7 @@ class Checker {
       found.help("did you mean " + quoted(*near) + "?");
       found.fixes.push_back({Applicability::unsafe, {{one.span, std::string(*near)}}});
     } else if (!known.empty()) {
-      found.help("add the group, or write " + listed(known));
+      found.help("add the group, or write " + choices(known));
     }
   }
 

@@ -25,7 +25,7 @@ void check_group(const srdf::Description& srdf, const Reference& one, Findings& 
     found.help("did you mean " + quoted(*near) + "?");
     found.fixes.push_back({Applicability::unsafe, {{one.span, std::string(*near)}}});
   } else {
-    found.help("write " + (known.empty() ? "the name of a group" : listed(known)) +
+    found.help("write " + (known.empty() ? "the name of a group" : choices(known)) +
                ", or delete the entry");
   }
 }
