@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "check/each.hpp"
 #include "common.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/companions.hpp"
+#include "smurf/each.hpp"
 
 namespace smurf::python {
 namespace {

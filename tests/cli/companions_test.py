@@ -141,7 +141,7 @@ class Companions(cli.CliTest):
             self.assertIn("did you mean `shoulder`?", done.stdout)
 
     def test_the_other_link_of_a_pair_is_no_suggestion(self):
-        for name, wanted in (("amr", "did you mean `arm`?"), ("bsae", "correct the name")):
+        for name, wanted in (("amr", "did you mean `arm`?"), ("bsae", "correct the name: write `arm`")):
             pair = '<disable_collisions link1="base" link2="%s" reason="Never"/>' % name
             self.write("lamp_moveit_config/config/lamp.srdf", SRDF.replace("</robot>", pair + "</robot>"))
             found = json.loads(self.run_tool("--select", "SML3501", "--format", "json", ".").stdout)["diagnostics"]

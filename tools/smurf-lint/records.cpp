@@ -15,12 +15,11 @@
 
 #include "base/files/places.hpp"
 #include "base/files/system.hpp"
-#include "check/each.hpp"
-#include "check/parallel.hpp"
 #include "common/cli/progress.hpp"
 #include "common/files/new_file.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/check.hpp"
+#include "smurf/each.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -261,9 +260,9 @@ ExitCode write_records(const LintOptions& options, const LintPlan& plan, const F
   Threshold threshold = options.threshold;
   Progress progress("checked", each.size(), options.quiet);
   std::vector<Answered> answers(each.size());
-  for_each_in_order(
-      each.size(), count_of_jobs(static_cast<unsigned>(options.jobs.value_or(0))),
-      [&](std::size_t, std::size_t i) {
+  for_each_of(
+      each.size(), static_cast<unsigned>(options.jobs.value_or(0)),
+      [&](std::size_t i) {
         answers[i] = run.check(each[i]);
         progress.advance();
       },

@@ -14,6 +14,7 @@
 
 namespace smurf {
 
+/// The order in which a reader builds the joints and the links of a robot.
 struct JointOrder {
   const Reader* reader = nullptr;
   std::string_view walk;   ///< "depth first, the joints of a link as in the file"

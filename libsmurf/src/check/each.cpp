@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "check/each.hpp"
+#include "smurf/each.hpp"
 
 #include <algorithm>
 #include <string_view>
 
 #include "base/files/path.hpp"
+#include "check/parallel.hpp"
 #include "link/companions/library.hpp"
 #include "smurf/companions.hpp"
 
@@ -44,6 +45,12 @@ Plan plan_of(const EachFile& file, const Plan& plan) {
 
 bool is_only_part(const EachFile& file, const Report& report) {
   return file.planned->may_be_part && report.summary.models == 0 && report.diagnostics.empty();
+}
+
+void for_each_of(std::size_t count, unsigned jobs, const std::function<void(std::size_t)>& check,
+                 const std::function<bool(std::size_t)>& take) {
+  for_each_in_order(
+      count, count_of_jobs(jobs), [&](std::size_t, std::size_t i) { check(i); }, take);
 }
 
 }  // namespace smurf

@@ -141,8 +141,14 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
   }
   const Guess guess = guess_name(name, names(model, kind).names(), meanings, findings);
   if (guess.name.empty()) {
-    const auto known = names(model, kind).names();
-    if (!known.empty()) diagnostic.help("correct the name: write " + choices(known));
+    const auto all = names(model, kind).names();
+    std::vector<std::string_view> possible;
+    for (const std::string_view one : all.size() > kMostValues ? decltype(all)() : all) {
+      const bool is_impossible =
+          one == meanings.own || (meanings.is_impossible && meanings.is_impossible(one));
+      if (!is_impossible) possible.push_back(one);
+    }
+    if (!possible.empty()) diagnostic.help("correct the name: write " + choices(possible));
     return &diagnostic;
   }
   diagnostic.help("did you mean " + quoted(guess.name) + guess.reason + "?");

@@ -90,11 +90,6 @@ class Suppressions::Reader {
   }
 
  private:
-  using Range = std::pair<std::uint32_t, std::uint32_t>;
-  struct Marker {
-    std::size_t hash, at;
-  };
-
   /// A line without its line end, and its text without the blanks around it.
   struct Line {
     std::size_t begin = 0, end = 0;
@@ -126,6 +121,11 @@ class Suppressions::Reader {
 
     std::string_view text_;
     Line line_;
+  };
+
+  using Range = std::pair<std::uint32_t, std::uint32_t>;
+  struct Marker {
+    std::size_t hash, at;
   };
 
   std::vector<Marker> markers_in(const yaml::Document& document) const {
@@ -314,7 +314,13 @@ void Suppressions::add(const LinkedScene& scene, const SourceMap& sources,
     if (file.drawing) {
       add(*file.drawing, scene.is_complete, sources);
     } else if (file.document) {
-      add(*file.document, scene.is_complete, sources);
+      const auto made = expansions.find(file.document->source);
+      if (made == expansions.end()) {
+        add(*file.document, scene.is_complete, sources);
+      } else {
+        for (const xml::Document& document : made->second.documents)
+          add(document, scene.is_complete, sources);
+      }
     }
   }
   for (const DataFile& file : scene.data_files) add(file.document, scene.is_complete, sources);

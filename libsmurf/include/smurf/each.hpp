@@ -2,6 +2,8 @@
 // Robots and scenes of a data set, each of which is checked by itself.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -38,5 +40,11 @@ Plan plan_of(const EachFile& file, const Plan& plan);
 
 /// Whether the file was found in a folder, and is only a part of robots.
 bool is_only_part(const EachFile& file, const Report& report);
+
+/// Calls `check(index)` for every index below `count` on `jobs` threads (0: one for each
+/// processor), and then `take(index)`, in the order of the indices and one at a time, until it
+/// returns false.
+void for_each_of(std::size_t count, unsigned jobs, const std::function<void(std::size_t)>& check,
+                 const std::function<bool(std::size_t)>& take);
 
 }  // namespace smurf
