@@ -60,7 +60,7 @@ HEADERS = {
     "lint": "lint",
     "config": "config",
     "plan": "confine found_inputs plan",
-    "check": "check",
+    "check": "check each",
     "flatten": "dialect flatten",
     "convert": "convert",
     "write": "write write_scene",
