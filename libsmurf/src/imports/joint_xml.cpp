@@ -24,7 +24,7 @@ void open_joint(TracedXml& xml, const JointText& joint) {
   xml.open("child", joint.tag);
   xml.attribute("link", joint.child, joint.of_child);
   xml.close();
-  add_origin(xml, joint.X, joint.tag, joint.of_pose);
+  add_origin(xml, joint.X_PJ, joint.tag, joint.of_pose);
 }
 
 void add_fixed_joint(TracedXml& xml, JointText joint) {

@@ -12,7 +12,7 @@ namespace smurf::imports {
 /// A joint without its axis, and where its parts were written.
 struct JointText {
   std::string_view name = {}, type = {}, parent = {}, child = {};
-  Pose X = {};
+  Pose X_PJ = {};  ///< of the joint in the frame of its parent
   Place tag = {}, of_name = {}, of_type = {}, of_parent = {}, of_child = {}, of_pose = {};
   bool is_made = false;       ///< nobody wrote the joint
   bool is_name_made = false;  ///< nobody wrote the name

@@ -155,7 +155,7 @@ class RobotWriter {
                        std::string_view child, const Pose& X, const Place& tag,
                        const Place& of_pose) {
     JointText joint{
-        .name = name, .type = type, .parent = parent, .child = child, .X = X, .tag = tag};
+        .name = name, .type = type, .parent = parent, .child = child, .X_PJ = X, .tag = tag};
     joint.blame_tag();
     joint.of_pose = of_pose;
     joint.is_made = true;

@@ -155,7 +155,7 @@ class RobotWriter {
                                .type = type,
                                .parent = from,
                                .child = to,
-                               .X = cleaned(X),
+                               .X_PJ = cleaned(X),
                                .tag = tag,
                                .of_name = of_name,
                                .of_type = of_type_,
@@ -206,7 +206,7 @@ class RobotWriter {
     add_fixed_joint(xml_, {.name = name,
                            .parent = to,
                            .child = link.name,
-                           .X = cleaned(X_JC),
+                           .X_PJ = cleaned(X_JC),
                            .tag = tag,
                            .of_pose = of_pose,
                            .is_name_made = true});
