@@ -328,12 +328,18 @@ std::vector<std::string> remarks_on(const SceneFormat& format, const std::string
   std::vector<std::string> remarks;
   const std::string title(format.reader != nullptr ? format.reader->title : "");
   if (!result.models.empty()) {
-    const auto models = static_cast<std::size_t>(
-        std::count_if(result.models.begin(), result.models.end(),
-                      [](const TextFile& file) { return file.path.ends_with(".urdf"); }));
-    remarks.push_back("copied for " + title +
-                      ", which does not load the originals: " + counted(models, "model") + " to " +
-                      path::join(path::parent(output), model_folder(output)));
+    const auto count_of = [&](std::string_view extension) {
+      return static_cast<std::size_t>(
+          std::count_if(result.models.begin(), result.models.end(), [&](const TextFile& file) {
+            return path::extension(file.path) == extension;
+          }));
+    };
+    const std::size_t meshes = count_of(".obj");
+    remarks.push_back(
+        "copied for " + title +
+        ", which does not load the originals: " + counted(count_of(".urdf"), "model") +
+        (meshes > 0 ? " with " + counted(meshes, "mesh", "meshes") + " as .obj" : "") + " to " +
+        path::join(path::parent(output), model_folder(output)));
   }
   if (!result.lost_by_reader.empty())
     remarks.push_back(title + " " + first_of(result.lost_by_reader));
