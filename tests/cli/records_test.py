@@ -105,6 +105,21 @@ class Records(cli.CliTest):
         self.assertIn("was written without a target", done.stderr)
         self.assertIn("cannot", self.expect(2, "--isolated", "--resume", "absent/r.jsonl", "robots").stderr)
 
+    def test_a_text_that_is_no_record_is_kept(self):
+        self.write_robots(1)
+        record = '{"path":"x","loads":{},"counts":{"errors":%s},"findings":[]}\n'
+        texts = ["<robot/>", "one line without its end", '{"paths":["x"]', "no record\n", record % '"x"', record % "-1", record % "[]",
+                 record % "1" + "a line of somebody"]
+        for text in texts:
+            self.write("r.jsonl", text)
+            done = self.expect(2, "--isolated", "--resume", "r.jsonl", "robots")
+            self.assertIn("is no record of --format jsonl", done.stderr)
+            self.assertEqual(self.read("r.jsonl"), text)
+        for text in ("", '{"pa', record % "0", record % "0" + '{"path":"rob'):
+            self.write("r.jsonl", text)
+            self.expect(None, "--isolated", "--resume", "r.jsonl", "robots")
+            self.assertTrue(self.read("r.jsonl").startswith(text[:text.rfind("\n") + 1]))
+
     def test_options_that_it_excludes(self):
         for options in (["--fix"], ["--format", "json=x.json"], ["--watch"], ["--generate-baseline"]):
             self.expect(2, "--format", "jsonl", *options, ".")

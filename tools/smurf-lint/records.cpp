@@ -24,14 +24,19 @@
 namespace smurf::tools {
 namespace {
 
-/// Calls `take` with each complete line of a file, until it returns false; none if it is absent.
-void for_each_line(const std::string& path, const std::function<bool(const std::string&)>& take) {
-  const int number = sys::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
-  if (number < 0) return;
+constexpr std::string_view kRecordBegin = "{\"path\":";
+constexpr std::size_t kLongestLine = 64U << 20U;  // bytes: more is no record of one robot
+
+/// Calls `take` with each line of a file, until it returns false, and returns what comes after the
+/// last line end; nothing if the file is absent.
+std::string for_each_line(const std::string& path,
+                          const std::function<bool(const std::string&)>& take) {
   std::string line, buffer(1U << 16U, '\0');
+  const int number = sys::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+  if (number < 0) return line;
   bool goes_on = true;
-  for (ssize_t count = 0;
-       goes_on && (count = sys::read(number, buffer.data(), buffer.size())) > 0;) {
+  for (ssize_t count = 0; goes_on && line.size() < kLongestLine &&
+                          (count = sys::read(number, buffer.data(), buffer.size())) > 0;) {
     std::string_view left(buffer.data(), static_cast<std::size_t>(count));
     for (std::size_t end = left.find('\n'); goes_on && end != left.npos; end = left.find('\n')) {
       line += left.substr(0, end);
@@ -42,6 +47,13 @@ void for_each_line(const std::string& path, const std::function<bool(const std::
     line += left;
   }
   sys::close(number);
+  return line;
+}
+
+/// Whether a run that was stopped may have left this at the end of its records.
+bool may_be_unfinished(std::string_view line) {
+  return line.size() < kLongestLine &&
+         line.substr(0, kRecordBegin.size()) == kRecordBegin.substr(0, line.size());
 }
 
 /// The records of an earlier run.
@@ -54,21 +66,28 @@ struct OldRecords {
 
 /// The record in a line; none if it is something else.
 std::optional<nlohmann::json> record_in(const std::string& line) {
+  if (!line.starts_with(kRecordBegin)) return std::nullopt;
   nlohmann::json record = nlohmann::json::parse(line, nullptr, false);
-  const bool is_record = record.is_object() && record.contains("loads") &&
-                         record["loads"].is_object() && record.contains("counts") &&
-                         record["counts"].is_object() && record.contains("path") &&
-                         record["path"].is_string();
-  if (!is_record) return std::nullopt;
+  const auto has = [&](const char* key, nlohmann::json::value_t type) {
+    return record.is_object() && record.contains(key) && record[key].type() == type;
+  };
+  using Type = nlohmann::json::value_t;
+  if (!has("path", Type::string) || !has("loads", Type::object) || !has("counts", Type::object))
+    return std::nullopt;
+  const nlohmann::json& counts = record["counts"];
+  const bool are_numbers = std::all_of(counts.begin(), counts.end(),
+                                       [](const auto& one) { return one.is_number_unsigned(); });
+  if (!are_numbers) return std::nullopt;
   return record;
 }
 
-/// Reads the lines of `path`; a last line without its end is left out. Reports what is no record.
+/// Reads the records in `path`. A run that was stopped leaves a last line without a line end, which
+/// does not count. A line that is no record is reported; the result is then none.
 std::optional<OldRecords> read_records(const std::string& path) {
   OldRecords old;
   std::size_t number = 0;
   bool are_records = true;
-  for_each_line(path, [&](const std::string& line) {
+  const std::string rest = for_each_line(path, [&](const std::string& line) {
     ++number;
     const auto record = record_in(line);
     are_records = record.has_value();
@@ -84,6 +103,10 @@ std::optional<OldRecords> read_records(const std::string& path) {
     old.bytes += line.size() + 1;
     return true;
   });
+  if (are_records && !may_be_unfinished(rest)) {
+    are_records = false;
+    ++number;
+  }
   if (are_records) return old;
   complain(kSmurfLint, "line " + std::to_string(number) + " of '" + path +
                            "' is no record of --format jsonl; name another file");
@@ -93,8 +116,8 @@ std::optional<OldRecords> read_records(const std::string& path) {
 /// Whether a file may be replaced: it is absent, empty, no file, or has records.
 bool may_be_replaced(const std::string& path) {
   if (!places::is_plain_file(places::canonical(path).value_or(path))) return true;
-  const auto content = DiskFiles().read(path, 0);
-  bool is_empty = content.status == ReadStatus::ok, has_record = false;
+  const bool is_empty = DiskFiles().read(path, 0).status == ReadStatus::ok;
+  bool has_record = false;
   for_each_line(path, [&](const std::string& line) {
     has_record = record_in(line).has_value();
     return false;
@@ -171,15 +194,12 @@ class RecordRun {
     if (is_only_part(file, report)) return {};
     if (options_.min_severity) leave_out_below(*options_.min_severity, report);
     Answered answered;
-    Record record{.path = file.planned->path,
-                  .diagnostics = report.diagnostics,
-                  .summary = report.summary,
-                  .targets = report.targets};
-    if (report.size) {
-      record.links = report.size->links;
-      record.mass = report.size->mass;
-    }
-    answered.line = render_record(record, session.sources());
+    answered.line = render_record({.path = file.planned->path,
+                                   .diagnostics = report.diagnostics,
+                                   .summary = report.summary,
+                                   .targets = report.targets,
+                                   .size = report.size},
+                                  session.sources());
     for (const TargetVerdict& one : report.targets) answered.targets.emplace(one.reader->name);
     answered.threshold = merge_run(report.settings, options_).threshold;
     answered.summary = std::move(report.summary);
@@ -205,10 +225,6 @@ std::string why_not_continued(const OldRecords& old, const std::set<std::string>
   return "was written " + names(old.targets) + ", and this run is " + names(targets) +
          "; use the same settings, or another file";
 }
-
-}  // namespace
-
-namespace {
 
 bool is_records(const ReportRequest& one) { return one.format->name == kRecords; }
 
@@ -255,7 +271,7 @@ ExitCode write_records(const LintOptions& options, const LintPlan& plan, const F
   const RecordRun run(options, plan, given);
   RecordFile out;
   bool is_open = false;
-  bool is_failed = !plan.problems.empty();
+  bool is_failed = false;
   Summary all = old->summary;
   Threshold threshold = options.threshold;
   Progress progress("checked", each.size(), options.quiet);

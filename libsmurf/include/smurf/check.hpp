@@ -86,12 +86,6 @@ struct ReportSettings {
   std::string baseline;  ///< a file; the setting overrides it
 };
 
-/// What a robot is made of.
-struct RobotSize {
-  std::size_t links = 0;
-  double mass = 0;  ///< kg: the sum of all masses that its links state
-};
-
 /// The result of a check.
 struct Report {
   std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions

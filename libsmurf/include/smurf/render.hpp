@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -122,14 +123,19 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
                         const Summary& summary, const ToolName& tool,
                         std::span<const TargetVerdict> targets = {});
 
+/// What a robot is made of.
+struct RobotSize {
+  std::size_t links = 0;
+  double mass = 0;  ///< kg: the sum of all masses that its links state
+};
+
 /// What is said about one of many robots and scenes.
 struct Record {
   std::string_view path;
   std::span<const Diagnostic> diagnostics{};
   Summary summary{};
   std::span<const TargetVerdict> targets{};
-  std::optional<std::size_t> links{};  ///< of a robot that could be read
-  std::optional<double> mass{};        ///< kg; of the same
+  std::optional<RobotSize> size{};  ///< of a robot that could be read
 };
 /// A line of JSON, with its line end: path, ok, what each target does, counts, links, mass,
 /// findings.

@@ -167,8 +167,10 @@ std::string render_record(const Record& record, const SourceMap& sources) {
                     {"warnings", summary.warnings},
                     {"infos", summary.infos},
                     {"suppressed", summary.suppressed}};
-  if (record.links) json["links"] = *record.links;
-  if (record.mass) json["mass"] = *record.mass;
+  if (record.size) {
+    json["links"] = record.size->links;
+    json["mass"] = record.size->mass;
+  }
   json["findings"] = Json::array();
   for (const Diagnostic& one : record.diagnostics) {
     json["findings"].push_back(finding_with_fix(one, sources));
