@@ -89,7 +89,8 @@ std::optional<std::string> find_conflict(const LintOptions& options);
 /// An error message if there is no such rule: "there is no rule 'x'; did you mean 'y'?"
 std::string no_such_rule(std::string_view id_or_name);
 
-/// Appends targets by name, without duplicates: a report has one row per reader.
+/// Adds the targets that the value of an option names. Each is added once, because a report has one
+/// row for each reader.
 Setter append_targets(std::vector<const Reader*>& targets);
 
 /// The words that --explain accepts: ids and names of rules, and sections of the format.

@@ -11,7 +11,8 @@
 
 namespace smurf::tools {
 
-/// --actuator, with this help, --kp, --kv and --armature. The results refer to the arguments.
+/// The options --actuator, --kp, --kv and --armature, which write into `motors`. `help` is the text
+/// of --actuator. Both must live as long as the options.
 std::vector<Option> motor_options(MotorOptions& motors, std::string_view help);
 /// --self-collision, --srdf and --exclude-overlaps.
 std::vector<Option> contact_options(SelfCollision& choice, std::string& srdf,

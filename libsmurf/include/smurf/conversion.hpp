@@ -154,6 +154,9 @@ struct SceneRequest {
   bool force = false;
 };
 
+/// Of the reasons of a reader: "refuses the mesh (...)", or that and how many more there are.
+std::string first_of(const std::vector<std::string>& reasons);
+
 /// What convert_scene() makes; with a refusal, it must not be written.
 struct SceneResult {
   Report report;     ///< of the scene, with the losses
@@ -161,7 +164,7 @@ struct SceneResult {
   AssetCopies copies;
   std::vector<TextFile> models;    ///< copies of models, by their paths in the output folder
   std::vector<Diagnostic> losses;  ///< what the format does not express
-  /// What the reader of the format loses of the models that the result names.
+  /// What the reader of the format ignores in the models to which the result refers.
   std::vector<std::string> lost_by_reader;
   bool has_falling_robots = false;
   Refusal refusal;

@@ -22,6 +22,8 @@ enum class InputKind : std::uint8_t { model, scene, drawing, urdf, annotation, r
 
 /// Decided by the extension.
 InputKind input_kind(std::string_view path);
+/// Whether a file is a scene: one of SMURF, a drawing, or a world of SDF.
+bool is_scene_file(const std::string& path, const FileReader& files, const Limits& limits);
 
 /// A file to check with all files that it loads, and its configuration.
 struct PlannedFile {

@@ -23,6 +23,13 @@ RobotSize size_of(const urdf::Robot& robot) {
   return size;
 }
 
+/// Whoever has a folder checked has not asked for a URDF of the files of other languages in it.
+void calm_losses(std::vector<Diagnostic>& found) {
+  for (Diagnostic& one : found) {
+    if (one.rule == &rules::sml9304_lost_in_urdf) one.severity = Severity::info;
+  }
+}
+
 }  // namespace
 
 void PlannedLoader::load(const PlannedFile& planned, const FileReader& files, MeshLibrary& meshes,
@@ -49,29 +56,16 @@ void PlannedLoader::load(const PlannedFile& planned, const FileReader& files, Me
   context.xacro = group.settings.xacro;
   context.ties = group.ties;
   if (!planned.arguments.empty()) context.xacro.arguments = planned.arguments;
-  const InputKind kind = input_kind(planned.path);
-  const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing ||
-                        is_world_file(planned.path, files, run.check.limits);
-  if (is_scene) {
+  if (is_scene_file(planned.path, files, run.check.limits)) {
     load_one_scene(planned, context, outcome);
   } else {
     load_one_robot(planned, context, outcome);
   }
+  if (!planned.is_named) calm_losses(outcome.judged.diagnostics);
   if (!settings.xacro.arguments.empty() || !group.config.xacro.empty()) {
     outcome.notes.arguments = arguments_of(outcome.sources, run.memory.sources.size());
   }
 }
-
-namespace {
-
-/// Whoever has a folder checked has not asked for a URDF of the files of other languages in it.
-void calm_losses(std::vector<Diagnostic>& found) {
-  for (Diagnostic& one : found) {
-    if (one.rule == &rules::sml9304_lost_in_urdf) one.severity = Severity::info;
-  }
-}
-
-}  // namespace
 
 void PlannedLoader::load_one_scene(const PlannedFile& planned, LoadContext& context,
                                    Outcome& outcome) const {
@@ -80,7 +74,6 @@ void PlannedLoader::load_one_scene(const PlannedFile& planned, LoadContext& cont
   outcome.parsed.end_loading(outcome.sources, context.sink);
   outcome.judged = judge(scene, outcome.sources, run.memory.groups[planned.config].selection,
                          context.sink, *context.expansions);
-  if (!planned.is_named) calm_losses(outcome.judged.diagnostics);
   for (LinkedModel& model : scene.models) take_files(std::move(model), outcome);
   for (const SceneFile& file : scene.scenes) {
     outcome.scenes.insert(identity_of(file.path));
@@ -104,7 +97,6 @@ void PlannedLoader::load_one_robot(const PlannedFile& planned, LoadContext& cont
   outcome.judged =
       judge(robot, outcome.sources, group.selection, context.sink, *context.expansions);
   if (planned.may_be_part) excuse_arguments(outcome.judged.diagnostics);
-  if (!planned.is_named) calm_losses(outcome.judged.diagnostics);
   const auto excuse = [&](const Companions& companions) {
     const bool may_vary = planned.may_be_part || (has_several_robots && !planned.is_named);
     excuse_names(companions, outcome.sources, may_vary, outcome.judged.diagnostics);

@@ -295,8 +295,7 @@ Report Session::check(const std::string& path, const CheckSettings& settings) {
     return check(state_->plan(std::span(&path, 1), settings), settings);
   }
   plan.configs.push_back(config_for(path, settings, *state_->files));
-  const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing ||
-                        is_world_file(path, *state_->files, limits());
+  const bool is_scene = is_scene_file(path, *state_->files, limits());
   PlannedFile& one = (is_scene ? plan.scenes : plan.models).emplace_back();
   one.path = path;
   one.is_named = true;

@@ -20,7 +20,4 @@ struct ReaderVerdict {
 ReaderVerdict verdict_on(const std::string& path, const Reader& reader, const FileReader& files,
                          const Limits& limits, const std::map<std::string, std::string>& packages);
 
-/// "a", "a and 3 more"
-std::string first_of(const std::vector<std::string>& reasons);
-
 }  // namespace smurf

@@ -27,6 +27,23 @@ void open_joint(TracedXml& xml, const JointText& joint) {
   add_origin(xml, joint.X_PJ, joint.tag, joint.of_pose);
 }
 
+void add_leaf(TracedXml& xml, std::string_view name, std::string_view text, const Place& place) {
+  xml.open(name, place);
+  xml.text(text, place);
+  xml.close();
+}
+
+void open_loop(TracedXml& xml, const JointText& joint, const Pose& X_CJ) {
+  xml.open("gazebo", joint.tag);
+  xml.open("joint", joint.tag);
+  xml.attribute("name", joint.name, joint.of_name, true);
+  xml.attribute("type", joint.type, joint.of_type);
+  add_leaf(xml, "parent", joint.parent, joint.of_parent);
+  add_leaf(xml, "child", joint.child, joint.of_child);
+  add_leaf(xml, "pose", words_of(X_CJ.position) + " " + words_of(to_rpy(X_CJ.orientation)),
+           joint.of_pose);
+}
+
 void add_fixed_joint(TracedXml& xml, JointText joint) {
   joint.type = "fixed";
   joint.is_made = true;

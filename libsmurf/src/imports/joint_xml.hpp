@@ -27,6 +27,11 @@ void open_joint(TracedXml& xml, const JointText& joint);
 void add_fixed_joint(TracedXml& xml, JointText joint);
 /// A link without mass between two joints.
 void add_made_link(TracedXml& xml, std::string_view name, const Place& tag);
+/// Opens a `<joint>` in `<gazebo>`, which closes a loop of the tree, at its pose in the child. The
+/// caller adds what else it has, and closes both.
+void open_loop(TracedXml& xml, const JointText& joint, const Pose& X_CJ);
+/// `<pose>0 0 1 0 0 0</pose>`
+void add_leaf(TracedXml& xml, std::string_view name, std::string_view text, const Place& place);
 /// An `<origin>`, unless the pose is the identity.
 void add_origin(TracedXml& xml, const Pose& X, const Place& tag, const Place& of_pose);
 

@@ -9,13 +9,10 @@
 #include "syntax/yaml_reader.hpp"
 
 namespace smurf {
-namespace {
 
 bool has_name_of_world(std::string_view path) {
   return is_one_of(path::to_lower(path::extension(path)), {".sdf", ".world", ".xml"});
 }
-
-}  // namespace
 
 std::string_view name_in_world(std::string_view path) {
   const std::size_t mark = path.rfind('#');

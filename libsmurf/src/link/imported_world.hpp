@@ -13,6 +13,8 @@ namespace smurf {
 /// The models of such scenes, by path: "worlds/hall.sdf#table".
 using MadeModels = std::map<std::string, xacro::Expansion>;
 
+/// Whether a file may hold a world, by its name.
+bool has_name_of_world(std::string_view path);
 /// Whether a file holds a world and no robot.
 bool is_world_file(const std::string& path, const FileReader& files, const Limits& limits);
 
@@ -26,7 +28,8 @@ void find_written(Scene& scene, const LoadContext& context);
 /// The name of a model of such a scene, by its path; "" for the path of a file.
 std::string_view name_in_world(std::string_view path);
 
-/// Links a model of such a scene.
+/// Makes a model of a robot that was made from such a world: finds its names, its tree and its
+/// meshes.
 LinkedModel load_made_model(const std::string& path, xacro::Expansion made, LoadContext& context);
 
 }  // namespace smurf

@@ -3,17 +3,15 @@
 #pragma once
 
 #include "base/files/path.hpp"
-#include "base/text/words.hpp"
+#include "link/imported_world.hpp"
 #include "smurf/linked.hpp"
 
 namespace smurf {
 
 /// Whether the file of the robot is MJCF or SDF, which have words that a URDF has not.
 inline bool is_of_other_language(const LinkedModel& model) {
-  return is_one_of(path::to_lower(path::extension(model.urdf_path)),
-                   {".xml", ".mjcf", ".sdf", ".world"}) ||
-         model.urdf_path.find(".sdf#") != std::string::npos ||
-         model.urdf_path.find(".world#") != std::string::npos;
+  return has_name_of_world(model.urdf_path) || !name_in_world(model.urdf_path).empty() ||
+         path::to_lower(path::extension(model.urdf_path)) == ".mjcf";
 }
 
 }  // namespace smurf

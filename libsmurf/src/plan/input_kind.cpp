@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/files/path.hpp"
+#include "link/imported_world.hpp"
 #include "smurf/plan.hpp"
 
 namespace smurf {
@@ -25,6 +26,12 @@ InputKind input_kind(std::string_view path) {
   const bool is_resource =
       std::find(kResources.begin(), kResources.end(), extension) != kResources.end();
   return is_resource ? InputKind::resource : InputKind::other;
+}
+
+bool is_scene_file(const std::string& path, const FileReader& files, const Limits& limits) {
+  const InputKind kind = input_kind(path);
+  return kind == InputKind::scene || kind == InputKind::drawing ||
+         is_world_file(path, files, limits);
 }
 
 }  // namespace smurf

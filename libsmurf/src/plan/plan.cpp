@@ -324,17 +324,14 @@ class Planner {
 
   void add_file(const std::string& path) {
     if (is_other_xml(path)) return add_other(path);
-    if (is_world_file(path, files_, settings_.limits)) {
-      add(plan_.scenes, path);
-      return;
-    }
+    if (is_scene_file(path, files_, settings_.limits)) return add(plan_.scenes, path);
     switch (input_kind(path)) {
-    case InputKind::scene:
-    case InputKind::drawing: add(plan_.scenes, path); return;
     case InputKind::model: add(plan_.models, path); return;
     case InputKind::urdf:
     case InputKind::annotation: add_part(path); return;
     case InputKind::resource: add_resource(path); return;
+    case InputKind::scene:
+    case InputKind::drawing:
     case InputKind::other: break;
     }
     add_other(path);

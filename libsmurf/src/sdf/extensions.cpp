@@ -6,6 +6,7 @@
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
+#include "imports/joint_xml.hpp"
 #include "sdf/shapes.hpp"
 
 namespace smurf::sdformat {
@@ -137,29 +138,26 @@ void ExtensionWriter::loop(const Joint& joint) {
   const View element = joint.vertex->element;
   const xacro::FrameId frame = joint.vertex->scope->frame;
   const Place tag = tag_of(element, frame);
-  const auto leaf = [&](std::string_view name, std::string_view text, const Place& place) {
-    xml_.open(name, place);
-    xml_.text(text, place);
-    xml_.close();
-  };
   const Link& child = model_.links[*joint.child.link];
   const Pose X_CJ = joint.is_at_child ? Pose{} : inverse(child.X_W) * joint.X_W;
-  xml_.open("gazebo", tag);
-  xml_.open("joint", tag);
-  xml_.attribute("name", joint.name, tag, true);
-  xml_.attribute("type",
-                 joint.type == Joint::Type::fixed  ? "fixed"
-                 : joint.type == Joint::Type::ball ? "ball"
-                                                   : "revolute",
-                 tag);
-  leaf("parent", model_.links[*joint.parent.link].name, place_in(element, "parent", frame));
-  leaf("child", child.name, place_in(element, "child", frame));
-  leaf("pose", words_of(X_CJ.position) + " " + words_of(to_rpy(X_CJ.orientation)),
-       place_in(element, "pose", frame));
+  const bool is_free = joint.type != Joint::Type::fixed && joint.type != Joint::Type::ball;
+  imports::JointText text{.name = joint.name,
+                          .type = is_free                           ? "revolute"
+                                  : joint.type == Joint::Type::ball ? "ball"
+                                                                    : "fixed",
+                          .parent = model_.links[*joint.parent.link].name,
+                          .child = child.name,
+                          .tag = tag,
+                          .of_name = tag,
+                          .of_type = tag,
+                          .of_parent = place_in(element, "parent", frame),
+                          .of_child = place_in(element, "child", frame),
+                          .of_pose = place_in(element, "pose", frame)};
+  open_loop(xml_, text, X_CJ);
   const Axis& axis = joint.axes[0];
-  if (axis.element && joint.type != Joint::Type::fixed && joint.type != Joint::Type::ball) {
+  if (axis.element && is_free) {
     xml_.open("axis", tag_of(axis.element, frame));
-    leaf("xyz", words_of(axis.xyz), place_in(axis.element, "xyz", frame));
+    add_leaf(xml_, "xyz", words_of(axis.xyz), place_in(axis.element, "xyz", frame));
     for (const View one : axis.element) {
       if (one.name() == "limit" || one.name() == "dynamics") copy(one, frame, nullptr);
     }

@@ -126,8 +126,8 @@ struct Model {
   std::string name;
   View element;
   Pose X_W;  ///< of a model that is the whole file
-  /// A model of a world that becomes an entity of a scene: its pose and its heightmaps are those of
-  /// entities.
+  /// The model belongs to a world, and becomes an entity of a scene. The entity has its pose, and
+  /// each of its heightmaps becomes another entity.
   bool is_entity = false;
 };
 

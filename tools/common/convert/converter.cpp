@@ -352,9 +352,4 @@ ExitCode Conversion::refuse_losses(std::span<const Diagnostic> losses) const {
   return refuse("has losses");
 }
 
-std::string first_of(const std::vector<std::string>& reasons) {
-  return reasons.front() +
-         (reasons.size() > 1 ? " and " + std::to_string(reasons.size() - 1) + " more" : "");
-}
-
 }  // namespace smurf::tools

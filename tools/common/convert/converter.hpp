@@ -114,7 +114,4 @@ class Conversion {
   std::string why_;
 };
 
-/// Of the reasons of a reader: "refuses the mesh (...) and 3 more". There is at least one.
-std::string first_of(const std::vector<std::string>& reasons);
-
 }  // namespace smurf::tools

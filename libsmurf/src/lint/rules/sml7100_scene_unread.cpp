@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/files/path.hpp"
 #include "base/findings/readers.hpp"
-#include "base/text/words.hpp"
+#include "link/imported_world.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules::sml7100_scene_unread_file {
@@ -16,7 +16,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   if (!first) return;
   const std::string_view extension = path::extension(file.path);
   // A world of SDF is none for people; its models are judged as robots.
-  if (is_one_of(path::to_lower(extension), {".sdf", ".world", ".xml"})) return;
+  if (has_name_of_world(file.path)) return;
   Diagnostic& diagnostic =
       findings.report(first.key_span(), "this is a SMURF scene, and not a robot");
   if (extension == ".smurfa") diagnostic.when(kSmurfa);
