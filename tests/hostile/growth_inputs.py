@@ -737,3 +737,14 @@ def planners_that_are_not_defined(n, write):
     srdf_groups(write, ['<group name="g"><joint name="j1"/></group>'])
     write("config/ompl_planning.yaml", "planner_configs:\n" + "".join(f"  p{i}: {{type: geometric::RRT}}\n" for i in range(n)) +
           "".join(f"g{i}: {{planner_configs: [q{i}, p{i}]}}\n" for i in range(n)))
+
+
+# Sensors of MJCF, which name sites
+
+
+@grows(300, "smurf-lint", "-q", "a.xml")
+def orientations_of_sites_that_are_measured(n, write):
+    write("a.xml", '<mujoco><worldbody><body name="b"><joint name="j"/><geom size=".1"/>' + "".join(
+        f'<site name="s{i}" pos="1 0 0"/>' for i in range(n)) + "</body></worldbody><sensor>" + "".join(
+        f'<framequat objtype="site" objname="s{i}"/>' for i in range(n)) + "".join(
+        f'<gyro site="s{i}"/>' for i in reversed(range(n))) + "</sensor></mujoco>")

@@ -2,7 +2,9 @@
 #include "smurf-lint/show_orders.hpp"
 
 #include <algorithm>
+#include <set>
 #include <span>
+#include <string_view>
 
 #include "render/printable.hpp"
 #include "smurf-lint/one_model.hpp"
@@ -21,10 +23,11 @@ const Names& names_of(const JointOrder& order, bool is_of_bodies) {
 /// One row per name, those of the first order first; one column per order.
 std::string table_of(std::span<const JointOrder> orders, bool is_of_bodies) {
   Names names;
+  std::set<std::string_view> seen;
   std::vector<Names> columns{{is_of_bodies ? "body" : "joint"}};
   for (const JointOrder& order : orders) {
     for (const std::string& name : names_of(order, is_of_bodies)) {
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      if (seen.insert(name).second) names.push_back(name);
     }
   }
   for (const std::string& name : names) columns[0].push_back(render::escape(name));

@@ -16,6 +16,8 @@ constexpr int kDeepestText = 4;                        // below the package
 constexpr std::size_t kMostTextsOfPackage = 100;       // of a package
 constexpr std::size_t kMostEntriesOfPackage = 2000;    // of a package, in its folders
 constexpr std::uint64_t kMostOfText = 1024ULL << 10U;  // of a text
+constexpr std::size_t kMostCandidates = 200;
+constexpr std::uint64_t kMostOfTexts = 8 * kMostOfText;  // each is searched for each candidate
 
 bool is_mesh_name(std::string_view name) {
   return is_one_of(path::to_lower(path::extension(name)),
@@ -56,7 +58,7 @@ class UnusedMeshes {
 
   std::vector<std::string> run() {
     find_candidates();
-    if (candidates_.empty()) return {};
+    if (candidates_.empty() || candidates_.size() > kMostCandidates) return {};
     // What was read for the robot is looked at first: it is in memory.
     for (std::size_t i = 0; i < context_.sources.size(); ++i) {
       const SourceId source{static_cast<std::uint32_t>(i)};
@@ -101,7 +103,8 @@ class UnusedMeshes {
     return is_subfolder ? path::normalize(path::join(own, "..")) : own;
   }
 
-  /// Whether a folder is in that of the package. One path may be relative, the other absolute.
+  /// Whether a folder lies in the folder of the package. One of the two paths may be relative and
+  /// the other absolute.
   bool is_below(const std::string& folder) const {
     const std::string top = context_.files.identity(root_);
     std::string above = path::normalize(folder);
@@ -114,7 +117,8 @@ class UnusedMeshes {
 
   /// Removes the candidates that a text names. False if it is not known which it names.
   bool look_at(std::string_view text) {
-    if (computes_names(text)) return false;
+    bytes_ += text.size();
+    if (bytes_ > kMostOfTexts || computes_names(text)) return false;
     std::erase_if(candidates_, [&](const std::string& one) {
       return text.find(path::stem(one)) != std::string_view::npos;
     });
@@ -145,6 +149,7 @@ class UnusedMeshes {
   std::vector<std::string> candidates_;
   std::set<std::string> read_;
   std::size_t texts_ = 0, entries_ = 0;
+  std::uint64_t bytes_ = 0;
 };
 
 }  // namespace

@@ -6,10 +6,10 @@
 
 namespace smurf {
 
-/// Fills in LinkedModel::unused_meshes: those in the folders of the meshes of the robot whose names
-/// no text of its package has. None if the robot computes such names, if the package has other
-/// robots, or if a mesh is missing, because an unused file may be that mesh. `context` has read the
-/// robot.
+/// Fills in LinkedModel::unused_meshes with the mesh files that lie beside meshes of the robot, and
+/// that no text in its package names. There are none if the robot computes such names, if the
+/// package has other robots, or if a mesh is missing, because an unused file may be that mesh.
+/// `context` has read the robot.
 void find_unused_meshes(LinkedModel& model, const LoadContext& context);
 
 }  // namespace smurf

@@ -23,9 +23,11 @@ const std::string kNoLimit = "1e+16";
 class AnnotationWriter {
  public:
   AnnotationWriter(const Model& model, Reporter& reporter, xacro::Expansion& expansion)
-      : model_(model), reporter_(reporter), yaml_(expansion) {
-    for (const Body& body : model.bodies) {
-      for (const Joint& joint : body.joints) joints_.emplace(joint.name, &joint);
+      : model_(model), reporter_(reporter), yaml_(expansion), parts_(model) {
+    for (const Reference& one : model.sections) {
+      const bool measures =
+          one.section == "sensor" && is_one_of(one.element.name(), {"accelerometer", "gyro"});
+      if (measures) imus_.insert(parts_.site(one.element.attribute("site"), one.around));
     }
   }
 
@@ -65,8 +67,8 @@ class AnnotationWriter {
     const Attribute* name = one.element.attribute("joint");
     if (name == nullptr) name = one.element.attribute("jointinparent");
     if (name == nullptr) return;  // reported with its efforts
-    const auto joint = joints_.find(full_name(name->value(), one.around));
-    if (joint == joints_.end()) return;
+    const Joint* joint = parts_.joint(name, one.around);
+    if (joint == nullptr) return;
     const ModelFile& file = *one.around.file;
     const Attribute* class_name = one.element.attribute("class");
     const Settings s(one.element,
@@ -77,13 +79,13 @@ class AnnotationWriter {
       lost(one, "SMURF has no motor like " + quoted(kind) + ", so this one is lost");
       return;
     }
-    if (!driven_.insert(joint->first).second) {
+    if (!driven_.insert(joint->name).second) {
       lost(one, "a joint of SMURF has one motor, so this second one is lost");
       return;
     }
     const Place tag{one.element.name_span(), one.element.tag_span(), one.around.frame};
-    line("- ", "name", yaml_text(joint->first), tag);
-    line("  ", "joint", yaml_text(joint->first), s.place({"joint", "jointinparent"}));
+    line("- ", "name", yaml_text(joint->name), tag);
+    line("  ", "joint", yaml_text(joint->name), s.place({"joint", "jointinparent"}));
     // A command and a force are those of the motor, before the gear.
     std::array<double, 6> gears{1, 0, 0, 0, 0, 0};
     s.numbers("gear", gears, 1, reporter_);
@@ -131,7 +133,7 @@ class AnnotationWriter {
     const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes),
                                    [&](const auto& known) { return known.first == kind; });
     if (row == std::end(kTypes)) {
-      const Site* site = site_of(one, "site");
+      const Site* site = parts_.site(one.element.attribute("site"), one.around);
       const bool is_placed =
           is_one_of(kind, {"accelerometer", "gyro", "force", "torque", "touch", "rangefinder"});
       if (!is_placed || site == nullptr || site->body == 0)
@@ -158,41 +160,21 @@ class AnnotationWriter {
     line("  ", "id", "[" + yaml_text(target) + "]", tag);
   }
 
-  const Site* site_of(const Reference& one, std::string_view attribute) const {
-    const Attribute* name = one.element.attribute(attribute);
-    if (name == nullptr) return nullptr;
-    const std::string full = full_name(name->value(), one.around);
-    for (const Site& site : model_.sites) {
-      if (site.name == full) return &site;
-    }
-    return nullptr;
-  }
-
   /// The joint that a sensor measures, and the link that it moves.
   std::pair<std::string, std::string> joint_of(const Reference& one) const {
     const Attribute* name = one.element.attribute("joint");
     const Surroundings* around = &one.around;
-    if (const Attribute* actuator = one.element.attribute("actuator")) {
-      const std::string full = full_name(actuator->value(), one.around);
-      for (const Reference& other : model_.sections) {
-        const Attribute* own = other.element.attribute("name");
-        if (other.section != "actuator" || own == nullptr ||
-            full_name(own->value(), other.around) != full)
-          continue;
-        name = other.element.attribute("joint");
-        around = &other.around;
+    if (const Attribute* measured = one.element.attribute("actuator")) {
+      if (const Reference* actuator = parts_.actuator(measured, one.around)) {
+        name = actuator->element.attribute("joint");
+        around = &actuator->around;
       }
     }
-    if (name == nullptr) return {};
-    const std::string full = full_name(name->value(), *around);
-    for (const Body& body : model_.bodies) {
-      for (const Joint& joint : body.joints) {
-        const bool has_one_value =
-            joint.type == Joint::Type::hinge || joint.type == Joint::Type::slide;
-        if (joint.name == full && has_one_value) return {full, body.name};
-      }
-    }
-    return {};
+    const Joint* joint = parts_.joint(name, *around);
+    const bool has_one_value = joint != nullptr && (joint->type == Joint::Type::hinge ||
+                                                    joint->type == Joint::Type::slide);
+    if (!has_one_value) return {};
+    return {joint->name, parts_.body_of(*joint).name};
   }
 
   /// The link whose frame a sensor measures in the world.
@@ -202,31 +184,26 @@ class AnnotationWriter {
     if (kind == nullptr || name == nullptr || one.element.attribute("reftype") != nullptr)
       return {};
     if (kind->value() == "site") {
-      const Site* site = site_of(one, "objname");
+      const Site* site = parts_.site(name, one.around);
       if (site == nullptr || site->pose.position != Vector3{} ||
           to_rpy(site->pose.orientation) != Vector3{})
         return {};
       const std::string& link = model_.bodies[site->body].name;
       return {link, link};
     }
-    const std::string full = full_name(name->value(), one.around);
-    for (const Body& body : model_.bodies) {
-      // A "body" is the frame of the inertia, which may be turned.
-      const bool is_turned = !body.mass || body.mass->center != Vector3{} || body.inertial;
-      if (body.name == full && (kind->value() == "xbody" || !is_turned)) return {full, full};
-    }
-    return {};
+    const auto index = parts_.body(name, one.around);
+    if (!index) return {};
+    const Body& body = model_.bodies[*index];
+    // A "body" is the frame of the inertia, which may be turned.
+    const bool is_turned = !body.mass || body.mass->center != Vector3{} || body.inertial;
+    if (kind->value() != "xbody" && is_turned) return {};
+    return {body.name, body.name};
   }
 
   /// The orientation of a site whose accelerations are measured, too.
   bool is_part_of_imu(const Reference& one) const {
-    const Site* site = site_of(one, "objname");
-    if (site == nullptr || one.element.name() != "framequat") return false;
-    return std::any_of(model_.sections.begin(), model_.sections.end(), [&](const Reference& other) {
-      return other.section == "sensor" &&
-             is_one_of(other.element.name(), {"accelerometer", "gyro"}) &&
-             site_of(other, "site") == site;
-    });
+    const Site* site = parts_.site(one.element.attribute("objname"), one.around);
+    return site != nullptr && one.element.name() == "framequat" && imus_.contains(site);
   }
 
   /// Which shapes touch which, if not all of them touch each other.
@@ -300,7 +277,8 @@ class AnnotationWriter {
   const Model& model_;
   Reporter& reporter_;
   imports::TracedYaml yaml_;
-  std::map<std::string, const Joint*> joints_;
+  PartsByName parts_;
+  std::set<const Site*> imus_;  ///< whose accelerations are measured
   std::set<std::string> driven_;
   std::size_t keys_ = 0;
 };

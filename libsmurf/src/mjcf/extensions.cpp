@@ -32,12 +32,6 @@ void ExtensionWriter::write_all() {
   for (const Camera& one : model_.cameras) camera(one);
 }
 
-void ExtensionWriter::leaf(std::string_view name, std::string_view text, const Place& place) {
-  xml_.open(name, place);
-  xml_.text(text, place);
-  xml_.close();
-}
-
 void ExtensionWriter::loop(const ClosedLoop& loop) {
   const Place tag{loop.element.name_span(), loop.element.tag_span(), loop.frame};
   const bool needs_world =
@@ -51,14 +45,14 @@ void ExtensionWriter::loop(const ClosedLoop& loop) {
         .help("keep the MJCF for it");
     return;
   }
-  xml_.open("gazebo", tag);
-  xml_.open("joint", tag);
-  xml_.attribute("name", loop.name, tag, true);
-  xml_.attribute("type", loop.is_ball ? "ball" : "fixed", tag);
-  leaf("parent", loop.parent, tag);
-  leaf("child", loop.child, tag);
-  const Vector3 rpy = to_rpy(loop.X_CJ.orientation);
-  leaf("pose", words_of(loop.X_CJ.position) + " " + words_of(rpy), tag);
+  imports::JointText joint{.name = loop.name,
+                           .type = loop.is_ball ? "ball" : "fixed",
+                           .parent = loop.parent,
+                           .child = loop.child,
+                           .tag = tag};
+  joint.blame_tag();
+  joint.of_pose = tag;
+  open_loop(xml_, joint, loop.X_CJ);
   xml_.close();
   xml_.close();
 }
@@ -68,12 +62,7 @@ const Site* ExtensionWriter::site_of(const Reference& one) const {
   const Attribute* kind = one.element.attribute("objtype");
   if (name == nullptr && kind != nullptr && kind->value() == "site")
     name = one.element.attribute("objname");
-  if (name == nullptr) return nullptr;
-  const std::string full = full_name(name->value(), one.around);
-  for (const Site& site : model_.sites) {
-    if (site.name == full) return &site;
-  }
-  return nullptr;
+  return parts_.site(name, one.around);
 }
 
 void ExtensionWriter::open_sensor(std::string_view reference, const std::string& name,
@@ -85,7 +74,7 @@ void ExtensionWriter::open_sensor(std::string_view reference, const std::string&
   xml_.attribute("type", type, tag);
   const Vector3 rpy = to_rpy(X_LS.orientation);
   if (X_LS.position != Vector3{} || rpy != Vector3{})
-    leaf("pose", words_of(X_LS.position) + " " + words_of(rpy), tag);
+    add_leaf(xml_, "pose", words_of(X_LS.position) + " " + words_of(rpy), tag);
 }
 
 void ExtensionWriter::close_sensor() {
@@ -113,8 +102,8 @@ void ExtensionWriter::sensor(const Reference& one) {
     if (holder == holders_.end() || !known_.insert({"wrench", site}).second) return;
     open_sensor(holder->second, site->name, "force_torque", site->pose, tag);
     xml_.open("force_torque", tag);
-    leaf("frame", "sensor", tag);
-    leaf("measure_direction", "child_to_parent", tag);
+    add_leaf(xml_, "frame", "sensor", tag);
+    add_leaf(xml_, "measure_direction", "child_to_parent", tag);
     xml_.close();
     close_sensor();
   } else if (kind == "touch") {
@@ -127,15 +116,15 @@ void ExtensionWriter::sensor(const Reference& one) {
     xml_.open("horizontal", tag);
     for (const auto& [part, value] : {std::pair{"samples", "1"}, std::pair{"resolution", "1"},
                                       std::pair{"min_angle", "0"}, std::pair{"max_angle", "0"}})
-      leaf(part, value, tag);
+      add_leaf(xml_, part, value, tag);
     xml_.close();
     xml_.close();
     const Settings s(one.element, nullptr);
     const double farthest = s.number("cutoff", 0, reporter_);
     if (farthest > 0) {
       xml_.open("range", tag);
-      leaf("min", "0", tag);
-      leaf("max", format_number(farthest), s.place({"cutoff"}));
+      add_leaf(xml_, "min", "0", tag);
+      add_leaf(xml_, "max", format_number(farthest), s.place({"cutoff"}));
       xml_.close();
     }
     xml_.close();
@@ -160,10 +149,10 @@ void ExtensionWriter::camera(const Camera& camera) {
   open_sensor(model_.bodies[camera.body].name, camera.name, "camera",
               camera.pose * Pose{{}, kCameraOfGazebo}, tag);
   xml_.open("camera", tag);
-  leaf("horizontal_fov", format_number(fovx), s.place({"fovy"}));
+  add_leaf(xml_, "horizontal_fov", format_number(fovx), s.place({"fovy"}));
   xml_.open("image", tag);
-  leaf("width", format_number(resolution[0]), s.place({"resolution"}));
-  leaf("height", format_number(resolution[1]), s.place({"resolution"}));
+  add_leaf(xml_, "width", format_number(resolution[0]), s.place({"resolution"}));
+  add_leaf(xml_, "height", format_number(resolution[1]), s.place({"resolution"}));
   xml_.close();
   xml_.close();
   close_sensor();

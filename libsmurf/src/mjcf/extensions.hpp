@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "imports/traced_xml.hpp"
+#include "imports/joint_xml.hpp"
 #include "mjcf/robot.hpp"
 
 namespace smurf::mjcf {
@@ -24,7 +24,8 @@ class ExtensionWriter {
         holders_(holders),
         has_world_(has_world),
         reporter_(reporter),
-        xml_(xml) {}
+        xml_(xml),
+        parts_(model) {}
 
   void write_all();
 
@@ -36,7 +37,6 @@ class ExtensionWriter {
   void open_sensor(std::string_view reference, const std::string& name, std::string_view type,
                    const Pose& X_LS, const Place& tag);
   void close_sensor();
-  void leaf(std::string_view name, std::string_view text, const Place& place);
 
   const Model& model_;
   const JointFacts& facts_;
@@ -44,6 +44,7 @@ class ExtensionWriter {
   bool has_world_;
   Reporter& reporter_;
   imports::TracedXml& xml_;
+  PartsByName parts_;
   std::set<std::pair<std::string_view, const Site*>> known_;  ///< kinds of sensors at sites
 };
 

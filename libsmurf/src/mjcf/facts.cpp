@@ -13,11 +13,8 @@ namespace {
 
 class Facts {
  public:
-  Facts(const Model& model, Reporter& reporter) : model_(model), reporter_(reporter) {
-    for (const Body& body : model.bodies) {
-      for (const Joint& joint : body.joints) joints_.emplace(joint.name, &joint);
-    }
-  }
+  Facts(const Model& model, Reporter& reporter)
+      : model_(model), reporter_(reporter), parts_(model) {}
 
   JointFacts run() {
     for (const Reference& one : model_.sections) {
@@ -59,12 +56,6 @@ class Facts {
     }
   }
 
-  const Joint* joint(const Attribute* name, const Surroundings& around) const {
-    if (name == nullptr) return nullptr;
-    const auto found = joints_.find(full_name(name->value(), around));
-    return found != joints_.end() ? found->second : nullptr;
-  }
-
   /// Copies of a joint take the references to it with them.
   std::vector<const Joint*> copies(const Attribute& name, const Surroundings& around) const {
     std::vector<const Joint*> all;
@@ -97,7 +88,7 @@ class Facts {
       is_active = truth_of(*active, reporter_).value_or(true);
     if (!is_active) return;
     if (element.name() == "connect" || element.name() == "weld") {
-      if (auto loop = closed_loop(model_, one, Settings(element, of_class), reporter_)) {
+      if (auto loop = closed_loop(model_, parts_, one, Settings(element, of_class), reporter_)) {
         facts_.loops.push_back(std::move(*loop));
         return;
       }
@@ -113,13 +104,13 @@ class Facts {
       return lost(element, "equality of this kind", "lost equalities");
     }
     const Attribute* first = element.attribute("joint1");
-    const Joint* follower = joint(first, one.around);
+    const Joint* follower = parts_.joint(first, one.around);
     if (follower == nullptr) return;
     std::array<double, 5> coefficients{0, 1, 0, 0, 0};
     const Settings s(element, of_class);
     s.numbers("polycoef", coefficients, 1, reporter_);
     const Attribute* second = element.attribute("joint2");
-    const Joint* leader = joint(second, one.around);
+    const Joint* leader = parts_.joint(second, one.around);
     if (second != nullptr && leader == nullptr) return;
     if (leader == nullptr) {
       reporter_
@@ -171,7 +162,7 @@ class Facts {
       return;
     }
     std::vector<const Joint*> moved;
-    if (const Joint* single = joint(name, one.around)) {
+    if (const Joint* single = parts_.joint(name, one.around)) {
       moved.push_back(single);
     } else {
       moved = copies(*name, one.around);
@@ -189,7 +180,7 @@ class Facts {
 
   const Model& model_;
   Reporter& reporter_;
-  std::map<std::string, const Joint*> joints_;
+  PartsByName parts_;
   JointFacts facts_;
 };
 

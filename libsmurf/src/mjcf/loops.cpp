@@ -19,24 +19,6 @@ Pose in_world(const Model& model, std::uint32_t body) {
   return body == 0 ? Pose{} : X;
 }
 
-std::optional<std::uint32_t> body_of(const Model& model, const Attribute* name,
-                                     const Surroundings& around) {
-  if (name == nullptr) return 0;  // the world
-  const std::string full = full_name(name->value(), around);
-  for (std::uint32_t i = 0; i < model.bodies.size(); ++i) {
-    if (model.bodies[i].name == full) return i;
-  }
-  return std::nullopt;
-}
-
-const Site* site_of(const Model& model, const Attribute* name, const Surroundings& around) {
-  if (name == nullptr) return nullptr;
-  const std::string full = full_name(name->value(), around);
-  const auto found = std::find_if(model.sites.begin(), model.sites.end(),
-                                  [&](const Site& one) { return one.name == full; });
-  return found != model.sites.end() ? &*found : nullptr;
-}
-
 bool is_small(const Pose& X, bool heeds_turn) {
   const auto& [x, y, z] = X.position;
   const Quaternion& q = X.orientation;
@@ -46,8 +28,9 @@ bool is_small(const Pose& X, bool heeds_turn) {
 
 }  // namespace
 
-std::optional<ClosedLoop> closed_loop(const Model& model, const Reference& one,
-                                      const Settings& settings, Reporter& reporter) {
+std::optional<ClosedLoop> closed_loop(const Model& model, const PartsByName& parts,
+                                      const Reference& one, const Settings& settings,
+                                      Reporter& reporter) {
   // Gazebo says where a loop is closed for joints at zero, which is not where the file draws them.
   for (const Body& body : model.bodies) {
     if (std::any_of(body.joints.begin(), body.joints.end(),
@@ -60,14 +43,17 @@ std::optional<ClosedLoop> closed_loop(const Model& model, const Reference& one,
   loop.element = element;
   loop.frame = one.around.frame;
   const Attribute* name = element.attribute("name");
-  const Site* site1 = site_of(model, element.attribute("site1"), one.around);
-  const Site* site2 = site_of(model, element.attribute("site2"), one.around);
+  const Site* site1 = parts.site(element.attribute("site1"), one.around);
+  const Site* site2 = parts.site(element.attribute("site2"), one.around);
   const bool has_sites = element.attribute("site1") != nullptr;
   if (has_sites && (site1 == nullptr || site2 == nullptr)) return std::nullopt;
-  const auto first = has_sites ? std::optional(site1->body)
-                               : body_of(model, element.attribute("body1"), one.around);
-  const auto second = has_sites ? std::optional(site2->body)
-                                : body_of(model, element.attribute("body2"), one.around);
+  const auto body = [&](std::string_view which) {
+    const Attribute* written = element.attribute(which);
+    return written == nullptr ? std::optional<std::uint32_t>(0)  // the world
+                              : parts.body(written, one.around);
+  };
+  const auto first = has_sites ? std::optional(site1->body) : body("body1");
+  const auto second = has_sites ? std::optional(site2->body) : body("body2");
   if (!first || !second || *first == *second) return std::nullopt;
   const Pose X_21 = inverse(in_world(model, *second)) * in_world(model, *first);
   if (has_sites) {

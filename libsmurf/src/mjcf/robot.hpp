@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mjcf/model.hpp"
+#include "mjcf/parts_by_name.hpp"
 
 namespace smurf::mjcf {
 
@@ -27,8 +27,9 @@ struct ClosedLoop {
   xacro::FrameId frame = xacro::kNoFrame;
 };
 /// None if a joint in `<gazebo>` would close the loop elsewhere.
-std::optional<ClosedLoop> closed_loop(const Model& model, const Reference& one,
-                                      const Settings& settings, Reporter& reporter);
+std::optional<ClosedLoop> closed_loop(const Model& model, const PartsByName& parts,
+                                      const Reference& one, const Settings& settings,
+                                      Reporter& reporter);
 
 /// What sections outside of the tree say about joints.
 struct JointFacts {

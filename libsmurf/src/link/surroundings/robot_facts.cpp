@@ -2,6 +2,8 @@
 #include "link/surroundings/robot_facts.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -30,36 +32,41 @@ class RobotFacts {
     } else if (model_.robot) {
       read_document(model_.robot->document);
     } else {
-      read_source_text(model_.urdf_path, 0);
+      read_source_text(model_.urdf_path);
     }
     if (model_.robot) read_comments(expansion);
   }
 
  private:
-  /// A xacro that could not be expanded, and what it includes.
-  void read_source_text(const std::string& path, int depth) {
-    constexpr int kMostIncludes = 8;  // one in the other
+  /// A xacro that could not be expanded, and what it includes, each file once.
+  void read_source_text(const std::string& path) {
+    constexpr std::size_t kMostFiles = 64;
+    if (!read_.insert(path::normalize(path)).second) return;
     const FileContent content = context_.files.read(path, context_.limits.file_bytes);
-    if (content.status != ReadStatus::ok || depth > kMostIncludes) {
+    if (content.status != ReadStatus::ok || read_.size() > kMostFiles) {
       found_.has_all_arguments = false;
       return;
     }
     note_uses(content.text);
-    constexpr std::string_view kInclude = "<xacro:include";
-    for (std::size_t at = content.text.find(kInclude); at != std::string::npos;
-         at = content.text.find(kInclude, at + 1)) {
-      const std::string tag = content.text.substr(at, content.text.find('>', at) - at);
-      read_source_text(included_file(tag, path), depth + 1);
-    }
-    constexpr std::string_view kTag = "<xacro:arg";
-    for (std::size_t at = content.text.find(kTag); at != std::string::npos;
-         at = content.text.find(kTag, at + 1)) {
-      const std::string tag = content.text.substr(at, content.text.find('>', at) - at);
+    for_each_tag(content.text, "<xacro:include",
+                 [&](std::string_view tag) { read_source_text(included_file(tag, path)); });
+    for_each_tag(content.text, "<xacro:arg", [&](std::string_view tag) {
       const std::size_t name = tag.find("name=");
-      if (name == std::string::npos || name + 6 >= tag.size()) continue;
+      if (name == std::string_view::npos || name + 6 >= tag.size()) return;
       const std::size_t end = tag.find(tag[name + 5], name + 6);
-      found_.arguments.push_back(
-          {tag.substr(name + 6, end - name - 6), tag.find("default=") != std::string::npos});
+      found_.arguments.push_back({std::string(tag.substr(name + 6, end - name - 6)),
+                                  tag.find("default=") != std::string_view::npos});
+    });
+  }
+
+  /// From the beginning of each such tag to its ">".
+  static void for_each_tag(std::string_view text, std::string_view begin,
+                           const std::function<void(std::string_view)>& take) {
+    for (std::size_t at = text.find(begin); at != std::string_view::npos;
+         at = text.find(begin, at + 1)) {
+      const std::size_t end = text.find('>', at);
+      if (end == std::string_view::npos) return;  // no tag follows
+      take(text.substr(at, end - at));
     }
   }
 
@@ -172,6 +179,7 @@ class RobotFacts {
   const LinkedModel& model_;
   const LoadContext& context_;
   Surroundings& found_;
+  std::set<std::string> read_;  ///< texts of a xacro that could not be expanded
 };
 
 }  // namespace
