@@ -356,7 +356,9 @@ std::vector<Option> input_options(LintOptions& options) {
 
 Setter append_targets(std::vector<const Reader*>& targets) {
   return [&targets](std::string_view value) -> std::optional<std::string> {
-    for (const std::string_view name : split_items(value)) {
+    const std::vector<std::string_view> names = split_items(value);
+    if (names.empty()) return "the list names no target (`--target help` lists them)";
+    for (const std::string_view name : names) {
       const Reader* reader = find_target(name);
       if (reader == nullptr) {
         return "there is no target '" + std::string(name) + "'" +
