@@ -7,6 +7,7 @@ Usage: diff_edits_test.py SMURF-DIFF SMURF2URDF FOLDER [EDITS [SEED]]
 import json
 import pathlib
 import random
+import re
 import shutil
 import subprocess
 import sys
@@ -21,9 +22,9 @@ class Tester:
         self.smurf_diff, self.smurf2urdf, self.work = smurf_diff, smurf2urdf, work
         self.failures, self.done = [], {"edits": 0, "same": 0}
 
-    def diff(self, old, new, text=None):
+    def diff(self, old, new, text=None, options=()):
         """The differences; None if one of both cannot be read."""
-        done = subprocess.run([self.smurf_diff, "--format", "json", old, *(["-", "--stdin-filename", old] if text is not None else [new])],
+        done = subprocess.run([self.smurf_diff, "--format", "json", *options, old, *(["-", "--stdin-filename", old] if text is not None else [new])],
                               input=text, capture_output=True, timeout=600)
         if done.returncode == 2:
             return None
@@ -60,7 +61,14 @@ class Tester:
         output.unlink(missing_ok=True)
         subprocess.run([self.smurf2urdf, "--canonical", "--force", "-q", path, "-o", output], capture_output=True)
         if output.exists():
-            self.expect_same(f"{path}, canonical", self.diff(path, output))
+            self.expect_same(f"{path}, canonical", self.diff(path, output, options=package_of(path)))
+
+
+def package_of(path):
+    """The option that names the folder of a file as a package, for copies elsewhere."""
+    manifest = path.parent / "package.xml"
+    name = re.search(r"<name>(.*?)</name>", manifest.read_text()) if manifest.exists() else None
+    return [f"--package={name[1]}={path.parent}"] if name else []
 
 
 def is_sound(text):
