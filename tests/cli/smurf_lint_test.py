@@ -276,6 +276,16 @@ smurf-lint --explain SML1404, or https://smurf-tools.github.io/smurf/0.1.0/rules
             for one in reports[0]:
                 self.assertEqual(len(one.get("notes", [])), len(set(one.get("notes", []))), one)
 
+    def test_help_is_that_of_the_targets(self):
+        folder = cli.FIXTURES / "rules/SML1915-mimic-unread/bad"
+        def helps(targets):
+            done = self.expect(0, "--isolated", "--target", targets, "--select", "SML1915", "--format", "json", folder)
+            return [one["help"] for one in json.loads(done.stdout)["diagnostics"]]
+        self.assertEqual(helps("pinocchio"), ["read the robot with `buildModelFromUrdf(file, mimic=True)`"])
+        several, = helps("pinocchio,pybullet")
+        self.assertRegex(several, "^for pinocchio: read the robot .*; for pybullet: couple the joints")
+        self.assertEqual(helps("mujoco"), [])  # which reads `mimic` today
+
     def test_verdict_is_about_the_file_whatever_is_let_pass(self):
         self.expect(0, "--target", "ros", "--baseline", "b.yaml", "--generate-baseline", "arm.urdf")
         done = self.expect(0, "--target", "ros", "--baseline", "b.yaml", "arm.urdf")

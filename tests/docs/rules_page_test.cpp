@@ -121,6 +121,9 @@ void write_rule(std::ostream& page, const Rule& rule) {
   page << "\n### " << rule.id << " " << rule.name << "\n\n"
        << rule.summary << " (" << to_string(rule.severity) << ")\n\n"
        << reasons(rule) << "**What to do.** " << rule.remedy << "\n";
+  const std::vector<std::string> cures = cures_of(rule);
+  if (!cures.empty()) page << "\n";
+  for (const std::string& cure : cures) page << "- " << cure << "\n";
   if (const Tolerance& tolerance = rule.tolerance; !tolerance.meaning.empty()) {
     page << "\n**Tolerance.** " << tolerance.value << (tolerance.unit.empty() ? "" : " ")
          << tolerance.unit << ": " << tolerance.meaning << "\n";

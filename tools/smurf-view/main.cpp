@@ -45,8 +45,8 @@ Command make_command(Options& options) {
   command.summary = "Shows a robot or a scene in 3D, in the browser.";
   command.operands = "FILE [NAME:=VALUE]...";
   command.details =
-      "FILE is a .urdf, .smurf, .smurfs or .xacro file, an archive, or a folder with one of these; "
-      "NAME:=VALUE is an argument of the .xacro. The page is written to a temporary file, which "
+      "FILE is a URDF, xacro, MJCF or SDF, a .smurf or .smurfs file, an archive, or a folder with "
+      "one of these; NAME:=VALUE is an argument of the .xacro. The page is written to a temporary file, which "
       "stays: it needs neither a network nor this program. With --watch, this program serves the "
       "page to this machine only, and the page follows every save of the files: the camera, the "
       "joints and the selection stay as they are. When a file cannot be read, the page keeps the "

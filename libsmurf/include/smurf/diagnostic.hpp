@@ -141,6 +141,8 @@ struct Fact {
   std::string_view makes;     ///< "reads the missing limit as 0"; completes "MuJoCo ..."
   std::string_view evidence;  ///< kRun, or the lines of its source
   Where where = {};           ///< `at("/joint/axis/")`, `when(kHex)`, `since({3, 13})`
+  /// What to do for this reader, where it differs from the remedy of the rule: "use Drake's SAP".
+  std::string_view cure = {};
 };
 
 /// What a rule asks. It decides what a target can change about its findings.

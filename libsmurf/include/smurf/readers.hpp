@@ -92,6 +92,8 @@ std::vector<const Fact*> facts_about(const Rule& rule);
 std::string evidence_of(const Fact& fact);
 /// "MuJoCo (visual): discards visuals"
 std::string describe(const Fact& fact);
+/// What to do for single readers, where it differs from the remedy: "PyBullet: couple the joints".
+std::vector<std::string> cures_of(const Rule& rule);
 /// "mass/@value, too large, before 3.13"; empty for all findings in all versions.
 std::string describe(const Where& where);
 /// The evidence of all facts about a rule, without repetitions, and the rule's own sources.

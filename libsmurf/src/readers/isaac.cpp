@@ -184,7 +184,7 @@ extern constinit const Reader isaac{
     .name = "isaac",
     .title = "Isaac",
     .basis = "urdf-usd-converter 0.3.4 (wheel), executed: what it writes into the USD. "
-             "Isaac Sim itself needs a graphics card and was not run.",
+             "Isaac Sim itself needs a graphics card and was not run",
     .like = &urdf,
     .version = "urdf-usd-converter 0.3.4",
     .families = kFamilies,

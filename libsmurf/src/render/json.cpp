@@ -37,11 +37,13 @@ Json to_json(const Fix& fix, const SourceMap& sources) {
 }
 
 Json to_json(const Fact& fact) {
-  return {{"reader", text(fact.reader->name)},
-          {"where", describe(fact.where)},
-          {"effect", text(to_string(fact.effect))},
-          {"makes", text(fact.makes)},
-          {"evidence", evidence_of(fact)}};
+  Json json = {{"reader", text(fact.reader->name)},
+               {"where", describe(fact.where)},
+               {"effect", text(to_string(fact.effect))},
+               {"makes", text(fact.makes)},
+               {"evidence", evidence_of(fact)}};
+  if (!fact.cure.empty()) json["cure"] = text(fact.cure);
+  return json;
 }
 
 Json to_json(const TargetVerdict& target, const SourceMap& sources) {

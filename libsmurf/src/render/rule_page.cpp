@@ -73,7 +73,9 @@ std::string render_rule(const Rule& rule, const TextStyle& style) {
   std::string readers;
   for (const Fact* fact : facts_about(rule)) readers += describe(*fact) + "\n";
   section("What readers make of it", readers.substr(0, readers.rfind('\n')));
-  section("What to do", rule.remedy);
+  std::string remedies(rule.remedy);
+  for (const std::string& cure : cures_of(rule)) remedies.append("\n").append(cure);
+  section("What to do", remedies);
   section("Tolerance", tolerance_of(rule));
   section("Sources", sources_for_people(rule));
   return out;

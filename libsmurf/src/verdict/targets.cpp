@@ -77,6 +77,19 @@ Severity severity_for(const Diagnostic& diagnostic, const Judgement& judgement) 
   return judgement.stumbles.empty() && !is_fine ? milder(diagnostic.severity) : severity;
 }
 
+/// What to do for the targets that stumble: each cure with its targets, or without where one is
+/// enough for all. Empty if the facts know none.
+std::string cure_of(const Judgement& judgement) {
+  const auto& stumbles = judgement.stumbles;
+  if (stumbles.size() == 1) return std::string(stumbles.front().first->cure);
+  std::string text;
+  for (const auto& [fact, names] : stumbles) {
+    if (fact->cure.empty()) continue;
+    text.append(text.empty() ? "for " : "; for ").append(names).append(": ").append(fact->cure);
+  }
+  return text;
+}
+
 }  // namespace
 
 void apply_targets(std::vector<Diagnostic>& diagnostics, std::span<const Reader* const> targets) {
@@ -90,6 +103,8 @@ void apply_targets(std::vector<Diagnostic>& diagnostics, std::span<const Reader*
     for (const auto& [fact, names] : judgement.stumbles) {
       diagnostic.note(names + ": " + std::string(fact->makes));
     }
+    const bool asks_for_help = diagnostic.severity > Severity::info && diagnostic.fixes.empty();
+    if (asks_for_help && diagnostic.help_text.empty()) diagnostic.help_text = cure_of(judgement);
     // If a target only ignores a part, that is no reason to report findings that are harmless in
     // general.
     if (diagnostic.rule->needs_target && diagnostic.severity == Severity::info) continue;

@@ -197,6 +197,15 @@ std::string describe(const Fact& fact) {
   return text + ": " + std::string(fact.makes);
 }
 
+std::vector<std::string> cures_of(const Rule& rule) {
+  std::vector<std::string> cures;
+  for (const Fact* fact : facts_about(rule)) {
+    if (fact->cure.empty()) continue;
+    cures.push_back(std::string(fact->reader->title) + ": " + std::string(fact->cure));
+  }
+  return cures;
+}
+
 std::string sources_of(const Rule& rule) {
   std::vector<std::string> sources;
   for (const Fact* fact : facts_about(rule)) sources.push_back(evidence_of(*fact));

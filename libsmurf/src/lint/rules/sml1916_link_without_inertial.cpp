@@ -87,11 +87,20 @@ constexpr std::string_view kDropsRoot =
     "drops the root with everything below it: a model without links";
 
 constexpr Fact kFacts[] = {
-    {&readers::pybullet, Effect::changes,
-     "gives each such link 1 kg, and computes its inertia from the collisions", kRun},
+    {&readers::pybullet,
+     Effect::changes,
+     "gives each such link 1 kg, and computes its inertia from the collisions",
+     kRun,
+     {},
+     "add an inertial to every link, a small one to frames and sensors"},
     {&readers::gazebo, Effect::refuses, kDropsRoot, kRun, when(kRoot)},
     {&readers::gazebo, Effect::refuses, kDropsRoot, kRun, at("inertial")},
-    {&readers::dart, Effect::changes, "gives each such link 1 kg and 1 kg m2", kRun},
+    {&readers::dart,
+     Effect::changes,
+     "gives each such link 1 kg and 1 kg m2",
+     kRun,
+     {},
+     "add an inertial to every link, a small one to frames and sensors"},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without mass or collision", kRun,
      when(kMasslessBody)},
     {&readers::mujoco, Effect::changes,
@@ -107,8 +116,7 @@ extern constinit const Rule sml1916_link_without_inertial{
     .severity = Severity::warning,
     .summary = "A link has no inertial: a target invents one, or drops the link.",
     .why = "In URDF this means no mass, as for frames and sensors.",
-    .remedy =
-        "Add an inertial to every link that has a mass, and for Bullet a small one to every frame.",
+    .remedy = "Add an inertial to every link that has a mass.",
     .sources = "bullet3 issues 3097, 3110; 102 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
     .needs_target = true,

@@ -22,8 +22,21 @@ void check(const LinkedScene& scene, Findings& findings) {
   if (extension == ".smurfa") diagnostic.when(kSmurfa);
 }
 
+constexpr std::string_view kReadsNone = "reads no scenes";
+constexpr std::string_view kEvidence = "only the MARS generations and Phobos do";
+
+/// A reader that reads no scenes, but a format that smurfs-flatten writes.
+constexpr Fact reads_only(const Reader& reader, std::string_view cure) {
+  return {&reader, Effect::refuses, kReadsNone, kEvidence, {}, cure};
+}
+
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::refuses, "reads no scenes", "only the MARS generations and Phobos do"},
+    {&readers::urdf, Effect::refuses, kReadsNone, kEvidence},
+    reads_only(readers::gazebo, "export it: smurfs-flatten --format sdf"),
+    reads_only(readers::mujoco, "export it: smurfs-flatten --format mjcf"),
+    reads_only(readers::drake, "export it: smurfs-flatten --format dmd"),
+    reads_only(readers::isaac, "export it: smurfs-flatten --format usda"),
+    reads_only(readers::newton, "export it: smurfs-flatten --format usda"),
     {&readers::mars, Effect::takes, "reads scenes and assemblies", "MARS SMURFLoader.cpp"},
     {&readers::mars2, Effect::refuses, "reads .smurfs only", "MarsSceneLoader.cpp:76",
      when(kSmurfa)},
@@ -42,8 +55,7 @@ extern constinit const Rule sml7100_scene_unread{
     .name = "scene-unread",
     .severity = Severity::error,
     .summary = "A target does not read scenes.",
-    .remedy =
-        "Export it with smurfs-flatten: --format mjcf for MuJoCo, sdf for Gazebo, urdf for others.",
+    .remedy = "Export it: smurfs-flatten --format urdf; --format help lists the others.",
     .check_scene = check,
     .needs_target = true,
     .facts = kFacts};
