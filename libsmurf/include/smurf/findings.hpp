@@ -15,7 +15,7 @@
 
 namespace smurf {
 
-class DoubtfulReferences;
+class ModelAnswers;
 
 /// Settings for the files that match a pattern.
 struct PathRules {
@@ -43,8 +43,8 @@ bool matches(const Rule& rule, std::string_view pattern);
 /// Reports the findings of one rule.
 class Findings {
  public:
-  Findings(const Rule& rule, double tolerance, DiagnosticSink& sink, DoubtfulReferences& references)
-      : rule_(rule), tolerance_(tolerance), sink_(sink), references_(references) {}
+  Findings(const Rule& rule, double tolerance, DiagnosticSink& sink, ModelAnswers& answers)
+      : rule_(rule), tolerance_(tolerance), sink_(sink), answers_(answers) {}
   Diagnostic& report(Span span, std::string message) {
     return sink_.report(rule_, span, std::move(message));
   }
@@ -65,8 +65,8 @@ class Findings {
                                           std::span<const std::string_view> known) {
     return sink_.suggest(name, known);
   }
-  /// The doubtful references of the checked model; see smurf/lint.hpp.
-  DoubtfulReferences& doubtful_references() { return references_; }
+  /// What other rules may have asked of the same model; of a scene, there are no answers.
+  ModelAnswers& answers() { return answers_; }
   /// Rule::tolerance, or the value from the configuration.
   double tolerance() const { return tolerance_; }
 
@@ -74,7 +74,7 @@ class Findings {
   const Rule& rule_;
   double tolerance_;
   DiagnosticSink& sink_;
-  DoubtfulReferences& references_;
+  ModelAnswers& answers_;
 };
 
 }  // namespace smurf

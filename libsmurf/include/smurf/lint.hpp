@@ -2,31 +2,14 @@
 // Runs the rules over models and scenes.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "smurf/findings.hpp"
 #include "smurf/linked.hpp"
 #include "smurf/readers.hpp"
-#include "smurf/references.hpp"
 
 namespace smurf {
-
-/// The doubtful_references() of a model, found at the first request.
-class DoubtfulReferences {
- public:
-  /// The list is empty if there is no model.
-  explicit DoubtfulReferences(const LinkedModel* model) : model_(model) {}
-  std::span<const Reference> list() {
-    if (!list_ && model_ != nullptr) list_ = doubtful_references(*model_);
-    return list_ ? std::span<const Reference>(*list_) : std::span<const Reference>();
-  }
-
- private:
-  const LinkedModel* model_;
-  std::optional<std::vector<Reference>> list_;
-};
 
 void lint_model(const LinkedModel& model, const RuleSelection& selection, DiagnosticSink& sink);
 /// Runs the rules about the scene itself; lint_model() checks its models.

@@ -350,17 +350,19 @@ bool has_only_xacro_definitions(const xml::Document& document) {
   bool has_definitions = false;
   for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
     const View element(document, xml::ElementId{i});
-    if (is_xacro_definition(element)) {
-      has_definitions = true;
-    } else if (element.name().starts_with("xacro:")) {
-      return false;
-    } else {
-      for (const xml::Attribute& at : element.attributes()) {
-        if (is_xacro(at.value())) return false;
-      }
+    if (!element.name().starts_with("xacro:")) continue;
+    if (!is_xacro_definition(element)) return false;
+    has_definitions = true;
+  }
+  if (!has_definitions) return false;  // as nearly always, without a look at each attribute
+  for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
+    const View element(document, xml::ElementId{i});
+    if (is_xacro_definition(element)) continue;
+    for (const xml::Attribute& at : element.attributes()) {
+      if (is_xacro(at.value())) return false;
     }
   }
-  return has_definitions;
+  return true;
 }
 
 std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sink) {

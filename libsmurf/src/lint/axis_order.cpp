@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "link/shape_solids.hpp"
 #include "lint/body.hpp"
 #include "lint/inertia_slips.hpp"
+#include "lint/model_answers.hpp"
 
 namespace smurf {
 namespace {
@@ -68,17 +68,17 @@ bool has_gltf(const LinkedModel& model, const urdf::Link& link) {
 
 }  // namespace
 
-const AxisOrder* likely_axis_order(const LinkedModel& model, const urdf::Link& link) {
-  const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
-  if (!body || body->mass < kNegligibleMass || !extent_of(model, link)) return nullptr;
-  const std::optional<Solid> solid = solid_of(model, link);
-  if (!solid || has_gltf(model, link)) return nullptr;
+const AxisOrder* likely_axis_order(const LinkedModel& model, const urdf::Link& link,
+                                   ModelAnswers& answers) {
+  const std::optional<Body>& body = answers.body(link);
+  if (!body || body->mass < kNegligibleMass || !answers.extent(link)) return nullptr;
+  const std::optional<Tensor>& shape = answers.shape_inertia(link);
+  if (!shape || has_gltf(model, link)) return nullptr;
   const Tensor tensor =
       rotated(tensor_of(*link.inertial), urdf::to_pose(link.inertial->origin).orientation);
-  const Tensor shape = unit_inertia(*solid);
-  if (!is_along_axes(tensor) || !is_along_axes(shape)) return nullptr;
-  if (!is_of_size(tensor, body->mass, shape)) return nullptr;
-  return order_that_fits(parts_of(tensor), parts_of(shape));
+  if (!is_along_axes(tensor) || !is_along_axes(*shape)) return nullptr;
+  if (!is_of_size(tensor, body->mass, *shape)) return nullptr;
+  return order_that_fits(parts_of(tensor), parts_of(*shape));
 }
 
 }  // namespace smurf

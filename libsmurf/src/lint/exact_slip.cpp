@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "base/text/quoted.hpp"
-#include "link/shape_solids.hpp"
-#include "lint/body.hpp"
 #include "lint/inertia_slips.hpp"
+#include "lint/model_answers.hpp"
 
 namespace smurf {
 namespace {
@@ -60,16 +59,16 @@ void add_offsets(const Tensor& written, double mass, const Vector3& center,
 
 }  // namespace
 
-std::optional<ExactSlip> exact_slip(const LinkedModel& model, const urdf::Link& link) {
-  const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
-  if (!body || body->mass < kSmallestPart || !extent_of(model, link)) return std::nullopt;
-  const std::optional<Solid> solid = solid_of(model, link);
-  if (!solid) return std::nullopt;
+std::optional<ExactSlip> exact_slip(const urdf::Link& link, ModelAnswers& answers) {
+  const std::optional<Body>& body = answers.body(link);
+  if (!body || body->mass < kSmallestPart || !answers.extent(link)) return std::nullopt;
+  const std::optional<Tensor>& unit = answers.shape_inertia(link);
+  if (!unit) return std::nullopt;
   const Pose X = urdf::to_pose(link.inertial->origin);
   const Tensor written = tensor_of(*link.inertial);
   const Quaternion& q = X.orientation;
   const Quaternion back{q.w, -q.x, -q.y, -q.z};
-  Tensor shape = rotated(unit_inertia(*solid), back);
+  Tensor shape = rotated(*unit, back);
   for (double& entry : shape) entry *= body->mass;
   const double off = distance_between(written, shape);
   if (off < kWrong) return std::nullopt;

@@ -10,6 +10,8 @@
 
 namespace smurf {
 
+class ModelAnswers;
+
 struct ExactSlip {
   Tensor tensor{};      ///< as meant, in the frame of the inertial
   std::string message;  ///< after "the inertia of link `a` fits its shape "
@@ -17,6 +19,6 @@ struct ExactSlip {
   double off = 0;  ///< how far the written tensor is from that of the shapes, as a part of it
 };
 /// None if the tensor fits as written, or after no mistake, or if the shapes are open or unknown.
-std::optional<ExactSlip> exact_slip(const LinkedModel& model, const urdf::Link& link);
+std::optional<ExactSlip> exact_slip(const urdf::Link& link, ModelAnswers& answers);
 
 }  // namespace smurf

@@ -8,6 +8,7 @@
 
 #include "base/deadline.hpp"
 #include "lint/file_selection.hpp"
+#include "lint/model_answers.hpp"
 #include "verdict/join.hpp"
 #include "verdict/targets.hpp"
 
@@ -18,11 +19,11 @@ namespace {
 template <typename Check, typename... Subject>
 void run(Check Rule::*check, const LinkedModel* model, const RuleSelection& selection,
          DiagnosticSink& sink, const Subject&... subject) {
-  DoubtfulReferences references(model);
+  ModelAnswers answers(model);
   for (const Rule* rule : all_rules()) {
     if (rule->*check == nullptr || !selection.is_enabled(*rule)) continue;
     Deadline::look();
-    Findings findings(*rule, selection.tolerance_of(*rule), sink, references);
+    Findings findings(*rule, selection.tolerance_of(*rule), sink, answers);
     (rule->*check)(subject..., findings);
   }
 }

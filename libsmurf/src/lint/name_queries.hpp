@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "lint/queries.hpp"
+#include "smurf/references.hpp"
 
 namespace smurf {
 

@@ -14,6 +14,7 @@
 #include "base/text/edits.hpp"
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
+#include "lint/model_answers.hpp"
 
 namespace smurf {
 namespace {
@@ -102,7 +103,7 @@ Guess guess_name(std::string_view name, std::span<const std::string_view> all,
     return meanings.is_impossible && meanings.is_impossible(*near) ? std::string_view() : *near;
   };
   const std::string_view nearest = among(all);
-  if (!meanings.unused || findings.doubtful_references().list().size() > kMostSlips)
+  if (!meanings.unused || findings.answers().doubtful_references().size() > kMostSlips)
     return {nearest, {}};
   const UnusedNames likely = meanings.unused();
   std::string_view meant = among(likely.names);
@@ -246,7 +247,7 @@ namespace {
 /// One finding for all names of motors, when the model has none.
 void tell_that_there_is_no_motor(Diagnostic& diagnostic, const LinkedModel& model,
                                  Findings& findings) {
-  const auto all = findings.doubtful_references().list();
+  const auto all = findings.answers().doubtful_references();
   const auto count = std::count_if(all.begin(), all.end(), [](const Reference& one) {
     return one.kind == NameKind::motor && is_in_yaml(one) && !one.is_known() && !one.is_vague;
   });
@@ -261,7 +262,7 @@ void tell_that_there_is_no_motor(Diagnostic& diagnostic, const LinkedModel& mode
 
 void report_unknown(const LinkedModel& model, NameKind kind, Findings& findings,
                     const std::function<bool(const AnnotationPlace&)>& is_passed_over) {
-  for (const Reference& one : findings.doubtful_references().list()) {
+  for (const Reference& one : findings.answers().doubtful_references()) {
     if (one.kind != kind || !is_in_yaml(one) || one.is_known() || one.is_vague) continue;
     const AnnotationPlace place = annotation_place(model, one);
     if (place.section == "poses" || (is_passed_over && is_passed_over(place))) continue;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lint/queries.hpp"
+#include "smurf/references.hpp"
 
 namespace smurf {
 

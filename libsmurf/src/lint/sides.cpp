@@ -14,6 +14,7 @@ struct Side {
 constexpr Side kSides[] = {{"left", "right"}, {"l", "r"},   {"fl", "fr"}, {"rl", "rr"},
                            {"hl", "hr"},      {"bl", "br"}, {"lf", "rf"}, {"lh", "rh"},
                            {"lr", "rr"},      {"lb", "rb"}, {"ml", "mr"}, {"lm", "rm"}};
+constexpr std::size_t kLongestSide = 5;
 /// Words for places that siblings have.
 constexpr std::string_view kSideWords[] = {
     "left", "right", "front", "rear", "back", "middle", "mid", "fl", "fr", "rl",
@@ -33,8 +34,8 @@ struct Word {
 };
 
 /// "leftArm_2" has the words "left", "Arm", "_" and "2".
-std::vector<Word> words_of(std::string_view name) {
-  std::vector<Word> words;
+template <typename Visit>
+void for_each_word(std::string_view name, const Visit& visit) {
   for (std::size_t at = 0; at < name.size();) {
     const std::size_t begin = at++;
     const char first = name[begin];
@@ -47,9 +48,17 @@ std::vector<Word> words_of(std::string_view name) {
         ++at;
       }
     }
-    words.push_back({begin, at});
+    visit(Word{begin, at});
   }
-  return words;
+}
+
+/// Whether `word` is the text in lower case.
+bool is_lowered(std::string_view text, std::string_view word) {
+  if (text.size() != word.size()) return false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (lowered(text[i]) != word[i]) return false;
+  }
+  return true;
 }
 
 std::string lowered(std::string_view text) {
@@ -72,14 +81,13 @@ std::string in_case_of(std::string_view model, std::string_view word) {
 std::string kind_of(std::string_view name) {
   std::string kind;
   bool has_place = false;
-  for (const Word& word : words_of(name)) {
+  for_each_word(name, [&](const Word& word) {
     const std::string_view text = name.substr(word.begin, word.end - word.begin);
-    const std::string lower = lowered(text);
     bool is_place = is_digit(text[0]);
-    for (const std::string_view place : kSideWords) is_place = is_place || lower == place;
-    kind += is_place ? "*" : lower;
+    for (const std::string_view place : kSideWords) is_place = is_place || is_lowered(text, place);
+    kind += is_place ? "*" : lowered(text);
     has_place = has_place || is_place;
-  }
+  });
   return has_place ? kind : std::string();
 }
 
@@ -88,30 +96,33 @@ std::string kind_of(std::string_view name) {
 std::vector<std::string> right_names_of(std::string_view left) {
   std::vector<std::string> names;
   std::size_t sides = 0;
-  for (const Word& word : words_of(left)) {
+  for_each_word(left, [&](const Word& word) {
     const std::string_view text = left.substr(word.begin, word.end - word.begin);
-    const std::string lower = lowered(text);
-    const auto* known = std::find_if(std::begin(kSides), std::end(kSides), [&](const Side& side) {
-      return lower == side.left || lower == side.right;
-    });
-    if (known != std::end(kSides)) ++sides;
+    if (text.size() > kLongestSide || !is_letter(text[0])) return;
+    bool is_side = false;
     for (const Side& side : kSides) {
-      if (lower != side.left) continue;
+      const bool is_left = is_lowered(text, side.left);
+      is_side = is_side || is_left || is_lowered(text, side.right);
+      if (!is_left) continue;
       names.push_back(std::string(left.substr(0, word.begin)) + in_case_of(text, side.right) +
                       std::string(left.substr(word.end)));
     }
-  }
+    if (is_side) ++sides;
+  });
   if (sides > 1) names.clear();  // "front_leftR" may be opposite of "front_rightL"
   return names;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>>
 pairs_of_sides(const std::vector<std::string_view>& names) {
-  std::map<std::string_view, std::size_t> index_of;
-  for (std::size_t i = 0; i < names.size(); ++i) index_of.emplace(names[i], i);
+  std::map<std::string_view, std::size_t> index_of;  // made if a name has a side
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    for (const std::string& right : right_names_of(names[i])) {
+    const std::vector<std::string> right_names = right_names_of(names[i]);
+    if (!right_names.empty() && index_of.empty()) {
+      for (std::size_t k = 0; k < names.size(); ++k) index_of.emplace(names[k], k);
+    }
+    for (const std::string& right : right_names) {
       const auto found = index_of.find(right);
       if (found == index_of.end()) continue;
       pairs.emplace_back(i, found->second);

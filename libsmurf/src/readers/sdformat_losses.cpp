@@ -132,16 +132,19 @@ void InertialsTogether::tell(std::size_t link, Diagnostic& diagnostic) {
 std::vector<MasslessSum> massless_sums_of_sdformat(const LinkedModel& model) {
   std::vector<MasslessSum> found;
   if (!model.robot) return found;
-  const std::vector<std::size_t> body = bodies_of_sdformat(model);
-  const std::vector<bool> passed = passed_links(model, merged_masses(model));
   struct Sum {
     double mass = 0;
     bool has_inertial = false, is_undefined = false;
   };
-  std::vector<Sum> sums(body.size());
-  for (std::size_t i = 0; i < body.size(); ++i) {
+  std::vector<Sum> sums(model.robot->links.size());
+  bool are_positive = true;  // the sums of such masses are no 0
+  for (std::size_t i = 0; i < sums.size(); ++i) {
     sums[i] = {mass_in_sdformat(model, i), model.robot->links[i].inertial.has_value(), false};
+    are_positive = are_positive && (!sums[i].has_inertial || sums[i].mass > 0);
   }
+  if (are_positive) return found;
+  const std::vector<std::size_t> body = bodies_of_sdformat(model);
+  const std::vector<bool> passed = passed_links(model, merged_masses(model));
   std::vector<bool> is_told(body.size(), false);  // by body
   const auto name_of = [&](JointIndex joint) { return model.joint(joint).name.value_or(""); };
   for (std::size_t at = model.tree.order.size(); at-- > 0;) {

@@ -19,9 +19,16 @@ constexpr std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
+/// `a == b`, without a call if the size, the first or the last byte differs, as in most look-ups:
+/// `ixx` and `ixy` differ in the last byte.
+constexpr bool is_same(std::string_view a, std::string_view b) {
+  return a.size() == b.size() &&
+         (a.empty() || (a.front() == b.front() && a.back() == b.back() && a == b));
+}
+
 inline bool is_one_of(std::string_view text, std::initializer_list<std::string_view> texts) {
   for (const std::string_view one : texts) {
-    if (one == text) return true;
+    if (is_same(one, text)) return true;
   }
   return false;
 }
@@ -32,13 +39,6 @@ constexpr std::string_view next_word(std::string_view text, std::size_t& at) {
   const std::size_t begin = at;
   while (at < text.size() && !is_blank(text[at])) ++at;
   return text.substr(begin, at - begin);
-}
-
-/// `a == b`, without a call if the size, the first or the last byte differs, as in most look-ups:
-/// `ixx` and `ixy` differ in the last byte.
-constexpr bool is_same(std::string_view a, std::string_view b) {
-  return a.size() == b.size() &&
-         (a.empty() || (a.front() == b.front() && a.back() == b.back() && a == b));
 }
 
 }  // namespace smurf

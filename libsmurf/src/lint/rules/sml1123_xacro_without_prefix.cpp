@@ -3,6 +3,7 @@
 
 #include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
+#include "base/text/words.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1123_xacro_without_prefix_file {
@@ -16,7 +17,7 @@ constexpr struct {
 
 bool is_of_xacro(xml::View element) {
   return ranges::any_of(kElements, [&](const auto& one) {
-    return element.name() == one.name && element.attribute(one.attribute) != nullptr;
+    return is_same(element.name(), one.name) && element.attribute(one.attribute) != nullptr;
   });
 }
 
@@ -33,7 +34,7 @@ void search(xml::View element, Findings& findings) {
           .help("write the prefix `xacro:` in front; xacro copies other elements unchanged");
       continue;
     }
-    const bool is_foreign = name == "gazebo" || name == "ros2_control" || name == "transmission" ||
+    const bool is_foreign = is_one_of(name, {"gazebo", "ros2_control", "transmission"}) ||
                             name.find(':') != std::string_view::npos;
     if (!is_foreign) search(child, findings);
   }

@@ -8,6 +8,7 @@
 #include "base/findings/readers.hpp"
 #include "base/text/counted.hpp"
 #include "lint/mimic_queries.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/name_queries.hpp"
 #include "lint/reference_queries.hpp"
 
@@ -126,12 +127,12 @@ Meanings meanings_of(const LinkedModel& model, xml::View end, std::string_view n
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (findings.doubtful_references().list().empty()) return;
+  if (findings.answers().doubtful_references().empty()) return;
   const urdf::Link* unnamed = link_without_name(model);
   const Names driven = joints_with_motor(model), followed = followed_joints(model);
   const std::string_view lone = model.robot ? lone_link(model) : std::string_view();
   std::map<std::string_view, Followers> parents;  // by the name of an absent parent
-  for (const Reference& one : findings.doubtful_references().list()) {
+  for (const Reference& one : findings.answers().doubtful_references()) {
     const xml::View end = element_of(model, one);
     if (!end || (end.name() != "parent" && end.name() != "child")) continue;
     const std::string subject = subject_of(end.parent());

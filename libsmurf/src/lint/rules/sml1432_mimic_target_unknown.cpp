@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
 #include "lint/drake_queries.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml1432_mimic_target_unknown_file {
@@ -18,7 +19,7 @@ void check_empty(const LinkedModel& model, Findings& findings) {
 void check(const LinkedModel& model, Findings& findings) {
   check_empty(model, findings);
   const auto drake_joints = drake::names_in(drake::own_joints(model), "name");
-  for (const Reference& one : findings.doubtful_references().list()) {
+  for (const Reference& one : findings.answers().doubtful_references()) {
     const xml::View mimic = element_of(model, one);
     if (!mimic || mimic.name() != "mimic") continue;
     const std::string subject = "the mimic of " + subject_of(mimic.parent());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
 #include "lint/drake_queries.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml1443_transmission_joint_unknown_file {
@@ -8,7 +9,7 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   const auto drake_joints = drake::names_in(drake::own_joints(model), "name");
-  for (const Reference& one : findings.doubtful_references().list()) {
+  for (const Reference& one : findings.answers().doubtful_references()) {
     const xml::View joint = element_of(model, one);
     if (!joint || joint.name() != "joint" || joint.parent().name() != "transmission") continue;
     Diagnostic* diagnostic =

@@ -2,6 +2,7 @@
 #include "base/findings/readers.hpp"
 #include "base/text/edits.hpp"
 #include "base/text/suggest.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml1445_gazebo_reference_dangling_file {
@@ -31,7 +32,7 @@ void check(const LinkedModel& model, Findings& findings) {
       check_slip(gazebo, findings);
     }
   }
-  for (const Reference& one : findings.doubtful_references().list()) {
+  for (const Reference& one : findings.answers().doubtful_references()) {
     const xml::View gazebo = element_of(model, one);
     if (!gazebo || gazebo.name() != "gazebo" || one.is_known()) continue;
     Diagnostic& diagnostic =

@@ -4,6 +4,7 @@
 
 #include "base/numbers/numbers.hpp"
 #include "base/numbers/vectors.hpp"
+#include "base/ranges.hpp"
 #include "lint/rigid_shapes.hpp"
 
 namespace smurf::rules::sml1463_axis_far_from_shapes_file {
@@ -24,6 +25,31 @@ bool is_at_joint_above(const LinkedModel& model, const std::vector<std::optional
   const Vector3 d = difference(poses[child]->position, poses[parent]->position);
   constexpr double kSame = 1e-6;  // m
   return dot(d, d) < kSame * kSame;
+}
+
+double distance_from_axis(const Vector3& axis, const Vector3& point) {
+  const double along = dot(axis, point), square = dot(axis, axis);
+  return std::sqrt(std::max(0.0, dot(point, point) - along * along / square));
+}
+
+/// Whether the axis passes near to the middle of a shape of the child, as most do: near to all
+/// shapes of its body then.
+bool passes_near_child(const LinkedModel& model, std::size_t joint) {
+  const auto child = model.tree.joint_child[joint];
+  const Vector3 axis = model.robot->joints[joint].axis.value_or({1, 0, 0});
+  if (!child || !(dot(axis, axis) > 0)) return true;  // such a joint is not checked
+  const auto is_near = [&](const auto& part) {
+    const std::optional<Box> box = bounding_box(model, part.geometry);
+    if (!box) return false;
+    const Box placed = moved(*box, urdf::to_pose(part.origin));
+    const Vector3 size = box->size();
+    const double diagonal = std::sqrt(dot(size, size));
+    constexpr double kSurely = 0.99;  // as roundings differ
+    return distance_from_axis(axis, placed.center()) <
+           kSurely * std::max(kLeast, kFarOfChild * diagonal);
+  };
+  const urdf::Link& link = model.link(*child);
+  return ranges::any_of(link.collisions, is_near) || ranges::any_of(link.visuals, is_near);
 }
 
 void check_joint(const LinkedModel& model, std::size_t joint,
@@ -65,16 +91,19 @@ void check_joint(const LinkedModel& model, std::size_t joint,
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
-  const auto turns = [](const urdf::Joint& joint) {
-    return joint.type == urdf::JointType::revolute || joint.type == urdf::JointType::continuous;
-  };
-  if (!std::any_of(model.robot->joints.begin(), model.robot->joints.end(), turns)) return;
+  std::vector<std::size_t> doubtful;
+  for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
+    const urdf::JointType type = model.robot->joints[i].type;
+    const bool turns = type == urdf::JointType::revolute || type == urdf::JointType::continuous;
+    if (turns && !passes_near_child(model, i)) doubtful.push_back(i);
+  }
+  if (doubtful.empty()) return;
   const auto poses = forward_kinematics(model, {});
   const std::vector<std::size_t> body = rigid_bodies(model);
   const std::vector<RigidShape> shapes = rigid_shapes(model, poses, body);
   if (shapes.empty()) return;
-  for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
-    if (turns(model.robot->joints[i])) check_joint(model, i, poses, body, shapes, findings);
+  for (const std::size_t joint : doubtful) {
+    check_joint(model, joint, poses, body, shapes, findings);
   }
 }
 

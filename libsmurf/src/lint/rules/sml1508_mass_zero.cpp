@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/findings/readers.hpp"
+#include "base/ranges.hpp"
 #include "link/inertia.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
@@ -24,7 +25,12 @@ bool is_root(const LinkedModel& model, const urdf::Link& link) {
          &model.link(model.tree.roots.front()) == &link;
 }
 
+bool weighs_nothing(const urdf::Link& link) {
+  return link.inertial && link.inertial->mass && *link.inertial->mass == 0;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot || !ranges::any_of(model.robot->links, weighs_nothing)) return;
   const std::vector<bool> massless = massless_bodies(model);
   const std::vector<bool> is_carried = fixed_to_heavier(model);
   const std::vector<double> together = masses_of_bodies(model);
@@ -37,7 +43,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const bool is_massless_body = massless[index];
     const bool has_mass = together[index] > kDropped;
     const bool is_frame = is_carried[index++];
-    if (!link.inertial || !link.inertial->mass || *link.inertial->mass != 0) return;
+    if (!weighs_nothing(link)) return;
     if (told.contains(&link)) return findings.add_consequence(link.inertial->mass.span);
     Diagnostic& diagnostic =
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is 0");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
 #include "base/numbers/numbers.hpp"
+#include "base/ranges.hpp"
 #include "link/inertia.hpp"
 #include "lint/queries.hpp"
 #include "readers/circumstances.hpp"
@@ -21,8 +22,15 @@ bool is_root(const LinkedModel& model, const urdf::Link& link) {
          &model.link(model.tree.roots.front()) == &link;
 }
 
+constexpr double kDropped = 1e-6;  // kg
+
+bool is_tiny(const urdf::Link& link) {
+  const double mass = link.inertial ? link.inertial->mass.value_or(0) : 0;
+  return mass > 0 && mass <= kDropped;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kDropped = 1e-6;         // kg
+  if (!model.robot || !ranges::any_of(model.robot->links, is_tiny)) return;
   constexpr double kMujocoMinimum = 1e-15;  // kg; mjMINVAL
   constexpr double kMujocoMoment = 1e-14;   // kg m^2; mjEPS
   const std::vector<bool> is_carried = fixed_to_heavier(model);
@@ -34,9 +42,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const bool is_alone = alone[index];
     const bool is_dropped = together[index] <= kDropped;
     const bool is_frame = is_carried[index++];
-    if (!link.inertial || !link.inertial->mass) return;
+    if (!is_tiny(link)) return;
     const double mass = *link.inertial->mass;
-    if (mass <= 0 || mass > kDropped) return;
     Diagnostic& diagnostic = findings.report(
         link.inertial->mass.span, title(link) + " weighs " + format_rounded(mass, 3) + " kg");
     // MuJoCo checks every tensor, but only the mass of whole bodies.

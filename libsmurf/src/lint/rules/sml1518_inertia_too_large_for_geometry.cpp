@@ -4,9 +4,9 @@
 #include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
 #include "lint/axis_order.hpp"
-#include "lint/body.hpp"
 #include "lint/exact_slip.hpp"
 #include "lint/likely_cause.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1518_inertia_too_large_for_geometry_file {
@@ -37,16 +37,16 @@ void check(const LinkedModel& model, Findings& findings) {
   constexpr double kSure = 2;      // a smaller excess may be that of parts without a shape
   constexpr double kFar = 5;       // if the centre of mass is outside, which SML1521 reports
   for_each_link(model, [&](const urdf::Link& link) {
-    const auto extent = extent_of(model, link);
-    const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
+    const std::optional<Extent>& extent = findings.answers().extent(link);
+    const std::optional<Body>& body = findings.answers().body(link);
     if (!extent || !body) return;
     // Separate rules report the unit tensor and a wrong mass.
     if (is_unit_tensor(*link.inertial) || body->mass < kSmallestPart) return;
     if (body->mass > kHeaviestMaterial * extent->volume()) return;
     const double excess = excess_over(*body, extent->grown(kMargin * extent->longest_edge()));
     if (excess <= (body->mass <= kNegligibleMass ? kLarge : kSlack)) return;
-    if (likely_axis_order(model, link) != nullptr) return;  // SML1531
-    if (exact_slip(model, link)) return;                    // SML1534
+    if (likely_axis_order(model, link, findings.answers()) != nullptr) return;  // SML1531
+    if (exact_slip(link, findings.answers())) return;                           // SML1534
     const auto parts = extent_of_rigid_parts(model, link);
     if (!parts || excess_over(*body, parts->grown(kMargin * parts->longest_edge())) <= kSlack)
       return;

@@ -2,9 +2,9 @@
 #include <optional>
 
 #include "base/numbers/numbers.hpp"
-#include "lint/body.hpp"
 #include "lint/inertia_slips.hpp"
 #include "lint/likely_cause.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1519_inertia_too_small_for_geometry_file {
@@ -24,8 +24,8 @@ void check(const LinkedModel& model, Findings& findings) {
   constexpr double kUnit =
       1e-4;  // of a homogeneous block: no shape explains less, a wrong unit does
   for_each_link(model, [&](const urdf::Link& link) {
-    const auto extent = extent_of(model, link);
-    const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
+    const std::optional<Extent>& extent = findings.answers().extent(link);
+    const std::optional<Body>& body = findings.answers().body(link);
     if (!extent || !body || body->mass < kNegligibleMass) return;
     const double ratio = ratio_to_block(*body, *extent);
     const double density = body->mass / extent->volume();  // unlikely ones are SML1520

@@ -12,6 +12,7 @@
 #include "lint/body.hpp"
 #include "lint/geometry_queries.hpp"
 #include "lint/likely_cause.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1520_density_implausible_file {
@@ -166,7 +167,7 @@ void report(const LinkedModel& model, const urdf::Link& link, const Extent& exte
 void check(const LinkedModel& model, Findings& findings) {
   std::set<const urdf::Link*> reported;
   for_each_link(model, [&](const urdf::Link& link) {
-    const auto extent = extent_of(model, link);
+    const std::optional<Extent>& extent = findings.answers().extent(link);
     if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
     const double mass = *link.inertial->mass;
     // The hull of what may be a sample of the points of a mesh is a little too small.

@@ -10,6 +10,7 @@
 #include "link/shape_solids.hpp"
 #include "lint/body.hpp"
 #include "lint/likely_cause.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1521_center_of_mass_outside_geometry_file {
@@ -99,7 +100,7 @@ void check(const LinkedModel& model, Findings& findings) {
   constexpr double kOfCollisions = 5;  // times; they need not hold the whole part
   for_each_link(model, [&](const urdf::Link& link) {
     const std::size_t index = next++;
-    const auto extent = extent_of(model, link);
+    const std::optional<Extent>& extent = findings.answers().extent(link);
     if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
     const urdf::Inertial& inertial = *link.inertial;
     const double margin = findings.tolerance() * (link.visuals.empty() ? kOfCollisions : 1);

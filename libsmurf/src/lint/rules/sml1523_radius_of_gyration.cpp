@@ -5,6 +5,7 @@
 #include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
 #include "lint/body.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1523_radius_of_gyration_file {
@@ -43,7 +44,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const double radius = std::sqrt((*moments)[2] / mass);
     if (radius >= kShortest && radius <= kLongest) return;
     // When the size of the link is known, another rule compares the inertia with it.
-    if (extent_of(model, link) || !body_of(*link.inertial)) return;
+    if (findings.answers().extent(link) || !findings.answers().body(link)) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " does not fit its mass");

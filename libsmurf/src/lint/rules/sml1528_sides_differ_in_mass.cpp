@@ -9,6 +9,7 @@
 #include "link/inertia.hpp"
 #include "lint/body.hpp"
 #include "lint/inertia_slips.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/odd_siblings.hpp"
 #include "lint/queries.hpp"
 #include "lint/sides.hpp"
@@ -54,8 +55,8 @@ std::optional<std::size_t> mirrored_axis(const Extent& a, const Extent& b) {
 /// of the other one, with the same signs.
 bool report_copy(const LinkedModel& model, const urdf::Link& left, const urdf::Link& right,
                  Findings& findings) {
-  const auto a = extent_of(model, left);
-  const auto b = extent_of(model, right);
+  const std::optional<Extent>& a = findings.answers().extent(left);
+  const std::optional<Extent>& b = findings.answers().extent(right);
   const auto axis = a && b ? mirrored_axis(*a, *b) : std::nullopt;
   if (!axis) return false;
   constexpr double kAside = 0.02;  // of the longest edge

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
-#include "link/shape_solids.hpp"
 #include "lint/axis_order.hpp"
-#include "lint/body.hpp"
 #include "lint/inertia_slips.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1531_inertia_axes_swapped_file {
 namespace {
 
 void check_link(const LinkedModel& model, const urdf::Link& link, Findings& findings) {
-  const AxisOrder* order = likely_axis_order(model, link);
+  const AxisOrder* order = likely_axis_order(model, link, findings.answers());
   if (order == nullptr) return;
   const Pose X = urdf::to_pose(link.inertial->origin);
   const Tensor tensor = rotated(tensor_of(*link.inertial), X.orientation);
-  const Tensor shape = unit_inertia(*solid_of(model, link));
+  const Tensor shape = *findings.answers().shape_inertia(link);
   const double mass = *link.inertial->mass;
   Diagnostic& diagnostic = findings.report(inertia_place(model, *link.inertial),
                                            "the inertia of " + title(link) +

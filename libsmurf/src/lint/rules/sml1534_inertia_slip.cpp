@@ -8,7 +8,7 @@ namespace smurf::rules::sml1534_inertia_slip_file {
 namespace {
 
 void check_link(const LinkedModel& model, const urdf::Link& link, Findings& findings) {
-  const std::optional<ExactSlip> slip = exact_slip(model, link);
+  const std::optional<ExactSlip> slip = exact_slip(link, findings.answers());
   if (!slip) return;
   Diagnostic& finding =
       findings.report(inertia_place(model, *link.inertial),

@@ -17,7 +17,7 @@ namespace {
 /// A link on which a robot may stand.
 struct Foot {
   const urdf::Link* link;
-  double height;  ///< of its lowest point above the root, m
+  double height;  ///< of its lowest point above the root, m; infinite where no joint leads to it
 };
 
 /// The lowest point of all collisions. None if there are none, or if a size is unknown.
@@ -45,24 +45,34 @@ void report(const LinkedModel& model, const Foot& low, const Foot& high, Finding
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
+  std::vector<std::size_t> links;
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
+    const urdf::Link& link = model.robot->links[i];
+    if (!link.name || link.collisions.empty()) continue;
+    links.push_back(i);
+    names.emplace_back(*link.name);
+  }
+  const auto pairs = pairs_of_sides(names);
+  if (pairs.empty()) return;
   const auto poses = forward_kinematics(model, {});
   std::vector<Foot> feet;
-  std::vector<std::string_view> names;
   double ground = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
+  for (const std::size_t i : links) {
     const urdf::Link& link = model.robot->links[i];
-    if (!poses[i] || !link.name || link.collisions.empty()) continue;
+    feet.push_back({&link, std::numeric_limits<double>::infinity()});
+    if (i >= poses.size() || !poses[i]) continue;
     const std::optional<double> height = lowest_point(model, link, *poses[i]);
     if (!height) return;  // it may be the one that stands on the ground
     ground = std::min(ground, *height);
-    feet.push_back({&link, *height});
-    names.emplace_back(*link.name);
+    feet.back().height = *height;
   }
   constexpr double kNear = 0.01;  // m; a link that ends this near to the ground stands on it
-  for (const auto& [left, right] : pairs_of_sides(names)) {
+  for (const auto& [left, right] : pairs) {
     const bool is_left_lower = feet[left].height < feet[right].height;
     const Foot& low = is_left_lower ? feet[left] : feet[right];
     const Foot& high = is_left_lower ? feet[right] : feet[left];
+    if (!std::isfinite(high.height)) continue;
     if (low.height > ground + kNear || !(high.height - low.height > findings.tolerance())) continue;
     report(model, low, high, findings);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers/numbers.hpp"
-#include "lint/body.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/rigid_shapes.hpp"
 
 namespace smurf::rules::sml1663_root_far_from_shapes_file {
@@ -10,11 +10,8 @@ constexpr double kFar = 2;  // of the diagonal of the root
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.tree.roots.size() != 1) return;
-  const auto poses = forward_kinematics(model, {});
-  const std::size_t root = to_size(model.tree.roots.front());
-  const urdf::Link& link = model.robot->links[root];
-  if (root >= poses.size() || !poses[root]) return;
-  const std::optional<Extent> own = extent_of(model, link);
+  const urdf::Link& link = model.link(model.tree.roots.front());
+  const std::optional<Extent>& own = findings.answers().extent(link);
   if (!own) return;
   const Box box{own->low, own->high};
   const double distance = distance_to(box, {});
@@ -22,6 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
     return;  // SML1442 is about what is still farther
   }
   // The frame may be that of the feet, or of the middle of the robot.
+  const auto poses = forward_kinematics(model, {});
   std::optional<Box> all;
   for (const RigidShape& shape : rigid_shapes(model, poses, rigid_bodies(model))) {
     if (!shape.is_known) return;

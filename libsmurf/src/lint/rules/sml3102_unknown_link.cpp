@@ -2,6 +2,7 @@
 #include "base/findings/cases.hpp"
 #include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml3102_unknown_link_file {
@@ -17,7 +18,7 @@ bool is_second_name(const AnnotationPlace& place) {
 
 void check(const LinkedModel& model, Findings& findings) {
   report_unknown(model, NameKind::link, findings, is_second_name);
-  for (const Reference& one : findings.doubtful_references().list()) {
+  for (const Reference& one : findings.answers().doubtful_references()) {
     // The node may belong to another robot of the scene.
     const bool is_node = one.is_vague && one.kinds.contains(NameKind::node);
     if (is_node && !one.is_known() && is_slip(model, NameKind::link, one.name)) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
 #include "lint/annotation_queries.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml3108_misspelt_mechanism_name_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  for (const Reference& one : findings.doubtful_references().list()) {
+  for (const Reference& one : findings.answers().doubtful_references()) {
     const bool is_node = one.kinds.contains(NameKind::node);
     if (!one.is_vague || is_node || !is_slip(model, one.kind, one.name)) continue;
     report_unknown(model, one, findings);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml3109_unknown_pose_joint_file {
@@ -13,7 +14,7 @@ yaml::View siblings_of(const LinkedModel& model, const Reference& key) {
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!can_judge(model, NameKind::motor)) return;
-  for (const Reference& one : findings.doubtful_references().list()) {
+  for (const Reference& one : findings.answers().doubtful_references()) {
     if (one.is_known()) continue;
     const AnnotationPlace place = annotation_place(model, one);
     if (place.section != "poses") continue;

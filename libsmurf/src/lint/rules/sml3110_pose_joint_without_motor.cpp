@@ -3,6 +3,7 @@
 #include <map>
 
 #include "base/findings/readers.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml3110_pose_joint_without_motor_file {
@@ -12,7 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
   // A model without motors is not meant to move in MARS.
   if (!can_judge(model, NameKind::motor) || model.annotations.motors.empty()) return;
   std::map<std::string_view, const Motor*> by_joint;
-  for (const Reference& one : findings.doubtful_references().list()) {
+  for (const Reference& one : findings.answers().doubtful_references()) {
     const bool is_joint = one.is_known() && one.kind == NameKind::joint;
     if (!is_joint || annotation_place(model, one).section != "poses") continue;
     if (by_joint.empty()) {

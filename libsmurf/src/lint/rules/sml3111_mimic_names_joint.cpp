@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
+#include "lint/model_answers.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules::sml3111_mimic_names_joint_file {
@@ -7,7 +8,7 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!can_judge(model, NameKind::motor)) return;
-  for (const Reference& one : findings.doubtful_references().list()) {
+  for (const Reference& one : findings.answers().doubtful_references()) {
     const bool is_joint = one.is_known() && one.kind == NameKind::joint;
     if (!is_joint || annotation_place(model, one).section != "motors") continue;
     Diagnostic& diagnostic =

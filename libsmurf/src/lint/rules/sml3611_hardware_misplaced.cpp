@@ -46,7 +46,9 @@ class Search {
                         ", because it is not in a `ros2_control`")
           .help("move it into one");
     }
-    if (only_nearest(child.name(), kTag)) {
+    const bool is_usual =
+        is_one_of(child.name(), {"link", "joint", "material", "gazebo", "transmission"});
+    if (!is_usual && only_nearest(child.name(), kTag)) {
       report(child, "ros2_control does not look at " + quoted(child.name()))
           .help("did you mean `ros2_control`?");
     }

@@ -23,8 +23,8 @@ void check(const LinkedScene& scene, Findings& findings) {
   SchemaWork work;
   for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
     DiagnosticSink sink;
-    DoubtfulReferences none(nullptr);
-    Findings found(rules::sml5401_entity_against_schema, findings.tolerance(), sink, none);
+    Findings found(rules::sml5401_entity_against_schema, findings.tolerance(), sink,
+                   findings.answers());
     scene.schemas->check_entity(entity_type(entity), mapping_of(file, entity), work, found);
     for (Diagnostic& diagnostic : sink.take()) {
       if (is_reported(entity, diagnostic)) continue;
