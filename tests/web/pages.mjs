@@ -65,7 +65,7 @@ async function take(page, step) {
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
 }
 
-async function run(browser, { page: file, hash = "", width = 1280, height = 800, scheme = "light", steps }) {
+async function run(browser, { page: file, hash = "", width = 1280, height = 800, scheme = "light", ready = "html[data-ready]", steps }) {
   const isServed = file.startsWith("http://");
   const context = await browser.createBrowserContext();
   const page = await context.newPage();
@@ -85,11 +85,11 @@ async function run(browser, { page: file, hash = "", width = 1280, height = 800,
   await page.setViewport({ width, height });
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
   await page.goto(page.address + hash, { timeout: kTime });
-  await page.waitForSelector("html[data-ready]");
+  await page.waitForSelector(ready);
   const results = [];
   for (const step of steps) results.push((await take(page, step)) ?? null);
   const isOther = isServed
-    ? (address) => !address.startsWith(page.address)
+    ? (address) => !address.startsWith(page.address) && !address.startsWith("data:")
     : (address) => address.split("#")[0] !== page.address;
   await context.close();
   return { results, errors, addresses: addresses.filter(isOther) };

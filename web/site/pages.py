@@ -18,6 +18,7 @@ BESIDE_DOCS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md")
 FOLDERS = ("schemas",)  # what pages link to, as it is
 LINK = re.compile(r"(\]\(|<a href=\"|<img src=\")([^)\"\s]+)")
 RULE = re.compile(r"^### (SML\d{4}) ([a-z0-9-]+)$", re.M)
+MADE = re.compile(r" ?(Made|They are made|This page is made) from [^\n]*?; do not edit\.")  # for who edits, not for who reads
 FAMILY = re.compile(r"docs/rules/sml\d+\.md")
 
 
@@ -46,7 +47,7 @@ def add(pages, name):
     if source.suffix != ".md":
         shutil.copy(source, target)
         return
-    text = with_links(source.read_text(encoding="utf-8"), name)
+    text = MADE.sub("", with_links(source.read_text(encoding="utf-8"), name))
     if FAMILY.fullmatch(name):
         text = split_rules(pages, text)
     target.write_text(text, encoding="utf-8")
