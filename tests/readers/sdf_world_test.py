@@ -103,10 +103,32 @@ class WorldTest(unittest.TestCase):
         result = self.run_tool(LINT, world, "--format", "json", files={})
         found = [(one["line"], one["message"]) for one in json.loads(result.stdout)["diagnostics"]
                  if one["id"] == "SML9304"]
-        self.assertEqual([line for line, _ in found], [4, 6], result.stdout)
-        self.assertIn("`sky`", found[0][1])
-        self.assertIn("1 more lost element", result.stdout)  # the coordinates
-        self.assertIn("Buoyancy", found[1][1])
+        self.assertEqual([line for line, _ in found], [2, 4, 6], result.stdout)
+        self.assertIn("`spherical_coordinates`", found[0][1])
+        self.assertIn("`sky`", found[1][1])
+        self.assertIn("Buoyancy", found[2][1])
+
+    def test_settings_that_no_scene_has(self):
+        """Each is a loss at its place, unless Gazebo has the same without it."""
+        world = '<sdf version="1.9"><world name="w">\n{}\n<model name="m"><link name="a"/></model></world></sdf>'
+        usual = ["<magnetic_field>6e-06 2.3e-05 -4.2e-05</magnetic_field>", "<wind/>", '<atmosphere type="adiabatic"/>',
+                 "<scene><ambient>0.4 0.4 0.4 1.0</ambient><shadows>true</shadows></scene>",
+                 "<physics type='ode'><real_time_factor>1.0</real_time_factor><ode><solver><iters>50</iters></solver></ode></physics>"]
+        others = ["<magnetic_field>0 0 1</magnetic_field>", "<wind><linear_velocity>1 0 0</linear_velocity></wind>",
+                  "<atmosphere type='adiabatic'><pressure>9e4</pressure></atmosphere>", "<scene><ambient>1 1 1</ambient></scene>",
+                  "<physics type='ode'><ode><solver><iters>9</iters></solver></ode></physics>",
+                  "<light name='l' type='point'><intensity>3</intensity></light>", "<audio/>"]
+        for text in usual + others:
+            result = self.run_tool(LINT, world.format(text), "--format", "json", files={})
+            found = [one["line"] for one in json.loads(result.stdout)["diagnostics"] if one["id"] == "SML9304"]
+            self.assertEqual(found, [2] if text in others else [], text + result.stdout)
+
+    def test_step_of_sdf_is_no_choice(self):
+        world = '<sdf version="1.9"><world name="w"><model name="m"><link name="a"/></model></world></sdf>'
+        result = self.run_tool(FLATTEN, world, "--format", "sdf", files={})
+        self.assertIn("<max_step_size>0.001</max_step_size>", result.stdout)
+        self.assertNotIn("step size", result.stderr)
+        self.assertNotIn("MARS", result.stderr)
 
     def test_finding_in_an_included_model_is_one(self):
         result = self.run_tool(LINT, HALL, "--format", "concise")

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "smurf/mesh.hpp"
@@ -136,6 +137,9 @@ struct LinkedModel {
   std::optional<urdf::Robot> robot;
   std::string urdf_path;  ///< empty if there is no URDF
   KinematicTree tree;
+  /// Names of links that must not touch each other: said by the file of another language that the
+  /// robot was made from. A URDF has an SRDF for them.
+  std::vector<std::pair<std::string, std::string>> excluded;
   NameTable link_names, joint_names, visual_names, collision_names, material_names;
   /// The indices in material_names are those of Robot::materials and continue with these.
   std::vector<VisualIndex> visual_materials;

@@ -44,6 +44,7 @@ struct NewModel {
   std::string urdf_entry;  ///< in `files`, from the folder of the main file
   std::string urdf_path;   ///< "urdf/arm.urdf"; empty if the URDF is not copied
   std::string urdf;        ///< its text
+  std::string srdf;        ///< beside the URDF; "": none, since the robot excludes no contacts
   std::string source;      ///< name of the source, for a comment
   std::vector<NewFile> files;
 };

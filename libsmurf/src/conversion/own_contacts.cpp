@@ -76,6 +76,14 @@ OwnContacts own_contacts(const SceneRequest& request, const LinkedScene& scene,
     DisabledPairs disabled;
     if (reads_srdf) disabled = disabled_pairs(model, request.srdf, files, limits);
     Pairs& pairs = disabled.pairs;
+    if (reads_srdf && disabled.file.empty()) {
+      for (const auto& [link, other] : model.excluded) {
+        const auto a = model.link_names.find(link);
+        const auto b = model.link_names.find(other);
+        if (a && b && *a != *b) pairs.insert(std::minmax<std::size_t>(*a, *b));
+      }
+      disabled.file = model.urdf_path;
+    }
     if (!pairs.empty()) {
       losses.report(rules::sml8212_chosen_value, place,
                     counted(pairs.size(), "pair") + " of links of " + quoted(model.path) +

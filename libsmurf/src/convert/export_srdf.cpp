@@ -24,6 +24,7 @@ class SrdfWriter {
     group_states();
     neighbours();
     bitmasks();
+    excluded();
     out_ += "</robot>\n";
     if (is_full()) return std::nullopt;
     return std::move(out_);
@@ -74,6 +75,21 @@ class SrdfWriter {
       if (!has_shapes(model_.link(*parent)) || !has_shapes(model_.link(*child))) continue;
       if (!neighbours_.emplace(*parent, *child).second) continue;
       disable(model_.link(*parent), model_.link(*child), "Adjacent");
+    }
+  }
+
+  /// Pairs that the file of another language keeps apart.
+  void excluded() {
+    std::set<std::pair<LinkIndex, LinkIndex>> known;
+    for (const auto& [link, other] : model_.excluded) {
+      const auto a = model_.link_names.find(link);
+      const auto b = model_.link_names.find(other);
+      if (!a || !b || is_full()) continue;
+      const auto pair = std::minmax(static_cast<LinkIndex>(*a), static_cast<LinkIndex>(*b));
+      const bool is_new = !neighbours_.contains(pair) &&
+                          !neighbours_.contains({pair.second, pair.first}) &&
+                          known.insert(pair).second;
+      if (is_new) disable(model_.link(pair.first), model_.link(pair.second), "User");
     }
   }
 

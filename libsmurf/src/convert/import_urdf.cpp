@@ -3,6 +3,8 @@
 // of the URDF; text sections repeat the rest, so that readers of the annotations miss
 // nothing.
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
@@ -78,6 +80,20 @@ void add_section(NewFile made, std::vector<NewFile>& files) {
   files.push_back(std::move(made));
 }
 
+/// An SRDF of the pairs of links that the file of another language keeps apart.
+std::string excluded_pairs(const LinkedModel& model) {
+  std::string text = "<?xml version=\"1.0\"?>\n<robot name=\"" +
+                     escape_xml(model.robot->name.value_or("robot")) + "\">\n";
+  std::set<std::pair<std::string, std::string>> known;
+  for (const auto& [link, other] : model.excluded) {
+    if (!model.link_names.contains(link) || !model.link_names.contains(other)) continue;
+    if (!known.insert(std::minmax(link, other)).second) continue;
+    text += "  <disable_collisions link1=\"" + escape_xml(link) + "\" link2=\"" +
+            escape_xml(other) + "\" reason=\"User\"/>\n";
+  }
+  return text + "</robot>\n";
+}
+
 }  // namespace
 
 std::string import::texture_path(const UrdfImport& options, std::string_view path) {
@@ -116,6 +132,7 @@ NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const U
   }
   result.urdf_path = path::join(folders.urdf, options.name + ".urdf");
   result.urdf_entry = path::relative(absolute(result.urdf_path), absolute(folders.main));
+  if (!model.excluded.empty()) result.srdf = excluded_pairs(model);
   std::vector<Edit> edits =
       rebase_paths(model, absolute(folders.urdf), options.current_folder, options.copies);
   edits.insert(edits.end(), context.edits.begin(), context.edits.end());

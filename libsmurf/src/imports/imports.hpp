@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/file_reader.hpp"
@@ -30,6 +32,8 @@ struct Context {
 struct Imported {
   xacro::Expansion robot;        ///< a URDF
   xacro::Expansion annotations;  ///< a YAML file of SMURF
+  /// Names of links that must not touch each other, which an SRDF says.
+  std::vector<std::pair<std::string, std::string>> excluded;
 };
 
 /// The mark of a leaf that nobody wrote, as its `first_input`: it belongs to an element that is

@@ -307,6 +307,7 @@ class ModelLoader {
     imports::Context context{context_.sources, context_.files, context_.sink, context_.limits};
     imports::Imported made =
         language == Language::sdf ? sdformat::expand(file, context) : mjcf::expand(file, context);
+    model_.excluded = std::move(made.excluded);
     if (const auto annotations = keep(std::move(made.annotations))) made_annotations(*annotations);
     return keep(std::move(made.robot));
   }

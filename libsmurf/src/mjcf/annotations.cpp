@@ -102,6 +102,9 @@ class AnnotationWriter {
       const double kv = s.number("kv", holds ? 0 : 1, reporter_);
       line("  ", "kv", format_number(gear * gear * kv), s.place({"kv", "gear"}));
     }
+    const double armature = joint->settings.number("armature", 0, reporter_);
+    if (armature > 0)
+      line("  ", "armature", format_number(armature), joint->settings.place({"armature"}));
     std::array<double, 2> range{};
     const bool is_limited = s.text("ctrllimited") != "false" &&
                             s.numbers("ctrlrange", range, 2, reporter_) == 2 && range[0] < range[1];

@@ -34,10 +34,11 @@ Imported expand(SourceId root, Context& context) {
     arrange(model);
     name_all(model);
     tune_springs(model, reporter);
-    const JointFacts facts = facts_of_joints(model, reporter);
+    JointFacts facts = facts_of_joints(model, reporter);
     robot.frames = std::move(model.frames);
     model.files.front().report_unused_classes();
     std::string text = write_robot(model, facts, reporter, robot);
+    result.excluded = std::move(facts.excluded);
     xacro::Expansion& annotations = result.annotations;
     std::string sections = write_annotations(model, reporter, annotations);
     robot.is_complete = !reporter.has_refused();

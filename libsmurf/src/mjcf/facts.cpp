@@ -36,24 +36,33 @@ class Facts {
 
   /// All of them are one finding, since there are often hundreds.
   void contacts() {
-    for (const auto& [kind, what] : {std::pair{"exclude", "pairs of links that do not touch"},
-                                     std::pair{"pair", "contacts of two shapes"}}) {
-      std::size_t count = 0;
-      View first;
-      for (const Reference& one : model_.sections) {
-        if (one.section != "contact" || one.element.name() != kind) continue;
-        if (count++ == 0) first = one.element;
-      }
-      if (count == 0) continue;
-      reporter_
-          .report(rules::sml9304_lost_in_urdf, first.name_span(),
-                  "a URDF has no " + std::string(what) + ", so " +
-                      (count == 1 ? "this one is" : "these " + std::to_string(count) + " are") +
-                      " lost")
-          .help(std::string_view(kind) == "exclude"
-                    ? "write them into an SRDF, as `<disable_collisions>`"
-                    : "keep the MJCF for them");
+    std::size_t pairs = 0;
+    View first_excluded, first_pair;
+    for (const Reference& one : model_.sections) {
+      if (one.section != "contact") continue;
+      if (one.element.name() == "pair" && pairs++ == 0) first_pair = one.element;
+      if (one.element.name() != "exclude") continue;
+      const auto first = parts_.body(one.element.attribute("body1"), one.around);
+      const auto second = parts_.body(one.element.attribute("body2"), one.around);
+      if (!first || !second) continue;
+      if (facts_.excluded.empty()) first_excluded = one.element;
+      facts_.excluded.emplace_back(model_.bodies[*first].name, model_.bodies[*second].name);
     }
+    const auto said = [](std::size_t count) {
+      return count == 1 ? "this one is" : "these " + std::to_string(count) + " are";
+    };
+    if (!facts_.excluded.empty()) {
+      reporter_
+          .report(rules::sml9304_lost_in_urdf, first_excluded.name_span(),
+                  "a URDF has no pairs of links that do not touch, so " +
+                      said(facts_.excluded.size()) + " lost in it")
+          .help("write an SRDF as well: --srdf; urdf2smurf does");
+    }
+    if (pairs == 0) return;
+    reporter_
+        .report(rules::sml9304_lost_in_urdf, first_pair.name_span(),
+                "a URDF has no contacts of two shapes, so " + said(pairs) + " lost")
+        .help("keep the MJCF for them");
   }
 
   /// Copies of a joint take the references to it with them.

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mjcf/parts_by_name.hpp"
@@ -31,8 +32,9 @@ std::optional<ClosedLoop> closed_loop(const Model& model, const PartsByName& par
                                       const Reference& one, const Settings& settings,
                                       Reporter& reporter);
 
-/// What sections outside of the tree say about joints.
+/// What sections outside of the tree say about joints, and which bodies must not touch.
 struct JointFacts {
+  std::vector<std::pair<std::string, std::string>> excluded;
   std::vector<ClosedLoop> loops;
   std::map<std::string, Follower> followers;
   std::map<std::string, std::pair<double, Place>> efforts;  ///< of the actuators

@@ -14,15 +14,13 @@
 #include "base/text/unique_names.hpp"
 #include "imports/traced_yaml.hpp"
 #include "sdf/shapes.hpp"
+#include "sdf/world_losses.hpp"
 
 namespace smurf::sdformat {
 namespace {
 
 constexpr Vector3 kGravityOfSdf{0, 0, -9.8};
 
-/// Elements of a world that a scene has no key for.
-constexpr std::string_view kLostInScene[] = {
-    "actor", "population", "road", "spherical_coordinates", "state", "particle_emitter", "wind"};
 /// The systems that each scene for Gazebo has, and that `--format sdf` writes.
 constexpr std::string_view kUsualSystems[] = {
     "Physics", "UserCommands", "SceneBroadcaster", "Sensors", "Imu", "Contact", "ForceTorque"};
@@ -315,20 +313,15 @@ class WorldWriter {
     if (const auto rgba = fog ? colour(fog, "color") : std::nullopt)
       yaml_.line("    ", "color", mapping_of("rgba", {rgba->begin(), rgba->end()}),
                  place_in(fog, "color", xacro::kNoFrame));
-    for (const std::string_view name : {"ambient", "sky"}) {
-      if (const View one = scene.child(name))
-        lost(one.name_span(), "a scene of SMURF has no " + quoted(name) + ", so this one is lost",
-             "keep the SDF for it");
-    }
   }
 
   void losses(View world) {
-    for (const View one : world) {
-      if (std::find(std::begin(kLostInScene), std::end(kLostInScene), one.name()) !=
-          std::end(kLostInScene))
-        lost(one.name_span(),
-             "a scene of SMURF has no " + quoted(one.name()) + ", so this one is lost",
-             "keep the SDF for it");
+    for (const LostSetting& one : lost_settings(world)) {
+      const std::string_view others = one.is_of_look ? "lost settings" : "lost elements";
+      Diagnostic& found = reporter_.lose(
+          one.place, "a scene of SMURF has no " + one.what + ", so this one is lost", others);
+      found.help("keep the SDF for it");
+      if (one.is_of_look) found.severity = Severity::info;
     }
     for (const View one : world) {
       const std::string_view name = attribute_of(one, "name");

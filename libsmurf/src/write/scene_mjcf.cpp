@@ -14,6 +14,7 @@
 #include "write/mjcf/mjcf_loops.hpp"
 #include "write/parts/annotated_colors.hpp"
 #include "write/parts/body_inertia.hpp"
+#include "write/parts/joint_chain.hpp"
 
 namespace smurf::scene_mjcf_file {
 namespace {
@@ -160,7 +161,7 @@ class MjcfWriter : MjcfLoops {
                 const std::string& free_joint) {
     std::vector<Step> stack;
     WeldedBodies* welded = excludes_.add_tree(free_joint.empty());
-    open_body(top, root, X_WL, nullptr, free_joint, welded);
+    open_body(top, root, X_WL, {}, free_joint, welded);
     stack.push_back({top, root, inside(top, root), 0, welded});
     while (!stack.empty()) {
       Step& step = stack.back();
@@ -173,11 +174,14 @@ class MjcfWriter : MjcfLoops {
       WeldedBodies* outer = step.welded;
       if (instance != step.instance) {
         const Pose X_LE = pose_on_anchor(scene_, instance, frames_).value_or(*flat(instance).X_WE);
-        open_body(instance, link, X_LE, nullptr, "", outer);
+        open_body(instance, link, X_LE, {}, "", outer);
       } else if (floats_in_world(instance, link, *outer)) {
         continue;
       } else {
-        outer = open_link(instance, link, outer);
+        const JointChain chain = joint_chain(*robot_of(instance), link, kept_of(instance));
+        outer = open_link(instance, chain, outer);
+        stack.push_back({instance, chain.link, inside(instance, chain.link), 0, outer});
+        continue;
       }
       stack.push_back({instance, link, inside(instance, link), 0, outer});
     }
@@ -209,17 +213,25 @@ class MjcfWriter : MjcfLoops {
     return places;
   }
 
-  /// Writes a body at the zero position of its joint; the keyframe moves it.
-  WeldedBodies* open_link(std::size_t i, std::size_t link, WeldedBodies* outer) {
+  const KeptParts& kept_of(std::size_t i) {
     const LinkedModel& model = *robot_of(i);
-    const urdf::Joint& joint = model.joint(*model.tree.parent_joint[link]);
-    if (joint.has_one_axis()) outer = excludes_.add_moving(i, *outer);
-    open_body(i, link, urdf::to_pose(joint.origin), &joint, "", outer);
+    const auto [known, is_new] = kept_.try_emplace(&model);
+    if (is_new) known->second = kept_parts(model, scene_);
+    return known->second;
+  }
+
+  /// Writes a body at the zero position of its joints; the keyframe moves it.
+  WeldedBodies* open_link(std::size_t i, const JointChain& chain, WeldedBodies* outer) {
+    for (const JointChain::Part& part : chain.parts) {
+      if (part.joint->has_one_axis()) outer = excludes_.add_moving(i, *outer);
+    }
+    open_body(i, chain.link, chain.X_PB, chain.parts, "", outer);
     return outer;
   }
 
-  void open_body(std::size_t i, std::size_t link, const Pose& pose, const urdf::Joint* joint,
-                 const std::string& free_joint, WeldedBodies* welded) {
+  void open_body(std::size_t i, std::size_t link, const Pose& pose,
+                 const std::vector<JointChain::Part>& joints, const std::string& free_joint,
+                 WeldedBodies* welded) {
     const LinkedModel& model = *robot_of(i);
     const std::string body = name(i, link_name(model, link));
     xml_.open("body", {{"name", body},
@@ -227,9 +239,9 @@ class MjcfWriter : MjcfLoops {
                        {"quat", quaternion_text(pose.orientation)}});
     bool moves = !free_joint.empty();
     if (moves) add_free_joint(free_joint, pose);
-    if (joint != nullptr) moves = add_joint(i, model, *joint);
+    for (const JointChain::Part& part : joints) moves = add_joint(i, model, part) || moves;
     const urdf::Link& written = model.robot->links[link];
-    if (moves) {
+    if (moves && (inertial_of(written) || !carries_mass(model, link))) {
       const ChosenMass mass = link_mass(model, written);
       if (!mass.chosen.empty()) losses_.note(mass.chosen, written.span, link_name(model, link));
       add_inertial(mass.mass, moves, written.span, link_name(model, link));
@@ -245,7 +257,8 @@ class MjcfWriter : MjcfLoops {
   }
 
   /// False if the joint does not move.
-  bool add_joint(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
+  bool add_joint(std::size_t i, const LinkedModel& model, const JointChain::Part& part) {
+    const urdf::Joint& joint = *part.joint;
     if (!joint.has_one_axis()) {
       if (joint.type != urdf::JointType::fixed && reported_.insert(&joint).second) {
         losses_.joint(joint, "fixed");
@@ -262,11 +275,13 @@ class MjcfWriter : MjcfLoops {
     std::vector<XmlText::Attribute> attributes{
         {"name", name(i, joint.name.value_or(""))},
         {"type", is_linear ? "slide" : "hinge"},
-        {"axis", join_numbers(losses_.axis_of(joint))},
+        {"axis", join_numbers(rotate(part.X_BJ.orientation, losses_.axis_of(joint)))},
         {"limited", is_limited && lower < upper ? "true" : "false"},
         {"range", join_numbers({lower, upper})},
         {"damping", format_number(damping + gains.damping)},
         {"frictionloss", format_number(dynamics ? dynamics->friction.value_or(0) : 0)}};
+    if (part.X_BJ.position != Vector3{})
+      attributes.emplace_back("pos", join_numbers(part.X_BJ.position));
     if (gains.armature > 0) attributes.emplace_back("armature", format_number(gains.armature));
     xml_.empty("joint", attributes);
     add_start(format_number(start_of(i, joint)));
@@ -434,6 +449,7 @@ class MjcfWriter : MjcfLoops {
   std::vector<bool> is_top_level_;
   std::vector<Floating> floating_;
   MjcfExcludes excludes_;
+  std::map<const LinkedModel*, KeptParts> kept_;
   std::set<PlaceOfLink> touching_;  ///< links with a shape that can touch others
   std::map<PlaceOfLink, std::vector<std::size_t>> children_;
   std::map<const LinkedModel*, CollisionContacts> contacts_;

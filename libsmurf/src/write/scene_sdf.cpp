@@ -1,32 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SDFormat worlds for Gazebo. Entities that are fixed to each other share one outer model, since
-// SDF 1.9 has no joints between models. Joint poses are baked into the poses of the links and the
-// limits shifted along, since SDF has no initial joint positions.
+// SDF 1.9 has no joints between models.
 #include <map>
-#include <memory>
 #include <set>
 #include <utility>
 
 #include "base/text/unique_names.hpp"
-#include "write/losses/scene_losses.hpp"
 #include "write/parts/annotated_colors.hpp"
 #include "write/parts/body_inertia.hpp"
-#include "write/parts/loops.hpp"
 #include "write/parts/scene_parts.hpp"
-#include "write/sdf/sdf_model.hpp"
+#include "write/sdf/sdf_joints.hpp"
 #include "write/sdf/sdf_names.hpp"
-#include "write/text/xml_text.hpp"
 
 namespace smurf::scene_sdf_file {
 namespace {
 
-class SdfWriter {
+class SdfWriter : SdfJoints {
  public:
   SdfWriter(const SceneExport& scene, bool is_old)
-      : scene_(scene),
-        is_old_(is_old),
-        losses_(scene, is_old ? SceneColumn::sdf16 : SceneColumn::sdf, is_old ? "SDF 1.6" : "SDF"),
-        names_(sdf_names(scene.flat)) {}
+      : SdfJoints(scene, is_old), names_(sdf_names(scene.flat)) {}
 
   std::string run() {
     xml_.open("sdf", {{"version", is_old_ ? "1.6" : "1.9"}});
@@ -43,32 +35,15 @@ class SdfWriter {
   }
 
  private:
-  const FlatInstance& flat(std::size_t i) const { return scene_.flat.instances[i]; }
-  const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
   bool is_written(std::size_t i) const {
     return flat(i).X_WE && (robot_of(i) != nullptr || !flat(i).shapes.empty());
   }
 
-  const std::vector<std::string>& links_of(const LinkedModel& model) const {
-    const auto [known, is_new] = links_.try_emplace(&model);
-    if (is_new) known->second = sdf_names(model);
-    return known->second;
+  /// Of the body that contains the root.
+  const std::string& root_name(const LinkedModel& model) {
+    const std::size_t root = to_size(model.tree.roots.front());
+    return links_of(model)[refers(model) ? root : parts_of(model).tree.bodies[root]];
   }
-  /// Facts about a model, computed once.
-  const SdfModel& parts_of(const LinkedModel& model) {
-    auto& known = models_[&model];
-    if (known) return *known;
-    known = std::make_unique<SdfModel>(model, scene_.sources);
-    for (const auto& [span, name] : known->lost_contacts()) {
-      losses_.note(kLostContacts, span, name);
-    }
-    return *known;
-  }
-  const std::string& root_name(const LinkedModel& model) const {
-    return links_of(model)[to_size(model.tree.roots.front())];
-  }
-
-  void add_pose(const Pose& pose) { add_sdf_pose(xml_, pose, is_old_); }
 
   void check_heightmaps() {
     for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
@@ -160,24 +135,17 @@ class SdfWriter {
     const auto link = parent->link_names.find(flat(i).anchor.link);
     if (!link) return;
     const auto [known, is_new] = bodies_.try_emplace(parent);
-    if (is_new) known->second = sdf_bodies(*parent, refers(*parent));
+    if (is_new)
+      known->second = refers(*parent) ? sdf_bodies(*parent, true) : parts_of(*parent).tree.bodies;
     const std::vector<std::size_t>& bodies = known->second;
     add_fixed_joint("anchor_of_" + names_[i],
                     names_[other] + "::" + links_of(*parent)[bodies[*link]],
                     names_[i] + "::" + root_name(i));
   }
 
-  std::string root_name(std::size_t i) const {
+  std::string root_name(std::size_t i) {
     const LinkedModel* model = robot_of(i);
     return model != nullptr ? root_name(*model) : "link";
-  }
-
-  void add_fixed_joint(const std::string& name, const std::string& parent,
-                       const std::string& child) {
-    xml_.open("joint", {{"name", name}, {"type", "fixed"}});
-    xml_.leaf("parent", parent);
-    xml_.leaf("child", child);
-    xml_.close();
   }
 
   void add_model(std::size_t i) {
@@ -221,38 +189,44 @@ class SdfWriter {
     xml_.open("model", {{"name", names_[i]}});
     add_pose(*flat(i).X_WE);
     const std::vector<std::optional<Pose>>& X_EL = frames_of(scene_, i, frames_);
-    const std::vector<std::size_t>& bodies = parts_of(model).bodies;
-    std::vector<std::vector<std::size_t>> parts(bodies.size());
+    const SdfTree& tree = parts_of(model).tree;
+    const std::size_t root = to_size(model.tree.roots.front());
+    const bool is_fixed = flat(i).anchor.kind == Attachment::Kind::world;
+    const bool has_world = tree.has_world && is_fixed;
+    std::vector<std::vector<std::size_t>> parts(tree.bodies.size());
     for (const LinkIndex link : model.tree.order) {
       const std::size_t at = to_size(link);
-      if (X_EL[at]) parts[bodies[at]].push_back(at);
+      const bool is_written = tree.bodies[at] != SdfTree::kNoBody && (at != root || !has_world);
+      if (X_EL[at] && is_written) parts[tree.bodies[at]].push_back(at);
     }
     for (const LinkIndex link : model.tree.order) {
       const std::size_t at = to_size(link);
-      if (!X_EL[at]) continue;
-      if (bodies[at] == at) {
-        add_link(i, model, at, parts[at], X_EL);
-      } else if (!is_old_) {
-        xml_.open("frame",
-                  {{"name", links_of(model)[at]}, {"attached_to", links_of(model)[bodies[at]]}});
-        add_pose(inverse(*X_EL[bodies[at]]) * *X_EL[at]);
-        xml_.close();
-      }
+      const std::size_t body = tree.bodies[at];
+      if (body == SdfTree::kNoBody || !X_EL[at] || !X_EL[body]) continue;
+      if (at == root && has_world) continue;
+      if (body == at) add_link(i, model, at, parts[at], X_EL);
+      if (body != at && !is_old_) add_frame(model, at, body, X_EL);
     }
-    for (const LinkIndex link : model.tree.order) {
-      const std::size_t at = to_size(link);
-      const auto& above = model.tree.parent_joint[at];
-      if (!above || bodies[at] != at || !X_EL[at]) continue;
-      const std::size_t parent = bodies[to_size(*model.tree.joint_parent[to_size(*above)])];
-      add_joint(i, model, model.joint(*above), links_of(model)[parent], links_of(model)[at]);
+    for (const SdfJoint& joint : tree.joints) {
+      if (!X_EL[joint.frame] || !X_EL[tree.bodies[joint.frame]]) continue;
+      const bool is_in_world = joint.parent == root && has_world;
+      const std::size_t parent = tree.bodies[joint.parent];
+      add_joint(i, model, joint, is_in_world ? "world" : links_of(model)[parent]);
     }
     for (const Loop& loop : loops_of(model)) {
       if (loop.joint != nullptr) add_loop(i, model, loop);
     }
-    if (flat(i).anchor.kind == Attachment::Kind::world) {
-      add_fixed_joint("anchor_to_world", "world", root_name(i));
+    if (is_fixed && !has_world) {
+      add_fixed_joint("anchor_to_world", "world", root_name(model));
     }
     parts_of(model).gazebo.add_to_model(xml_);
+    xml_.close();
+  }
+
+  void add_frame(const LinkedModel& model, std::size_t part, std::size_t body,
+                 const std::vector<std::optional<Pose>>& X_EL) {
+    xml_.open("frame", {{"name", links_of(model)[part]}, {"attached_to", links_of(model)[body]}});
+    add_pose(inverse(*X_EL[body]) * *X_EL[part]);
     xml_.close();
   }
 
@@ -326,112 +300,6 @@ class SdfWriter {
     add_sdf_geometry(xml_, geometry);
   }
 
-  void add_joint(std::size_t i, const LinkedModel& model, const urdf::Joint& joint,
-                 const std::string& parent, const std::string& child) {
-    using enum urdf::JointType;
-    if (joint.type == floating) return;  // bodies of one model without a joint between them
-    if (joint.type == planar || joint.type == unknown) simplify(joint, "fixed");
-    if (joint.mimic) {
-      simplify(joint, is_old_ ? "free to move, since SDF 1.6 has no `mimic`,"
-                              : "free to move, since Gazebo before Harmonic ignores `mimic`,");
-    }
-    const std::string type = joint.type == prismatic ? "prismatic"
-                             : joint.has_one_axis()  ? "revolute"
-                                                     : "fixed";
-    const std::string name = joint.name ? joint_name(model, joint) : child + "_joint";
-    xml_.open("joint", {{"name", name}, {"type", type}});
-    xml_.leaf("parent", parent);
-    xml_.leaf("child", child);
-    if (joint.has_one_axis()) add_axis(i, model, joint, start_of(i, model, joint));
-    UniqueNames sensors;
-    parts_of(model).add_to_joint(xml_, joint, is_old_, sensors);
-    xml_.close();
-  }
-
-  /// A joint to a second parent; its zero is at the start, as that of others.
-  void add_loop(std::size_t i, const LinkedModel& model, const Loop& loop) {
-    const std::vector<std::optional<Pose>>& X_EL = frames_of(scene_, i, frames_);
-    const std::vector<std::size_t>& bodies = parts_of(model).bodies;
-    const std::size_t child = bodies[loop.child];
-    const bool is_hinge = loop.kind == LoopKind::hinge;
-    const LoopGap gap = gap_of(loop, X_EL);
-    xml_.open("joint", {{"name", joint_name(model, *loop.joint)},
-                        {"type", is_hinge ? "revolute" : "fixed"}});
-    add_pose(inverse(*X_EL[child]) * *X_EL[loop.parent] * loop.X_PJ *
-             Pose{{}, from_axis_angle(loop.axis, gap.turn)});
-    xml_.leaf("parent", links_of(model)[bodies[loop.parent]]);
-    xml_.leaf("child", links_of(model)[child]);
-    if (is_hinge) add_axis(i, model, *loop.joint, gap.turn);
-    xml_.close();
-  }
-
-  /// Links and joints share one name space in SDF, but not in a URDF.
-  static std::string joint_name(const LinkedModel& model, const urdf::Joint& joint) {
-    std::string name = sdf_name(*joint.name);
-    const auto is_taken = [&](const std::string& one) {
-      return model.link_names.contains(one) ||
-             (one != *joint.name && model.joint_names.contains(one));
-    };
-    while (is_taken(name)) name += "_joint";
-    return name;
-  }
-
-  void simplify(const urdf::Joint& joint, std::string_view written_as) {
-    if (reported_.insert({static_cast<std::uint32_t>(joint.span.source), joint.span.begin})
-            .second) {
-      losses_.joint(joint, written_as);
-    }
-  }
-
-  double start_of(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) const {
-    return start_position(model, joint, scene_.joint_positions(i));
-  }
-
-  void add_axis(std::size_t i, const LinkedModel& model, const urdf::Joint& joint, double start) {
-    xml_.open("axis");
-    xml_.leaf("xyz", join_numbers(losses_.axis_of(joint)));
-    xml_.open("limit");
-    constexpr double kUnlimited = 1e16;  // SDF's default
-    if (joint.type != urdf::JointType::continuous && joint.limit) {
-      xml_.leaf("lower", joint.limit->lower.value_or(0) - start);
-      xml_.leaf("upper", joint.limit->upper.value_or(0) - start);
-    } else {
-      xml_.leaf("lower", -kUnlimited);
-      xml_.leaf("upper", kUnlimited);
-    }
-    if (joint.limit && joint.limit->effort) xml_.leaf("effort", *joint.limit->effort);
-    if (joint.limit && joint.limit->velocity) xml_.leaf("velocity", *joint.limit->velocity);
-    xml_.close();
-    if (!is_old_ && joint.mimic) add_mimic(i, model, joint);
-    const GazeboElements& gazebo = parts_of(model).gazebo;
-    if (joint.dynamics || (joint.name && gazebo.has_spring(*joint.name))) {
-      xml_.open("dynamics");
-      xml_.leaf("damping", joint.dynamics ? joint.dynamics->damping.value_or(0) : 0);
-      xml_.leaf("friction", joint.dynamics ? joint.dynamics->friction.value_or(0) : 0);
-      if (joint.name) gazebo.add_to_dynamics(xml_, *joint.name);
-      xml_.close();
-    }
-    xml_.close();
-  }
-
-  /// Writes the mimic element of SDF 1.11, which older libraries ignore. Positions are relative to
-  /// the start positions of the joints.
-  void add_mimic(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
-    if (!joint.mimic->joint) return;
-    const auto leader = model.joint_names.find(*joint.mimic->joint);
-    if (!leader || !model.robot->joints[*leader].has_one_axis()) return;
-    const urdf::Joint& leading = model.robot->joints[*leader];
-    if (&leading == &joint) return;
-    const double multiplier = joint.mimic->multiplier.value_or(1);
-    const double offset = joint.mimic->offset.value_or(0) +
-                          multiplier * start_of(i, model, leading) - start_of(i, model, joint);
-    xml_.open("mimic", {{"joint", joint_name(model, leading)}});
-    xml_.leaf("multiplier", multiplier);
-    xml_.leaf("offset", offset);
-    xml_.leaf("reference", 0);
-    xml_.close();
-  }
-
   void add_solid(std::size_t i) {
     const FlatInstance& instance = flat(i);
     xml_.open("model", {{"name", names_[i]}});
@@ -458,18 +326,10 @@ class SdfWriter {
     xml_.close();
   }
 
-  const SceneExport& scene_;
-  bool is_old_;
-  SceneLosses losses_;
   std::vector<std::string> names_;
-  mutable std::map<const LinkedModel*, std::vector<std::string>> links_;  ///< names, by model
-  std::map<const LinkedModel*, std::unique_ptr<SdfModel>> models_;
-  LinkFrames frames_;
   AnnotatedColors colors_;
   /// By model with anchored entities: the bodies of its links.
   std::map<const LinkedModel*, std::vector<std::size_t>> bodies_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;
-  XmlText xml_{scene_.most_bytes};
 };
 
 }  // namespace

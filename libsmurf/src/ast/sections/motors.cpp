@@ -150,6 +150,13 @@ constexpr KeySpec kMoreKeys[] = {
      .unit = "N m s/rad or N s/m",
      .read_by = "nobody",
      .minimum = 0},
+    {.name = "armature",
+     .type = number,
+     .doc = "Inertia of the turning parts of a motor, at its joint, in a simulator that has it. "
+            "smurfs-flatten writes it into MJCF.",
+     .unit = "kg m^2 or kg",
+     .read_by = "nobody",
+     .minimum = 0},
     {.name = "filterValue",
      .type = number,
      .doc = "Low-pass filter on the velocity.",

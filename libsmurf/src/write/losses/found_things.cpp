@@ -9,6 +9,7 @@
 #include "base/text/quoted.hpp"
 #include "convert/import.hpp"
 #include "convert/passes.hpp"
+#include "link/imported_world.hpp"
 #include "write/mjcf/mujoco_sensors.hpp"
 #include "write/pages/viewer_sensors.hpp"
 #include "write/parts/gazebo_elements.hpp"
@@ -337,7 +338,9 @@ Found no_gravity(const SceneExport& scene, SceneColumn) {
   return scene.flat.physics.gravity || is_lone_urdf(scene) ? Found() : missing(scene);
 }
 
+/// Without one, a world of SDF has the step that is written then.
 Found no_step(const SceneExport& scene, SceneColumn) {
+  if (has_name_of_world(scene.scene.path)) return {};
   return scene.flat.physics.step_size || is_lone_urdf(scene) ? Found() : missing(scene);
 }
 

@@ -98,7 +98,7 @@ class DriveReader {
     const std::string& joint = *drive.joint->name;
     if (const auto kp = number_for(options_.kp, joint)) drive.kp = kp;
     if (const auto kv = number_for(options_.kv, joint)) drive.kv = kv;
-    drive.armature = number_for(options_.armature, joint);
+    if (const auto armature = number_for(options_.armature, joint)) drive.armature = armature;
   }
 
   /// The last pattern that fits decides.
@@ -132,6 +132,7 @@ class DriveReader {
     drive->gain = above_zero(motor.p.value()).value_or(drive->gain);
     drive->kp = stated(motor, "kp");
     drive->kv = stated(motor, "kv");
+    drive->armature = stated(motor, "armature");
   }
 
   /// A number of a motor that only simulators read.

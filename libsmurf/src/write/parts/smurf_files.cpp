@@ -23,6 +23,11 @@ std::vector<TextFile> write_smurf(const NewModel& model) {
   const std::string stem = path::join(path::parent(model.main_path), path::stem(model.main_path));
   std::vector<TextFile> files;
   if (!model.urdf_path.empty()) files.push_back({model.urdf_path, model.urdf});
+  if (!model.srdf.empty()) {
+    const std::string_view folder = path::parent(model.urdf_path);
+    const std::string name = std::string(path::stem(model.urdf_path)) + ".srdf";
+    files.push_back({path::join(folder, name), model.srdf});
+  }
   for (const NewFile& file : model.files) {
     files.push_back({stem + "_" + file.suffix + ".yml",
                      yaml_comment(file.comment) + "\n" + yaml_text(file.section)});

@@ -32,12 +32,12 @@ RepeatedParts sdf_parts(const LinkedModel& model) {
   return parts;
 }
 
-SdfModel::SdfModel(const LinkedModel& model, const SourceMap& sources)
+SdfModel::SdfModel(const LinkedModel& model, const SceneExport& scene)
     : model_(model),
-      bodies(sdf_bodies(model, false)),
-      shape_names(sdf_shape_names(model, bodies)),
+      tree(sdf_tree(model, kept_parts(model, scene))),
+      shape_names(sdf_shape_names(model, tree.bodies)),
       contacts(model),
-      gazebo(model, sources.text(model.robot->document.source)) {
+      gazebo(model, scene.sources.text(model.robot->document.source)) {
   name_contacts();
   const std::set<std::string_view> known = passes::names_in_extensions(model, "sensor");
   for (const Sensor& sensor : model.annotations.sensors) {
@@ -59,7 +59,7 @@ void SdfModel::name_contacts() {
     const auto place = find_collision(known, name.link, name.text);
     if (!place) continue;  // Gazebo does not find it either
     const xml::ElementId sensor = name.element.parent().parent().id();
-    const std::size_t body = bodies[place->link];
+    const std::size_t body = tree.bodies[place->link];
     const auto [first, is_new] = body_of_sensor.emplace(sensor, body);
     if (first->second != body) {
       lost_contacts_.emplace_back(name.element.name_span(), name.text);
@@ -69,7 +69,7 @@ void SdfModel::name_contacts() {
     const auto written = shape_names.collisions.find(&link.collisions[place->collision]);
     if (written == shape_names.collisions.end()) continue;
     gazebo.set_text(name.element, written->second);
-    if (is_new && bodies[name.link] != body && model_.robot->links[body].name) {
+    if (is_new && tree.bodies[name.link] != body && model_.robot->links[body].name) {
       gazebo.move(sensor, *model_.robot->links[name.link].name, *model_.robot->links[body].name);
     }
   }

@@ -10,6 +10,7 @@
 
 #include "write/sdf/sdf_names.hpp"
 #include "write/sdf/sdf_parts.hpp"
+#include "write/sdf/sdf_tree.hpp"
 
 namespace smurf {
 
@@ -18,7 +19,7 @@ RepeatedParts sdf_parts(const LinkedModel& model);
 
 class SdfModel {
  public:
-  SdfModel(const LinkedModel& model, const SourceMap& sources);
+  SdfModel(const LinkedModel& model, const SceneExport& scene);
 
   /// Sensors, plug-ins and settings of a link; see GazeboElements. SDF 1.6: those of the URDF.
   void add_to_link(XmlText& xml, std::size_t part, std::string_view frame, const Pose& X_BL,
@@ -38,7 +39,7 @@ class SdfModel {
   std::vector<std::pair<Span, std::string>> lost_contacts_;
 
  public:
-  std::vector<std::size_t> bodies;  ///< by link
+  SdfTree tree;
   SdfShapeNames shape_names;
   CollisionContacts contacts;
   GazeboElements gazebo;
