@@ -313,6 +313,46 @@ class Ownership(cli.CliTest):
         self.assertIn("with `name:=b arm:=mk5`, from `bringup/launch/d.launch`", done)
         self.assertIn("`elbw`", done)
 
+    def test_a_default_below_the_first_use(self):
+        """xacro evaluates the name of the robot first; every launch file gives it."""
+        text = robot("$(arg name)").replace("<link", '<xacro:arg name="name" default="bot"/><link', 1)
+        self.write("bot_description/urdf/bot.urdf.xacro", text)
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "hand"))
+        done = self.expect(1, ".").stdout
+        self.assertIn("with `name:=bot`, from `bot_description/urdf/bot.urdf.xacro`", done)
+        self.assertIn("`elbw`", done)
+        self.assertIn("SML3313", self.expect(1, "bot_description/urdf/bot.urdf.xacro").stdout)
+
+    def test_controllers_in_a_package_that_is_not_related(self):
+        """All of their names are those of a robot below the folder; other files may be for another robot of the family."""
+        self.write("sim/package.xml", cli.package("sim"))
+        self.write("sim/config/c.yaml", controllers("shoulder", "elbw", "wrist", "hand"))
+        self.assertIn("`elbw`", self.expect(1, ".").stdout)
+        self.write("sim/config/c.yaml", controllers("shoulder", "elbow", "wrist", "finger"))
+        self.write("sim/config/joint_limits.yaml", "joint_limits:\n  elbow: {has_velocity_limits: true, max_velocity: 9.0}\n")
+        done = self.expect(0, ".").stdout
+        self.assertIn("not compared: `sim/config/c.yaml`", done)
+        self.assertIn("`sim/config/joint_limits.yaml`", done)
+        self.assertNotIn("SML3803", done)
+
+    def test_the_reason_is_about_robots_that_may_have_the_file(self):
+        self.write("far/package.xml", cli.package("far"))
+        self.write("far/urdf/far.urdf.xacro", robot("far", ["left", "right"], root="$(arg side)"))
+        self.write("sim/package.xml", cli.package("sim"))
+        self.write("sim/config/c.yaml", controllers("finger", "thumb"))
+        self.assertRegex(self.expect(0, ".").stdout, "not compared: `sim/config/c.yaml`: (none of its 2 names is known|no robot was found)")
+
+    def test_a_few_names_that_only_a_missing_package_writes(self):
+        text = robot("bot").replace("<link", '<xacro:include filename="$(find gripper_description)/g.xacro"/><link', 1)
+        self.write("bot_description/urdf/bot.urdf.xacro", text)
+        self.write(self.config, controllers("shoulder", "elbow", "wrist", "hand", "knuckle"))
+        self.assertNotIn("SML37", self.run_tool(".").stdout)
+        self.write("bot_description/urdf/bot.urdf.xacro", text.replace("</robot>", "") + robot("bot", ["foot"], "hand_link").split("\n", 2)[2])
+        self.write(self.config, controllers("shoulder", "elbow", "wrst", "hand", "foot", "knuckle"))
+        done = self.run_tool(".").stdout
+        self.assertIn("`wrst`", done)
+        self.assertNotIn("`knuckle`", done)
+
 
 @unittest.skipUnless(SHARED and (SHARED / "xacro/corpus").is_dir(), "there is no shared corpus")
 class Corpus(cli.CliTest):

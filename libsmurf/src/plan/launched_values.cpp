@@ -43,9 +43,11 @@ Attempt expand_quietly(const std::string& path, LoadContext& context,
   return attempt;
 }
 
-/// The arguments of a file that have no value, or an empty one, which may stand for none.
+/// The arguments of a file that have no value where they are used, or an empty one, which may stand
+/// for none.
 struct OpenArguments {
   std::set<std::string> undeclared, empty;
+  std::vector<xacro::SeenArgument> defaults;  ///< that stand below the first use
 };
 
 OpenArguments open_arguments(const std::string& path, const LoadContext& context) {
@@ -55,14 +57,20 @@ OpenArguments open_arguments(const std::string& path, const LoadContext& context
     open.undeclared.insert(std::move(name));
   for (const XacroName& one : read_xacro_text(text).names) {
     const bool is_empty = one.has_value && one.value.empty();
-    if (one.kind == XacroNameKind::argument && is_empty) open.empty.insert(one.name);
+    if (one.kind != XacroNameKind::argument) continue;
+    if (is_empty) open.empty.insert(one.name);
+    const bool is_known = one.has_value && one.value.find('$') == std::string::npos;
+    if (is_known && open.undeclared.contains(one.name)) {
+      open.defaults.push_back({one.name, one.value, path});
+    }
   }
   return open;
 }
 
 class Values {
  public:
-  Values(const std::string& path, LoadContext& context) : path_(path), context_(context) {}
+  Values(const std::string& path, const OpenArguments& open, LoadContext& context)
+      : path_(path), open_(open), context_(context) {}
 
   /// Adds a value for each of these names that has none; false if nothing was added.
   bool add(const std::set<std::string>& names) {
@@ -77,6 +85,7 @@ class Values {
     for (xacro::SeenArgument& one : xacro::seen_arguments(path_, wanted, context_.files)) {
       seen.push_back(std::move(one));
     }
+    seen.insert(seen.end(), open_.defaults.begin(), open_.defaults.end());
     const std::size_t before = used_.size();
     for (const std::string& name : wanted) {
       const auto first =
@@ -109,6 +118,7 @@ class Values {
 
  private:
   const std::string& path_;
+  const OpenArguments& open_;
   LoadContext& context_;
   std::optional<std::vector<xacro::SeenArgument>> stated_;
   std::vector<xacro::SeenArgument> used_;
@@ -132,7 +142,7 @@ std::vector<xacro::SeenArgument> launched_values(const std::string& path, LoadCo
   constexpr int kMostAttempts = 6;
   if (!xacro::is_xacro_file(path)) return {};
   const OpenArguments open = open_arguments(path, context);
-  Values values(path, context);
+  Values values(path, open, context);
   for (int i = 0; i < kMostAttempts; ++i) {
     Attempt attempt = expand_quietly(path, context, values.used());
     if (attempt.is_complete) return std::move(values.used());

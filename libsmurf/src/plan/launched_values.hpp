@@ -13,7 +13,8 @@ namespace smurf {
 
 /// The values without which the file cannot be expanded: those that launch files give to this
 /// robot; else those that launch files, tests or CMake in its package give to an argument of the
-/// name. Empty if the file needs none, or if arguments remain without a value.
+/// name; else the default that the file declares below the first use, where xacro does not know it
+/// yet. Empty if the file needs none, or if arguments remain without a value.
 std::vector<xacro::SeenArgument> launched_values(const std::string& path, LoadContext& context);
 std::vector<xacro::SeenArgument>
 launched_values(const std::string& path, const std::map<std::string, std::string>& arguments,

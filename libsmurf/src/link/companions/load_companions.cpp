@@ -213,8 +213,12 @@ class Finder {
     std::erase_if(found_.files, [&](Companion& one) {
       if (one.srdf || is_tie(one.evidence)) return false;
       const bool is_beside = folders.contains(one.folder);
-      // Robots of a family have the same names.
-      if (!is_beside && one.evidence == Evidence::below) return true;
+      // Robots of a family have the same names, and other limits: what is far away only names
+      // joints, and no other ones.
+      const bool is_whole = (one.kind == CompanionKind::controllers ||
+                             one.kind == CompanionKind::moveit_controllers) &&
+                            one.names > 0 && one.known_names + one.near_names.size() == one.names;
+      if (!is_beside && one.evidence == Evidence::below && !is_whole) return true;
       if (is_beside && one.evidence > Evidence::robot_name) one.evidence = Evidence::robot_name;
       const bool is_of_moveit = one.kind != CompanionKind::controllers;
       return is_of_moveit && one.names == 0 && !one.is_broken && !is_beside && !is_only_robot();
