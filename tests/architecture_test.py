@@ -122,6 +122,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "lint/inertia_repair.hpp",
     "lint/masses.hpp",
     "lint/suppress.hpp",
+    "plan/launched_values.hpp",
     "plan/models_around.hpp",
     "plan/repository.hpp",
     "plan/xacro_files.hpp",

@@ -37,6 +37,17 @@ class Confine(cli.CliTest):
         self.assertIn("nowhere", found)
         self.assertNotIn("outside", found)
 
+    def test_a_configuration_opens_no_folder(self):
+        """Without a repository: what --init writes must not decide which packages are found."""
+        self.write("a/b/project/arm/package.xml", "<package><name>arm</name></package>\n")
+        self.write("a/b/project/arm/urdf/r.urdf", '<robot name="r"><link name="a"><visual><geometry><mesh filename='
+                   '"package://far/a.stl"/></geometry></visual></link></robot>\n')
+        self.write("a/b/far/package.xml", "<package><name>far</name></package>\n")
+        without = self.expect(None, "--format", "concise", ".", cwd=self.project).stdout
+        self.assertIn("package://far/a.stl", without)
+        self.write("a/b/project/.smurf-lint.yaml", "{}\n")
+        self.assertEqual(self.expect(None, "--format", "concise", ".", cwd=self.project).stdout, without)
+
     def test_outside(self):
         for path in ("../../../../secret.yml", self.folder / "secret.yml"):
             self.model(path)

@@ -256,6 +256,103 @@ class Ownership(cli.CliTest):
         self.assertNotIn("SML33", done.stdout)
         self.assertNotIn("not checked", done.stdout)
 
+    def test_a_launch_file_ties_a_file_to_a_robot(self):
+        """The package with both does not name that of the robot."""
+        self.write("bringup/package.xml", cli.package("bringup"))
+        self.write("bringup/config/c.yaml", controllers("elbw"))
+        self.assertIn("not compared: `bringup/config/c.yaml`", self.expect(0, ".").stdout)
+        python = ("def generate_launch_description():\n    urdf = Command(['xacro ', PathJoinSubstitution([FindPackageShare('bot_description'), 'urdf',"
+                  " 'bot.urdf.xacro'])])\n    return LaunchDescription([\n        Node(package='robot_state_publisher', parameters=[{'robot_description':"
+                  " ParameterValue(urdf, value_type=str)}]),\n        Node(package='controller_manager', parameters=[PathJoinSubstitution("
+                  "[FindPackageShare('bringup'), 'config', 'c.yaml'])])])\n")
+        xml = ('<launch>\n  <param name="robot_description" command="xacro $(find bot_description)/urdf/bot.urdf.xacro"/>\n'
+               '  <rosparam file="$(find bringup)/config/c.yaml"/>\n</launch>\n')
+        outer = '<launch>\n  <include file="$(find bringup)/launch/inner.launch"/>\n  <rosparam file="$(find bringup)/config/c.yaml"/>\n</launch>\n'
+        inner = xml.replace('  <rosparam file="$(find bringup)/config/c.yaml"/>\n', "")
+        yaml = ("launch:\n- node:\n    pkg: robot_state_publisher\n    param:\n    - {name: robot_description, value: "
+                "\"$(command 'xacro $(find-pkg-share bot_description)/urdf/bot.urdf.xacro')\"}\n"
+                "- node:\n    pkg: controller_manager\n    param:\n    - {from: $(find-pkg-share bringup)/config/c.yaml}\n")
+        for files in ({"d.launch.py": python}, {"d.launch": xml}, {"d.launch.yaml": yaml}, {"d.launch": outer, "inner.launch": inner}):
+            shutil.rmtree(self.folder / "bringup/launch", ignore_errors=True)
+            for name, text in files.items():
+                self.write(f"bringup/launch/{name}", text)
+            done = self.expect(1, ".").stdout
+            self.assertIn("`elbw`", done, files)
+            self.assertIn(f"`bringup/launch/{next(iter(files))}` gives this file to the robot", done)
+            self.assertNotIn("not compared", done)
+        # Of two robots in one launch file, the one that has the names.
+        self.write("bot_description/urdf/other.urdf.xacro", robot("other", ["finger", "thumb"]))
+        self.write("bringup/launch/d.launch", xml.replace("</launch>", '  <group ns="b"><param name="robot_description" command="xacro '
+                   '$(find bot_description)/urdf/other.urdf.xacro"/></group>\n</launch>'))
+        self.write("bringup/config/c.yaml", controllers("finger", "thumb"))
+        self.assertEqual(self.found("."), set())
+
+    def test_the_setup_assistant_ties_files_and_gives_arguments(self):
+        self.write("bot_description/urdf/bot.urdf.xacro", robot("bot", root="$(arg model)_base"))
+        self.write("moveit/package.xml", cli.package("moveit"))
+        self.write("moveit/config/joint_limits.yaml", "joint_limits:\n  elbw: {has_velocity_limits: true, max_velocity: 1.0}\n")
+        setup = ("moveit_setup_assistant_config:\n  URDF: {package: bot_description, relative_path: urdf/bot.urdf.xacro, "
+                 'xacro_args: "model:=mk4"}\n')
+        self.write("moveit/.setup_assistant", setup)
+        done = self.expect(0, ".").stdout
+        self.assertIn("checked `bot_description/urdf/bot.urdf.xacro` with `model:=mk4`, from `moveit/.setup_assistant`", done)
+        self.assertIn("`elbw`", done)
+        self.assertIn("`moveit/.setup_assistant` gives this file to the robot", done)
+
+    def test_values_that_only_go_together(self):
+        """Those of one launch file, in another package."""
+        text = robot("bot", root="$(arg name)_base").replace("<link", '<xacro:arg name="arm" default="none"/><xacro:include '
+                     'filename="$(arg arm).xacro"/><link', 1)
+        self.write("bot_description/urdf/bot.urdf.xacro", text)
+        self.write("bot_description/urdf/mk5.xacro", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"/>\n')
+        self.write("bringup/package.xml", cli.package("bringup"))
+        self.write("bringup/launch/d.launch", '<launch><param name="robot_description" command="xacro $(find bot_description)/urdf/'
+                   'bot.urdf.xacro name:=b arm:=mk5"/></launch>\n')
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "hand"))
+        done = self.expect(1, ".").stdout
+        self.assertIn("with `name:=b arm:=mk5`, from `bringup/launch/d.launch`", done)
+        self.assertIn("`elbw`", done)
+
+    def test_a_default_below_the_first_use(self):
+        """xacro evaluates the name of the robot first; every launch file gives it."""
+        text = robot("$(arg name)").replace("<link", '<xacro:arg name="name" default="bot"/><link', 1)
+        self.write("bot_description/urdf/bot.urdf.xacro", text)
+        self.write(self.config, controllers("shoulder", "elbw", "wrist", "hand"))
+        done = self.expect(1, ".").stdout
+        self.assertIn("with `name:=bot`, from `bot_description/urdf/bot.urdf.xacro`", done)
+        self.assertIn("`elbw`", done)
+        self.assertIn("SML3313", self.expect(1, "bot_description/urdf/bot.urdf.xacro").stdout)
+
+    def test_controllers_in_a_package_that_is_not_related(self):
+        """All of their names are those of a robot below the folder; other files may be for another robot of the family."""
+        self.write("sim/package.xml", cli.package("sim"))
+        self.write("sim/config/c.yaml", controllers("shoulder", "elbw", "wrist", "hand"))
+        self.assertIn("`elbw`", self.expect(1, ".").stdout)
+        self.write("sim/config/c.yaml", controllers("shoulder", "elbow", "wrist", "finger"))
+        self.write("sim/config/joint_limits.yaml", "joint_limits:\n  elbow: {has_velocity_limits: true, max_velocity: 9.0}\n")
+        done = self.expect(0, ".").stdout
+        self.assertIn("not compared: `sim/config/c.yaml`", done)
+        self.assertIn("`sim/config/joint_limits.yaml`", done)
+        self.assertNotIn("SML3803", done)
+
+    def test_the_reason_is_about_robots_that_may_have_the_file(self):
+        self.write("far/package.xml", cli.package("far"))
+        self.write("far/urdf/far.urdf.xacro", robot("far", ["left", "right"], root="$(arg side)"))
+        self.write("sim/package.xml", cli.package("sim"))
+        self.write("sim/config/c.yaml", controllers("finger", "thumb"))
+        self.assertRegex(self.expect(0, ".").stdout, "not compared: `sim/config/c.yaml`: (none of its 2 names is known|no robot was found)")
+
+    def test_a_few_names_that_only_a_missing_package_writes(self):
+        text = robot("bot").replace("<link", '<xacro:include filename="$(find gripper_description)/g.xacro"/><link', 1)
+        self.write("bot_description/urdf/bot.urdf.xacro", text)
+        self.write(self.config, controllers("shoulder", "elbow", "wrist", "hand", "knuckle"))
+        self.assertNotIn("SML37", self.run_tool(".").stdout)
+        self.write("bot_description/urdf/bot.urdf.xacro", text.replace("</robot>", "") + robot("bot", ["foot"], "hand_link").split("\n", 2)[2])
+        self.write(self.config, controllers("shoulder", "elbow", "wrst", "hand", "foot", "knuckle"))
+        done = self.run_tool(".").stdout
+        self.assertIn("`wrst`", done)
+        self.assertNotIn("`knuckle`", done)
+
 
 @unittest.skipUnless(SHARED and (SHARED / "xacro/corpus").is_dir(), "there is no shared corpus")
 class Corpus(cli.CliTest):

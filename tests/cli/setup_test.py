@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The first day with smurf-lint: --init sets up a folder, --watch follows it, and a page says that it was written."""
+import json
+import re
 import signal
 import subprocess
 import sys
@@ -74,6 +76,26 @@ class Init(cli.CliTest):
         self.assertTrue(self.read(".smurf-lint.yaml").endswith(
             'xacro:\n- file: urdf/arm.urdf.xacro\n  arguments:\n    name: "my_arm"\n    size: ["s", "m"]\n'))
         self.assertNotIn("SML33", self.expect(None, ".").stdout)
+
+    def test_targets_make_no_error(self):
+        """A release that has what the robot names; and what is an error for every release keeps its severity."""
+        hardware = ('<ros2_control name="arm" type="system"><hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware></ros2_control>'
+                    '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin"/></gazebo>')
+        self.write("arm.urdf", cli.ARM_URDF.replace("</robot>", hardware + "</robot>"))
+        self.write("frames [1].urdf", '<robot name="f"><link name="a"/><gazebo reference="a"/></robot>\n')
+        self.write("frames.urdf", '<robot name="f"><link name="a"/><gazebo reference="a"/></robot>\n')
+
+        def errors():
+            report = json.loads(self.run_tool("--format", "json", "--exit-zero", ".").stdout)
+            return sorted((one["id"], one["file"]) for one in report["diagnostics"] if one["severity"] == "error")
+        before = errors()
+        done = self.expect(0, "--init").stdout
+        written = self.read(".smurf-lint.yaml")
+        release = re.search(r"targets: \[(gazebo:\w+), ros, ros2_control\]\n", written)
+        self.assertIn('  "/frames.urdf": {severity: {SML1916: warning}}\n', written)
+        self.assertIn("by `paths` in .smurf-lint.yaml", done)
+        self.assertEqual([one for one in errors() if one not in before and one[1] != "frames [1].urdf"], [])
+        self.assertIn(release[1], self.run_tool(".").stdout)
 
     def test_nothing_is_replaced(self):
         self.write(".git/HEAD", "ref: refs/heads/main\n")

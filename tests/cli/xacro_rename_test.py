@@ -107,7 +107,7 @@ class Rename(unittest.TestCase):
 
     def test_launch_files_are_named(self):
         done = self.rename("argument:load=kilograms")
-        self.assertIn("'launch/cart.launch.py' still names `load` in line 1", done.stderr)
+        self.assertIn("`load` is still named in 'launch/cart.launch.py' (line 1)", done.stderr)
 
     def refused(self, what, reason):
         done = self.rename(what)

@@ -16,6 +16,7 @@
 #include "link/package_manifest.hpp"
 #include "plan/xacro_files.hpp"
 #include "render/printable.hpp"
+#include "smurf-lint/init_trial.hpp"
 #include "smurf-lint/launch_hints.hpp"
 #include "smurf/check.hpp"
 #include "smurf/companions.hpp"
@@ -57,6 +58,7 @@ struct Seen {
   std::set<std::string_view> targets;
   std::set<std::string> packages;              ///< in addresses
   std::map<std::string, std::string> folders;  ///< of packages, by name, below the folder
+  std::set<std::string> copied;                ///< packages that are in several folders
   bool has_package = false;                    ///< of ROS
   bool has_launch = false, launches_gazebo = false;
 };
@@ -139,7 +141,9 @@ void find_folders(const std::string& folder, const std::string& shown, std::size
   const PackageManifest manifest = manifest_in(folder, DiskFiles());
   seen.has_package = seen.has_package || manifest.exists;
   if (seen.packages.contains(manifest.name)) {
-    seen.folders.try_emplace(manifest.name, shown.empty() ? "." : shown);
+    const auto [known, is_new] =
+        seen.folders.try_emplace(manifest.name, shown.empty() ? "." : shown);
+    if (!is_new) seen.copied.insert(manifest.name);
   }
   for (const std::string& name : below) {
     const std::string path = path::join(folder, name);
@@ -205,9 +209,9 @@ std::string in_yaml(std::string_view text, bool is_always_quoted = false) {
   return quoted + "\"";
 }
 
-std::string listed(const std::set<std::string_view>& words) {
+std::string listed(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string_view word : words) text.append(text.empty() ? "" : ", ").append(word);
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return text;
 }
 
@@ -229,25 +233,49 @@ std::string robots_of(const std::string& folder, const Seen& seen) {
   return text;
 }
 
-std::string configuration(const std::string& folder, const Seen& seen) {
+/// A pattern of `paths` that matches this file only; "" if its name has signs of patterns.
+std::string pattern_of(const std::string& path) {
+  return path.find_first_of("*?[]!\\#") == std::string::npos ? "/" + path : "";
+}
+
+/// The setting `paths`: what the targets would make errors.
+std::string kept_of(const InitTargets& targets) {
+  std::map<std::string, std::string> files;
+  for (const RaisedFinding& one : targets.raised) {
+    const std::string pattern = pattern_of(one.path);
+    if (pattern.empty()) continue;
+    std::string& rules = files[pattern];
+    rules += (rules.empty() ? "" : ", ") + one.rule + ": " + one.severity;
+  }
+  if (files.empty()) return {};
+  std::string text =
+      "# Errors for the targets that were here when this file was made. Fix them, and delete their "
+      "lines.\npaths:\n";
+  for (const auto& [pattern, rules] : files) {
+    text += "  " + in_yaml(pattern, true) + ": {severity: {" + rules + "}}\n";
+  }
+  return text;
+}
+
+std::string configuration(const std::string& folder, const Seen& seen, const InitTargets& targets) {
   std::string text =
       "# Settings of smurf-lint for this folder and everything below it. `smurf-lint --show-config .`\n"
       "# shows what applies, docs/tools/smurf-lint.md of smurf-tools describes all settings.\n";
-  text += seen.targets.empty() ? "# The programs that load the robots: targets: [ros, gazebo]\n"
-                               : "targets: [" + listed(seen.targets) + "]\n";
+  text += targets.names.empty() ? "# The programs that load the robots: targets: [ros, gazebo]\n"
+                                : "targets: [" + listed(targets.names) + "]\n";
   std::string lost;
   std::string known;
   for (const std::string& name : seen.packages) {
     const auto place = seen.folders.find(name);
     if (place == seen.folders.end()) {
       lost += "#  " + in_yaml(name) + ": " + in_yaml("../" + name) + "\n";
-    } else {
+    } else if (!seen.copied.contains(name)) {  // else each robot finds the nearest one
       known += "  " + in_yaml(name) + ": " + in_yaml(place->second) + "\n";
     }
   }
   if (!known.empty()) text += "packages:\n" + known;
   if (!lost.empty()) text += "# In no folder here; name it, and delete the #:\n#packages:\n" + lost;
-  return text + robots_of(folder, seen);
+  return text + robots_of(folder, seen) + kept_of(targets);
 }
 
 std::string hooks(const Seen& seen) {
@@ -271,13 +299,14 @@ struct Offer {
   std::string what;
 };
 
-std::vector<Offer> offers_for(const std::string& folder, const Seen& seen) {
+std::vector<Offer> offers_for(const std::string& folder, const Seen& seen,
+                              const InitTargets& targets) {
   std::vector<Offer> offers;
-  std::string about = seen.targets.empty() ? "no target" : "targets " + listed(seen.targets);
+  std::string about = targets.names.empty() ? "no target" : "targets " + listed(targets.names);
   if (!seen.launched.empty())
     about += ", " + counted(seen.launched.size(), "robot with arguments", "robots with arguments");
   if (!seen.folders.empty()) about += ", " + counted(seen.folders.size(), "package");
-  offers.push_back({std::string(kConfigName), configuration(folder, seen), about});
+  offers.push_back({std::string(kConfigName), configuration(folder, seen, targets), about});
   if (!places::exists(path::join(folder, ".git"))) return offers;
   offers.push_back({".pre-commit-config.yaml", hooks(seen), "checks before each commit"});
   if (!places::exists(path::join(folder, ".gitlab-ci.yml"))) {
@@ -308,6 +337,13 @@ std::string about_lost(const Seen& seen) {
   return text;
 }
 
+std::string about_raised(const InitTargets& targets) {
+  if (targets.raised.empty()) return {};
+  return counted(targets.raised.size(), "error") + " for the targets " +
+         (targets.raised.size() == 1 ? "keeps its" : "keep their") + " severity by `paths` in " +
+         std::string(kConfigName) + ": delete the lines when you have fixed them\n";
+}
+
 /// What the user has to add to a file that was there.
 std::string about_kept(const Offer& offer) {
   std::string text = "left " + offer.path + " as it is";
@@ -320,7 +356,7 @@ std::string about_kept(const Offer& offer) {
 
 /// Whether smurf-lint reads the configuration as it was meant: names of a stranger's robot must not
 /// become settings.
-bool is_as_meant(const std::string& folder, const std::string& text) {
+bool is_as_meant(const std::string& folder, const std::string& text, const InitTargets& targets) {
   const std::string path = path::normalize(path::join(folder, kConfigName));
   const DiskFiles disk;
   MemoryFiles files(&disk);
@@ -329,7 +365,8 @@ bool is_as_meant(const std::string& folder, const std::string& text) {
   DiagnosticSink found;
   const Config config = read_config(path, sources, files, found);
   return !found.has_errors() && config.ignore.empty() && !config.fail_on &&
-         config.exclude.empty() && config.severities.empty();
+         config.exclude.empty() && config.severities.empty() &&
+         config.paths.size() <= targets.raised.size();
 }
 
 ExitCode init(const LintOptions& options) {
@@ -344,8 +381,14 @@ ExitCode init(const LintOptions& options) {
     return kFailed;
   }
   const Seen seen = look_at(folder, found, options.limits);
-  const std::vector<Offer> offers = offers_for(folder, seen);
-  if (!is_as_meant(folder, offers.front().text)) {
+  InitTargets targets;
+  if (!places::has_entry(path::join(folder, kConfigName))) {
+    targets = try_targets(
+        folder, {seen.targets.begin(), seen.targets.end()},
+        [&](const InitTargets& tried) { return configuration(folder, seen, tried); }, options);
+  }
+  const std::vector<Offer> offers = offers_for(folder, seen, targets);
+  if (!is_as_meant(folder, offers.front().text, targets)) {
     complain(kSmurfLint, "names of packages, files or arguments here cannot be written to " +
                              std::string(kConfigName) + "; nothing was written");
     return kFailed;
@@ -364,7 +407,7 @@ ExitCode init(const LintOptions& options) {
   if (!files.empty() && !write_files(kSmurfLint, files, false)) return kFailed;
   if (offers.size() == 1) told += "no git repository: no hook and no workflow\n";
   told +=
-      kept + about_lost(seen) +
+      kept + about_raised(targets) + about_lost(seen) +
       "next: smurf-lint checks the folder; smurf-lint --generate-baseline records what it finds "
       "today, to report only new findings\n";
   return write_output(kSmurfLint, options.output, render::escape_lines(told)) ? kDone : kFailed;

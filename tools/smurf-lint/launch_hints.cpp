@@ -2,10 +2,12 @@
 #include "smurf-lint/launch_hints.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
+#include "plan/launched_values.hpp"
 #include "plan/xacro_text.hpp"
 #include "smurf/file_reader.hpp"
 #include "xacro/seen_arguments.hpp"
@@ -36,19 +38,39 @@ void find_launch_files(const std::string& folder, int depth, std::vector<std::st
   }
 }
 
-/// Values that an argument needs from outside. `is_open`: it has none of its own where it is used.
-std::vector<std::string> values_of(std::string_view launch, const XacroName& argument,
-                                   bool is_open) {
-  std::vector<std::string> values = xacro::values_in(launch, argument.name);
-  if (is_open) return values;
-  // The own default is as good as what a launch file says, unless it is not one of the choices.
-  const bool is_choice = values.size() > 1;
-  const bool has_default = argument.has_value && !argument.value.empty();
-  if (has_default && !is_choice) return {};
-  const bool is_known = std::find(values.begin(), values.end(), argument.value) != values.end();
+/// The choices of an argument; empty if its own default is one of them.
+std::vector<std::string> choices_of(std::string_view launch, const XacroName& argument) {
+  std::vector<std::string> choices = xacro::choices_in(launch, argument.name);
+  const bool is_one = std::find(choices.begin(), choices.end(), argument.value) != choices.end();
   const bool is_computed = argument.value.find('$') != std::string::npos;
-  if (has_default && (is_known || is_computed)) return {};
-  return values;
+  return is_one || is_computed ? std::vector<std::string>() : choices;
+}
+
+/// What the launch files say about one robot; no arguments if that is of no use.
+LaunchedRobot launched(const std::string& robot, const std::vector<std::string>& launches,
+                       const FileReader& files, const Limits& limits) {
+  LaunchedRobot one{robot, {}};
+  std::map<std::string, std::string> arguments;
+  const std::string_view name = path::file_name(robot);
+  for (const XacroName& argument :
+       read_xacro_text(files.read(robot, limits.file_bytes).text).names) {
+    if (argument.kind != XacroNameKind::argument) continue;
+    std::vector<std::string> choices;
+    for (std::size_t i = 0; i < launches.size() && choices.empty(); ++i) {
+      if (launches[i].find(name) != std::string::npos) choices = choices_of(launches[i], argument);
+    }
+    if (choices.empty()) continue;
+    arguments.emplace(argument.name, choices.front());
+    one.arguments.emplace_back(argument.name, std::move(choices));
+  }
+  for (const xacro::SeenArgument& value : launched_values(robot, arguments, files, limits)) {
+    one.arguments.emplace_back(value.name, std::vector<std::string>{value.value});
+    arguments.emplace(value.name, value.value);
+  }
+  std::sort(one.arguments.begin(), one.arguments.end());
+  if (!one.arguments.empty() && !is_expandable(robot, arguments, files, limits))
+    one.arguments.clear();
+  return one;
 }
 
 }  // namespace
@@ -63,35 +85,7 @@ std::vector<LaunchedRobot> launched_robots(const std::string& folder,
   for (const std::string& path : launches) texts.push_back(disk.read(path, kMostOfLaunch).text);
   std::vector<LaunchedRobot> found;
   for (const std::string& robot : robots) {
-    const std::string_view name = path::file_name(robot);
-    LaunchedRobot one{robot, {}};
-    const std::string own = disk.read(robot, limits.file_bytes).text;
-    // Those that are used above their definition, or have none, need a value from outside.
-    std::vector<std::string> open = xacro::undeclared_arguments(own);
-    std::vector<XacroName> arguments = read_xacro_text(own).names;
-    std::erase_if(arguments, [](const XacroName& argument) {
-      return argument.kind != XacroNameKind::argument;
-    });
-    for (const std::string& name_of_open : open) {
-      const bool is_known =
-          std::any_of(arguments.begin(), arguments.end(),
-                      [&](const XacroName& argument) { return argument.name == name_of_open; });
-      if (is_known) continue;
-      arguments.emplace_back().name = name_of_open;
-    }
-    for (const XacroName& argument : arguments) {
-      const bool is_open = std::find(open.begin(), open.end(), argument.name) != open.end();
-      std::vector<std::string> values;
-      for (std::size_t i = 0; i < texts.size() && values.empty(); ++i) {
-        if (texts[i].find(name) == std::string::npos) continue;
-        values = values_of(texts[i], argument, is_open);
-      }
-      if (values.empty() && is_open) {  // what a check uses
-        const auto seen = xacro::seen_arguments(robot, {argument.name}, disk);
-        if (!seen.empty()) values.push_back(seen.front().value);
-      }
-      if (!values.empty()) one.arguments.emplace_back(argument.name, std::move(values));
-    }
+    LaunchedRobot one = launched(robot, texts, disk, limits);
     if (!one.arguments.empty()) found.push_back(std::move(one));
   }
   return found;

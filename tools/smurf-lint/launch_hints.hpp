@@ -16,9 +16,9 @@ struct LaunchedRobot {
   std::vector<std::pair<std::string, std::vector<std::string>>> arguments;
 };
 
-/// Looks for the names of the robots in the launch files of a folder. Nothing is run: an argument
-/// gets its values from a literal `name:=value`, or from the choices or the default of the launch
-/// argument of the same name. Arguments whose own default is one of the choices are left out.
+/// Nothing is run. An argument gets the choices of the launch argument of its name, unless its
+/// own default is one of them, and what a check uses where the robot cannot be expanded otherwise.
+/// A robot that cannot be expanded with these is left out.
 std::vector<LaunchedRobot> launched_robots(const std::string& folder,
                                            const std::vector<std::string>& robots,
                                            const Limits& limits);

@@ -9,6 +9,8 @@
 
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
+#include "base/text/counted.hpp"
+#include "base/text/quoted.hpp"
 #include "common/files/input.hpp"
 #include "plan/xacro_files.hpp"
 #include "smurf/companions.hpp"
@@ -45,6 +47,15 @@ bool is_part_of_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
 }
 
+/// A word of an attribute of XML such as `args="0 0 1 base laser"`.
+bool is_word_of_list(std::string_view text, std::size_t begin, std::size_t end) {
+  const char before = begin == 0 ? '\0' : text[begin - 1];
+  const char after = end == text.size() ? '\0' : text[end];
+  const bool is_apart = (before == ' ' || before == '"') && (after == ' ' || after == '"');
+  const std::size_t open = begin == 0 ? text.npos : text.rfind('"', begin - 1);
+  return is_apart && open != text.npos && text.substr(0, open).ends_with(" args=");
+}
+
 /// A text in quotes, or the value of an argument.
 bool is_quoted(std::string_view text, std::size_t begin, std::size_t end) {
   const char before = begin == 0 ? '\0' : text[begin - 1];
@@ -72,11 +83,14 @@ bool is_word(std::string_view text, std::size_t begin, std::size_t end) {
 /// The first line of a file that contains a name; 0: none.
 std::size_t line_with(std::string_view path, std::string_view text, std::string_view name) {
   const bool is_yaml = ends_with_one_of(path, {".yaml", ".yml", ".rviz"});
+  const bool is_launch = ends_with_one_of(path, {".launch", ".launch.xml"});
   for (std::size_t at = text.find(name); at != std::string_view::npos;
        at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
     const bool sets_argument = !path.ends_with(".xacro") && is_set(text, at, end);
-    if (!(is_yaml ? is_word(text, at, end) : is_quoted(text, at, end)) && !sets_argument) continue;
+    const bool is_named = (is_yaml ? is_word(text, at, end) : is_quoted(text, at, end)) ||
+                          (is_launch && is_word_of_list(text, at, end));
+    if (!is_named && !sets_argument) continue;
     // The key of a table that a xacro file reads, such as `positions['elbow']`.
     if (path.ends_with(".xacro") && at > 1 && text[at - 2] == '[') continue;
     return 1 + static_cast<std::size_t>(
@@ -176,6 +190,8 @@ class Search {
       find_robots();
     }
     for (const Found& one : found_) judge(one);
+    for (const auto& [name, places] : mentions_)
+      left_.mentions.push_back(sentence_of(name, places));
     return std::move(left_);
   }
 
@@ -321,12 +337,12 @@ class Search {
   void judge(const Found& one) {
     const std::string sentence = "'" + shown(one.path) + "' still names `" + one.name +
                                  "` in line " + std::to_string(one.line);
-    if (one.kind == Kind::launch) return add(left_.mentions, sentence + "; change it there");
+    if (one.kind == Kind::launch) return mention(one);
     if (one.kind == Kind::robot) {
       if (loaded_.contains(identity(one.path)) || is_changed(one.path)) return;
       if (!users_files_.contains(identity(one.path))) {
         if (one.path.ends_with(".xacro") && !one.is_defined) {
-          add(left_.mentions, sentence + "; change it there");
+          mention(one);
         }
         return;
       }
@@ -337,7 +353,7 @@ class Search {
              !loaded_.contains(identity(other.path));
     });
     if (one.kind == Kind::settings) {
-      if (!is_of_other_robot(one)) add(left_.mentions, sentence + "; change it there");
+      if (!is_of_other_robot(one)) mention(one);
     } else if (!users_.empty()) {
       add(left_.misfits, sentence + name_users());
     } else if (!has_other_robot && !is_of_other_robot(one)) {
@@ -356,6 +372,23 @@ class Search {
                                : " include changed files; name them, too");
   }
 
+  void mention(const Found& one) {
+    mentions_[one.name].push_back("'" + shown(one.path) + "' (line " + std::to_string(one.line) +
+                                  ")");
+  }
+
+  /// One for all files that nobody renames.
+  static std::string sentence_of(const std::string& name, const std::vector<std::string>& places) {
+    const std::size_t count = std::min(places.size(), kMostPlaces);
+    std::string text = quoted(name) + " is still named in ";
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool is_last = i + 1 == places.size();
+      text += (i == 0 ? "" : is_last ? " and " : ", ") + places[i];
+    }
+    if (places.size() > count) text += " and " + counted(places.size() - count, "more file");
+    return text + "; change it there";
+  }
+
   static void add(std::vector<std::string>& to, std::string sentence) {
     if (to.size() < kMostPlaces) to.push_back(std::move(sentence));
   }
@@ -372,8 +405,9 @@ class Search {
   std::set<std::string> names_;     ///< of these packages
   std::size_t entries_ = 0;
   std::vector<Found> found_;
-  std::vector<std::string> users_;     ///< robots that were not loaded
-  std::set<std::string> users_files_;  ///< and their files, by identity
+  std::vector<std::string> users_;                            ///< robots that were not loaded
+  std::set<std::string> users_files_;                         ///< and their files, by identity
+  std::map<std::string, std::vector<std::string>> mentions_;  ///< by name, the places
   LeftNames left_;
 };
 

@@ -17,7 +17,8 @@ namespace smurf::tools {
 
 /// Sentences about files in the packages of the changed files and in those that depend on them.
 struct LeftNames {
-  /// Launch files, which are programs, and xacro files of other robots.
+  /// One for each name: launch files, which are programs, files of RViz and of other programs, and
+  /// xacro files of other robots.
   std::vector<std::string> mentions;
   /// Files that no longer fit: SRDFs and parameter files that were not loaded, and robots that were
   /// not loaded and include a changed file.

@@ -69,6 +69,7 @@ struct Companion {
   std::optional<srdf::Description> srdf;   ///< kind srdf
   std::optional<yaml::Document> document;  ///< the other kinds
   Evidence evidence = Evidence::package;
+  std::string stated_by;  ///< the launch file or .setup_assistant that gives it to the robot
   /// How many names of joints and links in it the robot has, how many there are, and which of the
   /// others are probably misspellings of names that the file does not use.
   std::size_t known_names = 0, names = 0;

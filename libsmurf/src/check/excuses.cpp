@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/ros2_control.hpp"
 #include "verdict/targets.hpp"
@@ -60,6 +61,9 @@ void excuse_names(const Companions& companions, const SourceMap& sources, bool m
         companion.names >= kFew && companion.known_names * 10 >= companion.names * 9;
     const bool is_sure = is_misspelt || is_for_it || is_tie(companion.evidence) || !may_vary;
     if (!is_sure) excuse(one);
+    if (!companion.stated_by.empty()) {
+      one.note(quoted(companion.stated_by) + " gives this file to the robot");
+    }
     return false;
   });
 }

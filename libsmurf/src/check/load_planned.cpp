@@ -7,10 +7,10 @@
 #include "base/text/quoted.hpp"
 #include "check/excuses.hpp"
 #include "check/given_arguments.hpp"
-#include "check/launched_values.hpp"
 #include "link/imported_world.hpp"
 #include "link/surroundings/load_surroundings.hpp"
 #include "link/unused_meshes.hpp"
+#include "plan/launched_values.hpp"
 
 namespace smurf {
 namespace {
@@ -83,9 +83,17 @@ void PlannedLoader::load_one_scene(const PlannedFile& planned, LoadContext& cont
 void PlannedLoader::load_one_robot(const PlannedFile& planned, LoadContext& context,
                                    Outcome& outcome) const {
   const CheckGroup& group = run.memory.groups[planned.config];
-  const std::string values =
-      planned.may_be_part ? add_launched_values(planned.path, context) : std::string();
   Accompanied robot = load_robot(planned.path, planned.may_be_part, group.config.xacro, context);
+  std::string values;
+  if (planned.may_be_part && !robot.model.robot) {
+    const auto launched = launched_values(planned.path, context);
+    values = describe(launched);
+    for (const auto& one : launched) context.xacro.arguments.emplace(one.name, one.value);
+    if (!launched.empty()) {
+      context.sink.take();  // why the robot needs values
+      robot = load_robot(planned.path, planned.may_be_part, group.config.xacro, context);
+    }
+  }
   LinkedModel& model = robot.model;
   if (xacro::is_xacro_file(planned.path) && is_part(model, outcome.sources, planned.may_be_part)) {
     outcome.read.insert(identity_of(model.path));

@@ -112,7 +112,7 @@ class Run {
     }
     report.summary.robots_of_srdfs = std::move(robots_of_srdfs_);
     report.summary.assumptions = std::move(assumptions_);
-    report.summary.not_compared = seen_.not_compared(compared());
+    report.summary.not_compared = seen_.not_compared(compared(), ties_of(memory_.groups));
     report.problems = plan.problems;
     report.robots = std::move(robots_);
     report.size = size_;

@@ -78,19 +78,19 @@ SeenCompanions::helpers(const std::set<std::string>& known,
   return found;
 }
 
-NotCompared SeenCompanions::judge(const std::string& id, const File& file) const {
+NotCompared SeenCompanions::judge(const std::string& id, const File& file,
+                                  const std::vector<std::string>& likely) const {
   NotCompared one{file.planned.path, file.seen->what.spec->title, "", ""};
   const std::string tie = "tie it to its robot with `companions` in .smurf-lint.yaml";
   const auto rejected = rejected_.find(id);
   if (file.seen->what.state == CompanionState::a_template) {
     one.reason = "it is a template, which a launch file fills in";
     one.next = "name the file that is made of it";
-  } else if (!unknown_robots_.empty()) {
-    const std::string& robot = *unknown_robots_.begin();
-    one.reason = unknown_robots_.size() == 1
-                     ? quoted(robot) + " could not be expanded here"
-                     : counted(unknown_robots_.size(), "robot") + ", such as " + quoted(robot) +
-                           ", could not be expanded here";
+  } else if (!likely.empty()) {
+    const std::string& robot = likely.front();
+    one.reason = likely.size() == 1 ? quoted(robot) + " could not be expanded here"
+                                    : counted(likely.size(), "robot") + ", such as " +
+                                          quoted(robot) + ", could not be expanded here";
     one.next = "--min-severity info says what each of them needs";
   } else if (rejected != rejected_.end() && rejected->second.names > 0) {
     const RejectedCompanion& best = rejected->second;
@@ -149,10 +149,21 @@ void SeenCompanions::report_misspelt(const std::set<std::string>& known,
   }
 }
 
-std::vector<NotCompared> SeenCompanions::not_compared(const std::set<std::string>& known) const {
+std::vector<NotCompared>
+SeenCompanions::not_compared(const std::set<std::string>& known,
+                             const std::vector<std::vector<CompanionTie>>& ties) const {
   std::vector<NotCompared> found;
+  CompanionRobots robots(context_.files, context_.limits);
+  std::set<std::string> unknown;
+  for (const std::string& one : unknown_robots_) unknown.insert(id_of(one));
   for (const auto& [id, file] : files_) {
-    if (!known.contains(id) && !broken_.contains(id)) found.push_back(judge(id, file));
+    if (known.contains(id) || broken_.contains(id)) continue;
+    std::vector<std::string> likely;
+    if (!unknown.empty()) {
+      likely = robots.of(file.planned.path, *file.seen, ties[file.planned.config]);
+      std::erase_if(likely, [&](const std::string& one) { return !unknown.contains(id_of(one)); });
+    }
+    found.push_back(judge(id, file, likely));
   }
   std::sort(found.begin(), found.end(),
             [](const NotCompared& a, const NotCompared& b) { return a.path < b.path; });

@@ -44,7 +44,8 @@ class SeenCompanions {
                        const std::vector<std::vector<CompanionTie>>& ties, SourceMap& sources,
                        std::vector<Judged>& found) const;
   /// The files that are not in `known`, with reasons.
-  std::vector<NotCompared> not_compared(const std::set<std::string>& known) const;
+  std::vector<NotCompared> not_compared(const std::set<std::string>& known,
+                                        const std::vector<std::vector<CompanionTie>>& ties) const;
 
  private:
   struct File {
@@ -56,7 +57,9 @@ class SeenCompanions {
   }
   /// Whether no robot has the file, although it can be read.
   bool is_open(const std::string& id, const File& file, const std::set<std::string>& known) const;
-  NotCompared judge(const std::string& id, const File& file) const;
+  /// `likely`: robots that may have the file, and could not be expanded.
+  NotCompared judge(const std::string& id, const File& file,
+                    const std::vector<std::string>& likely) const;
 
   const CheckContext& context_;
   PackageSearch& search_;

@@ -62,7 +62,8 @@ bool is_shared(std::string_view folder) {
 
 /// The root of the project, or a folder above it. Walks upward folder by folder, because paths may
 /// be long, to the nearest shared folder: a package.xml there would make everything its package.
-std::string_view widest_project_of(std::string_view folder) {
+/// A configuration names files beside itself and below, so that a new one makes nothing readable.
+std::string_view widest_project_of(std::string_view folder, bool is_of_config) {
   std::string_view package;
   OpenFolder open{std::string(folder)};
   for (std::string_view at = folder; !is_shared(at);) {
@@ -71,12 +72,13 @@ std::string_view widest_project_of(std::string_view folder) {
     at = path::parent(at);
     open.enter_above(std::string(at));
   }
-  return package.empty() ? path::parent(path::parent(folder)) : path::parent(package);
+  if (!package.empty()) return path::parent(package);
+  return is_of_config ? folder : path::parent(path::parent(folder));
 }
 
 /// "" when the folder itself is shared.
-std::string_view project_of(std::string_view folder) {
-  const std::string_view widest = widest_project_of(folder);
+std::string_view project_of(std::string_view folder, bool is_of_config = false) {
+  const std::string_view widest = widest_project_of(folder, is_of_config);
   std::string_view project;
   for (std::string_view at = folder; !is_shared(at); at = path::parent(at)) {
     project = at;
@@ -118,8 +120,8 @@ void allow_shared(ConfinedFiles& files, const std::string& folder) {
 }
 
 /// The project around a folder and, above it, the files that configure the check.
-void allow_project(ConfinedFiles& files, const std::string& folder) {
-  const std::string project(project_of(folder));
+void allow_project(ConfinedFiles& files, const std::string& folder, bool is_of_config) {
+  const std::string project(project_of(folder, is_of_config));
   if (!project.empty()) {
     files.allow(project);
   } else {
@@ -156,22 +158,24 @@ void confine_to_projects(ConfinedFiles& files, std::span<const std::string> inpu
   for (const std::string_view name : kHistories) {
     files.deny_named(std::string(name), name == ".git" ? kGitExclude : "");
   }
-  std::set<std::string> folders;
-  std::set<std::string_view> seen;  // folders of files
+  std::map<std::string, bool> folders;  // whether they are only those of configurations
+  std::set<std::string_view> seen;      // folders of files
   for (const std::string& input : inputs) {
     if (input.empty() || input == "-") continue;
     const bool is_file = places::is_plain_file(input);
-    if (is_file && !seen.insert(path::parent(input)).second) continue;
+    const bool is_config = is_file && path::file_name(input) == kConfigName;
+    if (is_file && !is_config && !seen.insert(path::parent(input)).second) continue;
     if (is_shared_folder(input) && link_out_of_repository(input).empty()) {
       for (const std::string_view name : kRuleFiles) files.allow_named(std::string(name), input);
     } else if (auto folder = folder_of(input)) {
-      folders.insert(*std::move(folder));
+      const auto [known, is_new] = folders.try_emplace(*std::move(folder), is_config);
+      known->second = known->second && is_config;
       // In "/" and /home only files that are there are allowed, and a misspelt name is not there.
       const bool is_missing = !is_file && !places::has_entry(input);
       if (is_missing && link_out_of_repository(input).empty()) files.allow(input);
     }
   }
-  for (const std::string& folder : folders) allow_project(files, folder);
+  for (const auto& [folder, is_of_config] : folders) allow_project(files, folder, is_of_config);
 }
 
 bool is_shared_folder(const std::string& path) {

@@ -20,14 +20,18 @@ constexpr std::size_t kMostNames = 20;               // of arguments
 constexpr std::size_t kMostValues = 100;             // of all arguments
 constexpr std::size_t kMostValue = 60;               // characters
 
-/// The folder of the nearest package.xml; that of the file without one.
+/// The folder of the nearest package.xml; without one, that of the file, or the one above it.
 std::string package_of(const std::string& file, const FileReader& files) {
   std::string folder(path::parent(file));
   for (int i = 0; i < kMostLevels; ++i) {
     if (files.is_file(path::join(folder, "package.xml"))) return folder;
     folder = path::join(folder.empty() ? "." : folder, "..");
   }
-  return std::string(path::parent(file));
+  folder = path::parent(file);
+  // `urdf/` and `launch/` beside each other.
+  std::string above = path::join(folder.empty() ? "." : folder, "..");
+  const bool is_above = !files.list(path::join(above, "launch")).empty();
+  return is_above ? above : folder;
 }
 
 std::vector<std::string> launch_files(const std::string& package, const FileReader& files) {
@@ -178,6 +182,16 @@ std::vector<std::string> values_in(std::string_view text, std::string_view name)
     if (!value.empty() && !is_known) values.push_back(std::move(value));
   }
   return values;
+}
+
+std::vector<std::string> choices_in(std::string_view text, std::string_view name) {
+  for (std::size_t at = text.find(name); at != std::string_view::npos;
+       at = text.find(name, at + name.size())) {
+    if (!is_whole_name(text, at, at + name.size())) continue;
+    std::vector<std::string> choices = choices_after(text, at, at + name.size());
+    if (!choices.empty()) return choices;
+  }
+  return {};
 }
 
 namespace {

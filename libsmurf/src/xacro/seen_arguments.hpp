@@ -26,6 +26,9 @@ std::vector<SeenArgument> seen_arguments(const std::string& root,
 /// the only reader of values in launch files.
 std::vector<std::string> values_in(std::string_view text, std::string_view name);
 
+/// The choices of a launch argument of this name; empty if it may have any value.
+std::vector<std::string> choices_in(std::string_view text, std::string_view name);
+
 /// The names of all arguments that a text declares or uses.
 std::vector<std::string> all_arguments(std::string_view text);
 

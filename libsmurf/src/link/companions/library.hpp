@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "link/companions/kinds.hpp"
+#include "link/surroundings/stated_ties.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/linked.hpp"
 
@@ -56,9 +57,11 @@ class CompanionFolders {
 class CompanionLibrary {
  public:
   explicit CompanionLibrary(std::shared_ptr<CompanionFolders> known)
-      : folders(known ? std::move(known) : std::make_shared<CompanionFolders>()) {}
+      : folders(known ? std::move(known) : std::make_shared<CompanionFolders>()),
+        stated(std::make_shared<StatedTies>()) {}
 
   const std::shared_ptr<CompanionFolders> folders;
+  const std::shared_ptr<StatedTies> stated;
   std::vector<NearCompanion> near;  ///< set before the first load
   std::set<std::string>
       named_robots;  ///< by identity: those that a user named, set in the same way

@@ -95,12 +95,14 @@ class Finder {
     for (const PluginFile& one : found_.plugin_files) {
       if (one.state == PluginFile::State::controllers) look_at(one.path, Evidence::plugin);
     }
+    places_ = companion_places(std::string(path::parent(model_.urdf_path)), context_.files,
+                               search_of(context_));
+    read_stated(Evidence::setup_assistant);
+    read_stated(Evidence::launch);
     const bool is_named = library_.named_robots.contains(context_.files.identity(model_.path));
     for (const NearCompanion& one : library_.near) {
       if (is_named && one.is_named) look_at(one.path, Evidence::command_line);
     }
-    places_ = companion_places(std::string(path::parent(model_.urdf_path)), context_.files,
-                               search_of(context_));
     found_.lacks_simulation = lacks_simulation();
     look_in(0, places_.own, Evidence::package);
     look_in(places_.own, places_.folders.size(), Evidence::dependency);
@@ -136,6 +138,19 @@ class Finder {
     for (const std::string& one : of_others) own_.insert(context_.files.identity(one));
   }
 
+  /// What launch files, or a .setup_assistant, give to this robot.
+  void read_stated(Evidence evidence) {
+    const std::string robot = context_.files.identity(model_.urdf_path);
+    for (const NearPackage& package : places_.packages) {
+      for (const StatedTie& tie : library_.stated->in_package(package, context_)) {
+        const bool is_own =
+            std::find(tie.robots.begin(), tie.robots.end(), robot) != tie.robots.end();
+        if (tie.evidence != evidence || !is_own) continue;
+        for (const std::string& file : tie.files) look_at(file, evidence, tie.by);
+      }
+    }
+  }
+
   void look_in(std::size_t begin, std::size_t end, Evidence evidence) {
     const std::vector<std::string> folders(
         places_.folders.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -146,7 +161,7 @@ class Finder {
   }
 
   /// Reads a file that may be for the robot, once. The strongest evidence comes first.
-  void look_at(const std::string& path, Evidence evidence) {
+  void look_at(const std::string& path, Evidence evidence, const std::string& stated_by = {}) {
     const SeenCompanion& seen = library_.look_at(path, context_.files);
     if (seen.what.spec == nullptr || seen.what.state == CompanionState::a_template) return;
     if (!own_.insert(context_.files.identity(path)).second) return;
@@ -171,6 +186,7 @@ class Finder {
     auto companion = reader_.read(path, *seen.what.spec, is_xacro ? &model_ : nullptr);
     if (!companion) return;
     companion->evidence = evidence;
+    companion->stated_by = stated_by;
     found_.files.push_back(std::move(*companion));
   }
 
@@ -197,8 +213,12 @@ class Finder {
     std::erase_if(found_.files, [&](Companion& one) {
       if (one.srdf || is_tie(one.evidence)) return false;
       const bool is_beside = folders.contains(one.folder);
-      // Robots of a family have the same names.
-      if (!is_beside && one.evidence == Evidence::below) return true;
+      // Robots of a family have the same names, and other limits: what is far away only names
+      // joints, and no other ones.
+      const bool is_whole = (one.kind == CompanionKind::controllers ||
+                             one.kind == CompanionKind::moveit_controllers) &&
+                            one.names > 0 && one.known_names + one.near_names.size() == one.names;
+      if (!is_beside && one.evidence == Evidence::below && !is_whole) return true;
       if (is_beside && one.evidence > Evidence::robot_name) one.evidence = Evidence::robot_name;
       const bool is_of_moveit = one.kind != CompanionKind::controllers;
       return is_of_moveit && one.names == 0 && !one.is_broken && !is_beside && !is_only_robot();

@@ -13,7 +13,7 @@
 #include "link/companions/places.hpp"
 #include "link/package_search.hpp"
 #include "link/surroundings/installation.hpp"
-#include "link/surroundings/launch_reader.hpp"
+#include "link/surroundings/launch_files.hpp"
 #include "link/surroundings/robot_facts.hpp"
 #include "syntax/xml_reader.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -21,22 +21,9 @@
 namespace smurf {
 namespace {
 
-constexpr std::uint64_t kMostBytes = 1U << 18U;  // of a launch file or a build file
+constexpr std::uint64_t kMostBytes = kMostBytesOfLaunch;  // of a build file, too
 constexpr std::size_t kMostLaunchFiles = 60;
 constexpr std::size_t kMostPackages = 12;
-
-/// By the name of a file, which ends with `.launch.py` or `_launch.py`.
-std::optional<LaunchFile::Form> launch_form_of(std::string_view name) {
-  std::string_view stem = name;
-  stem.remove_suffix(path::extension(name).size());
-  if (name.ends_with(".launch")) return LaunchFile::Form::xml;
-  if (!stem.ends_with(".launch") && !stem.ends_with("_launch")) return std::nullopt;
-  const std::string_view extension = name.substr(stem.size());
-  if (extension == ".py") return LaunchFile::Form::python;
-  if (extension == ".xml") return LaunchFile::Form::xml;
-  if (is_one_of(extension, {".yaml", ".yml"})) return LaunchFile::Form::yaml;
-  return std::nullopt;
-}
 
 /// The texts of elements in a package.xml, with their places.
 struct Manifest {
@@ -69,13 +56,6 @@ Manifest read_manifest(const xml::Document& document) {
     }
   }
   return manifest;
-}
-
-std::optional<LaunchFault> first_error(const DiagnosticSink& found) {
-  for (const Diagnostic& one : found.diagnostics()) {
-    if (one.severity == Severity::error) return LaunchFault{one.span, one.message, one.help_text};
-  }
-  return std::nullopt;
 }
 
 class Loader {
@@ -177,18 +157,9 @@ class Loader {
   }
 
   void add_launch_files(const SurroundingPackage& package, const std::string& needed) {
-    std::vector<std::string> folders = {package.folder, path::join(package.folder, "launch")};
-    for (const std::string& name : context_.files.list(folders.back())) {
-      const std::string inner = path::join(folders[1], name);
-      if (!name.starts_with('.') && !context_.files.is_file(inner)) folders.push_back(inner);
-    }
-    for (const std::string& folder : folders) {
-      for (const std::string& name : context_.files.list(folder)) {
-        const auto form = launch_form_of(name);
-        if (!form) continue;
-        if (found_.launch_files.size() >= kMostLaunchFiles) return;
-        add_launch_file(path::join(folder, name), *form, package, needed);
-      }
+    for (const FoundLaunch& one : launch_files_of(package.folder, {"", "launch"}, context_.files)) {
+      if (found_.launch_files.size() >= kMostLaunchFiles) return;
+      add_launch_file(one.path, one.form, package, needed);
     }
   }
 
@@ -202,23 +173,10 @@ class Loader {
     file.package = package.name;
     file.form = form;
     const SourceId source = context_.sources.add(file.path, std::move(content.text));
-    file.source = source;
     const std::string_view text = context_.sources.text(source);
     const FindLaunchPath find = [&](LaunchPath& one) { look_up(one, package, text); };
-    DiagnosticSink faults(context_.limits);
-    if (form == LaunchFile::Form::python) {
-      read_python_launch(text, find, file);
-    } else if (form == LaunchFile::Form::yaml) {
-      const auto document = parse_yaml(context_.sources, source, context_.limits, faults);
-      if (document) read_yaml_launch(*document, find, file);
-      // PyYAML loads some of what is an error of a model, such as a repeated key.
-      if (!document) file.fault = first_error(faults);
-    } else {
-      const auto document = parse_xml(context_.sources, source, context_.limits, faults);
-      file.is_ros1 = !package.is_ament;
-      if (document) read_xml_launch(*document, find, file);
-      file.fault = first_error(faults);
-    }
+    file.is_ros1 = form == LaunchFile::Form::xml && !package.is_ament;
+    read_launch(context_.sources, source, context_.limits, find, file);
     const std::string robot = context_.files.identity(model_.urdf_path);
     const auto mark = [&](LaunchDescription& one) {
       one.is_of_robot =

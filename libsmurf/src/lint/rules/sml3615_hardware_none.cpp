@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/companions/ros2_control.hpp"
+#include "lint/imported_robot.hpp"
 
 namespace smurf::rules::sml3615_hardware_none_file {
 namespace {
 
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
-  if (!model.robot || !hardware_of(model).empty()) return;
+  // ros2_control reads URDF only: a table in a world of Gazebo is no robot for it.
+  if (!model.robot || is_of_other_language(model) || !hardware_of(model).empty()) return;
   const xml::View root = model.robot->document.view();
   if (!root) return;
   findings.report(root.name_span(), "the robot has no `ros2_control`")
