@@ -23,7 +23,7 @@ enum class EntityKind : std::uint8_t {
 /// A type of entities that are models.
 struct ModelType {
   std::string_view name;
-  std::vector<std::string_view> extensions;  ///< of its files; the first is the usual one
+  std::vector<std::string_view> extensions;  ///< of its files: ".sdf"
   bool is_of_mars = true;                    ///< whether MARS loads it
 };
 /// Null for other types. That of an archive is the type of the model in it.
