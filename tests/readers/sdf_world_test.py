@@ -108,6 +108,32 @@ class WorldTest(unittest.TestCase):
         self.assertIn("`sky`", found[1][1])
         self.assertIn("Buoyancy", found[2][1])
 
+    def test_scene_places_sdf_and_mjcf(self):
+        files = {"arm.sdf": '<sdf version="1.9"><model name="arm"><link name="base"/><link name="tip"><pose>0 0 1 0 0 0</pose>'
+                            '</link><joint name="j" type="revolute"><parent>base</parent><child>tip</child>'
+                            '<axis><xyz>0 1 0</xyz></axis></joint></model></sdf>',
+                 "leg.xml": '<mujoco model="leg"><worldbody><body name="hip"><freejoint/><geom size=".1"/></body>'
+                            '</worldbody></mujoco>'}
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for path, text in files.items():
+                (folder / path).write_text(text, encoding="utf-8")
+            (folder / "zoo.smurfs").write_text(
+                "entities:\n- {name: arm, type: sdf, file: arm.sdf, position: [0, 0, 1]}\n"
+                '- {name: leg, type: mjcf, file: leg.xml, position: [1, 0, 0], anchor: "arm::tip", parent: "arm::tip"}\n'
+                "- {name: own, file: arm.sdf, position: [2, 0, 0]}\n", encoding="utf-8")
+            done = subprocess.run([FLATTEN, "zoo.smurfs", "--links", "--format", "json"], capture_output=True, text=True,
+                                  check=False, cwd=folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            found = {one["name"]: one for one in json.loads(done.stdout)["instances"]}
+            self.assertEqual(set(found), {"arm", "leg", "own"})
+            self.assert_near(found["leg"]["position"], [1, 0, 2])
+            self.assert_near(found["own"]["links"]["tip"]["position"], [2, 0, 1])
+            lint = subprocess.run([LINT, "zoo.smurfs", "--format", "concise"], capture_output=True, text=True, check=False,
+                                  cwd=folder)
+            self.assertEqual(lint.stdout.count("SML5019"), 3, lint.stdout)
+            self.assertNotIn("SML5009", lint.stdout)
+
     def test_settings_that_no_scene_has(self):
         """Each is a loss at its place, unless Gazebo has the same without it."""
         world = '<sdf version="1.9"><world name="w">\n{}\n<model name="m"><link name="a"/></model></world></sdf>'

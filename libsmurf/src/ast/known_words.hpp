@@ -48,8 +48,9 @@ inline constexpr std::string_view kSensorTypes[] = {"JointPosition",
                                                     "ScanningSonar",
                                                     "HapticField"};
 
-inline constexpr std::string_view kEntityTypes[] = {"smurf", "urdf", "smurfs",    "smurfa",  "scn",
-                                                    "scene", "yml",  "primitive", "particle"};
+inline constexpr std::string_view kEntityTypes[] = {"smurf",  "urdf",      "sdf",     "mjcf",
+                                                    "smurfs", "smurfa",    "scn",     "scene",
+                                                    "yml",    "primitive", "particle"};
 
 inline constexpr std::string_view kParents[] = {"world"};  // beside names
 inline constexpr std::string_view kAnchors[] = {"none", "world", "parent"};

@@ -2,6 +2,7 @@
 // What the types of entities mean.
 #include "ast/known_words.hpp"
 #include "base/files/path.hpp"
+#include "base/ranges.hpp"
 #include "base/text/suggest.hpp"
 #include "link/scene_link.hpp"
 #include "smurf/archive_files.hpp"
@@ -9,11 +10,43 @@
 
 namespace smurf {
 
+namespace {
+
+/// A new type is a row here and a word of kEntityTypes.
+const std::vector<ModelType>& model_types() {
+  static const std::vector<ModelType> types{{"smurf", {".smurf"}},
+                                            {"particle", {".smurf"}},
+                                            {"urdf", {".urdf"}},
+                                            {"sdf", {".sdf", ".world"}, false},
+                                            {"mjcf", {".xml", ".mjcf"}, false}};
+  return types;
+}
+
+std::string packed_type(std::string_view type) {
+  std::string lower = path::to_lower(type);
+  return is_archive_type(lower) ? lower.substr(1) : lower;
+}
+
+}  // namespace
+
+const ModelType* model_type(std::string_view type) {
+  const std::string name = packed_type(type);
+  for (const ModelType& one : model_types()) {
+    if (one.name == name) return &one;
+  }
+  return nullptr;
+}
+
+std::string_view type_of_extension(std::string_view extension) {
+  for (const ModelType& one : model_types()) {
+    if (ranges::contains(one.extensions, extension)) return one.name;
+  }
+  return {};
+}
+
 EntityKind kind_of(std::string_view type) {
-  const std::string lower = path::to_lower(type);
-  const std::string_view packed =
-      is_archive_type(lower) ? std::string_view(lower).substr(1) : lower;
-  if (packed == "smurf" || packed == "particle" || packed == "urdf") return EntityKind::model;
+  if (model_type(type) != nullptr) return EntityKind::model;
+  const std::string packed = packed_type(type);
   if (packed == "smurfs" || packed == "smurfa") return EntityKind::scene;
   return EntityKind::other;
 }

@@ -368,7 +368,7 @@ class SceneExpander {
     }
     const std::string extension = path::to_lower(path::extension(path));
     if (is_archive_type(type)) {
-      return check_extension(entity, type, path, "." + path::to_lower(type));
+      return check_extension(entity, type, path, {"." + path::to_lower(type)});
     }
     const bool is_scene_file = extension == ".smurfs" || extension == ".smurfa";
     if (kind == EntityKind::scene && !is_scene_file) {
@@ -378,22 +378,26 @@ class SceneExpander {
                                std::string(path::file_name(path)) + "`");
       return false;
     }
-    if (path::to_lower(type) == "xacro") return check_extension(entity, type, path, ".urdf");
-    const std::string_view expected = path::to_lower(type) == "urdf" ? ".urdf" : ".smurf";
-    return kind != EntityKind::model || check_extension(entity, type, path, expected);
+    if (path::to_lower(type) == "xacro") return check_extension(entity, type, path, {".urdf"});
+    const ModelType* model = model_type(type);
+    return model == nullptr ||
+           check_extension(entity, type, path,
+                           {model->extensions.begin(), model->extensions.end()});
   }
 
   bool check_extension(const Entity& entity, const std::string& type, const std::string& path,
-                       std::string_view expected) {
-    if (path::to_lower(path::extension(path)) == expected) return true;
+                       const std::vector<std::string>& expected) {
+    const std::string extension = path::to_lower(path::extension(path));
+    if (ranges::contains(expected, extension)) return true;
+    std::string wanted;
+    for (const std::string& one : expected) wanted += (wanted.empty() ? "" : " or ") + one;
     Diagnostic& diagnostic =
         context_.sink.report(rules::sml5009_entity_type_mismatch, file_of(entity).span,
-                             "an entity of type `" + type + "` needs a " + std::string(expected) +
-                                 ", which `" + std::string(path::file_name(path)) + "` is not");
-    const std::string extension = path::to_lower(path::extension(path));
-    if (extension == ".urdf" || extension == ".smurf") {
+                             "an entity of type `" + type + "` needs a " + wanted + ", which `" +
+                                 std::string(path::file_name(path)) + "` is not");
+    if (const std::string_view type_there = type_of_extension(extension); !type_there.empty()) {
       diagnostic.when(cases::kOfAnotherKind);
-      diagnostic.help("write `type: " + extension.substr(1) + "`");
+      diagnostic.help("write `type: " + std::string(type_there) + "`");
     }
     if (xacro::is_xacro_file(path)) explain_xacro(path, diagnostic);
     return false;

@@ -16,10 +16,20 @@ namespace smurf {
 
 /// The kind of an entity, by its type.
 enum class EntityKind : std::uint8_t {
-  model,  ///< smurf, particle, urdf, and zsmurf
+  model,  ///< those with a ModelType
   scene,  ///< smurfs, smurfa, and zsmurfs, zsmurfa: included in place
   other   ///< old scenes, primitives, types of plug-ins: kept without expansion
 };
+/// A type of entities that are models.
+struct ModelType {
+  std::string_view name;
+  std::vector<std::string_view> extensions;  ///< of its files: ".sdf"
+  bool is_of_mars = true;                    ///< whether MARS loads it
+};
+/// Null for other types. That of an archive is the type of the model in it.
+const ModelType* model_type(std::string_view type);
+/// The type whose usual files have this extension, ".sdf"; "" if there is none.
+std::string_view type_of_extension(std::string_view extension);
 /// Type as written, else the extension of the file without the dot.
 std::string entity_type(const Entity& entity);
 EntityKind kind_of(std::string_view type);

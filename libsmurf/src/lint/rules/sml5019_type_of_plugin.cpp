@@ -16,7 +16,9 @@ void check(const LinkedScene& scene, Findings& findings) {
     const std::string type = entity_type(entity);
     const bool is_of_phobos =
         std::find(std::begin(kPhobosTypes), std::end(kPhobosTypes), type) != std::end(kPhobosTypes);
-    if (!is_of_phobos || has_schema(scene, type)) return;
+    const ModelType* model = model_type(type);
+    const bool is_of_others = model != nullptr && !model->is_of_mars;
+    if ((!is_of_phobos && !is_of_others) || has_schema(scene, type)) return;
     findings.report(type_place(entity), "MARS contains no plug-in for entities of type " +
                                             quoted(type) + " and leaves this entity out");
   });
@@ -33,9 +35,13 @@ extern constinit const Rule sml5019_type_of_plugin{
     .id = "SML5019",
     .name = "type-of-plugin",
     .severity = Severity::info,
-    .summary = "An entity has a type that Phobos writes, but MARS does not know.",
+    .summary = "An entity has a type that MARS does not know: an SDF, an MJCF, or one that Phobos "
+               "writes.",
     .why = "A plug-in may add the type.",
-    .remedy = "Load a plug-in for the type, or use `lights`, a primitive or a URDF instead.",
+    .remedy =
+        "Load a plug-in for the type, or use `lights`, a primitive or a URDF instead. "
+        "`smurf2urdf robot.sdf` and `smurf2urdf robot.xml` make a URDF; these tools read both "
+        "as they are.",
     .check_scene = check,
     .facts = kFacts};
 
