@@ -161,6 +161,12 @@ class Ownership(cli.CliTest):
         names = {one[1].split("`")[3] for one in self.found(".")}
         self.assertEqual(names, {"a_jint", "b_jint"})
 
+    def test_the_path_of_a_missing_parameter_file_is_relative(self):
+        plugin = ('<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+                  "<parameters>$(find bot_description)/config/gone.yaml</parameters></plugin></gazebo></robot>")
+        self.write("bot_description/urdf/bot.urdf.xacro", robot("bot").replace("</robot>", plugin))
+        self.assertIn("the parameter file `bot_description/config/gone.yaml`", self.run_tool(".").stdout)
+
     def test_a_robot_that_cannot_be_expanded_is_compared_by_its_text(self):
         text = robot("bot").replace('name="elbow"', 'name="${prefix}elbow"')
         include = '<xacro:arg name="prefix" default=""/><xacro:include filename="$(find nowhere_description)/x.xacro"/><link name="base"/>'

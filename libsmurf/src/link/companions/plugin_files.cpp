@@ -3,6 +3,7 @@
 #include "link/companions/plugin_files.hpp"
 
 #include "base/files/path.hpp"
+#include "base/files/places.hpp"
 #include "base/text/words.hpp"
 #include "link/companions/places.hpp"
 #include "link/package_search.hpp"
@@ -37,8 +38,8 @@ PluginFile::State state_of(const std::string& path, bool is_found, const FileRea
 }
 
 /// `$(find ...)` is absolute; reports name files in the current folder relative to it.
-std::string shown_path(const std::string& path, const FileReader& files) {
-  const std::string here = files.identity(".") + "/";
+std::string shown_path(const std::string& path) {
+  const std::string here = path::normalize(places::absolute(".")) + "/";
   return here.size() > 1 && path.starts_with(here) ? path.substr(here.size()) : path;
 }
 
@@ -74,8 +75,7 @@ std::vector<PluginFile> plugin_files_of(const LinkedModel& model, LoadContext& c
         const std::string written(trimmed(one.text()));
         const std::string path = resolved(written, model, context);
         if (one.name() != "parameters" || path.empty()) continue;
-        found.push_back(
-            {one.id(), shown_path(path, files), state_of(path, path != written, files)});
+        found.push_back({one.id(), shown_path(path), state_of(path, path != written, files)});
       }
     }
   }
