@@ -165,6 +165,16 @@ class Content(ConfigTest):
         self.assertNotIn("SML1604", [f[1] for f in self.findings("robots/box.urdf")])
         self.assertIn("SML1604", [f[1] for f in self.findings("--package", "shapes=robots", "robots/box.urdf")])
 
+    def test_a_mesh_below_find_has_an_address(self):
+        self.write("shapes/package.xml", cli.package("shapes"))
+        self.write("shapes/cube.stl", "solid cube\nendsolid cube\n")
+        self.write("shapes/urdf/box.xacro", '<robot name="box" xmlns:xacro="x"><link name="box"><visual><geometry>'
+                                            '<mesh filename="$(find shapes)/cube.stl"/></geometry></visual></link></robot>')
+        for path in ("shapes/urdf/box.xacro", self.folder / "shapes/urdf/box.xacro"):
+            done = self.expect(0, "--select", "SML1607", path)
+            self.assertIn("RViz and MoveIt do not open `/", done.stdout)
+            self.assertIn("help: write `package://shapes/cube.stl`\n", done.stdout)
+
     def xacro_findings(self, *arguments):
         report = json.loads(self.expect(None, "--format", "json", "--select", "SML15,SML33,SML9", *arguments).stdout)
         return [(d["id"], d.get("line"), sorted(note for note in d.get("notes", []) if note.startswith("with ")))

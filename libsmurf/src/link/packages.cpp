@@ -28,8 +28,13 @@ std::string Packages::address_of(const std::string& path) {
     const std::string& folder = folders_[i];
     const std::string& name = package_name(folder);
     if (name.empty()) continue;
-    const std::string rest = path::relative(path, folder);
-    return rest.empty() || rest.starts_with("..") ? "" : "package://" + name + "/" + rest;
+    // What `$(find NAME)` stands for is absolute, whatever way the robot is named.
+    const bool is_absolute = path::is_absolute(path) && !path::is_absolute(folder);
+    const std::string rest =
+        is_absolute ? path::relative(context_.files.identity(path), context_.files.identity(folder))
+                    : path::relative(path, folder);
+    const bool is_inside = !rest.empty() && !rest.starts_with("..") && !path::is_absolute(rest);
+    return is_inside ? "package://" + name + "/" + rest : "";
   }
   return {};
 }

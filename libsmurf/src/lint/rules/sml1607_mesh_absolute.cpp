@@ -6,6 +6,7 @@
 #include "lint/mesh_queries.hpp"
 #include "lint/ros_paths.hpp"
 #include "readers/circumstances.hpp"
+#include "smurf/xacro.hpp"
 
 namespace smurf::rules::sml1607_mesh_absolute_file {
 namespace {
@@ -20,8 +21,13 @@ void check(const LinkedModel& model, Findings& findings) {
   }
   for (const auto& [folder, files] : by_folder) {
     const MeshReference& first = files.front()->first();
-    Diagnostic& diagnostic = findings.report(first.span, "the path " + quoted(first.filename) +
-                                                             " exists on one machine only");
+    // What `$(find PACKAGE)` of a xacro stands for is in a package.
+    const bool is_in_package = first.exists && !first.meant.empty();
+    Diagnostic& diagnostic = findings.report(
+        first.span, is_in_package && xacro::is_xacro_file(model.urdf_path)
+                        ? "RViz and MoveIt do not open " + quoted(first.filename) +
+                              ", which is a path and no address"
+                        : "the path " + quoted(first.filename) + " exists on one machine only");
     // What lies outside of the project is judged as on a machine without it.
     const bool do_all_exist = std::all_of(files.begin(), files.end(), [](const PathUses* path) {
       return path->first().exists && !lies_outside(path->first());
@@ -33,8 +39,6 @@ void check(const LinkedModel& model, Findings& findings) {
     if (files.size() > 1) {
       diagnostic.note("the URDF names " + std::to_string(files.size()) + " files in this folder");
     }
-    // What `$(find PACKAGE)` of a xacro stands for is in a package.
-    const bool is_in_package = first.exists && !first.meant.empty();
     diagnostic.help(is_in_package ? "write " + quoted(first.meant)
                                   : "write `package://NAME/PATH`, or a path relative to the URDF");
   }
