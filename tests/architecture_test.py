@@ -103,7 +103,7 @@ UNPORTABLE = {
 REPLACEMENTS = {"base/ranges.hpp", "base/numbers/bits.hpp", "base/numbers/exact_math.hpp", "base/numbers/exact_math.cpp", "base/numbers/floating.cpp"}
 # Headers of a system, and the only files that include them. std::filesystem behaves differently on Windows than
 # base/files/places.hpp.
-SYSTEM_HEADERS = re.compile(r"(dirent|fcntl|io|poll|shellapi|signal|spawn|unistd|windows|winioctl|winsock2)\.h|(linux|netinet|sys)/.*\.h|filesystem")
+SYSTEM_HEADERS = re.compile(r"(dirent|fcntl|io|link|poll|shellapi|signal|spawn|unistd|windows|winioctl|winsock2)\.h|(linux|netinet|sys)/.*\.h|filesystem")
 SYSTEM_FILES = re.compile(r"src/base/files/(places_posix\.cpp|system(_posix|_windows)?\.[ch]pp|windows_paths\.cpp)|"
                           r"tools/(common/cli/(process|browser)|smurf-view/sockets)_(posix|windows)\.cpp|tools/smurf-load-check/")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -152,36 +153,32 @@ py::object check_in_session(const std::shared_ptr<Session>& self, const py::obje
 /// The robots and scenes of files and folders, each of which is checked by itself.
 struct EachPlan {
   Plan plan;
-  CheckSettings settings;
-  std::vector<EachFile> files;
-  mutable SharedFolder folder;
+  std::optional<EachChecks> checks;
 };
 
 std::shared_ptr<EachPlan> plan_each(const py::object& paths, const py::kwargs& keywords) {
   auto each = std::make_shared<EachPlan>();
-  each->settings = settings_of(keywords);
-  each->settings.jobs = 1;
-  each->settings.remembers = false;
+  const CheckSettings settings = settings_of(keywords);
   const std::vector<std::string> inputs = from_paths(paths);
   run_alone(false, [&] {
     Session session;
-    each->plan = session.plan(inputs, each->settings);
+    each->plan = session.plan(inputs, settings);
   });
   if (!each->plan.problems.empty()) raise_error(each->plan.problems.front(), py::list());
-  each->files = each_file(each->plan);
+  each->checks.emplace(each->plan, settings, Limits{});
   return each;
+}
+
+std::string path_of(const EachPlan& each, std::size_t index) {
+  return each.checks->files().at(index).planned->path;
 }
 
 /// None for a part of robots that was found in a folder.
 py::object check_one(const EachPlan& each, std::size_t index) {
-  const EachFile& file = each.files.at(index);
-  const Plan alone = plan_of(file, each.plan);
-  CheckSettings settings = each.settings;
-  settings.folders = each.folder.of(file);
-  Session session;
-  Report report = run_alone(false, [&] { return session.check(alone, settings); });
-  if (is_only_part(file, report)) return py::none();
-  return to_report(std::move(report), session.sources());
+  EachCheck check = each.checks->of(index);
+  Report report = run_alone(false, [&] { return check.check(); });
+  if (check.is_only_part()) return py::none();
+  return to_report(std::move(report), check.sources());
 }
 
 std::string text_or_bytes(const py::object& text) {
@@ -249,9 +246,9 @@ void bind_session(py::module_& module) {
   module.def("parse_urdf", &parse_urdf, py::arg("text"), py::arg("filename") = py::none(),
              parse_doc.c_str());
   py::class_<EachPlan, std::shared_ptr<EachPlan>>(module, "_EachPlan")
-      .def("__len__", [](const EachPlan& self) { return self.files.size(); })
-      .def("path", [](const EachPlan& self,
-                      std::size_t index) { return to_path(self.files.at(index).planned->path); })
+      .def("__len__", [](const EachPlan& self) { return self.checks->files().size(); })
+      .def("path",
+           [](const EachPlan& self, std::size_t index) { return to_path(path_of(self, index)); })
       .def("check", &check_one);
   module.def("_plan_each", &plan_each);
   py::class_<Session, std::shared_ptr<Session>>(

@@ -256,13 +256,6 @@ std::vector<Option> output_options(LintOptions& options) {
       report_option("format", options.reports),
       output_option(options.output, "Write the report to FILE instead of standard output."),
       {.group = "Output",
-       .name = "resume",
-       .metavar = "FILE",
-       .help =
-           "Write records (--format jsonl) to FILE for robots that have none there: goes on after "
-           "a run that was stopped.",
-       .set = set_text(options.resume)},
-      {.group = "Output",
        .name = "all",
        .help = "With the format full: show all findings, including infos and more than three per "
                "rule and file.",
@@ -393,7 +386,8 @@ Command lint_command(LintOptions& options) {
       "checked.";
   for (std::vector<Option>& group : std::vector<std::vector<Option>>{
            rule_options(options), ignore_options(options), fix_options(options),
-           output_options(options), verdict_options(options), input_options(options)}) {
+           output_options(options), record_options(options), verdict_options(options),
+           input_options(options)}) {
     std::move(group.begin(), group.end(), std::back_inserter(command.options));
   }
   for (Option& option : std::vector<Option>{

@@ -65,6 +65,7 @@ struct LintOptions {
 
   std::vector<ReportRequest> reports;
   std::string resume;  ///< a file with records, to which those of the other robots are added
+  std::string cache;   ///< a folder that keeps records for the next run; "": none
   std::string output;  ///< for reports without a separate file
   bool statistics = false;
   bool shows_all = false;  ///< show all findings in a report for people

@@ -165,54 +165,90 @@ class RecordFile {
 /// The record of one robot, and what the exit code depends on.
 struct Answered {
   std::string line;  ///< "": it is only a part of robots
-  Summary summary;
-  Threshold threshold;
+  std::size_t errors = 0, warnings = 0, infos = 0;
   std::set<std::string> targets;
+  ReportSettings settings;  ///< only what judge() needs
 };
 
-class RecordRun {
- public:
-  RecordRun(const LintOptions& options, const LintPlan& plan, const FileReader& given)
-      : options_(options), plan_(plan), settings_(check_settings(options)) {
-    settings_.jobs = 1;
-    settings_.remembers = false;
-    const std::string& name = plan.standard_input;
-    if (!name.empty()) text_ = given.read(name, options.limits.file_bytes).text;
-  }
+constexpr std::string_view kAnswerForm = "record 1";
+constexpr int kNever = -1;  // of FailOn
 
-  Answered check(const EachFile& file) const {
-    CheckSettings settings = settings_;
-    settings.folders = folder_.of(file);
-    LintPlan alone;
-    static_cast<Plan&>(alone) = plan_of(file, plan_);
-    // A reader of its own: what it remembers about folders and links would grow with the robots.
-    ConfinedFiles files;
-    confine_to_found(files, options_, alone);
-    Session session(files, options_.limits);
-    if (!plan_.standard_input.empty()) session.set_text(plan_.standard_input, text_);
-    Report report = session.check(alone, settings);
-    if (is_only_part(file, report)) return {};
-    if (options_.min_severity) leave_out_below(*options_.min_severity, report);
-    Answered answered;
-    answered.line = render_record({.path = file.planned->path,
+/// An answer for a cache: what is not in the record, and the record.
+std::string text_of(const Answered& one) {
+  nlohmann::json head = {{"errors", one.errors},
+                         {"warnings", one.warnings},
+                         {"infos", one.infos},
+                         {"targets", one.targets}};
+  const ReportSettings& settings = one.settings;
+  if (settings.max_warnings) head["max_warnings"] = *settings.max_warnings;
+  if (settings.fail_on) {
+    const auto least = settings.fail_on->least;
+    head["fail_on"] = least ? static_cast<int>(*least) : kNever;
+  }
+  return head.dump() + '\n' + one.line;
+}
+
+/// None if it is another text.
+std::optional<Answered> answer_in(const std::string& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  try {
+    const nlohmann::json head =
+        nlohmann::json::parse(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end));
+    Answered one;
+    one.line = text.substr(std::min(end + 1, text.size()));
+    one.errors = head.at("errors").get<std::size_t>();
+    one.warnings = head.at("warnings").get<std::size_t>();
+    one.infos = head.at("infos").get<std::size_t>();
+    one.targets = head.at("targets").get<std::set<std::string>>();
+    if (head.contains("max_warnings")) one.settings.max_warnings = head["max_warnings"].get<int>();
+    if (!head.contains("fail_on")) return one;
+    const int least = head["fail_on"].get<int>();
+    one.settings.fail_on.emplace();
+    if (least != kNever) one.settings.fail_on->least = Severity{static_cast<std::uint8_t>(least)};
+    return one;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+/// Those of another form are not found in a cache.
+std::string answer_form(const LintOptions& options) {
+  const auto& least = options.min_severity;
+  return std::string(kAnswerForm) + (least ? " " + std::string(to_string(*least)) : "");
+}
+
+CheckSettings record_settings(const LintOptions& options) {
+  CheckSettings settings = check_settings(options);
+  settings.allows_outside = options.allow_outside;
+  return settings;
+}
+
+/// The check of one robot, or what a cache says about it.
+Answered answer_about(const std::string& path, EachCheck check, const LintOptions& options) {
+  if (const auto known = check.known()) {
+    if (auto answered = answer_in(*known)) return *std::move(answered);
+  }
+  Answered answered;
+  Report report = check.check();
+  if (!check.is_only_part()) {
+    if (options.min_severity) leave_out_below(*options.min_severity, report);
+    answered.line = render_record({.path = path,
                                    .diagnostics = report.diagnostics,
                                    .summary = report.summary,
                                    .targets = report.targets,
-                                   .size = report.size},
-                                  session.sources());
+                                   .size = report.size,
+                                   .digest = check.digest()},
+                                  check.sources());
     for (const TargetVerdict& one : report.targets) answered.targets.emplace(one.reader->name);
-    answered.threshold = merge_run(report.settings, options_).threshold;
-    answered.summary = std::move(report.summary);
-    return answered;
+    answered.errors = report.summary.errors;
+    answered.warnings = report.summary.warnings;
+    answered.infos = report.summary.infos;
+    answered.settings.fail_on = report.settings.fail_on;
+    answered.settings.max_warnings = report.settings.max_warnings;
   }
-
- private:
-  const LintOptions& options_;
-  const LintPlan& plan_;
-  CheckSettings settings_;
-  mutable SharedFolder folder_;
-  std::string text_;  ///< of standard input
-};
+  check.keep(text_of(answered));
+  return answered;
+}
 
 /// Why the records of another run cannot be continued; empty if they can.
 std::string why_not_continued(const OldRecords& old, const std::set<std::string>& targets) {
@@ -235,8 +271,30 @@ bool writes_records(const LintOptions& options) {
          std::any_of(options.reports.begin(), options.reports.end(), is_records);
 }
 
+std::vector<Option> record_options(LintOptions& options) {
+  return {
+      {.group = "Output",
+       .name = "resume",
+       .metavar = "FILE",
+       .help =
+           "Write records (--format jsonl) to FILE for robots that have none there: goes on after "
+           "a run that was stopped.",
+       .set = set_text(options.resume)},
+      {.group = "Output",
+       .name = "cache",
+       .metavar = "DIR",
+       .help =
+           "Keep records (--format jsonl) in this folder, and check only robots for which a file, the "
+           "settings or the version has changed since.",
+       .set = set_text(options.cache)},
+  };
+}
+
 std::optional<std::string> records_conflict(const LintOptions& options) {
-  if (!writes_records(options)) return std::nullopt;
+  if (!writes_records(options)) {
+    if (options.cache.empty()) return std::nullopt;
+    return "--cache keeps records; add --format jsonl or --resume FILE";
+  }
   const bool is_resumed = !options.resume.empty();
   if (is_resumed && (!options.reports.empty() || !options.output.empty())) {
     return "--resume FILE says where the records go; leave out --format and --output";
@@ -265,10 +323,12 @@ ExitCode write_records(const LintOptions& options, const LintPlan& plan, const F
                              "another file, or delete it");
     return kFailed;
   }
-  std::vector<EachFile> each = each_file(plan);
-  std::erase_if(each, [&](const EachFile& one) { return old->paths.contains(one.planned->path); });
-
-  const RecordRun run(options, plan, given);
+  EachChecks checks(plan, record_settings(options), options.limits);
+  checks.leave_out([&](const PlannedFile& one) { return old->paths.contains(one.path); });
+  const std::string& name = plan.standard_input;
+  if (!name.empty()) checks.set_text(name, given.read(name, options.limits.file_bytes).text);
+  if (!options.cache.empty()) checks.use_cache(options.cache, answer_form(options));
+  const std::vector<EachFile>& each = checks.files();
   RecordFile out;
   bool is_open = false;
   bool is_failed = false;
@@ -279,7 +339,7 @@ ExitCode write_records(const LintOptions& options, const LintPlan& plan, const F
   for_each_of(
       each.size(), static_cast<unsigned>(options.jobs.value_or(0)),
       [&](std::size_t i) {
-        answers[i] = run.check(each[i]);
+        answers[i] = answer_about(each[i].planned->path, checks.of(i), options);
         progress.advance();
       },
       [&](std::size_t i) {
@@ -290,15 +350,18 @@ ExitCode write_records(const LintOptions& options, const LintPlan& plan, const F
           const std::string reason = why_not_continued(*old, one.targets);
           if (!reason.empty()) complain(kSmurfLint, "'" + place + "' " + reason);
           is_open = reason.empty() && out.open(place, old->bytes);
-          threshold = one.threshold;
+          threshold = merge_run(one.settings, options).threshold;
         }
-        all.errors += one.summary.errors;
-        all.warnings += one.summary.warnings;
-        all.infos += one.summary.infos;
+        all.errors += one.errors;
+        all.warnings += one.warnings;
+        all.infos += one.infos;
         is_failed = !is_open || !out.write(one.line);
         return !is_failed;
       });
   if (!is_open && !is_failed && !out.open(place, old->bytes)) is_failed = true;
+  if (const std::string problem = checks.cache_problem(); !problem.empty()) {
+    complain(kSmurfLint, "--cache: " + problem + "; the records are complete without it");
+  }
   return is_failed || !plan.problems.empty() ? kFailed : judge(all, threshold);
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/cli/command.hpp"
 #include "smurf-lint/lint_plan.hpp"
@@ -13,6 +14,9 @@ namespace smurf::tools {
 
 /// Whether the report is written while robots are checked.
 bool writes_records(const LintOptions& options);
+
+/// --resume and --cache.
+std::vector<Option> record_options(LintOptions& options);
 
 /// Why these options exclude records, which are written while robots are checked; none if they do
 /// not.

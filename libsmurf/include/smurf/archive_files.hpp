@@ -38,6 +38,7 @@ class ArchiveFiles final : public FileReader {
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
   bool is_file(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  void rely_on_list(const std::string& folder, const std::string& digest) const override;
   bool is_denied(const std::string& path) const override;
   std::string identity(const std::string& path) const override;
 

@@ -96,6 +96,8 @@ struct Report {
   std::optional<RobotSize> size;      ///< of the first robot that could be read
   std::vector<std::string> problems;  ///< of the plan
   ReportSettings settings;
+  /// A file took too long, or the check was cancelled: another check may find more.
+  bool is_stopped = false;
 };
 
 struct LoadedWith;

@@ -5,8 +5,9 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "smurf/check.hpp"
@@ -19,27 +20,62 @@ struct EachFile {
   bool is_scene = false;
 };
 
-/// All of them, sorted by path. They point into the plan.
-std::vector<EachFile> each_file(const Plan& plan);
-
-/// What the checks of files in one folder share: each of them would list it again, which takes a
-/// time that grows with the square of their number. Several threads may use it.
-class SharedFolder {
+/// The check of one of them. Use it in one thread.
+class EachCheck {
  public:
-  /// For a file of the plan; ask in their order.
-  std::shared_ptr<CompanionFolders> of(const EachFile& file);
+  ~EachCheck();
+  EachCheck(EachCheck&&) noexcept;
+
+  /// What keep() was given after an earlier check, if it has a cache and everything on which the
+  /// result depends is as it was.
+  std::optional<std::string> known();
+  /// The texts of the findings are in sources(). The report is empty, and is_only_part() true, for
+  /// a file that was found in a folder and is only a part of robots.
+  Report check();
+  bool is_only_part() const;
+  const SourceMap& sources() const;
+  /// The digest of the bytes of the file, as `b2sum --length 256` prints it; "" if it was not read.
+  std::string digest() const;
+  /// Keeps an answer about the result of check() in the cache.
+  void keep(std::string_view answer);
 
  private:
-  std::mutex mutex_;
-  std::string folder_;
-  std::shared_ptr<CompanionFolders> shared_;
+  friend class EachChecks;
+  struct State;
+  explicit EachCheck(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
 };
 
-/// The part of a plan that is about this file.
-Plan plan_of(const EachFile& file, const Plan& plan);
+/// The checks of all files of a plan. Several threads may use it.
+class EachChecks {
+ public:
+  /// The plan must outlive it.
+  EachChecks(const Plan& plan, const CheckSettings& settings, const Limits& limits);
+  ~EachChecks();
+  EachChecks(const EachChecks&) = delete;
+  EachChecks& operator=(const EachChecks&) = delete;
 
-/// Whether the file was found in a folder, and is only a part of robots.
-bool is_only_part(const EachFile& file, const Report& report);
+  /// Call these two before all others. A text that replaces that of a file; nothing is then kept in
+  /// a cache.
+  void set_text(const std::string& path, std::string text);
+  /// Keeps answers in files of a folder, which is made. `form` says what they are: those of another
+  /// form are not found.
+  void use_cache(const std::string& folder, const std::string& form);
+  /// Why the cache is not used, or not added to: "cannot write 'x/y': No space left on device".
+  std::string cache_problem() const;
+
+  /// Sorted by path.
+  const std::vector<EachFile>& files() const;
+  /// Leaves out files.
+  void leave_out(const std::function<bool(const PlannedFile&)>& is_left_out);
+  /// The check of one of the files.
+  EachCheck of(std::size_t index) const;
+
+ private:
+  friend struct EachCheck::State;
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// Calls `check(index)` for every index below `count` on `jobs` threads (0: one for each
 /// processor), and then `take(index)`, in the order of the indices and one at a time, until it

@@ -34,6 +34,9 @@ class FileReader {
   virtual bool is_file(const std::string& path) const = 0;
   /// Names (not paths) of the entries of a folder, sorted; empty if there is no such folder.
   virtual std::vector<std::string> list(const std::string& folder) const = 0;
+  /// Tells readers that note what a result depends on: it depends on a list that somebody else has
+  /// asked for. `digest`: its digest_of_names().
+  virtual void rely_on_list(const std::string& /*folder*/, const std::string& /*digest*/) const {}
   /// True if nothing may be revealed about a path, not even whether a file exists there: `is_file`
   /// is then false, and `read` gives the reason.
   virtual bool is_denied(const std::string&) const { return false; }
@@ -69,6 +72,8 @@ class ConfinedFiles final : public FileReader {
   /// Denies files and folders of this name, in any case, with their contents, anywhere in an
   /// allowed folder. `but` is a path inside that stays allowed; "": none.
   void deny_named(const std::string& name, const std::string& but = {});
+  /// Equal for readers that allow and deny the same.
+  std::string scope() const;
 
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
   bool is_file(const std::string& path) const override;
@@ -100,6 +105,7 @@ class MemoryFiles final : public FileReader {
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
   bool is_file(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  void rely_on_list(const std::string& folder, const std::string& digest) const override;
   bool is_denied(const std::string& path) const override;
   std::string identity(const std::string& path) const override;
 

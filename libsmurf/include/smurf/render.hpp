@@ -136,8 +136,9 @@ struct Record {
   Summary summary{};
   std::span<const TargetVerdict> targets{};
   std::optional<RobotSize> size{};  ///< of a robot that could be read
+  std::string digest{};             ///< of the bytes of the file; "": it was not read
 };
-/// A line of JSON, with its line end: path, ok, what each target does, counts, links, mass,
+/// A line of JSON, with its line end: path, digest, ok, what each target does, counts, links, mass,
 /// findings.
 std::string render_record(const Record& record, const SourceMap& sources);
 

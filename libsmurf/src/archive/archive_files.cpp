@@ -131,6 +131,10 @@ std::vector<std::string> ArchiveFiles::list(const std::string& folder) const {
   return place.archive == nullptr ? behind_.list(folder) : place.archive->files.list(place.inside);
 }
 
+void ArchiveFiles::rely_on_list(const std::string& folder, const std::string& digest) const {
+  if (find(folder, true).archive == nullptr) behind_.rely_on_list(folder, digest);
+}
+
 ArchivedMain main_file_of_archive(const std::string& archive, const FileReader& files) {
   const std::string wanted = "." + path::to_lower(path::extension(archive)).substr(2);
   std::vector<std::string> candidates;

@@ -116,6 +116,7 @@ class Run {
     report.problems = plan.problems;
     report.robots = std::move(robots_);
     report.size = size_;
+    report.is_stopped = is_stopped_ || is_cancelled_;
     if (plan.problems.empty()) return report;
     for (TargetVerdict& verdict : report.targets) {
       verdict.add_unknown(rules::sml0001_unreadable_file, plan.problems.size());
@@ -233,10 +234,11 @@ class Run {
 
   /// False if the file takes too long; the outcome is then only that.
   bool load_in_time(const PlannedFile& planned, const FileReader& files, MeshLibrary& meshes,
-                    Outcome& outcome) const {
+                    Outcome& outcome) {
     return run_in_time(
         settings_.max_seconds, [&] { loader_.load(planned, files, meshes, outcome); },
         [&] {
+          is_stopped_ = true;
           outcome = outcome_out_of_time(planned, identity_of(planned.path), settings_.max_seconds,
                                         memory_.sources);
         });
@@ -355,6 +357,7 @@ class Run {
   std::set<std::string> used_;          ///< paths of the outcomes used here
   std::size_t parsed_bytes_ = 0;        ///< of the texts whose trees are kept
   std::atomic<bool> is_cancelled_ = false;
+  std::atomic<bool> is_stopped_ = false;  ///< a file took too long
   std::atomic<std::size_t> done_ = 0;
   std::size_t expected_ = 0;
   std::vector<const Reader*> targets_;

@@ -161,7 +161,10 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
 
 std::string render_record(const Record& record, const SourceMap& sources) {
   const Summary& summary = record.summary;
-  Json json = {{"path", record.path}, {"ok", summary.errors == 0}, {"loads", Json::object()}};
+  Json json = {{"path", record.path}};
+  if (!record.digest.empty()) json["digest"] = record.digest;
+  json["ok"] = summary.errors == 0;
+  json["loads"] = Json::object();
   for (const TargetVerdict& target : record.targets) {
     json["loads"][std::string(target.reader->name)] = text(to_string(target.answer()));
   }

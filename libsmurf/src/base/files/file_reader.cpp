@@ -210,6 +210,15 @@ void ConfinedFiles::deny_named(const std::string& name, const std::string& but) 
   reset_ways();
 }
 
+std::string ConfinedFiles::scope() const {
+  std::string text = allowed_->everything ? "all\n" : "";
+  for (const std::string& path : allowed_->whole) text += "in " + path + "\n";
+  for (const std::string& path : allowed_->files_in) text += "files " + path + "\n";
+  for (const auto& [name, folder] : allowed_->named) text += "named " + name + "/" + folder + "\n";
+  for (const auto& [name, but] : allowed_->denied) text += "not " + name + "/" + but + "\n";
+  return text;
+}
+
 bool ConfinedFiles::is_denied(const std::string& path) const {
   if (allowed_->everything || has_zero(path)) return false;
   const auto place = place_of(path, *ways_);
@@ -284,6 +293,10 @@ bool MemoryFiles::is_denied(const std::string& path) const {
 
 std::string MemoryFiles::identity(const std::string& path) const {
   return behind_ == nullptr ? path::normalize(path) : behind_->identity(path);
+}
+
+void MemoryFiles::rely_on_list(const std::string& folder, const std::string& digest) const {
+  if (behind_ != nullptr) behind_->rely_on_list(folder, digest);
 }
 
 std::vector<std::string> MemoryFiles::list(const std::string& folder) const {

@@ -154,6 +154,10 @@ class HeldSignals {
 /// the time of a clock that never goes back.
 double thread_seconds();
 
+/// A text that is another one for each build of the program or module that has this code; "" if
+/// this cannot be told.
+std::string program_identity();
+
 /// The reason for a value of errno.
 std::string error_text(int error);
 

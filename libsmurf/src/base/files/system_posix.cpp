@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -16,6 +17,11 @@
 #if defined(__linux__) && __has_include(<linux/openat2.h>)
 #include <linux/openat2.h>
 #include <sys/syscall.h>
+#endif
+
+#if defined(__linux__) && __has_include(<link.h>)
+#include <link.h>
+#define SMURF_HAS_BUILD_ID
 #endif
 
 #include "base/files/path.hpp"
@@ -179,6 +185,61 @@ double thread_seconds() {
   if (::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) ::clock_gettime(CLOCK_MONOTONIC, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
+
+#ifdef SMURF_HAS_BUILD_ID
+namespace {
+
+/// The number that the linker gives each build (--build-id), which is in a note of it.
+std::string build_id_of(const dl_phdr_info& info) {
+  for (std::size_t i = 0; i < info.dlpi_phnum; ++i) {
+    const ElfW(Phdr)& part = info.dlpi_phdr[i];
+    if (part.p_type != PT_NOTE) continue;
+    std::string_view notes(reinterpret_cast<const char*>(info.dlpi_addr + part.p_vaddr),
+                           part.p_memsz);
+    ElfW(Nhdr) note;
+    while (notes.size() >= sizeof note) {
+      std::memcpy(&note, notes.data(), sizeof note);
+      const auto aligned = [](std::size_t size) { return (size + 3) / 4 * 4; };
+      const std::size_t text = sizeof note + aligned(note.n_namesz);
+      const std::size_t end = text + aligned(note.n_descsz);
+      if (end > notes.size()) break;
+      const bool is_of_gnu = notes.substr(sizeof note, note.n_namesz) == std::string_view("GNU", 4);
+      if (note.n_type == NT_GNU_BUILD_ID && is_of_gnu) {
+        return std::string(notes.substr(text, note.n_descsz));
+      }
+      notes.remove_prefix(end);
+    }
+  }
+  return {};
+}
+
+struct SearchedCode {
+  ElfW(Addr) address = 0;
+  std::string build_id;
+};
+
+int look_for_code(dl_phdr_info* info, std::size_t /*size*/, void* data) {
+  auto& searched = *static_cast<SearchedCode*>(data);
+  for (std::size_t i = 0; i < info->dlpi_phnum; ++i) {
+    const ElfW(Phdr)& part = info->dlpi_phdr[i];
+    const ElfW(Addr) begin = info->dlpi_addr + part.p_vaddr;
+    if (part.p_type != PT_LOAD || searched.address - begin >= part.p_memsz) continue;
+    searched.build_id = build_id_of(*info);
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string program_identity() {
+  SearchedCode searched{reinterpret_cast<ElfW(Addr)>(&look_for_code), {}};
+  ::dl_iterate_phdr(look_for_code, &searched);
+  return searched.build_id;
+}
+#else
+std::string program_identity() { return {}; }
+#endif
 
 const char* home() { return std::getenv("HOME"); }
 

@@ -395,6 +395,17 @@ double thread_seconds() {
   return seconds(kernel) + seconds(user);
 }
 
+// The modules of Python are not built for Windows: the code is that of the program.
+std::string program_identity() {
+  std::wstring name(path::kLongest, L'\0');
+  const DWORD size = ::GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size()));
+  name.resize(size);
+  Status status{};
+  if (size == 0 || stat(from_windows(name).c_str(), &status) != 0) return {};
+  return std::to_string(status.st_size) + " " + std::to_string(status.st_mtim.tv_sec) + "." +
+         std::to_string(status.st_mtim.tv_nsec) + " " + std::to_string(status.st_ino);
+}
+
 const char* home() {
   static const std::string folder = [] {
     const wchar_t* variable = ::_wgetenv(L"USERPROFILE");

@@ -23,6 +23,11 @@ inline std::uint32_t read_uint32(std::string_view bytes, std::size_t offset) {
   return b[0] | std::uint32_t{b[1]} << 8U | std::uint32_t{b[2]} << 16U | std::uint32_t{b[3]} << 24U;
 }
 
+/// Precondition: offset + 8 <= bytes.size().
+inline std::uint64_t read_uint64(std::string_view bytes, std::size_t offset) {
+  return read_uint32(bytes, offset) | std::uint64_t{read_uint32(bytes, offset + 4)} << 32U;
+}
+
 inline std::int32_t read_int32(std::string_view bytes, std::size_t offset) {
   return static_cast<std::int32_t>(read_uint32(bytes, offset));
 }

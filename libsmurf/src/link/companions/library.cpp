@@ -8,6 +8,7 @@
 
 #include "ast/companions/srdf_reader.hpp"
 #include "base/files/path.hpp"
+#include "base/numbers/digest.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/suggest.hpp"
 #include "link/companions/companion_names.hpp"
@@ -204,9 +205,15 @@ const NamesInFolder& CompanionFolders::names_in(const std::string& folder,
   const std::string key = path::normalize(folder);
   {
     const std::lock_guard lock(mutex_);
-    if (const auto known = folders_.find(key); known != folders_.end()) return known->second;
+    if (const auto known = folders_.find(key); known != folders_.end()) {
+      files.rely_on_list(folder, known->second.digest);
+      return known->second;
+    }
   }
-  NamesInFolder found = names_of(files.list(folder));
+  std::vector<std::string> names = files.list(folder);
+  std::string digest = digest_of_names(names);
+  NamesInFolder found = names_of(std::move(names));
+  found.digest = std::move(digest);
   const std::lock_guard lock(mutex_);
   return folders_.emplace(key, std::move(found)).first->second;
 }

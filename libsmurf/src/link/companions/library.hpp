@@ -41,6 +41,7 @@ struct NearCompanion {
 /// The names of files in a folder that may be companions or robots.
 struct NamesInFolder {
   std::vector<std::string> companions, urdfs, xacros;  ///< an SRDF in xacro is in two of them
+  std::string digest;                                  ///< of all names
 };
 
 /// What folders have, of which each robot in them asks for it. Several threads may use it.
