@@ -169,16 +169,58 @@ std::shared_ptr<EachPlan> plan_each(const py::object& paths, const py::kwargs& k
   return each;
 }
 
-std::string path_of(const EachPlan& each, std::size_t index) {
-  return each.checks->files().at(index).planned->path;
+/// The check of one of them.
+struct OneOfPlan {
+  std::shared_ptr<EachPlan> plan;
+  std::optional<EachCheck> check;
+  std::optional<RobotSize> size;
+};
+
+std::shared_ptr<OneOfPlan> one_of(const std::shared_ptr<EachPlan>& plan, std::size_t index) {
+  auto one = std::make_shared<OneOfPlan>(OneOfPlan{plan, std::nullopt, std::nullopt});
+  run_alone(false, [&] { one->check.emplace(plan->checks->of(index)); });
+  return one;
 }
 
 /// None for a part of robots that was found in a folder.
-py::object check_one(const EachPlan& each, std::size_t index) {
-  EachCheck check = each.checks->of(index);
-  Report report = run_alone(false, [&] { return check.check(); });
-  if (check.is_only_part()) return py::none();
-  return to_report(std::move(report), check.sources());
+py::object check_one(OneOfPlan& one) {
+  Report report = run_alone(false, [&] { return one.check->check(); });
+  one.size = report.size;
+  if (one.check->is_only_part()) return py::none();
+  return to_report(std::move(report), one.check->sources());
+}
+
+void bind_each(py::module_& module) {
+  py::class_<OneOfPlan, std::shared_ptr<OneOfPlan>>(module, "_OneOfPlan")
+      .def("known",
+           [](OneOfPlan& self) -> py::object {
+             const auto known = run_alone(false, [&] { return self.check->known(); });
+             if (!known) return py::none();
+             return py::bytes(*known);
+           })
+      .def("check", &check_one)
+      .def("keep",
+           [](OneOfPlan& self, const std::string& answer) {
+             run_alone(false, [&] { self.check->keep(answer); });
+           })
+      .def("digest", [](const OneOfPlan& self) { return self.check->digest(); })
+      .def("size", [](const OneOfPlan& self) -> py::object {
+        if (!self.size) return py::none();
+        return py::make_tuple(self.size->links, self.size->mass);
+      });
+  py::class_<EachPlan, std::shared_ptr<EachPlan>>(module, "_EachPlan")
+      .def("__len__", [](const EachPlan& self) { return self.checks->files().size(); })
+      .def("path",
+           [](const EachPlan& self, std::size_t index) {
+             return to_path(self.checks->files().at(index).planned->path);
+           })
+      .def("of", &one_of)
+      .def("use_cache",
+           [](EachPlan& self, const py::object& folder, const std::string& form) {
+             self.checks->use_cache(from_path(folder), form);
+           })
+      .def("cache_problem", [](const EachPlan& self) { return self.checks->cache_problem(); });
+  module.def("_plan_each", &plan_each);
 }
 
 std::string text_or_bytes(const py::object& text) {
@@ -245,12 +287,7 @@ void bind_session(py::module_& module) {
              scene_doc.c_str());
   module.def("parse_urdf", &parse_urdf, py::arg("text"), py::arg("filename") = py::none(),
              parse_doc.c_str());
-  py::class_<EachPlan, std::shared_ptr<EachPlan>>(module, "_EachPlan")
-      .def("__len__", [](const EachPlan& self) { return self.checks->files().size(); })
-      .def("path",
-           [](const EachPlan& self, std::size_t index) { return to_path(path_of(self, index)); })
-      .def("check", &check_one);
-  module.def("_plan_each", &plan_each);
+  bind_each(module);
   py::class_<Session, std::shared_ptr<Session>>(
       module, "Session",
       "Files on the disk with unsaved texts in front of them, for editors: a second check reads "

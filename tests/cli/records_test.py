@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """--format jsonl and --resume: a line for each robot, which says what a check of that robot alone says."""
+import hashlib
 import json
 import pathlib
 import random
@@ -46,6 +47,7 @@ class Records(cli.CliTest):
             self.assertEqual(one["counts"]["errors"], alone["summary"]["error"])
             self.assertEqual(one["ok"], alone["summary"]["error"] == 0)
             self.assertEqual(one["links"], 3)
+            self.assertEqual(one["digest"], hashlib.blake2b((self.folder / one["path"]).read_bytes(), digest_size=32).hexdigest())
         for jobs in (1, 3):
             self.assertEqual(self.records("--target", "mujoco,drake", "-j", jobs, "robots"), records)
 

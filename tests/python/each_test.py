@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """check_each() says what check() says, keeps nothing, and its records and reports cross processes."""
+import hashlib
 import importlib.util
 import json
 import os
@@ -51,6 +52,11 @@ def test_each_is_what_a_check_says(tmp_path):
         assert record.loads == {verdict.target: verdict.answer for verdict in report.targets}
         assert record.counts["errors"] == report.errors and record.ok == (report.errors == 0)
         assert pickle.loads(pickle.dumps(record)) == record
+        bytes_of_robot = pathlib.Path(record.path).read_bytes()
+        assert record.digest == hashlib.blake2b(bytes_of_robot, digest_size=32).hexdigest()
+        model = smurf.load_model(record.path)
+        assert (record.links, record.mass) == (len(model.links), sum(
+            link.inertial.mass or 0 for link in model.links if link.inertial))
     assert list(smurf.check_each(tmp_path, jobs=1)) == list(smurf.check_each([tmp_path], jobs=2))
     left = {record.path for record in records[5:]}
     assert [record.path for record in smurf.check_each(tmp_path, skip=left)] == [record.path for record in records[:5]]
@@ -63,6 +69,43 @@ def test_each_is_what_a_check_says(tmp_path):
         smurf.check_each(tmp_path, target=["mujoco"])
     with pytest.raises(ValueError):
         smurf.check_each(tmp_path, jobs=0)
+
+
+def test_a_cache_changes_no_record(tmp_path):
+    robots, cache = tmp_path / "robots", tmp_path / "cache"
+    write_robots(robots, 30)
+    (robots / "part.xacro").write_text(
+        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="m" params="a"><link name="${a}"/></xacro:macro></robot>')
+    settings = {"targets": ["mujoco"], "jobs": 2}
+    fresh = list(smurf.check_each(robots, **settings))
+    assert list(smurf.check_each(robots, cache=cache, **settings)) == fresh
+    file, = cache.glob("*.smurf-checks")
+    lines = file.read_bytes().count(b"\n")
+    assert lines >= 31
+    for _ in range(2):
+        assert list(smurf.check_each(robots, cache=str(cache), **settings)) == fresh
+        assert file.read_bytes().count(b"\n") == lines  # nothing was checked again
+    time.sleep(2.1)  # the stamps are then enough
+    for _ in range(2):
+        assert list(smurf.check_each(robots, cache=cache, **settings)) == fresh
+    (robots / "00003" / "robot.urdf").write_text("<robot/>")
+    changed = list(smurf.check_each(robots, **settings))
+    assert changed != fresh
+    assert list(smurf.check_each(robots, cache=cache, **settings)) == changed
+    assert list(smurf.check_each(robots, cache=cache)) == list(smurf.check_each(robots))
+    # An answer of another form, with the digest of the line.
+    lines = file.read_bytes().splitlines(keepends=True)
+    for text in (b"[1]\t", b'{"path":1}\t', b"{\t", b'{"findings":[{"place":{}}]}\t'):
+        forged = [lines[0]]
+        for line in lines[1:]:
+            key = line[:32]
+            check = hashlib.blake2b(key + text, digest_size=32).hexdigest()[:32].encode()
+            forged.append(key + b" " + check + b" " + text + b"\n")
+        file.write_bytes(b"".join(forged))
+        assert list(smurf.check_each(robots, cache=cache, **settings)) == changed
+    (tmp_path / "file").write_text("")
+    with pytest.warns(RuntimeWarning, match="cannot write"):
+        assert list(smurf.check_each(robots, cache=tmp_path / "file", **settings)) == changed
 
 
 def test_reports_are_pickled(tmp_path):
@@ -88,13 +131,15 @@ def test_reports_are_pickled(tmp_path):
 def test_batches(tmp_path):
     write_robots(tmp_path, 25)
     records = list(smurf.check_each(tmp_path, targets=["mujoco"]))
-    batches = list(smurf.check_batches(tmp_path, targets=["mujoco"], size=10))
+    batches = list(smurf.check_batches(tmp_path, targets=["mujoco"], size=10, cache=tmp_path / "cache"))
+    assert list(smurf.check_batches(tmp_path, targets=["mujoco"], size=10, cache=tmp_path / "cache")) == batches
     assert [len(batch) for batch in batches] == [10, 10, 5]
     assert len({batch.schema for batch in batches}) == 1
     rows = [row for batch in batches for row in batch.to_pylist()]
     for row, record in zip(rows, records):
         assert (row["path"], row["ok"], row["loads_mujoco"]) == (record.path, record.ok, record.loads["mujoco"])
         assert {name: row[name] for name in record.counts} == record.counts
+        assert (row["digest"], row["links"], row["mass"]) == (record.digest, record.links, record.mass)
         assert [(one["id"], one["line"], one["message"]) for one in row["findings"]] == [
             (one.id, one.place.line, one.message) for one in record.findings]
 
