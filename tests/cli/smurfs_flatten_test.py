@@ -50,6 +50,16 @@ class FlattenTest(cli.CliTest):
 
 
 class Result(FlattenTest):
+    def test_a_body_of_mjcf_has_at_most_six_joints(self):
+        solid = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+        links = "".join(f'<link name="l{i}">{solid if i in (0, 8) else ""}</link>' for i in range(9))
+        joints = "".join(f'<joint name="j{i}" type="continuous"><parent link="l{i}"/><child link="l{i + 1}"/><axis xyz="0 0 1"/></joint>'
+                         for i in range(8))
+        self.write("chain.urdf", f'<robot name="chain">{links}{joints}</robot>')
+        self.expect(0, "--force", "--format", "mjcf", "-o", "chain.xml", "chain.urdf")
+        bodies = xml.etree.ElementTree.parse(self.folder / "chain.xml").iter("body")
+        self.assertEqual([count for body in bodies if (count := len(body.findall("joint")))], [6, 2])
+
     def test_instances(self):
         flat = self.flat("scene.smurfs")
         self.assertEqual(flat["schema_version"], "1.0")

@@ -8,6 +8,8 @@ std::size_t child_of(const LinkedModel& model, JointIndex joint) {
   return to_size(*model.tree.joint_child[to_size(joint)]);
 }
 
+constexpr std::size_t kMostJoints = 6;  // MuJoCo refuses a body with more
+
 /// Whether an importer needed a link for a joint that is beside the frame of its body. A link that
 /// an author named stays: it may be massless in MuJoCo, if a link with mass is fixed to it.
 bool is_made(const LinkedModel& model, std::size_t link, const urdf::Joint& joint,
@@ -28,6 +30,7 @@ JointChain joint_chain(const LinkedModel& model, std::size_t link, const KeptPar
   while (is_bare(model, chain.link, kept) && model.tree.child_joints[chain.link].size() == 1) {
     const JointIndex below = model.tree.child_joints[chain.link].front();
     const urdf::Joint& joint = model.joint(below);
+    if (joint.has_one_axis() && chain.parts.size() == kMostJoints) break;
     if (!joint.has_one_axis() && !is_made(model, chain.link, joint, child_of(model, below))) break;
     const Pose X = urdf::to_pose(joint.origin);
     for (JointChain::Part& part : chain.parts) part.X_BJ = inverse(X) * part.X_BJ;

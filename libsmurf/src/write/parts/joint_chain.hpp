@@ -19,8 +19,8 @@ struct JointChain {
   std::vector<Part> parts;
 };
 
-/// The joints from that above `link` to the first link which is more than a frame. One joint, if
-/// that does not move.
+/// The joints from that above `link` to the first link which is more than a frame, at most six. One
+/// joint, if that does not move.
 JointChain joint_chain(const LinkedModel& model, std::size_t link, const KeptParts& kept);
 
 /// Whether a link that is fixed to this one, or to such a link, has a mass.
