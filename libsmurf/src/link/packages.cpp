@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/files/path.hpp"
+#include "base/files/places.hpp"
 #include "base/text/words.hpp"
 #include "link/package_manifest.hpp"
 #include "smurf/xacro.hpp"
@@ -31,8 +32,7 @@ std::string Packages::address_of(const std::string& path) {
     // What `$(find NAME)` stands for is absolute, whatever way the robot is named.
     const bool is_absolute = path::is_absolute(path) && !path::is_absolute(folder);
     const std::string rest =
-        is_absolute ? path::relative(context_.files.identity(path), context_.files.identity(folder))
-                    : path::relative(path, folder);
+        path::relative(path, is_absolute ? path::normalize(places::absolute(folder)) : folder);
     const bool is_inside = !rest.empty() && !rest.starts_with("..") && !path::is_absolute(rest);
     return is_inside ? "package://" + name + "/" + rest : "";
   }
