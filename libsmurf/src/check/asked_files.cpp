@@ -6,7 +6,9 @@
 namespace smurf {
 namespace {
 
-constexpr std::size_t kShort = 16;           // bytes of a digest
+constexpr std::size_t kShort = 16;  // bytes of a digest
+// Where packages are looked for in a whole workspace, to ask again takes as long as a check.
+constexpr std::size_t kMostPaths = 2'000;
 constexpr std::size_t kMostFolders = 1'000;  // whose digests are remembered
 
 std::string in_a_letter(bool is_true) { return is_true ? "y" : "n"; }
@@ -82,25 +84,29 @@ std::string ListDigests::of(const std::string& folder, const std::string& scope,
 }
 
 /// Call it before a question is asked: the stamp must not be newer than the answer.
-AskedPath& AskedFiles::at(const std::string& path) const {
+void AskedFiles::begin(const std::string& path) const {
   const auto [known, is_new] = asked_.try_emplace(path);
   if (is_new) known->second = {path, stamps_.of(path), {}};
-  return known->second;
+  if (asked_.size() <= kMostPaths) return;
+  notes_all_ = false;
+  is_complete_ = false;
+  asked_.clear();
 }
 
 void AskedFiles::note(AskedKind kind, const std::string& path, std::uint64_t max_bytes,
                       std::string answer) const {
-  AskedPath& one = at(path);
-  for (const AskedQuestion& known : one.questions) {
+  const auto one = asked_.find(path);
+  if (one == asked_.end()) return;  // there are too many
+  for (const AskedQuestion& known : one->second.questions) {
     if (known.kind != kind || known.max_bytes != max_bytes) continue;
-    is_consistent_ = is_consistent_ && known.answer == answer;
+    is_complete_ = is_complete_ && known.answer == answer;
     return;
   }
-  one.questions.push_back({kind, max_bytes, std::move(answer)});
+  one->second.questions.push_back({kind, max_bytes, std::move(answer)});
 }
 
 FileContent AskedFiles::read(const std::string& path, std::uint64_t max_bytes) const {
-  if (notes_all_) at(path);
+  if (notes_all_) begin(path);
   FileContent content = files_.read(path, max_bytes);
   const bool is_own = path == own_ && content.status == ReadStatus::ok;
   if (!notes_all_ && !is_own) return content;
@@ -112,38 +118,41 @@ FileContent AskedFiles::read(const std::string& path, std::uint64_t max_bytes) c
 }
 
 bool AskedFiles::is_file(const std::string& path) const {
-  if (notes_all_) at(path);
+  if (notes_all_) begin(path);
   const bool answer = files_.is_file(path);
   if (notes_all_) note(AskedKind::is_file, path, 0, in_a_letter(answer));
   return answer;
 }
 
 std::vector<std::string> AskedFiles::list(const std::string& folder) const {
+  if (notes_all_) begin(folder);
   std::vector<std::string> names = files_.list(folder);
   if (notes_all_) note(AskedKind::list, folder, 0, digest_of_names(names));
   return names;
 }
 
 void AskedFiles::rely_on_list(const std::string& folder, const std::string& digest) const {
-  if (notes_all_) note(AskedKind::list, folder, 0, digest);
+  if (!notes_all_) return;
+  begin(folder);
+  note(AskedKind::list, folder, 0, digest);
 }
 
 bool AskedFiles::is_denied(const std::string& path) const {
-  if (notes_all_) at(path);
+  if (notes_all_) begin(path);
   const bool answer = files_.is_denied(path);
   if (notes_all_) note(AskedKind::is_denied, path, 0, in_a_letter(answer));
   return answer;
 }
 
 std::string AskedFiles::identity(const std::string& path) const {
-  if (notes_all_) at(path);
+  if (notes_all_) begin(path);
   std::string answer = files_.identity(path);
   if (notes_all_) note(AskedKind::identity, path, 0, answer);
   return answer;
 }
 
 std::optional<std::vector<AskedPath>> AskedFiles::asked() const {
-  if (!is_consistent_) return std::nullopt;
+  if (!is_complete_) return std::nullopt;
   Identities identities;
   std::vector<AskedPath> all;
   for (const auto& [path, one] : asked_) {

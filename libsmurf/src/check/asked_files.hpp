@@ -67,22 +67,22 @@ class AskedFiles final : public FileReader {
 
   /// Of the own file, if it was read.
   const std::optional<Digest>& own_digest() const { return own_digest_; }
-  /// All questions, sorted by path; none if one question had two answers, because a file has
-  /// changed meanwhile.
+  /// All questions, sorted by path; none if there are too many, or if one question had two answers,
+  /// because a file has changed meanwhile.
   std::optional<std::vector<AskedPath>> asked() const;
 
  private:
-  AskedPath& at(const std::string& path) const;
+  void begin(const std::string& path) const;
   void note(AskedKind kind, const std::string& path, std::uint64_t max_bytes,
             std::string answer) const;
 
   const FileReader& files_;
   std::string own_;
-  bool notes_all_;
+  mutable bool notes_all_;
   mutable PlaceStamps stamps_;
   mutable std::optional<Digest> own_digest_;
   mutable std::map<std::string, AskedPath> asked_;
-  mutable bool is_consistent_ = true;
+  mutable bool is_complete_ = true;  ///< else asked() has none
 };
 
 enum class AskedAgain : std::uint8_t {
