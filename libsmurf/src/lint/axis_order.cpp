@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lint/body.hpp"
+#include "link/shape_solids.hpp"
 #include "lint/inertia_slips.hpp"
 #include "lint/model_answers.hpp"
 
