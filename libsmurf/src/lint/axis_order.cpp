@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lint/body.hpp"
 #include "link/shape_solids.hpp"
+#include "lint/body.hpp"
 #include "lint/inertia_slips.hpp"
 #include "lint/model_answers.hpp"
 

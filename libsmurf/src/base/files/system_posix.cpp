@@ -203,7 +203,8 @@ std::string build_id_of(const dl_phdr_info& info) {
       const std::size_t text = sizeof note + aligned(note.n_namesz);
       const std::size_t end = text + aligned(note.n_descsz);
       if (end > notes.size()) break;
-      const bool is_of_gnu = notes.substr(sizeof note, note.n_namesz) == std::string_view("GNU\0", 4);
+      const bool is_of_gnu =
+          notes.substr(sizeof note, note.n_namesz) == std::string_view("GNU\0", 4);
       if (note.n_type == NT_GNU_BUILD_ID && is_of_gnu) {
         return std::string(notes.substr(text, note.n_descsz));
       }
