@@ -70,7 +70,8 @@ class TieReader {
   void gather(const std::string& path, int depth, StatedTie& tie, std::set<std::string>& robots,
               std::set<std::string>& seen) {
     constexpr int kDeepest = 3;
-    if (depth > kDeepest || !seen.insert(path).second) return;
+    constexpr std::size_t kMostFiles = 50;  // a file that brings up a whole robot includes some ten
+    if (depth > kDeepest || seen.size() == kMostFiles || !seen.insert(path).second) return;
     const Launch& launch = launch_of(path);
     robots.insert(launch.robots.begin(), launch.robots.end());
     tie.files.insert(tie.files.end(), launch.files.begin(), launch.files.end());
