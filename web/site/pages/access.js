@@ -3,7 +3,9 @@
 // code, and a focus for what can be scrolled.
 function label(root) {
   root.querySelector(".md-search")?.setAttribute("aria-label", "Search");
-  root.querySelectorAll(".md-code__nav").forEach((nav, index) => nav.setAttribute("aria-label", `Code ${index + 1}`));
+  root
+    .querySelectorAll(".md-code__nav")
+    .forEach((nav, index) => nav.setAttribute("aria-label", `Code ${index + 1}`));
   for (const one of root.querySelectorAll(".highlight code, pre code, .md-typeset__scrollwrap")) {
     if (one.scrollWidth > one.clientWidth) one.tabIndex = 0;
   }

@@ -44,7 +44,10 @@ function part_of(table) {
 function add_bar(tables) {
   const rows = tables.flatMap(rows_of);
   if (rows.length < MOST_ROWS) return;
-  const field = Object.assign(document.createElement("input"), { type: "search", placeholder: "Filter the rows of this page" });
+  const field = Object.assign(document.createElement("input"), {
+    type: "search",
+    placeholder: "Filter the rows of this page",
+  });
   field.setAttribute("aria-label", field.placeholder);
   const lists = CHOSEN.flatMap((column) => list_of(column, rows));
   const count = document.createElement("span");
