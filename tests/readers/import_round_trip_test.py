@@ -28,7 +28,8 @@ ROBOT = """<mujoco model="bot"><worldbody>
     <body name="arm" pos="0 0 .2"><joint name="b" axis="0 1 0"/><geom type="capsule" size=".03" fromto="0 0 0 .3 0 0"/>
       <site name="tip" pos=".3 0 0"/><camera name="eye" pos=".1 0 0" fovy="60" resolution="320 240"/>
       <body name="hand" pos=".3 0 0"><joint name="c" axis="0 1 0"/><geom size=".05"/></body></body>
-    <body name="rod" pos="0 0 -.2"><joint name="d" axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 .3 0 0"/></body>
+    <body name="rod" pos="0 0 -.2"><joint name="d" axis="0 1 0" stiffness="3" springref="20"/>
+      <geom type="capsule" size=".02" fromto="0 0 0 .3 0 0"/></body>
   </body></worldbody>
   <contact><exclude body1="base" body2="hand"/></contact>
   <equality><connect name="tie" body1="rod" body2="hand" anchor=".3 0 0"/></equality>
@@ -131,6 +132,9 @@ class RoundTripTest(unittest.TestCase):
         excluded = [{one.get("body1").split("/")[-1], one.get("body2").split("/")[-1]} for one in robot.iter("exclude")]
         self.assertIn({"base", "hand"}, excluded)
         self.assertEqual([one.get("armature") for one in robot.iter("joint") if one.get("armature")], ["0.02"])
+        springs = [(one.get("stiffness"), round(float(one.get("springref")), 6)) for one in robot.iter("joint")
+                   if one.get("stiffness")]
+        self.assertEqual(springs, [("3", 0.349066)])  # 20 degrees
         masks = {one.get("contype") for one in robot.find("worldbody").iter("geom") if one.get("class") == "collision"}
         self.assertEqual(masks, {"1", "2"})
 

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
@@ -33,8 +36,10 @@ class AnnotationWriter {
 
   std::string run() {
     section("motors", "actuator", [&](const Reference& one) { actuator(one); });
+    undriven();
     section("sensors", "sensor", [&](const Reference& one) { sensor(one); });
     masks();
+    contact_settings();
     section("poses", "keyframe", [&](const Reference& one) { keyframe(one); });
     return yaml_.take();
   }
@@ -123,6 +128,27 @@ class AnnotationWriter {
     const auto effort = effort_of(s, reporter_);
     line("  ", "maxEffort", effort ? format_number(*effort) : kNoLimit,
          s.place({"forcerange", "ctrlrange", "gear"}));
+  }
+
+  /// Joints without a motor, which would have their armature.
+  void undriven() {
+    const Joint* first = nullptr;
+    std::size_t count = 0;
+    for (const Body& body : model_.bodies) {
+      for (const Joint& joint : body.joints) {
+        if (joint.type == Joint::Type::free || joint.armature == 0 || driven_.contains(joint.name))
+          continue;
+        if (count++ == 0) first = &joint;
+      }
+    }
+    if (first == nullptr) return;
+    reporter_
+        .report(rules::sml9304_lost_in_urdf, first->settings.place({"armature"}).origin,
+                "an armature of SMURF is that of a motor, so that of " +
+                    (count == 1 ? "joint " + quoted(first->name)
+                                : std::to_string(count) + " joints without one") +
+                    " is lost")
+        .help("keep the MJCF for it");
   }
 
   /// Sensors of joints and links; those with a place on a link are in `<gazebo>`.
@@ -236,6 +262,38 @@ class AnnotationWriter {
         line("  ", "bitmask", std::to_string(geom.contype), place);
       }
     }
+  }
+
+  /// How shapes that touch resist each other.
+  void contact_settings() {
+    constexpr std::string_view kNames[] = {"friction", "condim",   "solref", "solimp",
+                                           "margin",   "priority", "solmix", "gap"};
+    std::vector<std::string> lost;
+    Span place;
+    std::size_t count = 0;
+    for (const Body& body : model_.bodies) {
+      for (const Geom& geom : body.geoms) {
+        if (!touches(geom)) continue;
+        bool has_one = false;
+        for (const std::string_view name : kNames) {
+          const Attribute* set = geom.settings.find(name);
+          if (set == nullptr) continue;
+          has_one = true;
+          if (place.empty()) place = set->value_span();
+          if (std::find(lost.begin(), lost.end(), name) == lost.end()) lost.emplace_back(name);
+        }
+        if (has_one) ++count;
+      }
+    }
+    if (lost.empty()) return;
+    std::string names;
+    for (std::size_t i = 0; i < lost.size(); ++i)
+      names += (i == 0 ? "" : i + 1 == lost.size() ? " and " : ", ") + quoted(lost[i]);
+    reporter_
+        .report(rules::sml9304_lost_in_urdf, place,
+                "SMURF has no settings for contacts of MuJoCo, so " + names + " of " +
+                    (count == 1 ? "a shape" : std::to_string(count) + " shapes") + " are lost")
+        .help("keep the MJCF for them");
   }
 
   void keyframe(const Reference& one) {

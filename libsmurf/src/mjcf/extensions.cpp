@@ -26,6 +26,7 @@ constexpr double kRadians = std::numbers::pi / 180;
 
 void ExtensionWriter::write_all() {
   for (const ClosedLoop& one : facts_.loops) loop(one);
+  springs();
   for (const Reference& one : model_.sections) {
     if (one.section == "sensor") sensor(one);
   }
@@ -55,6 +56,32 @@ void ExtensionWriter::loop(const ClosedLoop& loop) {
   open_loop(xml_, joint, loop.X_CJ);
   xml_.close();
   xml_.close();
+}
+
+void ExtensionWriter::springs() {
+  for (const Body& body : model_.bodies) {
+    for (const Joint& joint : body.joints) {
+      if (joint.stiffness == 0) continue;
+      Place stiffness = joint.settings.place({"stiffness", "springdamper"});
+      if (joint.type != Joint::Type::hinge && joint.type != Joint::Type::slide) {
+        reporter_
+            .lose(stiffness.origin,
+                  "a URDF has no spring of a joint with several axes, so it is lost",
+                  "lost springs")
+            .help("keep the MJCF for it");
+        continue;
+      }
+      Place reference = joint.settings.place({"springref"});
+      const View element = joint.settings.element();
+      const Place tag{element.name_span(), element.tag_span(), joint.frame};
+      stiffness.frame = reference.frame = joint.frame;
+      xml_.open("gazebo", tag);
+      xml_.attribute("reference", joint.name, tag);
+      add_leaf(xml_, "springStiffness", format_number(joint.stiffness), stiffness);
+      add_leaf(xml_, "springReference", format_number(joint.springref), reference);
+      xml_.close();
+    }
+  }
 }
 
 const Site* ExtensionWriter::site_of(const Reference& one) const {

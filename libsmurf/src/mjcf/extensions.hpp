@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a URDF says in `<gazebo>`: joints that close loops, and sensors with a place on a link.
+// What a URDF says in `<gazebo>`: joints that close loops, springs of joints, and sensors with a
+// place on a link.
 #pragma once
 
 #include <map>
@@ -31,6 +32,7 @@ class ExtensionWriter {
 
  private:
   void loop(const ClosedLoop& loop);
+  void springs();
   void sensor(const Reference& one);
   void camera(const Camera& camera);
   const Site* site_of(const Reference& one) const;

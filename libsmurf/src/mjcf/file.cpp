@@ -81,7 +81,6 @@ bool ModelFile::read() {
     }
   }
   check(root_, grammar(), false);
-  compiler_.angle_place = root_.name_span();
   each(root_, [&](View one) {
     if (one.name() == "compiler") read_compiler(one);
   });

@@ -6,6 +6,7 @@
 #include <array>
 #include <deque>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,7 +35,7 @@ struct Compiler {
   bool fitaabb = false;
   bool strippath = false;
   std::string meshdir, texturedir;
-  Span angle_place;  ///< the value of `angle`, or the tag of the root
+  std::optional<Span> angle_place;  ///< the value of `angle`, if it is written
 };
 
 /// A class of defaults: it began as a copy of the class around it.

@@ -109,6 +109,12 @@ Joint read_joint(View element, const Surroundings& around, Reporter& reporter) {
   polynomial = {};
   s.numbers("stiffness", polynomial, 1, reporter);
   joint.stiffness = polynomial[0];
+  if (polynomial[1] != 0 || polynomial[2] != 0) {
+    reporter
+        .report(rules::sml9304_lost_in_urdf, s.place({"stiffness"}).origin,
+                "a spring of a URDF is linear, so the other coefficients are lost")
+        .help("write one number if the difference does not matter");
+  }
   joint.friction = s.number("frictionloss", 0, reporter);
   joint.armature = s.number("armature", 0, reporter);
   std::array<double, 2> force{};

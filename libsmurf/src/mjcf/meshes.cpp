@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/files/path.hpp"
+#include "base/findings/cases.hpp"
 #include "base/findings/rules.hpp"
 #include "base/numbers/little_endian.hpp"
 #include "base/numbers/vectors.hpp"
@@ -218,10 +219,11 @@ std::optional<Triangles> Meshes::triangles_of(const Mesh& mesh) {
     return result;
   }
   if (mesh.path.empty()) {
-    reporter_.miss(
-        s.element().name_span(),
-        "only MuJoCo knows the triangles of this mesh, so the mass of its bodies is unknown",
-        "write `<inertial>` into the bodies, or the mesh into a file");
+    reporter_
+        .miss(s.element().name_span(),
+              "only MuJoCo knows the triangles of this mesh, so the mass of its bodies is unknown",
+              "write `<inertial>` into the bodies, or the mesh into a file")
+        .when(cases::kMadeByMujoco);
     return std::nullopt;
   }
   Context& context = reporter_.context();

@@ -158,6 +158,8 @@ bool has_masks(const Model& model);
 void name_all(Model& model);
 /// Stiffness and damping from `springdamper`, which depend on the inertia that a joint moves.
 void tune_springs(Model& model, Reporter& reporter);
+/// Reports what MuJoCo does as it is written, and the author hardly meant: SML9308 to 9310, 9320.
+void report_slips(const Model& model, Reporter& reporter);
 /// Gives all bodies their masses, and reports those that MuJoCo refuses.
 void weigh(Model& model, Reporter& reporter);
 

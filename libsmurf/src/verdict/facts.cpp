@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which fact applies to a place of a finding.
 #include <algorithm>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "base/findings/cases.hpp"
 #include "base/findings/readers.hpp"
 #include "smurf/verdict.hpp"
+#include "verdict/targets.hpp"
 
 namespace smurf {
 namespace {
@@ -30,6 +33,21 @@ constexpr Fact kNoExpansion{.effect = Effect::refuses,
 
 /// Faults of xacro, which runs before all readers.
 bool is_about_expansion(const Rule& rule) { return rule.id.starts_with("SML33"); }
+
+constexpr Fact kReadsFileItself{.makes = "reads the file itself, and no URDF of it",
+                                .evidence = "MuJoCo 4.0.0 and libsdformat 12, run"};
+
+/// Whether a finding is about the URDF of a file that this reader reads in its own language.
+bool is_beside(const Reader& reader, const Rule& rule, const Circumstances& where) {
+  for (const auto& [language, native] : {std::pair{&cases::kOfMjcf, &readers::mujoco},
+                                         std::pair{&cases::kOfSdf, &readers::gazebo}}) {
+    if (!where.contains(*language)) continue;
+    for (const Reader* known = &reader; known != nullptr; known = known->like) {
+      if (known == native) return !is_taken_over(rule, *language);
+    }
+  }
+  return false;
+}
 
 /// Whether a rule is about references from annotations, or about their keys.
 bool is_about_annotations(const Rule& rule) {
@@ -100,6 +118,7 @@ const Fact* find_fact(const Reader& reader, const Rule& rule, const Finding& fin
   if (finding.cases.contains(cases::kInCompanion) && !reads_companions(reader)) {
     return &kNoCompanions;
   }
+  if (is_beside(reader, rule, finding.cases)) return &kReadsFileItself;
   if (const Fact* fact = find_unread(reader, rule, finding)) return fact;
   for (const Reader* known = &reader; known != nullptr; known = known->like) {
     if (known->drops != nullptr && finding.cases.contains(*known->drops)) continue;
@@ -117,6 +136,18 @@ const Fact* find_fact(const Reader& reader, const Rule& rule, const Finding& fin
 }
 
 }  // namespace
+
+bool is_taken_over(const Rule& rule, const Circumstance& language) {
+  // XML, the files of meshes, the findings of the import itself.
+  constexpr std::string_view kOfFiles[] = {"SML10",   "SML1604", "SML1605", "SML1614", "SML1616",
+                                           "SML1617", "SML1619", "SML1625", "SML1641", "SML1643",
+                                           "SML1644", "SML1645", "SML1654", "SML93"};
+  constexpr std::string_view kOfGazebo[] = {"SML1447", "SML1459", "SML39"};
+  const auto is_of = [&](std::string_view family) { return rule.id.starts_with(family); };
+  return std::any_of(std::begin(kOfFiles), std::end(kOfFiles), is_of) ||
+         (&language == &cases::kOfSdf &&
+          std::any_of(std::begin(kOfGazebo), std::end(kOfGazebo), is_of));
+}
 
 const Fact* find_fact(const Reader& reader, const Diagnostic& diagnostic, const PlaceView& place) {
   const Finding finding{reader, place.names, place.cases};

@@ -107,10 +107,11 @@ void add(const Diagnostic& finding, const PlaceView& place, TargetVerdict& verdi
   verdict.span = place.span;
 }
 
-/// Readers are not affected by mistakes in a configuration, or by the losses of a
-/// converter.
+/// Readers are not affected by mistakes in a configuration or in comments for smurf-lint, or by the
+/// losses of a converter.
 bool is_about_robots(const Rule& rule) {
-  return rule.reported_by == Tool::lint && !rule.id.starts_with("SML9");
+  return rule.reported_by == Tool::lint && !rule.id.starts_with("SML90") &&
+         !rule.id.starts_with("SML91");
 }
 
 TargetVerdict judge_release(const Reader& reader, std::span<const Diagnostic> diagnostics) {

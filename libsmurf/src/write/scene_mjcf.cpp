@@ -14,6 +14,7 @@
 #include "write/mjcf/mjcf_loops.hpp"
 #include "write/parts/annotated_colors.hpp"
 #include "write/parts/body_inertia.hpp"
+#include "write/parts/gazebo_elements.hpp"
 #include "write/parts/joint_chain.hpp"
 
 namespace smurf::scene_mjcf_file {
@@ -280,6 +281,10 @@ class MjcfWriter : MjcfLoops {
         {"range", join_numbers({lower, upper})},
         {"damping", format_number(damping + gains.damping)},
         {"frictionloss", format_number(dynamics ? dynamics->friction.value_or(0) : 0)}};
+    if (const JointSpring* spring = spring_of(model, joint); spring && spring->stiffness != 0) {
+      attributes.emplace_back("stiffness", format_number(spring->stiffness));
+      attributes.emplace_back("springref", format_number(spring->reference));
+    }
     if (part.X_BJ.position != Vector3{})
       attributes.emplace_back("pos", join_numbers(part.X_BJ.position));
     if (gains.armature > 0) attributes.emplace_back("armature", format_number(gains.armature));
@@ -287,6 +292,14 @@ class MjcfWriter : MjcfLoops {
     add_start(format_number(start_of(i, joint)));
     if (joint.mimic) add_follower(i, model, joint);
     return true;
+  }
+
+  /// Null: none.
+  const JointSpring* spring_of(const LinkedModel& model, const urdf::Joint& joint) {
+    auto known = springs_.find(&model);
+    if (known == springs_.end()) known = springs_.emplace(&model, springs_of(model)).first;
+    const auto found = known->second.find(joint.name.value_or(""));
+    return found != known->second.end() ? &found->second : nullptr;
   }
 
   /// MuJoCo refuses an equality for a joint that does not exist, and of a joint with itself.
@@ -454,6 +467,7 @@ class MjcfWriter : MjcfLoops {
   std::map<PlaceOfLink, std::vector<std::size_t>> children_;
   std::map<const LinkedModel*, CollisionContacts> contacts_;
   AnnotatedColors colors_;
+  std::map<const LinkedModel*, std::map<std::string_view, JointSpring>> springs_;
   std::map<std::string, std::string> textures_;  ///< file -> name of its material
   std::set<std::string_view> existing_;          ///< names of the model's declared meshes
   std::set<const urdf::Joint*> reported_;

@@ -13,6 +13,10 @@ inline constexpr Circumstance kInAnnotations{"in annotations"};
 inline constexpr Circumstance kInScene{"in a scene"};
 inline constexpr Circumstance kInCompanion{"in a file beside the robot"};
 
+// In the URDF that is made of a file, which a reader of that language does not see.
+inline constexpr Circumstance kOfMjcf{"in a URDF of an MJCF file"};
+inline constexpr Circumstance kOfSdf{"in a URDF of an SDF file"};
+
 // SML0004: the byte is in a URDF, where readers of XML may keep it.
 inline constexpr Circumstance kInUrdf{"in a URDF"};
 // SML0010
@@ -53,6 +57,8 @@ inline constexpr Circumstance kChainTag{"joint with others behind it"};
 inline constexpr Circumstance kSharedMaterialTag{"material of the robot"};
 inline constexpr Circumstance kColourless{"without colour"};
 
+// SML9302: a file of its own kind, or a mesh of a built-in kind.
+inline constexpr Circumstance kMadeByMujoco{"mesh of MuJoCo's own"};
 // SML1604 and SML8205: no file of a package was found.
 inline constexpr Circumstance kLostPackage{"package"};
 // SML8207: a picture is not expected to have it.

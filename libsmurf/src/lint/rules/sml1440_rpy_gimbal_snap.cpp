@@ -54,7 +54,6 @@ extern constinit const Rule sml1440_rpy_gimbal_snap{
     .why = "Parts of the link no longer fit together.",
     .remedy = "Write the pitch with all digits: 1.5707963267948966.",
     .check_model = check,
-    .facts = kFacts,
-    .about = About::robot};
+    .facts = kFacts};
 
 }  // namespace smurf::rules::sml1440_rpy_gimbal_snap_file

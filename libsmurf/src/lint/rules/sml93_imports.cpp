@@ -1,8 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Robots that are made from files of other languages.
+#include "base/findings/cases.hpp"
+#include "base/findings/readers.hpp"
 #include "base/findings/rules.hpp"
 
 namespace smurf::rules {
+namespace {
+
+constexpr Fact kMujocoRefuses[] = {
+    {&readers::mujoco, Effect::refuses, "does not compile the model", kRun}};
+constexpr Fact kMujocoNeedsMesh[] = {
+    {&readers::mujoco, Effect::takes, "makes the mesh itself", kRun, when(cases::kMadeByMujoco)},
+    {&readers::mujoco, Effect::refuses, "does not compile the model", kRun}};
+constexpr Fact kSdformatRefuses[] = {
+    {&readers::gazebo, Effect::refuses, "refuses the file", "libsdformat 12, run"}};
+
+}  // namespace
 
 extern constinit const Rule sml9301_mujoco_refuses{
     .id = "SML9301",
@@ -12,6 +25,7 @@ extern constinit const Rule sml9301_mujoco_refuses{
     .why = "The model does not compile, so there is no robot.",
     .remedy = "Correct the value or the element, as the message says.",
     .sources = "MuJoCo 4.0.0, run; its schema by mj_printSchema().",
+    .facts = kMujocoRefuses,
     .blocks_building = true};
 
 extern constinit const Rule sml9302_mjcf_file_missing{
@@ -21,7 +35,8 @@ extern constinit const Rule sml9302_mjcf_file_missing{
     .summary = "A mesh that gives an MJCF body its mass cannot be read.",
     .why = "The model does not compile without the file. Here, the mass of the body stays unknown.",
     .remedy = "Correct the path of the file, or write the mass into `<inertial>`.",
-    .sources = "MuJoCo 4.0.0, run."};
+    .sources = "MuJoCo 4.0.0, run.",
+    .facts = kMujocoNeedsMesh};
 
 extern constinit const Rule sml9303_mjcf_limit{
     .id = "SML9303",
@@ -73,6 +88,41 @@ extern constinit const Rule sml9307_class_without_use{
     .remedy = "Name the class at the elements that it is meant for, or delete it.",
     .sources = "The file alone."};
 
+extern constinit const Rule sml9308_default_holds_base{
+    .id = "SML9308",
+    .name = "default-holds-base",
+    .severity = Severity::warning,
+    .summary = "A default for the joints of an MJCF file acts on the free joint of the base, too.",
+    .why =
+        "`<joint type=\"free\">` takes damping, friction, armature and stiffness of its class, so the "
+        "base falls and turns as if in honey. `<freejoint>` takes none.",
+    .remedy = "Write `<freejoint/>`.",
+    .sources = "MuJoCo 4.0.0, run.",
+    .about = About::robot};
+
+extern constinit const Rule sml9309_angle_unit{
+    .id = "SML9309",
+    .name = "angle-unit",
+    .severity = Severity::warning,
+    .summary = "Ranges of an MJCF file look as if they were in the other unit of angles.",
+    .why = "MuJoCo takes angles as degrees unless `<compiler>` says otherwise, and a joint of "
+           "+-1.57 degrees hardly moves.",
+    .remedy = "Write `<compiler angle=\"radian\"/>`, or correct the ranges.",
+    .sources =
+        "The file alone: most ranges are parts of pi, or, for radians, round numbers of degrees.",
+    .about = About::robot};
+
+extern constinit const Rule sml9310_contact_bits_without_partner{
+    .id = "SML9310",
+    .name = "contact-bits-without-partner",
+    .severity = Severity::warning,
+    .summary = "Shapes of an MJCF file have contact bits, and can touch nothing.",
+    .why = "Two shapes touch if `contype` of one and `conaffinity` of the other share a bit. These "
+           "meet no shape of another body, and no floor with MuJoCo's default bits.",
+    .remedy = "Give both shapes a common bit, or 0 and 0 to one that is only seen.",
+    .sources = "MuJoCo 4.0.0, run.",
+    .about = About::robot};
+
 extern constinit const Rule sml9311_sdformat_refuses{
     .id = "SML9311",
     .name = "sdformat-refuses",
@@ -81,6 +131,7 @@ extern constinit const Rule sml9311_sdformat_refuses{
     .why = "It reports an error, and simulators that are built on it load no file with an error.",
     .remedy = "Correct the value or the element, as the message says.",
     .sources = "libsdformat 12, run; the descriptions of SDF 1.9.",
+    .facts = kSdformatRefuses,
     .blocks_building = true};
 
 extern constinit const Rule sml9312_sdf_file_missing{
@@ -124,5 +175,16 @@ extern constinit const Rule sml9315_mass_by_default{
            "1 kg m^2, which few parts of a robot have. In a URDF it has no mass.",
     .remedy = "Write `<inertial>` with the mass and the inertia of the link.",
     .sources = "libsdformat 12, run."};
+
+extern constinit const Rule sml9320_visual_shapes_weigh{
+    .id = "SML9320",
+    .name = "visual-shapes-weigh",
+    .severity = Severity::warning,
+    .summary = "Shapes of an MJCF file that are only seen add to the mass of their bodies.",
+    .why = "A body without `<inertial>` weighs all its shapes, and each has the density of water "
+           "unless it says otherwise. A mesh for the eye and a shape for contacts count twice.",
+    .remedy = "Write `mass=\"0\"` in the class of shapes that are only seen, or `<inertial>`.",
+    .sources = "MuJoCo 4.0.0, run.",
+    .about = About::robot};
 
 }  // namespace smurf::rules

@@ -218,7 +218,8 @@ Found other_than_sensors(const LinkedModel& model, SceneColumn column, const aut
     const xml::View gazebo(model.robot->document, id);
     if (gazebo.name() != "gazebo") continue;
     for (const xml::View child : gazebo) {
-      if (column == SceneColumn::mjcf && is_loop_of_gazebo(model, child)) continue;
+      const bool is_of_mjcf = is_loop_of_gazebo(model, child) || is_of_spring(model, child);
+      if (column == SceneColumn::mjcf && is_of_mjcf) continue;
       if (!written.contains(child.id())) {
         found.push_back({child.name_span(), name_of(child)});
         continue;

@@ -136,6 +136,28 @@ bool is_taken_by_gazebo(const LinkedModel& model, xml::View child) {
   return joint && is_joint_of_sdf(model, *joint) && !is_one_of(child.name(), kOfLinks);
 }
 
+bool is_of_spring(const LinkedModel& model, xml::View child) {
+  if (child.name() != "springStiffness" && child.name() != "springReference") return false;
+  const auto joint = model.joint_names.find(attribute_of(child.parent(), "reference"));
+  return joint && model.robot->joints[*joint].has_one_axis() &&
+         parse_numbers<1>(value_of(child)).has_value();
+}
+
+std::map<std::string_view, JointSpring> springs_of(const LinkedModel& model) {
+  std::map<std::string_view, JointSpring> springs;
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    if (gazebo.name() != "gazebo") continue;
+    for (const xml::View child : gazebo) {
+      if (!is_of_spring(model, child)) continue;
+      JointSpring& spring = springs[attribute_of(gazebo, "reference")];
+      const double value = parse_numbers<1>(value_of(child))->front();
+      (child.name() == "springStiffness" ? spring.stiffness : spring.reference) = value;
+    }
+  }
+  return springs;
+}
+
 std::vector<xml::View> broken_plugins(xml::View sensor) {
   std::vector<xml::View> found;
   if (sensor.name() != "sensor") return found;

@@ -18,6 +18,16 @@ namespace smurf {
 /// it is a sensor or plug-in without a name, which SDF refuses.
 bool is_taken_by_gazebo(const LinkedModel& model, xml::View child);
 
+/// The spring of a joint in `<gazebo>`; the last value applies, as in libsdformat.
+struct JointSpring {
+  double stiffness = 0;  ///< N m/rad or N/m
+  double reference = 0;  ///< rad or m, where it rests
+};
+/// Whether a child of <gazebo> is a value of such a spring.
+bool is_of_spring(const LinkedModel& model, xml::View child);
+/// By name of the joint.
+std::map<std::string_view, JointSpring> springs_of(const LinkedModel& model);
+
 /// The plug-ins in a sensor that SDF refuses, because they name no file.
 std::vector<xml::View> broken_plugins(xml::View sensor);
 
