@@ -23,7 +23,8 @@ void excuse(Diagnostic& one) {
 
 void excuse_arguments(std::vector<Diagnostic>& found) {
   for (Diagnostic& one : found) {
-    const bool is_open = one.rule == &rules::sml3313_xacro_unknown_argument ||
+    const bool is_late = one.cases.contains(xacro::kLateDefault);
+    const bool is_open = (one.rule == &rules::sml3313_xacro_unknown_argument && !is_late) ||
                          one.cases.contains(kNoPlugin) || one.cases.contains(kNoSimulation) ||
                          one.cases.contains(xacro::kEmptyFileName) ||
                          one.rule == &rules::sml3705_controller_interface;

@@ -92,6 +92,7 @@ void PlannedLoader::load_one_robot(const PlannedFile& planned, LoadContext& cont
     if (!launched.empty()) {
       context.sink.take();  // why the robot needs values
       robot = load_robot(planned.path, planned.may_be_part, group.config.xacro, context);
+      report_late_defaults(planned.path, launched, context);
     }
   }
   LinkedModel& model = robot.model;

@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "base/findings/rules.hpp"
+#include "base/text/quoted.hpp"
 #include "link/surroundings/stated_ties.hpp"
 #include "plan/xacro_text.hpp"
 #include "smurf/plan.hpp"
+#include "xacro/xacro_cases.hpp"
 
 namespace smurf {
 namespace {
@@ -167,6 +169,45 @@ launched_values(const std::string& path, const std::map<std::string, std::string
                 const FileReader& files, const Limits& limits) {
   return with_context(arguments, files, limits,
                       [&](LoadContext& context) { return launched_values(path, context); });
+}
+
+void report_late_defaults(const std::string& path, const std::vector<xacro::SeenArgument>& values,
+                          LoadContext& context) {
+  SourceId source{};
+  std::optional<XacroText> parsed;
+  const auto with_values = context.xacro.arguments;
+  for (const xacro::SeenArgument& one : values) context.xacro.arguments.erase(one.name);
+  for (const xacro::SeenArgument& late : values) {
+    if (late.file != path) continue;
+    std::vector<xacro::SeenArgument> others = values;
+    std::erase_if(others, [&](const auto& one) { return one.name == late.name; });
+    if (!expand_quietly(path, context, others).missing.contains(late.name)) continue;
+    if (!parsed) {
+      source = context.sources.add(path, context.files.read(path, kMostBytesOfRobot).text);
+      parsed = read_xacro_text(context.sources.text(source));
+    }
+    const auto own =
+        std::find_if(parsed->names.begin(), parsed->names.end(), [&](const XacroName& one) {
+          return one.kind == XacroNameKind::argument && one.name == late.name;
+        });
+    if (own == parsed->names.end()) continue;
+    const auto span_of = [&](std::size_t begin, std::size_t end) {
+      return Span{source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+    };
+    const Span declared = span_of(own->place.begin, own->place.end);
+    const std::string use = "$(arg " + late.name + ")";
+    const std::size_t at = context.sources.text(source).find(use);
+    const bool is_above = at < own->place.begin;
+    Diagnostic& found = context.sink.report(
+        rules::sml3313_xacro_unknown_argument, is_above ? span_of(at, at + use.size()) : declared,
+        "the argument " + quoted(late.name) + " is used above its default");
+    found.severity = Severity::warning;  // somebody may give a value
+    found.when(xacro::kLateDefault)
+        .help("move `<xacro:arg name=\"" + late.name +
+              "\">` above its first use; xacro stops here otherwise");
+    if (is_above) found.label(declared, "declared here");
+  }
+  context.xacro.arguments = with_values;
 }
 
 bool is_expandable(const std::string& path, const std::map<std::string, std::string>& arguments,

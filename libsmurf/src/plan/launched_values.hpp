@@ -20,6 +20,11 @@ std::vector<xacro::SeenArgument>
 launched_values(const std::string& path, const std::map<std::string, std::string>& arguments,
                 const FileReader& files, const Limits& limits);
 
+/// Reports each of these values that is a default of the robot itself, and stands below the use
+/// that needs it: xacro stops there, unless somebody gives a value.
+void report_late_defaults(const std::string& path, const std::vector<xacro::SeenArgument>& values,
+                          LoadContext& context);
+
 /// Whether a xacro file can be expanded with these arguments.
 bool is_expandable(const std::string& path, const std::map<std::string, std::string>& arguments,
                    const FileReader& files, const Limits& limits);

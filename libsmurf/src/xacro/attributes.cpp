@@ -227,7 +227,7 @@ Value attribute_of(Evaluator& evaluator, const Value& value, std::string_view na
     const Table::Found found = value.table->find(name);
     if (!found) {
       return evaluator.fail(rules::sml3301_xacro_unknown_name,
-                            "the namespace has no " + quoted(name));
+                            "the namespace has no " + quoted(name), "correct the name");
     }
     if (!found.entry->is_unevaluated) return found.entry->value;
     return evaluator.host().resolve(*found.table, *found.entry, name);

@@ -87,7 +87,9 @@ Value Evaluator::call_lambda(const Function& function, const Call& call) {
 }
 
 Value Evaluator::call_syntax(const Syntax& syntax, const Scope& scope) {
-  const Value function = evaluate(*syntax.parts[0], scope);
+  const Syntax& callee = *syntax.parts[0];
+  const Value function =
+      callee.kind == SyntaxKind::name ? name(callee, scope, true) : evaluate(callee, scope);
   if (function.is_failed()) return function;
   std::vector<Value> values;
   std::vector<std::pair<std::string_view, Value>> keywords;

@@ -171,7 +171,7 @@ Value Evaluator::evaluate_text(std::string_view text, Table& table) {
   return evaluate(*expression.root, {&table, nullptr});
 }
 
-Value Evaluator::name(const Syntax& syntax, const Scope& scope) {
+Value Evaluator::name(const Syntax& syntax, const Scope& scope, bool is_called) {
   const std::string_view name = syntax.text;
   meter_.scan(name.size());
   if (scope.locals != nullptr) {
@@ -195,12 +195,11 @@ Value Evaluator::name(const Syntax& syntax, const Scope& scope) {
     return only_nearest(name, known, comparisons);
   };
   auto near = nearest_of(false);
-  if (!near) near = nearest_of(true);
+  if (!near && is_called) near = nearest_of(true);
   constexpr std::string_view kHidden[] = {"abs",       "all",        "any",    "sum",     "zip",
                                           "enumerate", "isinstance", "tuple",  "set",     "ord",
                                           "repr",      "type",       "divmod", "reversed"};
-  std::string help = near ? "did you mean " + quoted(*near) + "?"
-                          : "define it with `<xacro:property>` before it is used";
+  std::string help = near ? "did you mean " + quoted(*near) + "?" : "";
   if (std::find(std::begin(kHidden), std::end(kHidden), name) != std::end(kHidden)) {
     help = "write `python." + std::string(name) + "`";
   }

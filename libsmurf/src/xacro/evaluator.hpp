@@ -149,7 +149,8 @@ class Evaluator {
  private:
   Value evaluate_text(std::string_view text, Table& table);
   std::string written(const Value& value, std::string (*write)(const Value&, NoText&));
-  Value name(const Syntax& syntax, const Scope& scope);
+  /// `is_called`: functions have similar names, too.
+  Value name(const Syntax& syntax, const Scope& scope, bool is_called = false);
   void remark_on(const Syntax& comparison, std::size_t index, const Value& left,
                  const Value& right);
   void remark_on_call(const Syntax& call);

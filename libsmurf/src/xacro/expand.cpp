@@ -19,13 +19,19 @@ namespace {
 constexpr std::string_view kPrefix = "xacro:";
 
 /// What to do about a failure that says no more itself.
-std::string usual_help(const Rule& rule) {
+/// `macro`: the name of the one around it; "" if there is none.
+std::string usual_help(const Rule& rule, const std::string& macro) {
   if (&rule == &rules::sml3302_xacro_syntax) return "correct the expression";
   if (&rule == &rules::sml3304_xacro_unsupported)
     return "write it with the functions that docs/format/xacro.md lists";
   if (&rule == &rules::sml3318_xacro_fatal)
     return "the author of the description stops here; change the call, or the arguments";
-  if (&rule == &rules::sml3301_xacro_unknown_name) return "correct the name";
+  if (&rule == &rules::sml3301_xacro_unknown_name) {
+    const std::string define = "define it with `<xacro:property>` before ";
+    return macro.empty() ? define + "it is used"
+                         : "add it to the `params` of the macro " + quoted(macro) + ", or " +
+                               define + "the call";
+  }
   return "correct the expression, or the values that it uses";
 }
 
@@ -109,6 +115,12 @@ bool Expander::fail(const Rule& rule, Span place, std::string message, std::stri
   return report();
 }
 
+std::string Expander::macro_around() const {
+  if (frame_ == kNoFrame) return {};
+  const Frame& frame = result_.frame(frame_);
+  return frame.kind == Frame::Kind::macro ? frame.name : std::string();
+}
+
 bool Expander::report() {
   if (has_failed_) return false;
   if (optional_includes_ > 0 && evaluator_.failure().is_missing_file) return false;
@@ -116,7 +128,7 @@ bool Expander::report() {
   Failure failure = evaluator_.take_failure();
   Diagnostic& diagnostic = context_.sink.report(*failure.rule, failure.span, failure.message);
   if (!failure.missing.empty()) failure.help = help_with_path(failure);
-  diagnostic.help(failure.help.empty() ? usual_help(*failure.rule) : failure.help);
+  diagnostic.help(failure.help.empty() ? usual_help(*failure.rule, macro_around()) : failure.help);
   for (const auto& [place, text] : failure.labels) diagnostic.label(place, text);
   if (failure.which != nullptr) diagnostic.when(*failure.which);
   if (!failure.argument.empty()) explain_arguments(failure, diagnostic);

@@ -198,6 +198,8 @@ class Expander final : public Host {
 
   /// Reports the failure of the evaluator, or one of an element.
   bool fail(const Rule& rule, Span place, std::string message, std::string help = {});
+  /// The name of the macro that is expanded; "" if there is none.
+  std::string macro_around() const;
   bool report();
   /// Completes a failure with the place of its expression.
   void place_failure(const Piece& expression, std::size_t skipped);

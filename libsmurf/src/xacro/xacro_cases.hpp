@@ -9,4 +9,7 @@ namespace smurf::xacro {
 /// The name of a file is an argument without a value.
 inline constexpr Circumstance kEmptyFileName{"empty file name"};
 
+/// The default of an argument stands below its first use.
+inline constexpr Circumstance kLateDefault{"late default"};
+
 }  // namespace smurf::xacro

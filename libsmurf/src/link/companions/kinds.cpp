@@ -223,11 +223,12 @@ bool stays_broken(std::string_view text) {
   return !is_template(sources.text(source)) && (!document || is_broken(found));
 }
 
+bool may_become_yaml(std::string_view text) { return is_template(text) && !stays_broken(text); }
+
 Recognised recognise_broken(std::string_view path, std::string_view text) {
   const CompanionSpec* spec = kind_of(read_lines(text), is_setup(path));
   if (spec == nullptr) return {};
-  const bool may_become_yaml = is_template(text) && !stays_broken(text);
-  return {spec, may_become_yaml ? CompanionState::a_template : CompanionState::broken};
+  return {spec, may_become_yaml(text) ? CompanionState::a_template : CompanionState::broken};
 }
 
 }  // namespace
@@ -256,6 +257,19 @@ bool is_template(std::string_view text) {
     if (has_word_in_brackets(line)) return true;
   }
   return false;
+}
+
+bool is_broken_yaml(std::string_view text, const std::optional<yaml::Document>& document,
+                    const DiagnosticSink& found) {
+  return (!document || is_broken(found)) && !may_become_yaml(text);
+}
+
+void report_broken_yaml(const Diagnostic& finding, DiagnosticSink& sink) {
+  Diagnostic& reported = sink.report(*finding.rule, finding.span, finding.message);
+  reported.caret = finding.caret;
+  reported.labels = finding.labels;
+  reported.help_text = finding.help_text;
+  reported.note("the program of ROS that reads this file ends: nothing in it takes effect");
 }
 
 Recognised recognise(std::string_view path, std::string_view text,

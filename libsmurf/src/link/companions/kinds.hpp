@@ -27,6 +27,12 @@ struct Recognised {
 bool may_be_parameters(std::string_view path);
 /// Whether a text has markers that a launch file replaces, outside of comments.
 bool is_template(std::string_view text);
+/// Whether no reader of ROS can read a YAML text, whatever a launch file fills in. `found` has the
+/// findings of parsing it.
+bool is_broken_yaml(std::string_view text, const std::optional<yaml::Document>& document,
+                    const DiagnosticSink& found);
+/// Reports such a finding, with what it means to ROS.
+void report_broken_yaml(const Diagnostic& finding, DiagnosticSink& sink);
 /// Parses the text and looks at its keys, whatever the file is called. A text that is not YAML is
 /// recognised by the keys at the beginnings of its lines.
 Recognised recognise(std::string_view path, std::string_view text);

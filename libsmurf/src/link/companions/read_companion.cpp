@@ -84,16 +84,16 @@ void CompanionReader::read_parameters(const std::string& path, Companion& compan
     const bool is_repeated = one.rule == &rules::sml0011_duplicate_key;
     if (is_repeated && merged.contains(one.span.begin)) continue;
     if (!is_repeated && (!companion.is_broken || one.severity != Severity::error)) continue;
+    if (!is_repeated) {
+      report_broken_yaml(one, context_.sink);
+      continue;
+    }
     Diagnostic& reported = context_.sink.report(*one.rule, one.span, one.message);
     reported.caret = one.caret;
     reported.labels = one.labels;
     reported.help_text = one.help_text;
-    if (is_repeated) {
-      reported.severity = Severity::warning;
-      reported.note("ROS uses the last value, and ignores the others without a message");
-    } else {
-      reported.note("the program of ROS that reads this file ends: nothing in it takes effect");
-    }
+    reported.severity = Severity::warning;
+    reported.note("ROS uses the last value, and ignores the others without a message");
   }
   if (companion.document) {
     keep_last_keys(*companion.document, companion.kind == CompanionKind::controllers);

@@ -10,6 +10,7 @@
 #include "base/files/path.hpp"
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
+#include "link/companions/kinds.hpp"
 #include "link/companions/places.hpp"
 #include "link/package_search.hpp"
 #include "link/surroundings/installation.hpp"
@@ -259,7 +260,7 @@ class Loader {
     FileContent content = context_.files.read(path, kMostBytes);
     if (content.status != ReadStatus::ok) return;
     FrameFile file;
-    bool is_one = false;
+    bool is_one = false, is_parameters = false;
     if (extension == ".rviz") {
       file.form = FrameFile::Form::rviz;
       is_one = content.text.find("Visualization Manager:") != std::string::npos;
@@ -271,18 +272,29 @@ class Loader {
                                          "base_frame", "move_group_name"}) {
         is_one = is_one || content.text.find(key) != std::string::npos;
       }
-      is_one = is_one && content.text.find("ros__parameters") != std::string::npos &&
-               content.text.find("controller_manager:") == std::string::npos;
+      is_parameters = content.text.find("ros__parameters") != std::string::npos;
+      is_one =
+          is_one && is_parameters && content.text.find("controller_manager:") == std::string::npos;
     }
-    if (!is_one) return;
+    if (!is_one && !is_parameters) return;
     file.path = path::normalize(path);
     file.source = context_.sources.add(file.path, std::move(content.text));
     file.text = context_.sources.text(file.source);
     if (file.form != FrameFile::Form::lua) {
-      DiagnosticSink ignored(context_.limits);
-      file.document = parse_yaml(context_.sources, file.source, context_.limits, ignored);
+      DiagnosticSink found(context_.limits);
+      file.document = parse_yaml(context_.sources, file.source, context_.limits, found);
+      if (is_parameters && is_broken_yaml(file.text, file.document, found)) {
+        // Companions are read, and reported, elsewhere.
+        if (find_companion_kind(file.path, file.text) != nullptr) return;
+        for (const Diagnostic& one : found.diagnostics()) {
+          if (one.severity == Severity::error) report_broken_yaml(one, context_.sink);
+        }
+        found_.sources.insert(file.source);
+        return;
+      }
       if (!file.document) return;
     }
+    if (!is_one) return;
     found_.sources.insert(file.source);
     found_.frame_files.push_back(std::move(file));
   }

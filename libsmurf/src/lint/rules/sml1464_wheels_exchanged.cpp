@@ -9,6 +9,7 @@
 #include "base/numbers/vectors.hpp"
 #include "base/ranges.hpp"
 #include "base/text/words.hpp"
+#include "lint/companions/controllers.hpp"
 #include "lint/queries.hpp"
 #include "lint/sides.hpp"
 
@@ -52,28 +53,55 @@ std::optional<Vector3> axis_of(const LinkedModel& model, std::string_view name) 
   return rotate(pose->orientation, {axis[0] / length, axis[1] / length, axis[2] / length});
 }
 
-void check_pair(const LinkedModel& model, xml::View left, xml::View right, Findings& findings) {
-  const std::string_view one = trimmed(left.text());
-  const std::string_view other = trimmed(right.text());
-  if (are_exchanged(one, other)) {
-    if (left.name() == "left_joint") return;  // SML3903
-    findings
-        .report(left.text_span(), "the plugin takes " + quoted(one) + " for a left wheel and " +
-                                      quoted(other) + " for a right one")
-        .label(right.text_span(), "the other side")
-        .help("exchange the two names, or the robot turns the wrong way");
-    return;
-  }
+/// The name of a joint, where somebody gives it to one side.
+struct Wheel {
+  std::string_view name;
+  Span place;
+};
+
+/// `drive`: what gives both wheels the same sign, "the plugin".
+void check_axes(const LinkedModel& model, const Wheel& left, const Wheel& right,
+                const std::string& drive, Findings& findings) {
   constexpr double kOpposite = -0.9;  // cosine
-  const auto a = axis_of(model, one);
-  const auto b = axis_of(model, other);
+  const auto a = axis_of(model, left.name);
+  const auto b = axis_of(model, right.name);
   if (!a || !b || dot(*a, *b) > kOpposite) return;
   findings
-      .report(left.text_span(), "the axes of the wheel joints " + quoted(one) + " and " +
-                                    quoted(other) + " point in opposite directions")
-      .label(right.text_span(), "the other side")
-      .help("write the same `axis` for both: the plugin gives both the same sign to drive "
-            "straight, and the robot would turn");
+      .report(left.place, "the axes of the wheel joints " + quoted(left.name) + " and " +
+                              quoted(right.name) + " point in opposite directions")
+      .label(right.place, "the other side")
+      .help("write the same `axis` for both: " + drive +
+            " gives both the same sign to drive straight, and the robot would turn");
+}
+
+void check_pair(const LinkedModel& model, xml::View left, xml::View right, Findings& findings) {
+  const Wheel one{trimmed(left.text()), left.text_span()};
+  const Wheel other{trimmed(right.text()), right.text_span()};
+  if (!are_exchanged(one.name, other.name)) {
+    return check_axes(model, one, other, "the plugin", findings);
+  }
+  if (left.name() == "left_joint") return;  // SML3903
+  findings
+      .report(one.place, "the plugin takes " + quoted(one.name) + " for a left wheel and " +
+                             quoted(other.name) + " for a right one")
+      .label(other.place, "the other side")
+      .help("exchange the two names, or the robot turns the wrong way");
+}
+
+/// The wheels of a differential drive of ros2_controllers.
+void check_controllers(const LinkedModel& model, const Companions& companions, Findings& findings) {
+  if (!model.robot) return;
+  for_each_controller_file(companions, [&](const ControllerFile& file) {
+    for (const RosController& one : file.controllers) {
+      if (one.known == nullptr || one.known->name != "diff_drive_controller/DiffDriveController")
+        continue;
+      const auto left = one.list("left_wheel_names"), right = one.list("right_wheel_names");
+      for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
+        check_axes(model, {left[i].text(), left[i].span()}, {right[i].text(), right[i].span()},
+                   "the controller", findings);
+      }
+    }
+  });
 }
 
 void find_plugins(const LinkedModel& model, xml::View element, Findings& findings) {
@@ -110,6 +138,7 @@ extern constinit const Rule sml1464_wheels_exchanged{
     .sources = "create_robot issue 77, ros2_controllers issue 597. By the words for sides in the "
                "names of the elements and joints.",
     .check_model = check,
+    .check_companions = check_controllers,
     .about = About::robot};
 
 }  // namespace smurf::rules::sml1464_wheels_exchanged_file

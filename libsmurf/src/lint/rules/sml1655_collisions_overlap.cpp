@@ -27,10 +27,14 @@ class KnownPairs {
       for (const srdf::LinkPair& pair : srdf.pairs) {
         if (!pair.is_enabled && pair.link1 && pair.link2) {
           names_.insert(std::minmax<std::string_view>(*pair.link1, *pair.link2));
+          lists_neighbours_ = lists_neighbours_ || (pair.reason && *pair.reason == "Adjacent");
         }
       }
     });
   }
+
+  /// Whether an SRDF lists all pairs that a setup assistant finds.
+  bool are_complete() const { return lists_neighbours_; }
 
   bool contains(const urdf::Link& a, const urdf::Link& b) const {
     return a.name && b.name && names_.contains(std::minmax<std::string_view>(*a.name, *b.name));
@@ -38,6 +42,7 @@ class KnownPairs {
 
  private:
   std::set<std::pair<std::string_view, std::string_view>> names_;
+  bool lists_neighbours_ = false;
 };
 
 constexpr double kPart = 0.2;  // of the thinner shape
@@ -81,11 +86,23 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
           format_rounded(1000 * worst.depth, 3) + " mm while all joints are at zero");
   diagnostic.label(tag_name(model, worst.collision->element), "the other collision");
   // Of concave meshes, only the hulls may overlap.
+  const auto are_convex = [&](const LinkOverlap& one) {
+    return is_convex(model, *one.collision) && is_convex(model, *one.other_collision);
+  };
   const bool is_sure = ranges::any_of(overlaps, [&](const LinkOverlap& one) {
-    return one.depth > kDeep * one.thickness && is_convex(model, *one.collision) &&
-           is_convex(model, *one.other_collision);
+    return one.depth > kDeep * one.thickness && are_convex(one);
   });
-  if (is_sure) diagnostic.severity = Severity::warning;
+  const bool is_planned = known.are_complete() && are_convex(worst);
+  if (is_sure || is_planned) diagnostic.severity = Severity::warning;
+  if (is_planned) {
+    const auto name_of = [&](std::size_t link) {
+      return model.robot->links[link].name.value_or(std::string());
+    };
+    diagnostic.note("the SRDF lets MoveIt check the pair, so every plan starts in a collision");
+    diagnostic.help("move the shapes apart, or add `<disable_collisions link1=\"" +
+                    name_of(worst.link) + "\" link2=\"" + name_of(worst.other) +
+                    "\" reason=\"Default\"/>` to the SRDF");
+  }
   diagnostic.note(
       "no joint connects the two links; a simulator that lets them touch, such as MuJoCo, pushes "
       "them apart");

@@ -54,7 +54,7 @@ constexpr Fact kFacts[] = {
 extern constinit const Rule sml1665_support_without_collision{
     .id = "SML1665",
     .name = "support-without-collision",
-    .severity = Severity::info,
+    .severity = Severity::warning,
     .summary = "A wheel, caster or foot has a visual and no collision.",
     .why = "The other links have collisions, so the robot is meant to touch things; this part goes "
            "through the ground.",

@@ -18,8 +18,9 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
                                                  ", which is not the root of the robot")
               .label(root.name.span, "this link is the root")
               .help("attach the root " + quoted(*root.name));
-      // A robot that stands on a link `world` is fixed to the world in any case.
-      if (*root.name == "world") found.severity = Severity::info;
+      // A robot that stands on a link `world` is fixed to that frame in any case.
+      const bool is_there = !joint.parent_frame || *joint.parent_frame == "world";
+      if (*root.name == "world" && is_there) found.severity = Severity::info;
     }
   });
 }
