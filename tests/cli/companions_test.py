@@ -68,7 +68,9 @@ MOVEIT = """moveit_simple_controller_manager:
 """
 
 
-class Companions(cli.CliTest):
+class Lamp(cli.CliTest):
+    """A robot in one package, and its companions in another."""
+
     def setUp(self):
         super().setUp()
         self.enter_workspace()
@@ -80,6 +82,8 @@ class Companions(cli.CliTest):
         for name, text in self.files.items():
             self.write("lamp_moveit_config/config/" + name, text)
 
+
+class Companions(Lamp):
     def companion(self, name):
         return self.read("lamp_moveit_config/config/" + name)
 
