@@ -2,6 +2,7 @@
 """--format jsonl and --resume: a line for each robot, which says what a check of that robot alone says."""
 import hashlib
 import json
+import os
 import pathlib
 import random
 import resource
@@ -135,7 +136,43 @@ class Records(cli.CliTest):
             return resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # KiB, the highest so far
 
         few, many = peak(100), peak(1000)
-        self.assertLess(many - few, 900 * 6)  # the list of files; their texts and findings would be 40 KiB each
+        self.assertLess(many - few, 900 * 2)  # the list of files; their texts and findings would be 40 KiB each
+
+    def test_the_list_of_a_data_set_is_small(self):
+        self.write("robot.urdf", '<robot name="r"><link name="l"/></robot>\n')
+
+        def peak(folder, count):
+            for number in range(count):
+                place = self.folder / folder / f"{number:06}"
+                place.mkdir(parents=True)
+                os.link(self.folder / "robot.urdf", place / "robot.urdf")
+            with (self.folder / "records.jsonl").open("w") as records:
+                subprocess.run([cli.TOOL, "--isolated", "-j", "2", "--format", "jsonl", folder], cwd=self.folder, stdout=records, check=True)
+            with (self.folder / "records.jsonl").open() as records:
+                self.assertEqual(sum(1 for _ in records), count)
+            return resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # KiB, the highest so far
+
+        # What is remembered about the last thousands of folders does not grow between the two.
+        few, many = peak("few", 9_000), peak("many", 18_000)
+        self.assertLess((many - few) * 1024 / 9_000, 600)  # bytes for each robot
+
+    def test_without_a_robot_there_are_no_records(self):
+        self.write("parameters/controllers.yaml", "controller_manager:\n  ros__parameters:\n    update_rate: 100\n")
+        self.expect(0, "--isolated", "parameters")  # it is a companion, which other reports are about
+        for options in (["--format", "jsonl=r.jsonl"], ["--resume", "r.jsonl"], ["--format", "jsonl=r.jsonl", "--cache", "cache"]):
+            done = self.expect(2, "--isolated", *options, "parameters")
+            self.assertIn("no robot or scene in 'parameters'", done.stderr)
+            self.assertIn("leave out --format jsonl", done.stderr)
+            self.assertFalse((self.folder / "r.jsonl").exists())
+        self.write("parts/part.xacro",
+                   '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="m" params="a"><link name="${a}"/></xacro:macro></robot>')
+        done = self.expect(2, "--isolated", "--format", "jsonl", "parts", "parameters")
+        self.assertEqual(done.stdout, "")
+        self.assertIn("no robot or scene in the named files and folders", done.stderr)
+        self.write("robots/robot.urdf", '<robot name="r"><link name="l"/></robot>')
+        self.expect(0, "--isolated", "--format", "jsonl", "robots", "parts", "parameters")
+        self.expect(0, "--isolated", "--resume", "r.jsonl", "robots", "parameters")
+        self.expect(0, "--isolated", "--resume", "r.jsonl", "robots", "parameters")  # nothing is left to check
 
 
 if __name__ == "__main__":

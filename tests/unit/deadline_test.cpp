@@ -47,3 +47,10 @@ TEST_CASE("a deadline inside of another one ends with it, and other threads have
   CHECK_FALSE(is_stopped);
   CHECK(is_stopped_within(5));
 }
+
+TEST_CASE("the system is asked only when the time may be over") {
+  const Deadline deadline(100);
+  const std::uint64_t before = Deadline::count_of_calls();
+  for (int i = 0; i < 10'000; ++i) Deadline::look();
+  CHECK(Deadline::count_of_calls() == before);
+}

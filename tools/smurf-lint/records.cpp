@@ -5,10 +5,12 @@
 #include <cerrno>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -262,6 +264,17 @@ std::string why_not_continued(const OldRecords& old, const std::set<std::string>
          "; use the same settings, or another file";
 }
 
+/// Nothing to write is a mistake in the paths: an empty file would look like a data set without
+/// findings.
+std::string why_no_records(const LintOptions& options) {
+  std::string place = "the named files and folders";
+  if (options.paths.size() < 2)
+    place = "'" + (options.paths.empty() ? "." : options.paths.front()) + "'";
+  return "no robot or scene in " + place +
+         ", and records are about them; leave out --format jsonl, --resume and --cache to check "
+         "other files";
+}
+
 bool is_records(const ReportRequest& one) { return one.format->name == kRecords; }
 
 }  // namespace
@@ -293,7 +306,8 @@ std::vector<Option> record_options(LintOptions& options) {
 std::optional<std::string> records_conflict(const LintOptions& options) {
   if (!writes_records(options)) {
     if (options.cache.empty()) return std::nullopt;
-    return "--cache keeps records; add --format jsonl or --resume FILE";
+    return "--cache keeps only the records of --format jsonl: write --format jsonl or --resume FILE, "
+           "or leave --cache out";
   }
   const bool is_resumed = !options.resume.empty();
   if (is_resumed && (!options.reports.empty() || !options.output.empty())) {
@@ -309,7 +323,7 @@ std::optional<std::string> records_conflict(const LintOptions& options) {
   return std::nullopt;
 }
 
-ExitCode write_records(const LintOptions& options, const LintPlan& plan, const FileReader& given) {
+ExitCode write_records(const LintOptions& options, const LintPlan& plan, std::string input) {
   const bool is_resumed = !options.resume.empty();
   std::string place = is_resumed ? options.resume : options.reports.front().file;
   if (place.empty()) place = options.output;
@@ -325,8 +339,7 @@ ExitCode write_records(const LintOptions& options, const LintPlan& plan, const F
   }
   EachChecks checks(plan, record_settings(options), options.limits);
   checks.leave_out([&](const PlannedFile& one) { return old->paths.contains(one.path); });
-  const std::string& name = plan.standard_input;
-  if (!name.empty()) checks.set_text(name, given.read(name, options.limits.file_bytes).text);
+  if (!plan.standard_input.empty()) checks.set_text(plan.standard_input, std::move(input));
   if (!options.cache.empty()) checks.use_cache(options.cache, answer_form(options));
   const std::vector<EachFile>& each = checks.files();
   RecordFile out;
@@ -335,16 +348,17 @@ ExitCode write_records(const LintOptions& options, const LintPlan& plan, const F
   Summary all = old->summary;
   Threshold threshold = options.threshold;
   Progress progress("checked", each.size(), options.quiet);
-  std::vector<Answered> answers(each.size());
+  std::vector<std::unique_ptr<Answered>> answers(each.size());  // those that wait to be written
   for_each_of(
       each.size(), static_cast<unsigned>(options.jobs.value_or(0)),
       [&](std::size_t i) {
-        answers[i] = answer_about(each[i].planned->path, checks.of(i), options);
+        answers[i] =
+            std::make_unique<Answered>(answer_about(each[i].planned->path, checks.of(i), options));
         progress.advance();
       },
       [&](std::size_t i) {
-        const Answered one = std::move(answers[i]);
-        answers[i] = {};
+        const auto answer = std::move(answers[i]);
+        const Answered& one = *answer;
         if (one.line.empty()) return true;
         if (!is_open) {
           const std::string reason = why_not_continued(*old, one.targets);
@@ -358,6 +372,10 @@ ExitCode write_records(const LintOptions& options, const LintPlan& plan, const F
         is_failed = !is_open || !out.write(one.line);
         return !is_failed;
       });
+  if (!is_open && !is_failed && old->paths.empty() && plan.problems.empty()) {
+    complain(kSmurfLint, why_no_records(options));
+    return kFailed;
+  }
   if (!is_open && !is_failed && !out.open(place, old->bytes)) is_failed = true;
   if (const std::string problem = checks.cache_problem(); !problem.empty()) {
     complain(kSmurfLint, "--cache: " + problem + "; the records are complete without it");

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,17 +26,23 @@ InputKind input_kind(std::string_view path);
 /// Whether a file is a scene: one of SMURF, a drawing, or a world of SDF.
 bool is_scene_file(const std::string& path, const FileReader& files, const Limits& limits);
 
-/// A file to check with all files that it loads, and its configuration.
+/// The arguments with which a xacro file is checked, from a configuration.
+struct PlannedArguments {
+  std::map<std::string, std::string> values;
+  std::string shown;  ///< those that have several values: "ur_type:=ur5e"
+};
+
+/// A file to check with all files that it loads, and its configuration. Small, because a data set
+/// has many thousands of them.
 struct PlannedFile {
   std::string path;
-  std::size_t config = 0;  ///< index into Plan::configs
+  std::uint32_t config = 0;  ///< index into Plan::configs
   /// A xacro file that was found in a folder. It may be a part of a robot; then it has no findings.
   bool may_be_part = false;
   bool is_named = false;   ///< by the user, and not found in a folder
   bool is_helper = false;  ///< a robot that is loaded only for companions
-  /// Of a xacro file, from a configuration; set by the session.
-  std::map<std::string, std::string> arguments = {};
-  std::string shown = {};  ///< the arguments that have several values: "ur_type:=ur5e"
+  /// Of a xacro file; set by the session. Null: none.
+  std::shared_ptr<const PlannedArguments> arguments = {};
 };
 
 /// The files to load, their kinds, and their configurations.

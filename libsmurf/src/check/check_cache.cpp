@@ -77,13 +77,16 @@ void add_settings(const CheckSettings& settings, KeyText& key) {
 }
 
 void add_planned(const PlannedFile& planned, KeyText& key) {
-  const auto& [path, config, may_be_part, is_named, is_helper, arguments, shown] = planned;
+  const auto& [path, config, may_be_part, is_named, is_helper, arguments] = planned;
   key.add(path);
-  key.add(static_cast<std::uint64_t>(config));
+  key.add(std::uint64_t{config});
   key.add(may_be_part);
   key.add(is_named);
   key.add(is_helper);
-  key.add_all(arguments);
+  key.add(arguments != nullptr);
+  if (arguments == nullptr) return;
+  const auto& [values, shown] = *arguments;
+  key.add_all(values);
   key.add(shown);
 }
 

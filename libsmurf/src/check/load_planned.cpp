@@ -55,7 +55,8 @@ void PlannedLoader::load(const PlannedFile& planned, const FileReader& files, Me
   context.limits.xacro_steps = xacro_steps;
   context.xacro = group.settings.xacro;
   context.ties = group.ties;
-  if (!planned.arguments.empty()) context.xacro.arguments = planned.arguments;
+  if (planned.arguments != nullptr && !planned.arguments->values.empty())
+    context.xacro.arguments = planned.arguments->values;
   if (is_scene_file(planned.path, files, run.check.limits)) {
     load_one_scene(planned, context, outcome);
   } else {
@@ -113,8 +114,8 @@ void PlannedLoader::load_one_robot(const PlannedFile& planned, LoadContext& cont
   excuse(robot.companions);
   for (const Variant& one : robot.variants) excuse(one.companions);
   if (has_several_robots) excuse_one_of_several(outcome.judged.diagnostics);
-  if (!planned.shown.empty()) {
-    for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + planned.shown);
+  if (const std::string shown = shown_arguments(planned); !shown.empty()) {
+    for (Diagnostic& one : outcome.judged.diagnostics) one.note("with " + shown);
   }
   if (xacro::is_xacro_file(planned.path) && !model.robot) outcome.notes.unknown_robot = model.path;
   if (model.robot) outcome.notes.size = size_of(*model.robot);

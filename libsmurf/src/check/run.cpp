@@ -283,7 +283,8 @@ class Run {
   void judge_robot(const Outcome& outcome, const PlannedFile& planned) {
     if (expected_ < 2 || (outcome.models.empty() && outcome.scenes.empty())) return;
     RobotAnswers& robot = robots_.emplace_back();
-    robot.path = planned.path + (planned.shown.empty() ? "" : " " + planned.shown);
+    const std::string shown = shown_arguments(planned);
+    robot.path = planned.path + (shown.empty() ? "" : " " + shown);
     if (targets_.empty()) return;
     const RuleSelection& selection = memory_.groups[planned.config].selection;
     const std::vector<Diagnostic> found =
@@ -323,8 +324,8 @@ class Run {
     const auto file_of = [&](const Diagnostic& one) {
       return identity_of(sources_.path(one.span.source));
     };
-    shared_.take(outcome.companions, planned.path, planned.config, !planned.shown.empty(), file_of,
-                 outcome.judged.diagnostics);
+    shared_.take(outcome.companions, planned.path, planned.config,
+                 !shown_arguments(planned).empty(), file_of, outcome.judged.diagnostics);
     told_.leave_new(outcome.surroundings, file_of, outcome.judged.diagnostics);
     append(std::move(outcome.judged.diagnostics), found_[planned.config].diagnostics);
     found_[planned.config].comments.take(std::move(outcome.judged.comments), by);

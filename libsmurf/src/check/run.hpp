@@ -45,14 +45,20 @@ struct Outcome {
   MeshLibrary meshes;                       ///< opened for it
   ParsedFiles parsed;
   Recorder::Answers answers;  ///< queries on which the result depends
-  std::size_t config = 0;     ///< see PlannedFile::config
+  std::uint32_t config = 0;   ///< see PlannedFile::config
 };
 
 /// The key of an outcome. A xacro file is checked with several sets of arguments.
 inline std::string key_of(const PlannedFile& planned) {
   std::string key = planned.path;
-  for (const auto& [name, value] : planned.arguments) key += "\n" + name + ":=" + value;
+  if (planned.arguments == nullptr) return key;
+  for (const auto& [name, value] : planned.arguments->values) key += "\n" + name + ":=" + value;
   return key;
+}
+
+/// Those of its arguments that have several values; "" if there are none.
+inline std::string shown_arguments(const PlannedFile& planned) {
+  return planned.arguments == nullptr ? std::string() : planned.arguments->shown;
 }
 
 /// The outcome of a file that takes too long: one finding.
@@ -63,7 +69,8 @@ inline Outcome outcome_out_of_time(const PlannedFile& planned, const std::string
   outcome.config = planned.config;
   DiagnosticSink sink;
   Diagnostic& left = report_out_of_time(planned.path, seconds, outcome.sources, sink);
-  if (!planned.shown.empty()) left.note("with " + planned.shown);
+  if (const std::string shown = shown_arguments(planned); !shown.empty())
+    left.note("with " + shown);
   outcome.judged.diagnostics = sink.take();
   outcome.read.insert(identity);
   const InputKind kind = input_kind(planned.path);

@@ -39,15 +39,16 @@ void append_variants(const PlannedFile& file, const ConfigXacro& robot, const Ch
     append(sink.take(), found[file.config].diagnostics);
   }
   for (auto& arguments : combinations) {
-    PlannedFile variant = file;
-    variant.may_be_part = false;
+    PlannedArguments planned;
     for (const auto& [name, values] : robot.arguments) {
       if (values.size() < 2) continue;
-      variant.shown +=
-          (variant.shown.empty() ? "" : " ") + name.value + ":=" + arguments.at(name.value);
+      planned.shown +=
+          (planned.shown.empty() ? "" : " ") + name.value + ":=" + arguments.at(name.value);
     }
-    variant.arguments = std::move(arguments);
-    all.push_back(std::move(variant));
+    planned.values = std::move(arguments);
+    PlannedFile& variant = all.emplace_back(file);
+    variant.may_be_part = false;
+    variant.arguments = std::make_shared<const PlannedArguments>(std::move(planned));
   }
 }
 

@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <map>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -37,11 +36,13 @@ bool is_sought(std::string_view path) {
 }
 
 using places::Entry;
+using Entries = std::vector<std::pair<std::string, Entry>>;
 
 /// Whether colcon fills the folder with copies of the packages.
-bool is_output_of_colcon(const std::string& folder, const std::map<std::string, Entry>& entries) {
+bool is_output_of_colcon(const std::string& folder, const Entries& entries) {
   return is_one_of(path::file_name(folder), {"install", "build", "log"}) &&
-         entries.contains("COLCON_IGNORE");
+         std::any_of(entries.begin(), entries.end(),
+                     [](const auto& one) { return one.first == "COLCON_IGNORE"; });
 }
 
 class Search {
@@ -94,18 +95,19 @@ class Search {
     sys::Status status{};
     if (sys::stat(folder.c_str(), &status) != 0) return fail(folder, errno);
     if (!is_new(status)) return;
-    std::map<std::string, Entry> entries;
+    Entries entries;
     bool is_cut = false;
     const std::error_code error = places::for_each_entry(folder, [&](std::string name, Entry kind) {
       is_cut = is_full();
       if (is_cut) return false;
       ++entries_;
-      entries.emplace(std::move(name), kind);
+      entries.emplace_back(std::move(name), kind);
       return true;
     });
     if (is_cut) return;
     if (error) fail(folder, error.value());
     if (is_output_of_colcon(folder, entries)) return;
+    std::sort(entries.begin(), entries.end());
     for (const auto& [name, kind] : entries) {
       if (!name.starts_with('.')) visit(path::join(folder, name), kind);
     }
@@ -120,7 +122,6 @@ class Search {
       sys::Status status{};
       if (sys::lstat(path.c_str(), &status) != 0) return fail(path, errno);
       if (is_left_out(path, false)) return;
-      is_new(status);                // for symbolic links to it
       found_.files.push_back(path);  // each hard link: it has other neighbours
     } else if (kind == Entry::file && xacro::is_xacro_file(path) && !is_left_out(path, false)) {
       found_.xacro.push_back(path);
@@ -147,7 +148,19 @@ class Search {
       // git treats a link as a file, whatever its target.
       if (!is_left_out(link, false)) walk(link);
     } else if (S_ISREG(status.st_mode) && is_sought(link)) {
-      if (!is_left_out(link, false) && is_new(status)) found_.files.push_back(link);
+      if (is_left_out(link, false)) return;
+      see_files();
+      if (is_new(status)) found_.files.push_back(link);
+    }
+  }
+
+  /// Makes the files known that were found so far. Only links ask for it: a data set without links
+  /// has many thousands of files.
+  void see_files() {
+    for (; seen_files_ < found_.files.size(); ++seen_files_) {
+      sys::Status status{};
+      const std::string& path = found_.files[seen_files_];
+      if (sys::stat(path.c_str(), &status) == 0) is_new(status);
     }
   }
 
@@ -159,6 +172,7 @@ class Search {
   FoundInputs found_;
   std::vector<std::string> links_;
   std::set<std::pair<std::uint64_t, std::uint64_t>> seen_;
+  std::size_t seen_files_ = 0;  ///< how many of the files are in it
 };
 
 }  // namespace

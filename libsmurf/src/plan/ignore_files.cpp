@@ -39,6 +39,12 @@ const IgnoreFiles::Level& IgnoreFiles::level_of(const std::string& folder) {
   return level;
 }
 
+const IgnoreFiles::Level& IgnoreFiles::level_around(const std::string& path) {
+  constexpr std::size_t kMostLevels = 4'096;  // a data set has a folder for each robot
+  if (levels_.size() > kMostLevels) levels_.clear();
+  return level_of(std::string(path::parent(path)));
+}
+
 bool IgnoreFiles::may_check(std::size_t patterns) {
   is_exhausted_ = is_exhausted_ || patterns > checks_left_;
   if (!is_exhausted_) checks_left_ -= patterns;
@@ -65,8 +71,7 @@ void IgnoreFiles::count(std::uint64_t steps) {
 }
 
 PathVerdict IgnoreFiles::lint_verdict(const std::string& path, bool is_folder) {
-  for (const Level* level = &level_of(std::string(path::parent(path))); level != nullptr;
-       level = level->above) {
+  for (const Level* level = &level_around(path); level != nullptr; level = level->above) {
     if (!may_check(level->of_lint.size())) return PathVerdict::excluded;
     const PathVerdict verdict = judge(level->of_lint, below(path, level->folder), is_folder);
     if (verdict != PathVerdict::unmentioned) return verdict;
@@ -77,8 +82,7 @@ PathVerdict IgnoreFiles::lint_verdict(const std::string& path, bool is_folder) {
 bool IgnoreFiles::leaves_out(const std::string& path, bool is_folder) {
   const PathVerdict of_lint = lint_verdict(path, is_folder);
   if (of_lint != PathVerdict::unmentioned) return of_lint == PathVerdict::excluded;
-  for (const Level* level = &level_of(std::string(path::parent(path))); level != nullptr;
-       level = level->above) {
+  for (const Level* level = &level_around(path); level != nullptr; level = level->above) {
     if (!may_check(level->of_git.size())) return true;
     const PathVerdict verdict = judge(level->of_git, below(path, level->folder), is_folder);
     if (verdict != PathVerdict::unmentioned) return verdict == PathVerdict::excluded;
@@ -90,8 +94,7 @@ bool IgnoreFiles::leaves_out(const std::string& path, bool is_folder) {
 bool IgnoreFiles::leaves_out_with_folders(const std::string& path) {
   // As in git, what is ignored outside of the innermost repository does not reach into it.
   std::size_t repository = 0;
-  for (const Level* level = &level_of(std::string(path::parent(path))); level != nullptr;
-       level = level->above) {
+  for (const Level* level = &level_around(path); level != nullptr; level = level->above) {
     if (level->is_repository) {
       repository = level->folder.size();
       break;

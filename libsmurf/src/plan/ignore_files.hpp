@@ -12,9 +12,9 @@
 
 namespace smurf {
 
-/// Reads the ignore files of each folder once. As in git, the nearest file with a matching pattern
-/// applies, and .gitignore only applies inside a repository; .smurf-lintignore applies everywhere,
-/// and takes precedence.
+/// Reads the ignore files of each folder once, as long as it does not meet thousands of others. As
+/// in git, the nearest file with a matching pattern applies, and .gitignore only applies inside a
+/// repository; .smurf-lintignore applies everywhere, and takes precedence.
 class IgnoreFiles {
  public:
   /// `most_checks` limits how often a path is compared with a pattern.
@@ -48,6 +48,8 @@ class IgnoreFiles {
   void count(std::uint64_t steps);
   PathVerdict lint_verdict(const std::string& path, bool is_folder);
   const Level& level_of(const std::string& folder);
+  /// The level of the folder of a path, which is valid until the next call.
+  const Level& level_around(const std::string& path);
 
   const FileReader& files_;
   std::uint64_t checks_left_;

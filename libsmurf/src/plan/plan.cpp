@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
@@ -16,6 +17,8 @@
 #include "base/files/path_patterns.hpp"
 #include "base/files/places.hpp"
 #include "base/findings/limits.hpp"
+#include "base/numbers/digest.hpp"
+#include "base/recent_map.hpp"
 #include "link/imported_world.hpp"
 #include "mjcf/mjcf.hpp"
 #include "plan/ignore_files.hpp"
@@ -32,6 +35,8 @@
 
 namespace smurf {
 namespace {
+
+using ShortDigest = std::array<std::uint8_t, 16>;
 
 constexpr std::uint64_t kMostBytesOfCompanion = 1U << 20U;
 
@@ -150,10 +155,10 @@ class Planner {
   }
 
   std::size_t config_of_folder(const std::string& folder) {
-    const auto [place, is_new] = by_folder_.try_emplace(folder);
-    if (!is_new) return place->second;
-    return place->second = is_as_above(folder) ? config_of_folder(path::join(folder, ".."))
-                                               : config_found_from(folder);
+    if (const std::size_t* const known = by_folder_.find(folder)) return *known;
+    const std::size_t config = is_as_above(folder) ? config_of_folder(path::join(folder, ".."))
+                                                   : config_found_from(folder);
+    return by_folder_.add(folder, config);
   }
 
   /// Whether the folder is known to have the same configuration as its parent.
@@ -209,8 +214,13 @@ class Planner {
 
   std::string absolute(const std::string& path) const { return path::join(current_folder_, path); }
 
-  void add(std::vector<PlannedFile>& to, const std::string& path) {
-    if (planned_.insert(identity(path, files_)).second) to.push_back({path, config_of_entry(path)});
+  void add(std::vector<PlannedFile>& to, std::string path) {
+    // A digest is shorter than the path, and a set of many thousands remains small.
+    ShortDigest id{};
+    std::copy_n(digest_of(identity(path, files_)).begin(), id.size(), id.begin());
+    if (!planned_.insert(id).second) return;
+    const auto config = static_cast<std::uint32_t>(config_of_entry(path));
+    to.push_back({std::move(path), config});
   }
 
   /// Whether a link leads out of the project in which it lies. The link itself would stand for the
@@ -241,19 +251,19 @@ class Planner {
     const std::vector<std::string> roots =
         XacroFiles(found.xacro, files_, settings_.limits).roots();
     const std::vector<std::string> imported = imported_robots(found.xml, files_, settings_.limits);
-    for (const std::string& file : found.yaml) add(plan_.companions, file);
     const bool is_found =
         !found.files.empty() || !roots.empty() || !imported.empty() || has_companion(found.yaml);
     if (!is_found && found.unreadable.empty() && !ignore_files_.is_exhausted()) {
       fail(why_nothing(found, folder));
     }
     if (is_found) plan_.links += found.links_outside;
-    for (const std::string& file : found.files) {
+    for (std::string& file : found.yaml) add(plan_.companions, std::move(file));
+    for (std::string& file : found.files) {
       switch (input_kind(file)) {
-      case InputKind::scene: add(plan_.scenes, file); break;
+      case InputKind::scene: add(plan_.scenes, std::move(file)); break;
       case InputKind::urdf:
-      case InputKind::other: add(plan_.others, file); break;  // others are companions
-      default: add(plan_.models, file); break;
+      case InputKind::other: add(plan_.others, std::move(file)); break;  // others are companions
+      default: add(plan_.models, std::move(file)); break;
       }
     }
     for (const std::string& file : imported)
@@ -391,8 +401,9 @@ class Planner {
   const std::function<void(const std::string&)>& tell_;
   const std::string current_folder_;
   FoundPlan plan_;
-  std::set<std::string> planned_;
-  std::map<std::string, std::size_t> by_folder_, configs_;
+  std::set<ShortDigest> planned_;  ///< of identities
+  RecentMap<std::size_t> by_folder_;
+  std::map<std::string, std::size_t> configs_;
   std::deque<Exclusions> exclusions_;  ///< of each configuration
   IgnoreFiles ignore_files_;
   ModelsAround models_;

@@ -86,9 +86,10 @@ class XmlScanner {
   }
 
   void markup() {
-    if (looking_at("</")) return end_tag();
-    if (looking_at("<?")) return instruction();
-    if (!looking_at("<!")) return start_tag();
+    const char next = at_ + 1 < size() ? text_[at_ + 1] : '\0';
+    if (next == '/') return end_tag();
+    if (next == '?') return instruction();
+    if (next != '!') return start_tag();
     if (looking_at("<!--")) return comment();
     if (looking_at("<![CDATA[")) return character_section();
     if (looking_at("<!DOCTYPE")) return doctype();

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading an xml::Document.
 #include <algorithm>
-#include <map>
 #include <optional>
-#include <utility>
+#include <unordered_map>
+#include <vector>
 
+#include "base/numbers/hash.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
 #include "smurf/xml.hpp"
@@ -51,6 +52,24 @@ std::optional<std::string_view> name_in_step(View element) {
   return name->value();
 }
 
+/// A step of a path, without a number: the kind of the element and its name.
+struct Step {
+  std::string_view kind;
+  std::optional<std::string_view> name;
+
+  bool operator==(const Step& other) const {
+    return name.has_value() == other.name.has_value() && is_same(kind, other.kind) &&
+           (!name || is_same(*name, *other.name));
+  }
+};
+
+struct HashOfStep {
+  std::size_t operator()(const Step& step) const {
+    constexpr std::size_t kNameless = 1;
+    return hash_of(step.kind) * 31 + (step.name ? hash_of(*step.name) : kNameless);
+  }
+};
+
 }  // namespace
 
 void XPaths::number_children(View parent) {
@@ -58,20 +77,28 @@ void XPaths::number_children(View parent) {
     std::uint32_t count = 0;
     std::uint32_t seen = 0;
   };
-  std::map<std::pair<std::string_view, std::optional<std::string_view>>, Siblings> same;
+  struct Child {
+    Siblings* same = nullptr;     ///< of the same step
+    Siblings* of_kind = nullptr;  ///< of the kind, with any name or none
+    ElementId id = kNoElement;
+  };
+  std::unordered_map<Step, Siblings, HashOfStep> steps;
+  std::vector<Child> children;
   // For elements without a name, all siblings of the kind are counted.
   for (const View child : parent) {
     const auto name = name_in_step(child);
-    ++same[{child.name(), name}].count;
-    if (name) ++same[{child.name(), std::nullopt}].count;
+    Siblings& of_kind = steps[{child.name(), std::nullopt}];
+    Siblings& same = name ? steps[{child.name(), name}] : of_kind;
+    ++same.count;
+    if (name) ++of_kind.count;
+    children.push_back({&same, &of_kind, child.id()});
   }
-  for (const View child : parent) {
-    const auto name = name_in_step(child);
-    Siblings& siblings = same[{child.name(), name}];
-    ++siblings.seen;
-    if (name) ++same[{child.name(), std::nullopt}].seen;
-    const std::uint32_t number = siblings.count > 1 ? siblings.seen : kAlone & ~kNamed;
-    numbers_[static_cast<std::size_t>(child.id())] = number | (name ? kNamed : 0);
+  for (const Child& child : children) {
+    const bool is_named = child.same != child.of_kind;
+    ++child.same->seen;
+    if (is_named) ++child.of_kind->seen;
+    const std::uint32_t number = child.same->count > 1 ? child.same->seen : kAlone & ~kNamed;
+    numbers_[static_cast<std::size_t>(child.id)] = number | (is_named ? kNamed : 0);
   }
 }
 

@@ -28,7 +28,7 @@ std::size_t count_of_nodes(std::string_view text) {
 }
 
 /// Keys have a few letters, for which this is faster than std::hash.
-std::size_t hash_of(std::string_view key) {
+std::size_t quick_hash_of(std::string_view key) {
   std::size_t hash = 0;
   for (const char c : key) hash = 31 * hash + static_cast<unsigned char>(c);
   return hash;
@@ -195,7 +195,7 @@ bool YamlBuilder::may_have_duplicates(const Node& mapping) const {
   std::bitset<2048> seen;  // by hash; in ordinary mappings, few keys share a bit
   for (NodeId child = mapping.first_child(); child != kNoNode;) {
     const Node& node = document_.nodes[index(child)];
-    const std::size_t bit = hash_of(node.key()) % seen.size();
+    const std::size_t bit = quick_hash_of(node.key()) % seen.size();
     if (seen[bit]) return true;
     seen[bit] = true;
     child = node.next_sibling;

@@ -31,13 +31,13 @@ std::optional<std::string> here() {
 
 std::optional<std::string> CanonicalPaths::known(std::string_view path) const {
   const std::lock_guard lock(mutex_);
-  const auto found = known_.find(path);
-  return found == known_.end() ? std::nullopt : std::optional(found->second);
+  const std::string* const found = known_.find(path);
+  return found == nullptr ? std::nullopt : std::optional(*found);
 }
 
 void CanonicalPaths::remember(const std::string& path, const std::string& canonical) const {
   const std::lock_guard lock(mutex_);
-  known_.emplace(path, canonical);
+  known_.add(path, canonical);
 }
 
 std::optional<std::string> CanonicalPaths::of(const std::string& path) const {

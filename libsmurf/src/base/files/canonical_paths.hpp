@@ -2,21 +2,21 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "base/recent_map.hpp"
 #include "smurf/file_reader.hpp"
 
 namespace smurf {
 
 class OpenFolder;
 
-/// Resolves symbolic links in paths. Each path is looked up once and then remembered, so use it for
-/// one run only. Several threads may use it.
+/// Resolves symbolic links in paths. What was looked up is remembered, so use it for one run only;
+/// of many thousands of paths, only the last ones are. Several threads may use it.
 class CanonicalPaths {
  public:
   /// Whether a link in `folder` may lead through a place. Both paths are canonical, but the last
@@ -40,7 +40,7 @@ class CanonicalPaths {
 
   MayPass may_pass_;
   mutable std::mutex mutex_;
-  mutable std::map<std::string, std::string, std::less<>> known_;
+  mutable RecentMap<std::string> known_;
 };
 
 /// The canonical path of an existing path, without remembered results. Where the system supports

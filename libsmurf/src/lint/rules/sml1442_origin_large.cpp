@@ -22,6 +22,28 @@ double farthest_in(std::string_view text) {
   return farthest;
 }
 
+/// Whether a text is sure to have no number as far from 0 as `far`: each word is plain and has at
+/// most so many digits before its point. Most origins are told apart without reading numbers.
+bool is_near(std::string_view text, double far) {
+  int most = 0;
+  for (double power = 10; power <= far && most < 9; power *= 10) ++most;
+  int digits = 0;
+  bool is_behind_point = false;
+  for (const char c : text) {
+    if (is_digit(c)) {
+      if (!is_behind_point && ++digits > most) return false;
+    } else if (c == '.') {
+      is_behind_point = true;
+    } else if (is_blank(c)) {
+      digits = 0;
+      is_behind_point = false;
+    } else if (c != '-') {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// From here, rounding can make the inertia impossible that links have together about one point.
 constexpr double kRounded = 1e5;  // m
 
@@ -42,7 +64,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!is_same(document.elements[i].name(), "origin")) continue;
     const xml::View origin(document, xml::ElementId{static_cast<std::uint32_t>(i)});
     const xml::Attribute* xyz = origin.attribute("xyz");
-    const double farthest = xyz == nullptr ? 0 : farthest_in(xyz->value());
+    if (xyz == nullptr || is_near(xyz->value(), far)) continue;
+    const double farthest = farthest_in(xyz->value());
     if (std::fabs(farthest) <= far) continue;
     Diagnostic& finding =
         findings.report_habit(xyz->value_span(),

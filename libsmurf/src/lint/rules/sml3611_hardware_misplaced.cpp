@@ -21,7 +21,7 @@ class Search {
 
   void look_into(xml::View element) {
     for (const xml::View child : element) {
-      if (child.name() == "ros2_control") {
+      if (is_same(child.name(), "ros2_control")) {
         report(child, "ros2_control does not find this `ros2_control`, because it is in " +
                           quoted(element.name()))
             .help("move it directly into `robot`");
@@ -34,10 +34,9 @@ class Search {
   /// A part of a `ros2_control` that is not in one.
   static bool is_part(xml::View element) {
     if (is_one_of(element.name(), {"hardware", "gpio"})) return true;
-    if (element.name() == "transmission") return static_cast<bool>(element.child("plugin"));
-    const bool has_interface =
-        element.child("state_interface") || element.child("command_interface");
-    return is_one_of(element.name(), {"sensor", "joint"}) && has_interface;
+    if (is_same(element.name(), "transmission")) return static_cast<bool>(element.child("plugin"));
+    if (!is_one_of(element.name(), {"sensor", "joint"})) return false;
+    return element.child("state_interface") || element.child("command_interface");
   }
 
   void look_at(xml::View child) {
