@@ -49,11 +49,13 @@ class DriveReader {
       for (const auto& [name, one] : *controlled_) drive_of(model_.find_joint(name));
     }
     if (options_.kind != MotorKind::as_written) add_missing();
+    const std::set<const urdf::Joint*> leaders = leaders_of_others();
     std::vector<JointDrive> found;
     for (std::optional<JointDrive>& drive : drives_) {
       if (!drive) continue;
       apply_controller(*drive);
       apply_options(*drive);
+      drive->has_followers = leaders.contains(drive->joint);
       found.push_back(std::move(*drive));
     }
     return found;
@@ -80,6 +82,17 @@ class DriveReader {
     constexpr double kUsualGain = 20;
     drive.gain = kUsualGain;
     return &drive;
+  }
+
+  std::set<const urdf::Joint*> leaders_of_others() const {
+    std::set<const urdf::Joint*> leaders;
+    for (const urdf::Joint& joint : model_.robot->joints) {
+      if (joint.mimic && joint.mimic->joint) {
+        leaders.insert(model_.find_joint(*joint.mimic->joint));
+      }
+    }
+    for (const DrivenFollower& follower : driven_followers(model_)) leaders.insert(follower.leader);
+    return leaders;
   }
 
   /// A joint that no followed motor moves either.
@@ -349,9 +362,11 @@ DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double
     gains.kp = std::max(kRate * kRate * moved, least_kp);
     gains.kv = std::max(2 * std::sqrt(gains.kp * moved),
                         gains.kp / kRate);  // with joints that follow it
+    if (gains.kv <= most) return gains;     // the rest would be a negative damping
   }
   if (!drive.effort) return gains;  // without a limit of the force, it is integrated implicitly
-  if (drive.kind == DriveKind::velocity) {
+  // MuJoCo solves the equality of a follower without the damping, which then makes it unstable.
+  if (drive.kind == DriveKind::velocity || drive.has_followers) {
     if (!drive.armature) gains.armature = 4 * step * gains.kv - inertia.free;
     return gains;
   }
