@@ -43,6 +43,7 @@ struct Options {
   SelfCollision self_collision = SelfCollision::as_usual;
   bool excludes_overlaps = false;
   std::string srdf;
+  std::string controllers;
   bool compare_dialects = false;
   std::string form;
   std::string explained;
@@ -113,8 +114,11 @@ void add_options(Command& command, Options& options) {
   options.motors_help =
       "Choose what the motors are commanded with, and give one to each joint without a motor (" +
       formats_with(&SceneFormat::has_motors) +
-      "). auto: a position, unless the model says a speed. By default, motors are as in the model.";
-  for (Option& option : motor_options(options.motors, options.motors_help)) add(std::move(option));
+      "). auto: a position, unless the model or a controller says otherwise. By default, motors are as "
+      "in the model and its controllers.";
+  for (Option& option : motor_options(options.motors, options.controllers, options.motors_help)) {
+    add(std::move(option));
+  }
   for (Option& option :
        contact_options(options.self_collision, options.srdf, options.excludes_overlaps)) {
     add(std::move(option));
@@ -299,6 +303,7 @@ SceneRequest request_of(const Options& options, const SceneFormat& format, Scene
                        .self_collision = options.self_collision,
                        .excludes_overlaps = options.excludes_overlaps,
                        .srdf = options.srdf,
+                       .controllers = options.controllers,
                        .links = options.links,
                        .assets = options.assets,
                        .output_folder = output_folder(options),
@@ -312,9 +317,10 @@ SceneRequest request_of(const Options& options, const SceneFormat& format, Scene
   return request;
 }
 
-bool asks_for_motors(const MotorOptions& motors) {
-  return motors.kind != MotorKind::as_written || !motors.kp.empty() || !motors.kv.empty() ||
-         !motors.armature.empty();
+bool asks_for_motors(const Options& options) {
+  const MotorOptions& motors = options.motors;
+  return !options.controllers.empty() || motors.kind != MotorKind::as_written ||
+         !motors.kp.empty() || !motors.kv.empty() || !motors.armature.empty();
 }
 
 bool asks_for_contacts(const Options& options) {
@@ -408,9 +414,10 @@ int smurfs_flatten_main(int argc, char** argv) {
                         formats_with(&SceneFormat::has_ground));
     return kFailed;
   }
-  if (asks_for_motors(options.motors) && !format.has_motors) {
-    complain(kTool, "--actuator, --kp, --kv and --armature need one of the formats " +
-                        formats_with(&SceneFormat::has_motors));
+  if (asks_for_motors(options) && !format.has_motors) {
+    complain(kTool,
+             "--actuator, --kp, --kv, --armature and --controllers need one of the formats " +
+                 formats_with(&SceneFormat::has_motors));
     return kFailed;
   }
   if (asks_for_contacts(options) && !format.has_contacts) {
@@ -424,6 +431,8 @@ int smurfs_flatten_main(int argc, char** argv) {
                         {InputKind::scene, InputKind::model, InputKind::urdf});
   auto loaded = conversion.load_scene(options.scene);
   if (!loaded) return conversion.fail();
+  const bool has_file = !options.controllers.empty() && options.controllers != kNoControllers;
+  if (has_file && !conversion.allow(options.controllers)) return conversion.fail();
   SceneResult result;
   if (options.compare_dialects || !options.explained.empty()) {
     SceneCheck check = check_scene(conversion.session(), *loaded, options.common.force);

@@ -23,7 +23,8 @@ Setter append_number(std::vector<JointNumber>& numbers) {
 
 }  // namespace
 
-std::vector<Option> motor_options(MotorOptions& motors, std::string_view help) {
+std::vector<Option> motor_options(MotorOptions& motors, std::string& controllers,
+                                  std::string_view help) {
   return {{.name = "actuator",
            .metavar = "KIND",
            .help = help,
@@ -44,7 +45,14 @@ std::vector<Option> motor_options(MotorOptions& motors, std::string_view help) {
           {.name = "armature",
            .metavar = "[JOINTS=]NUMBER",
            .help = "Set the inertia of motors at their joints, kg m^2 or kg (mjcf).",
-           .set = append_number(motors.armature)}};
+           .set = append_number(motors.armature)},
+          {.name = "controllers",
+           .metavar = "FILE",
+           .help =
+               "Read the kinds and gains of motors from the controllers of ros2_control in this "
+               "parameter file; `none`: from no file. By default, from the files that belong to "
+               "the robot, as for smurf-lint.",
+           .set = set_text(controllers)}};
 }
 
 std::vector<Option> contact_options(SelfCollision& choice, std::string& srdf,

@@ -11,9 +11,10 @@
 
 namespace smurf::tools {
 
-/// The options --actuator, --kp, --kv and --armature, which write into `motors`. `help` is the text
-/// of --actuator. Both must live as long as the options.
-std::vector<Option> motor_options(MotorOptions& motors, std::string_view help);
+/// The options --actuator, --kp, --kv and --armature, which write into `motors`, and --controllers.
+/// `help` is the text of --actuator. All must live as long as the options.
+std::vector<Option> motor_options(MotorOptions& motors, std::string& controllers,
+                                  std::string_view help);
 /// --self-collision, --srdf and --exclude-overlaps.
 std::vector<Option> contact_options(SelfCollision& choice, std::string& srdf,
                                     bool& excludes_overlaps);

@@ -15,6 +15,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "smurf/asset_copies.hpp"
@@ -131,6 +132,9 @@ bool is_loss(const Diagnostic& finding);
 SceneForm usual_form(const SceneFormat& format);
 bool has_form(const SceneFormat& format, SceneForm form);
 
+/// SceneRequest::controllers: motors do not follow controllers.
+inline constexpr std::string_view kNoControllers = "none";
+
 /// What convert_scene() is asked for.
 struct SceneRequest {
   const SceneFormat& format;
@@ -143,6 +147,8 @@ struct SceneRequest {
   /// Leaves out the contacts of links that overlap at the start. Automatic motors do, too.
   bool excludes_overlaps = false;
   std::string srdf = {};  ///< "": those beside the URDFs
+  /// A file of controllers of ros2_control; "": those that belong to the models; kNoControllers.
+  std::string controllers = {};
   bool links = false;
   std::string assets = {};  ///< folder for the files that the result names; "": they stay
   std::string output_folder = ".";

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,12 +44,27 @@ struct JointNumber {
   std::string joints;  ///< a pattern of names with `*`; "": all joints
   double value = 0;
 };
+/// How a controller of ros2_control commands a joint.
+struct ControlledJoint {
+  /// Position, velocity or effort. An effort that follows the error of a position or speed is a
+  /// motor of that, with the gains.
+  MotorKind kind = MotorKind::position;
+  std::optional<double> kp;  ///< N m/rad or N/m
+  std::optional<double> kv;  ///< N m s/rad or N s/m
+  std::string controller;
+  std::string file;  ///< that states it, as in messages
+};
+/// By the names of joints.
+using ControlledJoints = std::map<std::string, ControlledJoint, std::less<>>;
+
 /// Motors of formats that have them. Of several numbers for one joint, the last one counts.
 struct MotorOptions {
   MotorKind kind = MotorKind::as_written;
   std::vector<JointNumber> kp;        ///< stiffness of positions, N m/rad or N/m
   std::vector<JointNumber> kv;        ///< damping, N m s/rad or N s/m
   std::vector<JointNumber> armature;  ///< inertia of the motor at its joint, kg m^2 or kg
+  /// What the controllers of models say, which these options override.
+  std::map<const LinkedModel*, ControlledJoints> controlled = {};
 };
 
 /// What of a robot can touch itself. As usual: all but neighbours, and in USD nothing.

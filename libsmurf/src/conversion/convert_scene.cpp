@@ -12,6 +12,7 @@
 #include "base/findings/rules.hpp"
 #include "check/in_time.hpp"
 #include "conversion/floor.hpp"
+#include "conversion/joint_controllers.hpp"
 #include "conversion/judged_models.hpp"
 #include "conversion/own_contacts.hpp"
 #include "conversion/refusal.hpp"
@@ -115,6 +116,11 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
   if (format.has_contacts) {
     contacts = own_contacts(request, loaded.scene, *flat, files, limits, loaded.found);
   }
+  MotorOptions motors = request.motors;
+  if (format.has_motors) {
+    result.refusal = add_controllers(session, loaded, request, motors);
+    if (result.refusal) return;
+  }
   const SceneExport written{.flat = *flat,
                             .scene = loaded.scene,
                             .sources = *loaded.sources,
@@ -122,7 +128,7 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
                             .links = request.links,
                             .form = request.form,
                             .ground = request.ground,
-                            .motors = request.motors,
+                            .motors = std::move(motors),
                             .contacts = std::move(contacts),
                             .names_copies = !request.assets.empty(),
                             .meshes = mesh_source(flattening, result.copies, files, limits),

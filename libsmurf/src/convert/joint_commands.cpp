@@ -34,15 +34,17 @@ void add_limits(xml::View interface, JointCommand& command) {
 
 }  // namespace
 
-std::optional<JointCommand> joint_command(xml::View joint) {
+std::optional<JointCommand> joint_command(xml::View joint, std::string_view preferred) {
   std::optional<JointCommand> command;
+  const auto rank = [&](std::string_view interface) {
+    return interface == preferred ? std::optional<int>(-1) : rank_of(interface);
+  };
   for (const xml::View child : joint) {
     if (child.name() != "command_interface") continue;
     const std::string_view name = import::attribute_of(child, "name");
-    const std::optional<int> rank = rank_of(name);
-    if (!rank) continue;
+    if (!rank_of(name)) continue;
     if (!command) command.emplace(JointCommand{child, name, {}, {}, {}, {}});
-    if (*rank < *rank_of(command->interface)) {
+    if (*rank(name) < *rank(command->interface)) {
       command->element = child;
       command->interface = name;
     }

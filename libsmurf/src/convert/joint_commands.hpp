@@ -17,8 +17,8 @@ struct JointCommand {
   std::optional<double> speed, effort;  ///< largest values
 };
 /// A joint that can be commanded in several ways has the position, else the velocity, else the
-/// effort. None if it is only observed.
-std::optional<JointCommand> joint_command(xml::View joint);
+/// effort; but the `preferred` interface, if it has it. None if it is only observed.
+std::optional<JointCommand> joint_command(xml::View joint, std::string_view preferred = {});
 
 /// The interface of a transmission, "" if it states none, such as
 /// "hardware_interface/EffortJointInterface". None if the joint is only observed.

@@ -149,12 +149,15 @@ std::optional<LoadedScene> Conversion::load_scene(const std::string& path) {
   return session_.load_scene(*name, settings());
 }
 
-std::optional<xml::Document> Conversion::load_xml(const std::string& path, Loaded& beside) {
+bool Conversion::allow(const std::string& path) {
   disk_.allow(path);
-  if (const auto reason = why_unreadable(path, files_)) {
-    complain(tool_, "cannot read '" + path + "': " + *reason);
-    return std::nullopt;
-  }
+  const auto reason = why_unreadable(path, files_);
+  if (reason) complain(tool_, "cannot read '" + path + "': " + *reason);
+  return !reason;
+}
+
+std::optional<xml::Document> Conversion::load_xml(const std::string& path, Loaded& beside) {
+  if (!allow(path)) return std::nullopt;
   LoadContext loading = session_.context_of(beside);
   auto document = smurf::load_xml(path, loading);
   if (!document) complain(tool_, "'" + path + "' is not well-formed XML");

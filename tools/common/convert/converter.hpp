@@ -62,6 +62,9 @@ class Conversion {
   std::optional<LoadedExpansion> load_xacro(const std::string& path);
   /// Also reads archives (.zsmurf, .zsmurfs, .zsmurfa), in memory.
   std::optional<LoadedScene> load_scene(const std::string& path);
+  /// Lets a file that the user named be read, wherever it is. If it cannot be read, reports this
+  /// and returns false.
+  bool allow(const std::string& path);
   /// The path of a file beside the model.
   std::optional<xml::Document> load_xml(const std::string& path, Loaded& beside);
 

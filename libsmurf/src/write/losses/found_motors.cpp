@@ -95,6 +95,7 @@ Found chosen_gains(const LinkedModel& model, SceneColumn, const MotorOptions& op
   Found found;
   for (const JointDrive& drive : joint_drives(model, options)) {
     if (drive.kind == DriveKind::effort) continue;
+    if (drive.has_gains_of_controller && drive.kv) continue;
     found.push_back({drive.motor != nullptr ? drive.motor->span : drive.joint->span,
                      shortened(drive.name, kMostOfDriver)});
   }

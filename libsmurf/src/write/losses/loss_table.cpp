@@ -54,6 +54,9 @@ constexpr std::string_view kStableGains =
     "damping is too fast for the inertia and the step, the rest of it is that of the joint, at most "
     "the largest effort divided by the largest speed, or a motor of speeds has an armature; --kp, "
     "--kv, --armature and --actuator choose others";
+constexpr std::string_view kBoundedServo =
+    "added: other ones where a motor with these is not stable at the step, swings, does not hold the "
+    "weight, or does not arrive in 2 s; --kp and --kv choose others";
 constexpr std::string_view kPlainName =
     "changed: names have ASCII letters, digits and _ only, are unique, and are not reserved";
 constexpr std::string_view kHulls =
@@ -155,6 +158,8 @@ constexpr SceneThing kThings[] = {
     {.title = "gains of motors",
      .in_motors = things::chosen_gains,
      .cells = {kKept, kKept, kStableGains, kKept, kKept, kKept, kKept, kGains}},
+    {.title = kBoundedGains,
+     .cells = {kKept, kKept, kBoundedServo, kKept, kKept, kKept, kKept, kKept}},
     {.title = "elements in <gazebo>",
      .in_model = things::gazebo_elements,
      .cells = {kAsGazebo, kAsGazebo,

@@ -59,6 +59,7 @@ inline constexpr std::string_view kInventedMasses = "masses of moving links that
 inline constexpr std::string_view kEmptyShapes = "shapes with a size of 0";
 inline constexpr std::string_view kAbsentInertias = "moments of inertia that are not written";
 inline constexpr std::string_view kUselessInertias = "moments of inertia of 0 and placeholders";
+inline constexpr std::string_view kBoundedGains = "gains of controllers";
 inline constexpr std::string_view kRefusedInertias = "inertias that simulators refuse";
 inline constexpr std::string_view kColorsOfMeshes = "colours of parts of mesh files";
 inline constexpr std::string_view kLostContacts = "collisions of contact sensors on several links";

@@ -31,7 +31,9 @@ const std::vector<MjcfActuators::Motor>& MjcfActuators::motors_of(std::size_t i)
   const double step = scene_.flat.physics.step_size.value_or(kUsualStep);
   for (const JointDrive& drive : drives) {
     const auto joint = static_cast<std::size_t>(drive.joint - model.robot->joints.data());
-    known->second.push_back({drive, smurf::gains_of(drive, inertias[joint], step)});
+    const Motor& motor =
+        known->second.emplace_back(Motor{drive, smurf::gains_of(drive, inertias[joint], step)});
+    if (motor.gains.is_bounded) losses_.note(kBoundedGains, drive.joint->span, *drive.joint->name);
   }
   return known->second;
 }
@@ -66,9 +68,17 @@ void MjcfActuators::add_actuators() {
   bool is_open = false;
   for (std::size_t i = 0; i < count(); ++i) {
     if (robot_of(i) == nullptr || !flat(i).X_WE) continue;
+    const ControlledJoint* last = nullptr;
     for (const Motor& motor : motors_of(i)) {
       if (!is_open) xml_.open("actuator");
       is_open = true;
+      const ControlledJoint* controller = motor.drive.controller;
+      const bool is_same = controller == last || (controller != nullptr && last != nullptr &&
+                                                  controller->controller == last->controller);
+      if (!is_same) {
+        xml_.comment(controller == nullptr ? "without controller" : origin_of(*controller));
+      }
+      last = controller;
       add_actuator(i, motor);
     }
   }

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <set>
 
+#include "base/files/path.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/numbers/quantity.hpp"
+#include "base/text/quoted.hpp"
 #include "base/text/wildcards.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/import.hpp"
@@ -31,7 +33,10 @@ DriveKind kind_of(std::string_view interface) {
 class DriveReader {
  public:
   DriveReader(const LinkedModel& model, const MotorOptions& options)
-      : model_(model), options_(options), drives_(model.robot->joints.size()) {}
+      : model_(model), options_(options), drives_(model.robot->joints.size()) {
+    const auto controlled = options.controlled.find(&model);
+    if (controlled != options.controlled.end()) controlled_ = &controlled->second;
+  }
 
   std::vector<JointDrive> read() {
     const AnnotationValues values(model_);
@@ -40,11 +45,17 @@ class DriveReader {
     }
     of_extensions("ros2_control", &DriveReader::of_ros2_control);
     of_extensions("transmission", &DriveReader::of_transmission);
+    if (controlled_ != nullptr) {
+      for (const auto& [name, one] : *controlled_) drive_of(model_.find_joint(name));
+    }
     if (options_.kind != MotorKind::as_written) add_missing();
+    const std::set<const urdf::Joint*> leaders = leaders_of_others();
     std::vector<JointDrive> found;
     for (std::optional<JointDrive>& drive : drives_) {
       if (!drive) continue;
+      apply_controller(*drive);
       apply_options(*drive);
+      drive->has_followers = leaders.contains(drive->joint);
       found.push_back(std::move(*drive));
     }
     return found;
@@ -73,6 +84,17 @@ class DriveReader {
     return &drive;
   }
 
+  std::set<const urdf::Joint*> leaders_of_others() const {
+    std::set<const urdf::Joint*> leaders;
+    for (const urdf::Joint& joint : model_.robot->joints) {
+      if (joint.mimic && joint.mimic->joint) {
+        leaders.insert(model_.find_joint(*joint.mimic->joint));
+      }
+    }
+    for (const DrivenFollower& follower : driven_followers(model_)) leaders.insert(follower.leader);
+    return leaders;
+  }
+
   /// A joint that no followed motor moves either.
   void add_missing() {
     std::set<const urdf::Joint*> followers;
@@ -84,19 +106,44 @@ class DriveReader {
     }
   }
 
+  /// Null if no controller commands the joint.
+  const ControlledJoint* controlled(std::string_view joint) const {
+    if (controlled_ == nullptr) return nullptr;
+    const auto found = controlled_->find(joint);
+    return found == controlled_->end() ? nullptr : &found->second;
+  }
+
+  void apply_controller(JointDrive& drive) const {
+    const ControlledJoint* controller = controlled(*drive.joint->name);
+    if (controller == nullptr) return;
+    drive.controller = controller;
+    drive.kind = controller->kind == MotorKind::velocity ? DriveKind::velocity
+                 : controller->kind == MotorKind::effort ? DriveKind::effort
+                                                         : DriveKind::position;
+    if (controller->kp) drive.kp = controller->kp;
+    if (controller->kv) drive.kv = controller->kv;
+    drive.has_gains_of_controller = controller->kp.has_value();
+  }
+
   void apply_options(JointDrive& drive) const {
     switch (options_.kind) {
     case MotorKind::as_written: break;
     case MotorKind::automatic:
-      // A program commands the effort so that the joint gets to a position.
-      if (drive.kind == DriveKind::effort) drive.kind = DriveKind::position;
+      // A program commands the effort so that the joint gets to a position, unless its controller
+      // is known and has no gains.
+      if (drive.kind == DriveKind::effort && drive.controller == nullptr) {
+        drive.kind = DriveKind::position;
+      }
       break;
     case MotorKind::position: drive.kind = DriveKind::position; break;
     case MotorKind::velocity: drive.kind = DriveKind::velocity; break;
     case MotorKind::effort: drive.kind = DriveKind::effort; break;
     }
     const std::string& joint = *drive.joint->name;
-    if (const auto kp = number_for(options_.kp, joint)) drive.kp = kp;
+    if (const auto kp = number_for(options_.kp, joint)) {
+      drive.kp = kp;
+      drive.has_gains_of_controller = false;
+    }
     if (const auto kv = number_for(options_.kv, joint)) drive.kv = kv;
     if (const auto armature = number_for(options_.armature, joint)) drive.armature = armature;
   }
@@ -154,13 +201,21 @@ class DriveReader {
   void of_ros2_control(xml::View system) {
     for (const xml::View joint : system) {
       if (joint.name() != "joint") continue;
-      const std::optional<JointCommand> command = joint_command(joint);
+      const std::optional<JointCommand> command = joint_command(joint, claimed_interface(joint));
       if (!command) continue;
       JointDrive* drive = add(system, joint_named(joint), command->interface);
       if (drive == nullptr) continue;
       drive->command = command->element.id();
       narrow(*drive, *command);
     }
+  }
+
+  /// The interface that a controller claims of a joint of ros2_control; "" if none does.
+  std::string_view claimed_interface(xml::View joint) const {
+    const ControlledJoint* controller = controlled(import::attribute_of(joint, "name"));
+    if (controller == nullptr) return {};
+    if (controller->kp || controller->kv || controller->kind == MotorKind::effort) return "effort";
+    return controller->kind == MotorKind::velocity ? "velocity" : "position";
   }
 
   /// The limits of a command may narrow those of the joint, never widen them.
@@ -203,10 +258,18 @@ class DriveReader {
 
   const LinkedModel& model_;
   const MotorOptions& options_;
+  const ControlledJoints* controlled_ = nullptr;   ///< null: no controller commands the model
   std::vector<std::optional<JointDrive>> drives_;  ///< by joint
 };
 
 }  // namespace
+
+std::string origin_of(const ControlledJoint& joint) {
+  const std::string_view folder = path::file_name(path::parent(joint.file));
+  const bool has_name = !folder.empty() && folder.front() != '.';
+  return "as " + quoted(joint.controller) + " commands, from " +
+         (has_name ? std::string(folder) + "/" : "") + std::string(path::file_name(joint.file));
+}
 
 std::vector<JointDrive> joint_drives(const LinkedModel& model, const MotorOptions& options) {
   return model.robot ? DriveReader(model, options).read() : std::vector<JointDrive>();
@@ -243,21 +306,43 @@ double stiffness_against(double weight, const JointDrive& drive) {
   return weight / (kSag * way_of(drive));
 }
 
+constexpr double kSlowest = 0.2;  // s, of kv/kp; in ten times of it, a joint has arrived
+
 /// The damping at which a joint hardly swings that asks for more than its effort: it must begin to
 /// brake half of the way before it arrives, and still be there in time.
 double damping_for(double kp, double moved, const JointDrive& drive) {
   constexpr double kRatio = 0.7;
-  constexpr double kSlowest = 0.2;  // s; in ten times of it, a joint has arrived
   const double linear = 2 * kRatio * std::sqrt(kp * moved);
   const double braking =
       drive.effort ? kp * std::sqrt(way_of(drive) * moved / *drive.effort) / 2 : 0;
   return std::min(std::max(linear, braking), kSlowest * kp);
 }
 
+/// Keeps the gains of a controller where a motor of a simulator works with them. The controller may
+/// have an integral part against the weight, and its damping is about the difference from the speed
+/// of a trajectory: a motor has neither.
+void bound(DriveGains& gains, const JointDrive& drive, const JointInertia& inertia, double step) {
+  const DriveGains stated = gains;
+  const double moved = inertia.locked + gains.armature;
+  const double free = inertia.free + gains.armature;
+  // The force of a motor is integrated explicitly: at twice the step, a spring moves its joint by
+  // at most the whole error in one step.
+  if (free > 0) gains.kp = std::min(gains.kp, free / (4 * step * step));
+  gains.kp = std::max(gains.kp, stiffness_against(inertia.gravity, drive));
+  // With less, swinging around the goal takes more than 2 s to decay to 2 %.
+  constexpr double kSlowestDecay = 4;  // 1/s
+  const double wanted = damping_for(gains.kp, moved, drive);
+  if (gains.kv < std::min(wanted, kSlowestDecay * moved)) gains.kv = wanted;
+  gains.kv = std::min(gains.kv, kSlowest * gains.kp);
+  gains.is_bounded = gains.kp != stated.kp || gains.kv != stated.kv;
+}
+
 }  // namespace
 
 DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double step) {
   DriveGains gains = gains_of(drive);
+  const bool is_of_controller = drive.kind == DriveKind::position && drive.has_gains_of_controller;
+  if (is_of_controller) bound(gains, drive, inertia, step);
   const bool is_chosen = drive.kind == DriveKind::position && !drive.kp && !drive.kv;
   const double moved = inertia.locked + gains.armature;
   const double least_kp = is_chosen ? stiffness_against(inertia.gravity, drive) : 0;
@@ -277,9 +362,11 @@ DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double
     gains.kp = std::max(kRate * kRate * moved, least_kp);
     gains.kv = std::max(2 * std::sqrt(gains.kp * moved),
                         gains.kp / kRate);  // with joints that follow it
+    if (gains.kv <= most) return gains;     // the rest would be a negative damping
   }
   if (!drive.effort) return gains;  // without a limit of the force, it is integrated implicitly
-  if (drive.kind == DriveKind::velocity) {
+  // MuJoCo solves the equality of a follower without the damping, which then makes it unstable.
+  if (drive.kind == DriveKind::velocity || drive.has_followers) {
     if (!drive.armature) gains.armature = 4 * step * gains.kv - inertia.free;
     return gains;
   }
@@ -287,7 +374,9 @@ DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double
   const double braking = drive.speed ? *drive.effort / *drive.speed : gains.kv;
   const double rest = gains.kv - most;
   gains.kv = std::min(gains.kv, most);
-  gains.damping = drive.kv ? rest : std::min(rest, braking);
+  const bool is_asked_for = drive.kv && !is_of_controller;
+  gains.damping = is_asked_for ? rest : std::min(rest, braking);
+  gains.is_bounded = gains.is_bounded || (is_of_controller && rest > 0);
   return gains;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The drives of the joints of a model: SMURF motors, else ros2_control, else transmissions.
+// The drives of the joints of a model: SMURF motors, else ros2_control, else transmissions, with
+// the kinds and gains of controllers and of the caller.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +27,16 @@ struct JointDrive {
   std::optional<double> effort, speed;       ///< largest value; N m or N, rad/s or m/s; above 0
   std::optional<double> lower, upper;        ///< limits of the position, rad or m
   double gain = 0;                           ///< gain of a position, 1/s
-  std::optional<double> kp, kv, armature;    ///< that the caller or the motor asks for
+  /// That the caller, the motor or the controller asks for.
+  std::optional<double> kp, kv, armature;
+  bool has_followers = false;  ///< other joints mimic it
+  const ControlledJoint* controller = nullptr;  ///< that decided about the kind; may be null
+  bool has_gains_of_controller = false;         ///< `kp` is that of the controller
 };
+
+/// "as `arm_controller` commands, from config/controllers.yaml": for the result, which does not
+/// name folders of this machine.
+std::string origin_of(const ControlledJoint& joint);
 
 /// One drive per joint, in the order of the model, for joints with one axis that do not mimic
 /// another joint.
@@ -37,8 +46,9 @@ std::vector<JointDrive> joint_drives(const LinkedModel& model, const MotorOption
 /// of an effort is the command. N m/rad and N m s/rad, or N/m and N s/m.
 struct DriveGains {
   double kp = 0, kv = 0;
-  double damping = 0;   ///< of the joint, besides what the URDF says; not within the effort
-  double armature = 0;  ///< of the joint, kg m^2 or kg
+  double damping = 0;       ///< of the joint, besides what the URDF says; not within the effort
+  double armature = 0;      ///< of the joint, kg m^2 or kg
+  bool is_bounded = false;  ///< other gains than the controller states
 };
 /// How strongly a motor resists a wrong speed. MARS's motors reach their speed within a step; these
 /// use their full effort at a difference of a tenth of the largest speed.

@@ -63,6 +63,15 @@ void XmlText::leaf(std::string_view name, std::string_view text, Attributes attr
 
 void XmlText::leaf(std::string_view name, double value) { leaf(name, format_number(value)); }
 
+void XmlText::comment(std::string text) {
+  if (is_full()) return;
+  for (std::size_t at = text.find("--"); at != text.npos; at = text.find("--", at)) {
+    text.erase(at, 1);
+  }
+  indent(open_.size());
+  out_ += "<!-- " + escape_xml(text) + " -->\n";
+}
+
 std::string XmlText::finish() {
   while (!open_.empty()) close();
   return std::move(out_);

@@ -27,6 +27,8 @@ class XmlText {
   void empty(std::string_view name, const std::vector<Attribute>& attributes);
   void leaf(std::string_view name, std::string_view text, Attributes attributes = {});
   void leaf(std::string_view name, double value);
+  /// Two hyphens, which end a comment, become one.
+  void comment(std::string text);
   /// Adds text that is already XML, on separate lines.
   void raw(std::string_view text) {
     if (!is_full()) out_ += text;

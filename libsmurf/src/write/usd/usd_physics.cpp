@@ -350,6 +350,10 @@ void UsdPhysics::add_axis(std::size_t i, const Joint& joint, Ends ends) {
   if (start != 0) number("state:" + kind + ":physics:position", start * unit_of(urdf));
   if (drive != nullptr) {
     text_.line("custom string smurf:motor = " + UsdaText::quoted(drive->name));
+    if (drive->controller != nullptr) {
+      text_.line("custom string smurf:controller = " +
+                 UsdaText::quoted(origin_of(*drive->controller)));
+    }
   }
   if (speed > 0) number("physxJoint:maxJointVelocity", speed * unit_of(urdf));
   if (friction > 0) number("physxJoint:jointFriction", friction);
