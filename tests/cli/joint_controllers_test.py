@@ -213,6 +213,12 @@ class JointControllers(cli.CliTest):
         text, _ = self.convert("--actuator", "auto")
         self.assertEqual([one for one in re.findall(r'damping="([^"]+)"', text) if float(one) < 0], [])
 
+    def test_joint_that_the_root_does_not_reach(self):
+        self.write(link("base") + joint("j1", "a") + link("a") + link("other") + link("c") +
+                   joint("j2", "c").replace('"base"', '"other"'))
+        text, _ = self.convert("--actuator", "auto", "--force")
+        self.assertEqual((self.kind(text, "j1"), self.kind(text, "j2")), ("position", None))
+
     def test_leader_of_a_light_finger_has_an_armature(self):
         """MuJoCo solves the equality of its followers without the damping, which made them unstable."""
         self.write(link("base") + joint("j1", "a", 50, 0.6) + link("a", 2e-5, 0.02) +

@@ -89,6 +89,38 @@ class Motors(reader.ReaderTest):
         world, _ = self.world(robot)
         self.assertIn("armature=", world.read_text())
 
+    def test_light_finger_with_followers(self):
+        """The equality of a follower was unstable with the damping of its leader: NaN."""
+        robot = (body("base", 0.03, 5) + joint("a", "base", "left", 50, 0.6, "0.05 0 0") + body("left", 2e-5, 0.02, "0.02 0 0") +
+                 "".join(joint(one, "base", one, 50, 0.6, f"0 {0.05 * (i + 1)} 0").replace("</joint>", '<mimic joint="a"/></joint>') +
+                         body(one, 2e-5, 0.02, "0.02 0 0") for i, one in enumerate(("b", "c", "d"))) + control("a"))
+        self.assert_arrives(self.world(robot)[0], 1)
+
+    def test_light_joints_without_limits(self):
+        """The rest of their damping was negative."""
+        robot = (body("base", 0.03, 5) + joint("a", "base", "one", 1000, 0) + body("one", 4e-7, 0.01) +
+                 joint("b", "one", "two", 1000, 0, "0 0 0.1") + body("two", 4e-7, 0.01))
+        world, _ = self.world(robot, "--actuator", "auto")
+        self.assertNotIn('damping="-', world.read_text())
+        self.assert_arrives(world, 2)
+
+    def test_gains_of_controllers(self):
+        """Too weak, too slow, undamped and too stiff ones: all arrive."""
+        robot = (body("base", 0.03, 5) + joint("a", "base", "one", axis="0 1 0") + body("one", 0.05, 4, "0.2 0 0") +
+                 joint("b", "one", "two", 100, origin="0.4 0 0", axis="0 1 0") + body("two", 0.02, 2, "0.1 0 0") +
+                 joint("c", "two", "tip", 50, origin="0.2 0 0", axis="1 0 0") + body("tip", 0.008, 0.5) + control("a", "b", "c"))
+        for number, gains in enumerate((("{p: 1.0, d: 0.0}",) * 3, ("{p: 1.0e+5, i: 1.0, d: 0.01}",) * 3,
+                                        ("{p: 50.0, d: 500.0}", "{p: 3000.0, d: 30.0}", "{p: 10.0, d: 1.0}"))):
+            lines = "".join(f"      {name}: {one}\n" for name, one in zip("abc", gains))
+            file = self.folder / f"controllers{number}.yaml"
+            file.write_text("controller_manager:\n  ros__parameters:\n    arm:\n"
+                            "      type: joint_trajectory_controller/JointTrajectoryController\n"
+                            "arm:\n  ros__parameters:\n    joints: [a, b, c]\n    command_interfaces: [effort]\n"
+                            "    state_interfaces: [position]\n    gains:\n" + lines)
+            world, said = self.world(robot, "--controllers", file)
+            self.assertIn("gains of controllers", said)
+            self.assert_arrives(world, 3)
+
     def test_zero_and_placeholder_inertias(self):
         shape = box(0.2, 0.2, 0.2)
         robot = (body("base", 0.03, 5) + joint("j", "base", "head", 20, 100) + body("head", 0, 1.3, shape=shape) +

@@ -26,11 +26,15 @@ const std::vector<MjcfActuators::Motor>& MjcfActuators::motors_of(std::size_t i)
   std::vector<std::optional<LinkInertial>> masses;
   for (const urdf::Link& link : model.robot->links) masses.push_back(link_mass(model, link).mass);
   const Vector3 gravity = scene_.flat.physics.gravity.value_or(kUsualGravity);
-  const std::vector<JointInertia> inertias = joint_inertias(
-      model, frames_of(scene_, i, frames_), masses, is_free, std::sqrt(dot(gravity, gravity)));
+  const std::vector<std::optional<Pose>>& poses = frames_of(scene_, i, frames_);
+  const std::vector<JointInertia> inertias =
+      joint_inertias(model, poses, masses, is_free, std::sqrt(dot(gravity, gravity)));
   const double step = scene_.flat.physics.step_size.value_or(kUsualStep);
   for (const JointDrive& drive : drives) {
     const auto joint = static_cast<std::size_t>(drive.joint - model.robot->joints.data());
+    // MuJoCo refuses a motor of a joint that is not there: the root does not reach it.
+    const auto link = carried_link(model, joint);
+    if (!link || !poses[*link]) continue;
     const Motor& motor =
         known->second.emplace_back(Motor{drive, smurf::gains_of(drive, inertias[joint], step)});
     if (motor.gains.is_bounded) losses_.note(kBoundedGains, drive.joint->span, *drive.joint->name);

@@ -300,13 +300,19 @@ double way_of(const JointDrive& drive) {
   return drive.joint->type == urdf::JointType::prismatic ? tenth : std::min(kWay, tenth);
 }
 
-/// What holds the weight of all that a joint carries to 1.5 % of this way.
-double stiffness_against(double weight, const JointDrive& drive) {
-  constexpr double kSag = 0.015;
-  return weight / (kSag * way_of(drive));
-}
-
 constexpr double kSlowest = 0.2;  // s, of kv/kp; in ten times of it, a joint has arrived
+
+/// What holds the weight of all that a joint carries, and its friction, to 1.5 % of this way, and
+/// arrives in time against its inertia and the damping of the URDF.
+double least_stiffness(const JointDrive& drive, const JointInertia& inertia, double moved) {
+  constexpr double kSag = 0.015;
+  constexpr double kSlowestRate = 5;  // rad/s: with good damping, 2 % remain after 1.1 s
+  const auto& dynamics = drive.joint->dynamics;
+  const double friction = dynamics ? dynamics->friction.value_or(0) : 0;
+  const double damping = dynamics ? dynamics->damping.value_or(0) : 0;
+  return std::max({(inertia.gravity + std::max(friction, 0.0)) / (kSag * way_of(drive)),
+                   damping / kSlowest, kSlowestRate * kSlowestRate * moved});
+}
 
 /// The damping at which a joint hardly swings that asks for more than its effort: it must begin to
 /// brake half of the way before it arrives, and still be there in time.
@@ -328,11 +334,14 @@ void bound(DriveGains& gains, const JointDrive& drive, const JointInertia& inert
   // The force of a motor is integrated explicitly: at twice the step, a spring moves its joint by
   // at most the whole error in one step.
   if (free > 0) gains.kp = std::min(gains.kp, free / (4 * step * step));
-  gains.kp = std::max(gains.kp, stiffness_against(inertia.gravity, drive));
+  gains.kp = std::max(gains.kp, least_stiffness(drive, inertia, moved));
   // With less, swinging around the goal takes more than 2 s to decay to 2 %.
   constexpr double kSlowestDecay = 4;  // 1/s
+  constexpr double kLeastRatio = 0.1;  // of the damping at which it just does not swing
   const double wanted = damping_for(gains.kp, moved, drive);
-  if (gains.kv < std::min(wanted, kSlowestDecay * moved)) gains.kv = wanted;
+  const double least =
+      std::max(kSlowestDecay * moved, 2 * kLeastRatio * std::sqrt(gains.kp * moved));
+  if (gains.kv < std::min(wanted, least)) gains.kv = wanted;
   gains.kv = std::min(gains.kv, kSlowest * gains.kp);
   gains.is_bounded = gains.kp != stated.kp || gains.kv != stated.kv;
 }
@@ -345,7 +354,7 @@ DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double
   if (is_of_controller) bound(gains, drive, inertia, step);
   const bool is_chosen = drive.kind == DriveKind::position && !drive.kp && !drive.kv;
   const double moved = inertia.locked + gains.armature;
-  const double least_kp = is_chosen ? stiffness_against(inertia.gravity, drive) : 0;
+  const double least_kp = is_chosen ? least_stiffness(drive, inertia, moved) : 0;
   if (gains.kp < least_kp) {
     gains.kp = least_kp;
     gains.kv = std::max(gains.kv, damping_for(gains.kp, moved, drive));

@@ -29,7 +29,7 @@ struct JointDrive {
   double gain = 0;                           ///< gain of a position, 1/s
   /// That the caller, the motor or the controller asks for.
   std::optional<double> kp, kv, armature;
-  bool has_followers = false;  ///< other joints mimic it
+  bool has_followers = false;                   ///< other joints mimic it
   const ControlledJoint* controller = nullptr;  ///< that decided about the kind; may be null
   bool has_gains_of_controller = false;         ///< `kp` is that of the controller
 };
