@@ -290,8 +290,9 @@ class Cache(cli.CliTest):
         complains("cannot write", "--cache", "robot.urdf")
         complains("cannot write", "--cache", "robot.urdf/x")
         self.assertEqual(self.read("robot.urdf"), text)
-        self.expect_complaint("--cache keeps only the records of --format jsonl: write --format jsonl or --resume FILE", *self.options, ".")
-        self.expect_complaint("or leave --cache out", *self.options, "--format", "json", ".")
+        for other in ([], ["--format", "json"], ["--format", "sarif=x.sarif"]):
+            self.expect_complaint("--cache keeps only the records of --format jsonl: write --format jsonl or --resume FILE, or leave --cache out",
+                                  *self.options, *other, ".")
 
     def test_a_cache_that_cannot_be_written_is_read(self):
         if os.geteuid() == 0:

@@ -76,6 +76,18 @@ std::string find_config(const std::string& path, const LintOptions& options,
   return nearest_config(path, files);
 }
 
+bool can_read_named(const LintOptions& options, const FileReader& files) {
+  std::vector<std::string> needed{options.config};
+  if (!options.generate_baseline) needed.push_back(options.baseline);
+  for (const std::string& path : needed) {
+    const auto reason = path.empty() ? std::nullopt : why_unreadable(path, files);
+    if (!reason) continue;
+    complain(kSmurfLint, "cannot read '" + path + "': " + *reason);
+    return false;
+  }
+  return true;
+}
+
 void confine_to_inputs(ConfinedFiles& files, const LintOptions& options) {
   confine(files, searched_or_named(options), options.packages, options.allow_outside);
   confine(files, std::array{options.stdin_filename, options.config}, {}, options.allow_outside);

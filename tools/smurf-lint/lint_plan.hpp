@@ -19,6 +19,10 @@ struct LintPlan : FoundPlan {
   std::string standard_input;  ///< its name in `files`; "": not read
 };
 
+/// Whether the configuration and the baseline that the options name can be read; reports the first
+/// that cannot.
+bool can_read_named(const LintOptions& options, const FileReader& files);
+
 /// Allows reading the files of the command line and of their projects, which planning needs:
 /// smurf/confine.hpp.
 void confine_to_inputs(ConfinedFiles& files, const LintOptions& options);

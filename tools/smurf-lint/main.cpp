@@ -407,37 +407,6 @@ Report run_check(const LintOptions& options, const LintPlan& plan, Session& sess
   return report;
 }
 
-/// Whether the files that the options name can be read; reports the first that cannot.
-bool can_read_named(const LintOptions& options, const FileReader& files) {
-  std::vector<std::string> needed{options.config};
-  if (!options.generate_baseline) needed.push_back(options.baseline);
-  for (const std::string& path : needed) {
-    const auto reason = path.empty() ? std::nullopt : why_unreadable(path, files);
-    if (!reason) continue;
-    complain(kSmurfLint, "cannot read '" + path + "': " + *reason);
-    return false;
-  }
-  return true;
-}
-
-/// Plans with readers of its own: what they remember about the files of a data set is as large as
-/// the plan.
-ExitCode run_records(const LintOptions& options) {
-  LintPlan plan;
-  std::string input;
-  {
-    ConfinedFiles disk;
-    confine_to_inputs(disk, options);
-    const ArchiveFiles archives(disk, options.limits);
-    MemoryFiles files(&archives);
-    if (!can_read_named(options, files)) return kFailed;
-    plan = make_plan(options, files);
-    const std::string& name = plan.standard_input;
-    if (!name.empty()) input = files.read(name, options.limits.file_bytes).text;
-  }
-  return write_records(options, plan, std::move(input));
-}
-
 /// Adds the paths that were asked for to `seen`, unless it is null.
 ExitCode run(const LintOptions& options, std::set<std::string>* seen) {
   if (writes_records(options) && !options.list_files) return run_records(options);

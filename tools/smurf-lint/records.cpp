@@ -20,6 +20,7 @@
 #include "common/cli/progress.hpp"
 #include "common/files/new_file.hpp"
 #include "smurf-lint/settings.hpp"
+#include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
 #include "smurf/each.hpp"
 
@@ -277,52 +278,7 @@ std::string why_no_records(const LintOptions& options) {
 
 bool is_records(const ReportRequest& one) { return one.format->name == kRecords; }
 
-}  // namespace
-
-bool writes_records(const LintOptions& options) {
-  return !options.resume.empty() ||
-         std::any_of(options.reports.begin(), options.reports.end(), is_records);
-}
-
-std::vector<Option> record_options(LintOptions& options) {
-  return {
-      {.group = "Output",
-       .name = "resume",
-       .metavar = "FILE",
-       .help =
-           "Write records (--format jsonl) to FILE for robots that have none there: goes on after "
-           "a run that was stopped.",
-       .set = set_text(options.resume)},
-      {.group = "Output",
-       .name = "cache",
-       .metavar = "DIR",
-       .help =
-           "Keep records (--format jsonl) in this folder, and check only robots for which a file, the "
-           "settings or the version has changed since.",
-       .set = set_text(options.cache)},
-  };
-}
-
-std::optional<std::string> records_conflict(const LintOptions& options) {
-  if (!writes_records(options)) {
-    if (options.cache.empty()) return std::nullopt;
-    return "--cache keeps only the records of --format jsonl: write --format jsonl or --resume FILE, "
-           "or leave --cache out";
-  }
-  const bool is_resumed = !options.resume.empty();
-  if (is_resumed && (!options.reports.empty() || !options.output.empty())) {
-    return "--resume FILE says where the records go; leave out --format and --output";
-  }
-  if (options.reports.size() > 1) {
-    return "--format jsonl is written while robots are checked, and alone";
-  }
-  if (options.fix || options.fix_only || options.diff || options.fix_inertia ||
-      options.renames_names() || options.generate_baseline || options.watch || options.opens) {
-    return "--format jsonl only reports; make changes in another run";
-  }
-  return std::nullopt;
-}
-
+/// `input` is the text of standard input, if the plan has it.
 ExitCode write_records(const LintOptions& options, const LintPlan& plan, std::string input) {
   const bool is_resumed = !options.resume.empty();
   std::string place = is_resumed ? options.resume : options.reports.front().file;
@@ -381,6 +337,68 @@ ExitCode write_records(const LintOptions& options, const LintPlan& plan, std::st
     complain(kSmurfLint, "--cache: " + problem + "; the records are complete without it");
   }
   return is_failed || !plan.problems.empty() ? kFailed : judge(all, threshold);
+}
+
+}  // namespace
+
+bool writes_records(const LintOptions& options) {
+  return !options.resume.empty() ||
+         std::any_of(options.reports.begin(), options.reports.end(), is_records);
+}
+
+std::vector<Option> record_options(LintOptions& options) {
+  return {
+      {.group = "Output",
+       .name = "resume",
+       .metavar = "FILE",
+       .help =
+           "Write records (--format jsonl) to FILE for robots that have none there: goes on after "
+           "a run that was stopped.",
+       .set = set_text(options.resume)},
+      {.group = "Output",
+       .name = "cache",
+       .metavar = "DIR",
+       .help =
+           "Keep records (--format jsonl) in this folder, and check only robots for which a file, the "
+           "settings or the version has changed since.",
+       .set = set_text(options.cache)},
+  };
+}
+
+std::optional<std::string> records_conflict(const LintOptions& options) {
+  if (!writes_records(options)) {
+    if (options.cache.empty()) return std::nullopt;
+    return "--cache keeps only the records of --format jsonl: write --format jsonl or --resume FILE, "
+           "or leave --cache out";
+  }
+  const bool is_resumed = !options.resume.empty();
+  if (is_resumed && (!options.reports.empty() || !options.output.empty())) {
+    return "--resume FILE says where the records go; leave out --format and --output";
+  }
+  if (options.reports.size() > 1) {
+    return "--format jsonl is written while robots are checked, and alone";
+  }
+  if (options.fix || options.fix_only || options.diff || options.fix_inertia ||
+      options.renames_names() || options.generate_baseline || options.watch || options.opens) {
+    return "--format jsonl only reports; make changes in another run";
+  }
+  return std::nullopt;
+}
+
+ExitCode run_records(const LintOptions& options) {
+  LintPlan plan;
+  std::string input;
+  {  // what the readers remember about a data set is as large as the plan
+    ConfinedFiles disk;
+    confine_to_inputs(disk, options);
+    const ArchiveFiles archives(disk, options.limits);
+    MemoryFiles files(&archives);
+    if (!can_read_named(options, files)) return kFailed;
+    plan = make_plan(options, files);
+    const std::string& name = plan.standard_input;
+    if (!name.empty()) input = files.read(name, options.limits.file_bytes).text;
+  }
+  return write_records(options, plan, std::move(input));
 }
 
 }  // namespace smurf::tools

@@ -22,8 +22,8 @@ std::vector<Option> record_options(LintOptions& options);
 /// not.
 std::optional<std::string> records_conflict(const LintOptions& options);
 
-/// Checks each robot and scene of the plan by itself, and writes its record. Memory does not grow
-/// with their number, but for the plan. `input` is the text of standard input, if the plan has it.
-ExitCode write_records(const LintOptions& options, const LintPlan& plan, std::string input);
+/// Checks each robot and scene by itself, and writes its record. Memory does not grow with their
+/// number, but for the plan.
+ExitCode run_records(const LintOptions& options);
 
 }  // namespace smurf::tools

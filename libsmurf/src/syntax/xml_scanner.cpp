@@ -92,8 +92,7 @@ class XmlScanner {
     if (next != '!') return start_tag();
     if (looking_at("<!--")) return comment();
     if (looking_at("<![CDATA[")) return character_section();
-    if (looking_at("<!DOCTYPE")) return doctype();
-    declaration();
+    looking_at("<!DOCTYPE") ? doctype() : declaration();
   }
 
   void skip_section(std::string_view end, std::string_view message, const Circumstance& fault) {
