@@ -6,16 +6,13 @@
 #include <map>
 #include <set>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
-#include "base/findings/cases.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "imports/imports.hpp"
-#include "mjcf/mjcf.hpp"
-#include "sdf/sdf.hpp"
+#include "plan/imported_robots.hpp"
 #include "verdict/targets.hpp"
 
 namespace smurf {
@@ -88,19 +85,13 @@ void move_to_xacro(const xacro::Expansion& expansion, Diagnostic& diagnostic) {
   if (!frames.empty()) diagnostic.call = frames.front()->call;
 }
 
-/// What a finding is about if no program reads the URDF that was made of the file.
-const Circumstance* kind_of_import(const xacro::Expansion& expansion, const SourceMap& sources) {
-  const std::string_view text = sources.text(expansion.root);
-  return mjcf::is_mjcf(text) ? &cases::kOfMjcf : sdformat::is_sdf(text) ? &cases::kOfSdf : nullptr;
-}
-
 /// Marks findings in a URDF that was made of another language. What programs make of a URDF does
 /// not matter to somebody who has none, unless a target asks for it.
 void mark_imports(const xacro::Expansions& expansions, const SourceMap& sources,
                   std::vector<Diagnostic>& found) {
   std::map<SourceId, const Circumstance*> kinds;
   for (const auto& [source, expansion] : expansions)
-    kinds.emplace(source, kind_of_import(expansion, sources));
+    kinds.emplace(source, language_of_import(sources.text(expansion.root)));
   for (Diagnostic& one : found) {
     const auto kind = kinds.find(one.span.source);
     if (kind == kinds.end() || kind->second == nullptr) continue;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "smurf/diagnostic.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/limits.hpp"
 
@@ -14,5 +16,9 @@ namespace smurf {
 /// order.
 std::vector<std::string> imported_robots(const std::vector<std::string>& files,
                                          const FileReader& reader, const Limits& limits);
+
+/// The language of a text, as findings in the URDF that is made of it are marked: cases::kOfMjcf or
+/// kOfSdf; null for other texts.
+const Circumstance* language_of_import(std::string_view text);
 
 }  // namespace smurf

@@ -14,7 +14,6 @@
 #include "write/mjcf/mjcf_loops.hpp"
 #include "write/parts/annotated_colors.hpp"
 #include "write/parts/body_inertia.hpp"
-#include "write/parts/gazebo_elements.hpp"
 #include "write/parts/joint_chain.hpp"
 
 namespace smurf::scene_mjcf_file {
@@ -294,14 +293,6 @@ class MjcfWriter : MjcfLoops {
     return true;
   }
 
-  /// Null: none.
-  const JointSpring* spring_of(const LinkedModel& model, const urdf::Joint& joint) {
-    auto known = springs_.find(&model);
-    if (known == springs_.end()) known = springs_.emplace(&model, springs_of(model)).first;
-    const auto found = known->second.find(joint.name.value_or(""));
-    return found != known->second.end() ? &found->second : nullptr;
-  }
-
   /// MuJoCo refuses an equality for a joint that does not exist, and of a joint with itself.
   void add_follower(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
     const auto leader =
@@ -467,7 +458,6 @@ class MjcfWriter : MjcfLoops {
   std::map<PlaceOfLink, std::vector<std::size_t>> children_;
   std::map<const LinkedModel*, CollisionContacts> contacts_;
   AnnotatedColors colors_;
-  std::map<const LinkedModel*, std::map<std::string_view, JointSpring>> springs_;
   std::map<std::string, std::string> textures_;  ///< file -> name of its material
   std::set<std::string_view> existing_;          ///< names of the model's declared meshes
   std::set<const urdf::Joint*> reported_;

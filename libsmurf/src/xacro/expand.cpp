@@ -115,12 +115,6 @@ bool Expander::fail(const Rule& rule, Span place, std::string message, std::stri
   return report();
 }
 
-std::string Expander::macro_around() const {
-  if (frame_ == kNoFrame) return {};
-  const Frame& frame = result_.frame(frame_);
-  return frame.kind == Frame::Kind::macro ? frame.name : std::string();
-}
-
 bool Expander::report() {
   if (has_failed_) return false;
   if (optional_includes_ > 0 && evaluator_.failure().is_missing_file) return false;

@@ -389,4 +389,10 @@ bool Expander::run_macro(const Node& in, const Resolved& resolved, Node& out, Sc
   return true;
 }
 
+std::string Expander::macro_around() const {
+  if (frame_ == kNoFrame) return {};
+  const Frame& frame = result_.frame(frame_);
+  return frame.kind == Frame::Kind::macro ? frame.name : std::string();
+}
+
 }  // namespace smurf::xacro

@@ -146,6 +146,13 @@ void MjcfParts::add_geom(std::vector<XmlText::Attribute> geom, const Pose& pose,
   xml_.empty("geom", geom);
 }
 
+const JointSpring* MjcfParts::spring_of(const LinkedModel& model, const urdf::Joint& joint) {
+  auto known = springs_.find(&model);
+  if (known == springs_.end()) known = springs_.emplace(&model, springs_of(model)).first;
+  const auto found = known->second.find(joint.name.value_or(""));
+  return found != known->second.end() ? &found->second : nullptr;
+}
+
 /// Meshes of old scenes.
 void MjcfParts::add_meshes_of_entities() {
   for (std::size_t i = 0; i < count(); ++i) {

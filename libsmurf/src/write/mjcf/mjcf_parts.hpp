@@ -4,11 +4,13 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "base/text/unique_names.hpp"
 #include "write/losses/scene_losses.hpp"
 #include "write/mjcf/mjcf_meshes.hpp"
 #include "write/parts/contacts.hpp"
+#include "write/parts/gazebo_elements.hpp"
 #include "write/parts/scene_parts.hpp"
 #include "write/text/xml_text.hpp"
 
@@ -51,6 +53,8 @@ class MjcfParts {
   std::string fault_of_heightmap(const std::string& file) const;
   /// The joint of a free body. Not <freejoint/>, which DART reads as a weld.
   void add_free_joint(const std::string& name, const Pose& X_WB);
+  /// The spring that `<gazebo>` gives a joint; null if there is none.
+  const JointSpring* spring_of(const LinkedModel& model, const urdf::Joint& joint);
   /// Appends the positions of the next joint, in the order of the joints.
   void add_start(const std::string& numbers) { start_ += (start_.empty() ? "" : " ") + numbers; }
   /// One keyframe `initial` with all of these.
@@ -70,6 +74,7 @@ class MjcfParts {
  private:
   void add_class(const std::string& name, const std::vector<XmlText::Attribute>& geom);
   bool has_bitmasks_ = false;
+  std::map<const LinkedModel*, std::map<std::string_view, JointSpring>> springs_;
 
   struct DeclaredHeights {
     std::string name;
