@@ -69,6 +69,13 @@ class TargetTest(unittest.TestCase):
         self.assertIn("so that of joint `lid` is lost", done.stdout)
         self.assertIn("so `friction` and `condim` of a shape are lost", done.stdout)
 
+    def test_free_bodies_are_where_they_are(self):
+        """With all values of a floating joint at zero, all free bodies are at one place."""
+        bodies = "".join(f'<body name="{name}" pos="{at} 0 1"><freejoint/><geom type="box" size="0.1 0.1 0.1"/></body>'
+                         for name, at in (("one", 0), ("other", 2)))
+        _, levels = self.check("crates.xml", f"<mujoco><worldbody>{bodies}</worldbody></mujoco>")
+        self.assertNotIn("SML1655", levels)
+
     def test_gazebo_reads_sdf_itself(self):
         verdicts, levels = self.check("cup.sdf", SDF, "--target", "gazebo")
         self.assertEqual(verdicts, {"gazebo": "takes"})

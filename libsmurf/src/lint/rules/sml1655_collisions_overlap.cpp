@@ -56,6 +56,19 @@ bool is_convex(const LinkedModel& model, const urdf::Collision& collision) {
   return ratio > 0 && ratio < kSame;
 }
 
+/// By link: the joint above it that lets it float, if any. Where two free bodies are, is not known.
+std::vector<std::optional<JointIndex>> floating_joints(const LinkedModel& model) {
+  std::vector<std::optional<JointIndex>> above(model.robot->links.size());
+  for (const LinkIndex link : model.tree.order) {
+    const auto joint = model.tree.parent_joint[to_size(link)];
+    if (!joint) continue;
+    const auto parent = model.tree.joint_parent[to_size(*joint)];
+    const bool floats = model.joint(*joint).type == urdf::JointType::floating;
+    above[to_size(link)] = floats ? joint : parent ? above[to_size(*parent)] : std::nullopt;
+  }
+  return above;
+}
+
 /// SML1520 reports it.
 bool is_in_millimetres(const LinkedModel& model, const urdf::Collision& collision) {
   const std::optional<Box> box = bounding_box(model, collision.geometry);
@@ -68,7 +81,9 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
       LinkOverlaps(model).find(rest_positions(model), findings.tolerance(), kPart);
   if (overlaps.empty()) return;
   const KnownPairs known(companions);
+  const auto floating = floating_joints(model);
   std::erase_if(overlaps, [&](const LinkOverlap& overlap) {
+    if (floating[overlap.link] != floating[overlap.other]) return true;
     if (is_in_millimetres(model, *overlap.collision) ||
         is_in_millimetres(model, *overlap.other_collision)) {
       return true;

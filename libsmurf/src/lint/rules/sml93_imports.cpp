@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Robots that are made from files of other languages.
+#include <string_view>
+
 #include "base/findings/cases.hpp"
 #include "base/findings/readers.hpp"
 #include "base/findings/rules.hpp"
@@ -7,11 +9,13 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kRan = "MuJoCo 4.0.0, run";
+
 constexpr Fact kMujocoRefuses[] = {
-    {&readers::mujoco, Effect::refuses, "does not compile the model", kRun}};
+    {&readers::mujoco, Effect::refuses, "does not compile the model", kRan}};
 constexpr Fact kMujocoNeedsMesh[] = {
-    {&readers::mujoco, Effect::takes, "makes the mesh itself", kRun, when(cases::kMadeByMujoco)},
-    {&readers::mujoco, Effect::refuses, "does not compile the model", kRun}};
+    {&readers::mujoco, Effect::takes, "makes the mesh itself", kRan, when(cases::kMadeByMujoco)},
+    {&readers::mujoco, Effect::refuses, "does not compile the model", kRan}};
 constexpr Fact kSdformatRefuses[] = {
     {&readers::gazebo, Effect::refuses, "refuses the file", "libsdformat 12, run"}};
 
