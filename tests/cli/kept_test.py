@@ -228,6 +228,7 @@ CHANGES = {
     "start positions": (", pose: bent", ""),
     "keys of primitives": (", colour: blue", ""),
 }
+CHANGES["gains of controllers"] = CHANGES["gains of motors"]
 CHANGES["gravity when none is set"] = CHANGES["gravity"]
 CHANGES["step size when none is set"] = CHANGES["step size"]
 # Things that only some formats keep, beside the entry that contains them.
@@ -255,6 +256,8 @@ OWN_WORDS = {"textures in mjcf": "the texture `skin.png`, whose content is not P
 # The rich scene has none of the materials, names, sensors and loops that are lost where others are kept.
 UNNAMED = {("partly", thing) for thing in ("material", "visual setting", "sensor", "joints that close a loop")}
 UNNAMED |= {("changed: USD computes moments of inertia of 0 from shapes", "inertias that simulators refuse")}
+# The scene has no controllers; joint_controllers_test has.
+UNNAMED |= {("added", "gains of controllers")}
 # Previews show where things are at the start, and do not list what changes nothing of that.
 UNNAMED |= {("shapes only", thing) for thing in ("names of visuals and collisions", "mimicking joints", "position limits",
                                                   "anchors", "gravity", "step size", "solver settings")}
@@ -263,7 +266,7 @@ ASIDES = {"masses of moving links that have none", "moments of inertia that are 
           "sensor setting", "material setting", "gravity when none is set", "step size when none is set",
           "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives",
           "roots named `world` without an anchor", "colours of parts of mesh files", "collisions within a robot",
-          "gains of motors", "collisions of contact sensors on several links", "systems of Gazebo for sensors",
+          "gains of motors", "gains of controllers", "collisions of contact sensors on several links", "systems of Gazebo for sensors",
           "names of entities", "heightmaps in colour or out of reach", "moments of inertia of 0 and placeholders",
           "heightmaps that are not square", "robots that move freely"}
 OF_URDF = set(list(CHANGES)[:list(CHANGES).index("motor")])

@@ -21,6 +21,8 @@ VALUES = ["", "0", "-1", "nan", "inf", "1e308", "99999999999999999999", "x", "1 
 
 def change_value(text, rng):
     found = list(re.finditer(r'="([^"]*)"', text))
+    if not found:
+        return text
     one = rng.choice(found)
     return text[:one.start(1)] + rng.choice(VALUES) + text[one.end(1):]
 
@@ -34,18 +36,25 @@ def change_text(text, rng):
 
 
 def delete_tag(text, rng):
-    one = rng.choice(list(re.finditer(r"<[^>]*>", text)))
+    found = list(re.finditer(r"<[^>]*>", text))
+    if not found:
+        return text
+    one = rng.choice(found)
     return text[:one.start()] + text[one.end():]
 
 
 def repeat_element(text, rng):
     found = list(re.finditer(r"<[^<>/]*/>|<(\w+)\b[^<>]*>[^<]*</\1>", text))
+    if not found:
+        return text
     one = rng.choice(found) if found else None
     return text[:one.end()] + one[0] * rng.choice([1, 50]) + text[one.end():] if one else text
 
 
 def rename(text, rng):
     found = list(re.finditer(r"[< ](\w+)[ =>]", text))
+    if not found:
+        return text
     one, other = rng.choice(found), rng.choice(found)
     return text[:one.start(1)] + other[1] + text[one.end(1):]
 
@@ -56,6 +65,8 @@ def cut(text, rng):
 
 def nest(text, rng):
     found = list(re.finditer(r"<(\w+)\b[^<>]*>(?:(?!<\1\b).)*?</\1>", text, re.S))
+    if not found:
+        return text
     one, other = rng.choice(found), rng.choice(found)
     at = text.find(">", other.start()) + 1
     return text[:at] + one[0] * 3 + text[at:]

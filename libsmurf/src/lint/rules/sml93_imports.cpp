@@ -109,8 +109,9 @@ extern constinit const Rule sml9309_angle_unit{
     .name = "angle-unit",
     .severity = Severity::warning,
     .summary = "Ranges of an MJCF file look as if they were in the other unit of angles.",
-    .why = "MuJoCo takes angles as degrees unless `<compiler>` says otherwise, and a joint of "
-           "+-1.57 degrees hardly moves.",
+    .why =
+        "Angles are degrees unless `<compiler>` says otherwise, and a joint of +-1.57 degrees hardly "
+        "moves.",
     .remedy = "Write `<compiler angle=\"radian\"/>`, or correct the ranges.",
     .sources =
         "The file alone: most ranges are parts of pi, or, for radians, round numbers of degrees.",
@@ -122,7 +123,7 @@ extern constinit const Rule sml9310_contact_bits_without_partner{
     .severity = Severity::warning,
     .summary = "Shapes of an MJCF file have contact bits, and can touch nothing.",
     .why = "Two shapes touch if `contype` of one and `conaffinity` of the other share a bit. These "
-           "meet no shape of another body, and no floor with MuJoCo's default bits.",
+           "meet no shape of another body, and no floor with the usual bits.",
     .remedy = "Give both shapes a common bit, or 0 and 0 to one that is only seen.",
     .sources = "MuJoCo 4.0.0, run.",
     .about = About::robot};
