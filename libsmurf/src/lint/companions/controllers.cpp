@@ -2,8 +2,8 @@
 // Sources: ros2_control controller_manager.cpp; rclcpp parameter files.
 #include "lint/companions/controllers.hpp"
 
-#include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
@@ -69,12 +69,13 @@ bool is_of_controller(yaml::View parameters) {
 
 /// Controllers whose type stands in their own section, as `spawner --param-file` reads it.
 void read_spawned(const std::vector<Node>& nodes, ControllerFile& file) {
+  std::set<std::string_view> known;
+  for (const RosController& one : file.controllers) known.insert(one.name);
   for (const Node& node : nodes) {
-    const bool is_declared =
-        std::any_of(file.controllers.begin(), file.controllers.end(),
-                    [&](const RosController& one) { return one.name == node.name; });
-    if (is_declared || node.name == "controller_manager" || !is_of_controller(node.parameters))
+    if (known.contains(node.name) || node.name == "controller_manager" ||
+        !is_of_controller(node.parameters))
       continue;
+    known.insert(node.name);
     RosController one{.name = node.name,
                       .declared = {},
                       .type = node.parameters.find("type"),

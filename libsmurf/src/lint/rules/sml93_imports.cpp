@@ -99,7 +99,7 @@ extern constinit const Rule sml9308_default_holds_base{
     .summary = "A default for the joints of an MJCF file acts on the free joint of the base, too.",
     .why =
         "`<joint type=\"free\">` takes damping, friction, armature and stiffness of its class, so the "
-        "base falls and turns as if in honey. `<freejoint>` takes none.",
+        "base is slowed down, and harder to move than its mass says. `<freejoint>` takes none.",
     .remedy = "Write `<freejoint/>`.",
     .sources = "MuJoCo 4.0.0, run.",
     .about = About::robot};
