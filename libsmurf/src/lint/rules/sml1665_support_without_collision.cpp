@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "base/files/path.hpp"
@@ -13,10 +15,23 @@ namespace {
 /// Parts that a robot stands on.
 constexpr std::string_view kSupports[] = {"caster", "castor", "wheel", "foot", "feet", "track"};
 
+/// Whether a name has a word, as `rear_wheels` and `wheelLeft` have "wheel", and `tracker` has no
+/// "track".
+bool has_word(const std::string& name, const std::string& lower, std::string_view word) {
+  for (std::size_t at = lower.find(word); at != std::string::npos; at = lower.find(word, at + 1)) {
+    std::size_t end = at + word.size();
+    if (end < name.size() && name[end] == 's') ++end;
+    const bool goes_on = end < name.size() && name[end] >= 'a' && name[end] <= 'z';
+    if (!goes_on) return true;
+  }
+  return false;
+}
+
 bool is_support(const urdf::Link& link) {
-  const std::string name = path::to_lower(link.name.value_or(""));
-  return ranges::any_of(
-      kSupports, [&](std::string_view word) { return name.find(word) != std::string::npos; });
+  const std::string name = link.name.value_or("");
+  const std::string lower = path::to_lower(name);
+  return ranges::any_of(kSupports,
+                        [&](std::string_view word) { return has_word(name, lower, word); });
 }
 
 void check(const LinkedModel& model, Findings& findings) {
